@@ -1,0 +1,11 @@
+//! The contact element: one wheel and the rails under it.
+
+mod evaluate;
+pub mod input;
+pub mod output;
+pub mod parameters;
+
+pub use evaluate::Element;
+pub use input::Input;
+pub use output::Output;
+pub use parameters::Parameters;

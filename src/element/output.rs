@@ -1,0 +1,73 @@
+//! What an evaluation gives.
+
+use super::parameters::RAILS;
+
+/// Patches that are reported one by one; forces hold any number.
+pub const REPORTED_PATCHES: usize = 8;
+
+/// Force on a body and moment about its marker, in the track frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench {
+    /// Force [N].
+    pub force: [f64; 3],
+    /// Moment about the marker of the body [N m].
+    pub moment: [f64; 3],
+}
+
+/// One loaded zone; forces are those on the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Patch {
+    /// Number of the rail, 1 for `rail[1]`; 0 for no patch.
+    pub rail: i32,
+    /// Normal force, damping included, ≥ 0 [N].
+    pub normal_force: f64,
+    /// Creep force on the wheel along x and along the contact frame's lateral axis [N].
+    pub creep_force: [f64; 2],
+    /// Moment of the tractions on the wheel about the contact normal, at the patch's position [N m].
+    pub spin_moment: f64,
+    /// Roll of the contact frame about the track's x axis, negative on the right tread [rad].
+    pub contact_angle: f64,
+    /// Centroid of the normal load in the track frame [m].
+    pub position: [f64; 3],
+    /// Lateral coordinate of the centroid on the wheel profile [m].
+    pub wheel_y: f64,
+    /// Lateral coordinate of the centroid on the rail profile [m].
+    pub rail_y: f64,
+    /// Distance of the contact point from the axle [m].
+    pub rolling_radius: f64,
+    /// Overlap of the undeformed bodies along the contact normal [m].
+    pub penetration: f64,
+    /// Greatest pressure [Pa].
+    pub max_pressure: f64,
+    /// Greatest extent along x [m].
+    pub length: f64,
+    /// Extent across [m].
+    pub width: f64,
+    /// Area [m²].
+    pub area: f64,
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the patch's position.
+    pub creepage: [f64; 3],
+    /// Share of the area that slips, 0 to 1 [-].
+    pub slip_share: f64,
+    /// Power turned into heat [W].
+    pub frictional_power: f64,
+}
+
+/// All outputs; one field for each FMU output of design section 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Output {
+    /// On the wheel, about the wheel marker.
+    pub wheel: Wrench,
+    /// On each rail, about the rail marker.
+    pub rails: [Wrench; RAILS],
+    /// Number of loaded zones found.
+    pub patch_count: i32,
+    /// How often a solver fell back to a simpler model since initialisation.
+    pub fallback_count: i32,
+    /// Dissipated energy per distance, spin included [J/m].
+    pub wear_number: f64,
+    /// Power turned into heat [W].
+    pub frictional_power: f64,
+    /// The heaviest patches, heaviest first.
+    pub patches: [Patch; REPORTED_PATCHES],
+}

@@ -1,0 +1,157 @@
+//! What is fixed once an element is initialised.
+
+/// On which side of the track the wheel runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// Positive y.
+    #[default]
+    Right,
+    /// Negative y: computed as the mirror image of the right side.
+    Left,
+}
+
+/// Normal contact model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NormalModel {
+    /// An ellipse at each contact point from the curvatures there.
+    Hertz,
+    /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
+    #[default]
+    PiotrowskiKik,
+}
+
+/// How creepage varies over a patch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CreepageModel {
+    /// One triple of creepages for each patch.
+    #[default]
+    Flat,
+}
+
+/// Tangential contact model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TangentialModel {
+    /// No creep force.
+    None,
+    /// Kalker's march through the strips of the true patch.
+    #[default]
+    Fastsim,
+}
+
+/// Shape of the traction bound along a strip.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TractionBound {
+    /// Friction times the semi-elliptical pressure.
+    Elliptic,
+    /// A parabola of the same load.
+    #[default]
+    Parabolic,
+}
+
+/// How the three flexibilities of the simplified theory enter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Flexibilities {
+    /// One for each creepage.
+    #[default]
+    Three,
+    /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
+    Blended,
+}
+
+/// Wheel: profile, size and material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WheelParameters {
+    /// Built-in name or file of the profile.
+    pub profile: String,
+    /// Radius of the running circle, > 0 [m].
+    pub nominal_radius: f64,
+    /// Young's modulus, > 0 [Pa].
+    pub young_modulus: f64,
+    /// Poisson's ratio, 0 to 0.5 [-].
+    pub poisson_ratio: f64,
+}
+
+/// One rail: profile and how it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RailParameters {
+    /// Built-in name or file of the profile.
+    pub profile: String,
+    /// Whether this rail takes part.
+    pub enabled: bool,
+    /// Inclination of the profile towards the track centre, 1:40 is 0.025 [rad as tangent].
+    pub inclination: f64,
+}
+
+/// Everything fixed over a run; one field for each FMU parameter of design section 3.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// Side of the track.
+    pub side: Side,
+    /// The wheel.
+    pub wheel: WheelParameters,
+    /// The rails, `rail[1]` first.
+    pub rails: [RailParameters; RAILS],
+    /// Young's modulus of the rails, > 0 [Pa].
+    pub rail_young_modulus: f64,
+    /// Poisson's ratio of the rails, 0 to 0.5 [-].
+    pub rail_poisson_ratio: f64,
+    /// Track gauge, > 0 [m].
+    pub gauge: f64,
+    /// Depth below the rail top at which the gauge is measured, > 0 [m].
+    pub gauge_depth: f64,
+    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
+    pub profile_smoothing: f64,
+    /// Normal contact model.
+    pub normal_model: NormalModel,
+    /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
+    pub virtual_penetration: f64,
+    /// Strips across each loaded zone, 4 to 200.
+    pub strips: usize,
+    /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
+    pub damping: f64,
+    /// How creepage varies over a patch.
+    pub creepage_model: CreepageModel,
+    /// Floor of the speed that creepages refer to, > 0 [m/s].
+    pub minimum_speed: f64,
+    /// Tangential contact model.
+    pub tangential_model: TangentialModel,
+    /// Elements along each strip, 4 to 200.
+    pub elements_along: usize,
+    /// Shape of the traction bound.
+    pub bound: TractionBound,
+    /// How the flexibilities enter.
+    pub flexibilities: Flexibilities,
+}
+
+/// Number of rails an element can carry.
+pub const RAILS: usize = 1;
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            side: Side::Right,
+            wheel: WheelParameters {
+                profile: "S1002".into(),
+                nominal_radius: 0.46,
+                young_modulus: 2.1e11,
+                poisson_ratio: 0.28,
+            },
+            rails: [RailParameters { profile: "60E1".into(), enabled: true, inclination: 0.025 }],
+            rail_young_modulus: 2.1e11,
+            rail_poisson_ratio: 0.28,
+            gauge: 1.435,
+            gauge_depth: 0.014,
+            profile_smoothing: 0.002,
+            normal_model: NormalModel::default(),
+            virtual_penetration: 0.55,
+            strips: 30,
+            damping: 1e5,
+            creepage_model: CreepageModel::default(),
+            minimum_speed: 1e-3,
+            tangential_model: TangentialModel::default(),
+            elements_along: 30,
+            bound: TractionBound::default(),
+            flexibilities: Flexibilities::default(),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! What can be wrong with what a caller hands over.
+//!
+//! No contact is a value, not an error; a broken invariant is a `debug_assert!`. Kernels over strips
+//! and elements cannot fail: everything is validated where it enters.
+
+use crate::geometry::profile::ProfileError;
+
+/// Why a parameter, an input or a profile was refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// A number outside its admitted range, not finite included.
+    #[error("{name} = {value} is not admitted: {allowed}")]
+    BadValue {
+        /// FMU name of the variable, such as `wheel.nominal_radius`.
+        name: String,
+        /// The value that was refused.
+        value: f64,
+        /// What would be admitted, in words and with its unit.
+        allowed: &'static str,
+    },
+    /// A text that names none of the admitted choices.
+    #[error("{name} = \"{value}\" is not admitted: {allowed}")]
+    BadText {
+        /// FMU name of the variable.
+        name: String,
+        /// The text that was refused.
+        value: String,
+        /// What would be admitted.
+        allowed: String,
+    },
+    /// A wheel or rail profile that cannot be had or used.
+    #[error("{name}: {source}")]
+    Profile {
+        /// FMU name of the parameter that named the profile, such as `wheel.profile`.
+        name: String,
+        /// What is wrong with it.
+        source: ProfileError,
+    },
+}
+
+impl ContactError {
+    /// A [`ContactError::BadValue`] from its parts.
+    pub(crate) fn bad_value(name: impl Into<String>, value: f64, allowed: &'static str) -> Self {
+        Self::BadValue { name: name.into(), value, allowed }
+    }
+}

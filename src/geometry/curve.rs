@@ -1,0 +1,145 @@
+//! A plane curve of cubic pieces, as which every wheel and rail profile is evaluated.
+//!
+//! Each piece is the cubic Hermite interpolant of the points and tangents at its two knots, so that
+//! a cubic spline (values and first derivatives at the knots) is carried over exactly. The parameter is
+//! close to arc length, which makes steep flanks and vertical faces as good as the tread.
+
+/// Point and tangent of a curve at one knot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knot {
+    /// Curve parameter, close to arc length, strictly growing from knot to knot [m].
+    pub s: f64,
+    /// Point (y, z) in the profile frame [m].
+    pub point: [f64; 2],
+    /// Derivative of the point with respect to `s`, of length close to one [-].
+    pub tangent: [f64; 2],
+}
+
+/// Point and derivatives of a curve with respect to its parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Point (y, z) [m].
+    pub point: [f64; 2],
+    /// First derivative [-].
+    pub first: [f64; 2],
+    /// Second derivative [1/m].
+    pub second: [f64; 2],
+}
+
+/// One cubic piece, as a polynomial in `s - start`.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    start: f64,
+    y: [f64; 4],
+    z: [f64; 4],
+}
+
+/// A plane curve of cubic pieces (y(s), z(s)) in a profile frame [m].
+#[derive(Clone, Debug)]
+pub struct Curve {
+    pieces: Vec<Piece>,
+    end: f64,
+    /// For equal bins over the parameter range the first piece that reaches into the bin.
+    bins: Vec<u32>,
+    bins_per_length: f64,
+}
+
+impl Curve {
+    /// The curve through at least two knots with strictly growing parameters.
+    ///
+    /// # Panics
+    /// With fewer than two knots or parameters that do not grow: profiles are checked before.
+    #[must_use]
+    pub fn through(knots: &[Knot]) -> Self {
+        assert!(knots.len() >= 2, "a curve needs two knots");
+        assert!(knots.windows(2).all(|k| k[1].s > k[0].s), "knot parameters must grow");
+        let pieces: Vec<Piece> = knots.windows(2).map(|k| piece(&k[0], &k[1])).collect();
+        let (start, end) = (knots[0].s, knots[knots.len() - 1].s);
+        let count = 2 * pieces.len();
+        let bins_per_length = count as f64 / (end - start);
+        let bins = (0..count)
+            .map(|bin| {
+                let s = start + bin as f64 / bins_per_length;
+                (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
+            })
+            .collect();
+        Self { pieces, end, bins, bins_per_length }
+    }
+
+    /// Smallest admitted parameter [m].
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.pieces[0].start
+    }
+
+    /// Largest admitted parameter [m].
+    #[must_use]
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, s: f64) -> CurvePoint {
+        let p = &self.pieces[self.piece_of(s)];
+        let u = s - p.start;
+        let value = |c: &[f64; 4]| c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+        let first = |c: &[f64; 4]| c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]);
+        let second = |c: &[f64; 4]| 2.0 * c[2] + 6.0 * u * c[3];
+        CurvePoint {
+            point: [value(&p.y), value(&p.z)],
+            first: [first(&p.y), first(&p.z)],
+            second: [second(&p.y), second(&p.z)],
+        }
+    }
+
+    /// Parameters at which the pieces meet, both ends included [m].
+    pub fn knots(&self) -> impl Iterator<Item = f64> + '_ {
+        self.pieces.iter().map(|p| p.start).chain(std::iter::once(self.end))
+    }
+
+    #[inline]
+    fn piece_of(&self, s: f64) -> usize {
+        // Comparisons with NaN are false and the cast saturates, so any s gives a valid index.
+        let bin = ((s - self.start()) * self.bins_per_length) as usize;
+        let mut index = self.bins[bin.min(self.bins.len() - 1)] as usize;
+        while index + 1 < self.pieces.len() && self.pieces[index + 1].start <= s {
+            index += 1;
+        }
+        index
+    }
+}
+
+fn piece(from: &Knot, to: &Knot) -> Piece {
+    let h = to.s - from.s;
+    let cubic = |i: usize| {
+        let slope = (to.point[i] - from.point[i]) / h;
+        let (m0, m1) = (from.tangent[i], to.tangent[i]);
+        [from.point[i], m0, (3.0 * slope - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * slope) / (h * h)]
+    };
+    Piece { start: from.s, y: cubic(0), z: cubic(1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_is_carried_over_exactly_on_uneven_knots() {
+        let f = |s: f64| [s, 2.0 - s + 3.0 * s * s - s * s * s];
+        let d = |s: f64| [1.0, -1.0 + 6.0 * s - 3.0 * s * s];
+        let knots: Vec<Knot> = [-1.0, -0.9, 0.3, 0.31, 2.0]
+            .iter()
+            .map(|&s| Knot { s, point: f(s), tangent: d(s) })
+            .collect();
+        let curve = Curve::through(&knots);
+        for i in 0..=300 {
+            let s = -1.0 + 0.01 * f64::from(i);
+            let p = curve.at(s);
+            approx::assert_relative_eq!(p.point[1], f(s)[1], epsilon = 1e-12);
+            approx::assert_relative_eq!(p.first[1], d(s)[1], epsilon = 1e-12);
+            approx::assert_relative_eq!(p.second[1], 6.0 - 6.0 * s, epsilon = 1e-10);
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Profiles, the placed wheel and rail, and where they touch.
+
+pub mod curve;
+pub mod profile;

@@ -1,0 +1,5 @@
+//! Wheel-rail contact element.
+
+pub mod element;
+pub mod error;
+pub mod geometry;
