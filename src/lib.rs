@@ -3,3 +3,6 @@
 pub mod element;
 pub mod error;
 pub mod geometry;
+pub mod material;
+pub mod math;
+pub mod normal;

@@ -1,5 +1,5 @@
 //! Mathematics without railway words.
 
 pub mod elliptic;
+pub mod quadrature;
 pub mod root;
-pub mod spline;
