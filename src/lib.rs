@@ -6,3 +6,5 @@ pub mod geometry;
 pub mod material;
 pub mod math;
 pub mod normal;
+pub mod planar;
+pub mod tangential;

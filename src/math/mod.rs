@@ -3,3 +3,4 @@
 pub mod elliptic;
 pub mod quadrature;
 pub mod root;
+pub mod spline;

@@ -47,7 +47,8 @@ mod tests {
         for count in [1, 2, 5, 30, 101] {
             let rule = GaussLegendre::new(count);
             let degree = (2 * count - 2) as i32;
-            let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree)).sum();
+            let sum: f64 =
+                rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree)).sum();
             approx::assert_relative_eq!(sum, 2.0 / f64::from(degree + 1), max_relative = 1e-12);
         }
     }

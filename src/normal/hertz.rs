@@ -48,9 +48,8 @@ pub fn ellipse(along: f64, across: f64, approach: f64, contact_modulus: f64) -> 
 fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
     let log_lambda = curvature_ratio.ln();
     let squared = (log_lambda / std::f64::consts::LN_10).powi(2);
-    let polynomial = |c: [f64; 4]| {
-        1.0 + squared * (c[0] + squared * (c[1] + squared * (c[2] + squared * c[3])))
-    };
+    let polynomial =
+        |c: [f64; 4]| 1.0 + squared * (c[0] + squared * (c[1] + squared * (c[2] + squared * c[3])));
     let exponent = 2.0 / 3.0
         * polynomial([0.402_274_36, 3.749_175_2e-2, 7.485_576_1e-4, 2.166_702_8e-6])
         / polynomial([0.426_788_78, 4.260_540_1e-2, 9.078_692_2e-4, 2.786_892_7e-6]);
@@ -78,7 +77,8 @@ fn log_curvature_ratio(log_kappa: f64, c: &Complete) -> (f64, f64) {
     // λ = (E - (1 - m) K) / ((1 - m) (K - E))
     let (upper, lower) = (c.second_minus_reduced_first, c.first_minus_second);
     // d upper/dm = K/2, d lower/dm = E/(2 (1 - m)); dm/d ln κ = 2 (1 - m).
-    let slope = 2.0 * complement * (0.5 * c.first / upper - 0.5 * c.second / (complement * lower)) + 2.0;
+    let slope =
+        2.0 * complement * (0.5 * c.first / upper - 0.5 * c.second / (complement * lower)) + 2.0;
     debug_assert!(m > 0.0);
     ((upper / (complement * lower)).ln(), slope)
 }

@@ -91,8 +91,7 @@ impl Strips {
     /// Whether another zone of `strips` strips fits.
     #[must_use]
     pub fn has_room_for(&self, strips: usize) -> bool {
-        self.zones.len() < self.zones.capacity()
-            && self.y.len() + strips <= self.y.capacity()
+        self.zones.len() < self.zones.capacity() && self.y.len() + strips <= self.y.capacity()
     }
 
     /// Normal force of all zones, without damping [N].

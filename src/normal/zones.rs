@@ -33,9 +33,8 @@ pub fn for_each_zone<S: Separation>(
         while i + 1 < probes.len() && probes[i + 1].f < level {
             i += 1;
         }
-        let deepest = (first..=i)
-            .min_by(|&a, &b| probes[a].f.total_cmp(&probes[b].f))
-            .unwrap_or(first);
+        let deepest =
+            (first..=i).min_by(|&a, &b| probes[a].f.total_cmp(&probes[b].f)).unwrap_or(first);
         let left = edge(separation, probes[..=deepest].iter().rev(), level);
         let right = edge(separation, probes[deepest..].iter(), level);
         if let (Some(left), Some(right)) = (left, right)
