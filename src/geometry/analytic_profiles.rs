@@ -1,6 +1,8 @@
-//! Profiles with closed-form contact, for tests and for trying models: cones, cylinders, arcs, a flat.
+//! Profiles with closed-form contact, for tests and for trying models: cones, cylinders, arcs, a
+//! flat.
 //!
-//! Named by a word and, after a colon, a number: the tangent of a cone's angle or a radius in metres.
+//! Named by a word and, after a colon, a number: the tangent of a cone's angle or a radius in
+//! metres.
 //!
 //! | body | name | shape |
 //! |---|---|---|
@@ -81,7 +83,8 @@ fn flat_rail() -> Curve {
 }
 
 fn arc_rail(radius: f64) -> Curve {
-    // The edge touches the top from inside: its centre is at radius - edge radius from the top's centre.
+    // The edge touches the top from inside: its centre is at radius - edge radius from the top's
+    // centre.
     let angle = ((RAIL_HALF_WIDTH - RAIL_EDGE_RADIUS) / (radius - RAIL_EDGE_RADIUS)).asin();
     let end = [radius * angle.sin(), radius - radius * angle.cos()];
     rail_of(arc([0.0, radius], radius, -FRAC_PI_2, angle - FRAC_PI_2), end, angle)
@@ -111,7 +114,8 @@ mod tests {
 
     #[test]
     fn wheels_follow_their_formulas() {
-        let shapes: [(&str, fn(f64) -> f64); 4] = [
+        type Height = fn(f64) -> f64;
+        let shapes: [(&str, Height); 4] = [
             ("conical:0.05", |y| -0.05 * y),
             ("Cylindrical", |_| 0.0),
             ("arc:0.5", |y| 0.5 - (0.25 - y * y).sqrt()),

@@ -6,11 +6,12 @@
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
-/// Largest angle of a cubic piece of an arc [rad]. The radius then errs by 2e-11 and the curvature by 4e-7
-/// of their values.
+/// Largest angle of a cubic piece of an arc [rad]. The radius then errs by 2e-11 and the curvature
+/// by 4e-7 of their values.
 const ARC_PIECE: f64 = 0.1;
 
-/// Largest gap that is closed without a word where two sections meet [m]: the digits of the standards.
+/// Largest gap that is closed without a word where two sections meet [m]: the digits of the
+/// standards.
 const CLOSED_GAP: f64 = 1e-9;
 
 /// Part of a curve whose parameter starts at zero.
@@ -26,8 +27,9 @@ pub(crate) fn line(from: [f64; 2], to: [f64; 2]) -> Section {
 
 /// A circular arc from one polar angle about its centre to another [rad].
 ///
-/// Angles count from the y axis towards the z axis. The parameter runs `4 tan(φ/4)/φ` times as far as the
-/// arc, φ the angle of a piece: with tangents of length one the pieces are then the best cubics for an arc.
+/// Angles count from the y axis towards the z axis. The parameter runs `4 tan(φ/4)/φ` times as far
+/// as the arc, φ the angle of a piece: with tangents of length one the pieces are then the best
+/// cubics for an arc.
 pub(crate) fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Section {
     let pieces = ((to - from).abs() / ARC_PIECE).ceil().max(1.0);
     let step = (to - from) / pieces;
@@ -45,8 +47,8 @@ pub(crate) fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Section 
         .collect()
 }
 
-/// The graph z(y) over growing `y`, by a spline through exact points that starts and ends with the exact
-/// slopes. `graph` gives z and dz/dy.
+/// The graph z(y) over growing `y`, by a spline through exact points that starts and ends with the
+/// exact slopes. `graph` gives z and dz/dy.
 pub(crate) fn graph(y: &[f64], graph: impl Fn(f64) -> [f64; 2]) -> Section {
     // Two-point Gauss quadrature of the arc length.
     let offset = 0.5 / 3f64.sqrt();
@@ -100,8 +102,8 @@ pub(crate) fn curve_of(sections: &[Section]) -> Curve {
             (0..2).all(|i| (joint.point[i] - first.point[i]).abs() < CLOSED_GAP),
             "sections do not meet: {joint:?} {first:?}"
         );
-        // The two agree to the digits of the standards. A piece of length h bends by 2/h of a change of its
-        // tangent, so that of the shorter piece is kept.
+        // The two agree to the digits of the standards. A piece of length h bends by 2/h of a
+        // change of its tangent, so that of the shorter piece is kept.
         joint.point = [0, 1].map(|i| 0.5 * (joint.point[i] + first.point[i]));
         let length_before = joint.s - before_last;
         if section[1].s < length_before {

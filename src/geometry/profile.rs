@@ -10,7 +10,8 @@ pub use crate::geometry::profile_error::ProfileError;
 pub enum ProfileKind {
     /// Origin on the running circle: the local rolling radius is the nominal radius plus z.
     Wheel,
-    /// Origin at the top of the rail head, before inclination.
+    /// Origin at the top of the rail head, before inclination; text and SIMPACK files as they
+    /// stand.
     Rail,
 }
 

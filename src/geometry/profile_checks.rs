@@ -103,7 +103,8 @@ fn rail_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
     let points = &profile.points;
     let (first, last) = (points[0].point, points[points.len() - 1].point);
     let slope = (last[1] - first[1]) / (last[0] - first[0]).max(f64::MIN_POSITIVE);
-    // Height of each stretch over the line between the ends, weighted with its width: spacing does not count.
+    // Height of each stretch over the line between the ends, weighted with its width: spacing does
+    // not count.
     let over = |p: &FilePoint| first[1] + slope * (p.point[0] - first[0]) - p.point[1];
     let area: f64 = points
         .windows(2)
@@ -120,8 +121,8 @@ fn rail_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
     })
 }
 
-/// Whether the points follow the profile: no reversals beyond what smoothing at `wavelength` [m] removes,
-/// and no crossing.
+/// Whether the points follow the profile: no reversals beyond what smoothing at `wavelength` [m]
+/// removes, and no crossing.
 pub(crate) fn order(profile: &ProfilePoints, wavelength: f64) -> Result<(), ProfileError> {
     let thinned = thin(&profile.points, SMALLEST_STEP.max(NOISE_SHARE * wavelength));
     for triple in thinned.windows(3) {
@@ -150,7 +151,7 @@ pub(crate) fn order(profile: &ProfilePoints, wavelength: f64) -> Result<(), Prof
     Ok(())
 }
 
-/// Points at least `distance` from the one before, and the last.
+/// The first point, and those at least `distance` from the one kept before.
 fn thin(points: &[FilePoint], distance: f64) -> Vec<FilePoint> {
     let mut kept = vec![points[0]];
     for p in &points[1..] {

@@ -95,10 +95,10 @@ pub enum ProfileError {
         /// What would be admitted.
         allowed: &'static str,
     },
-    /// A file that says of itself that it is of the other body.
+    /// A file whose header or extension says that it is of the other body.
     #[error(
-        "{file}:{line}: the header says that this is not a {kind} profile; name another file, or \
-         correct the type in the header"
+        "{file}:{line}: by its header or its extension this is not a {kind} profile; name another file, \
+         or correct the type"
     )]
     WrongKind {
         /// The file.

@@ -1,18 +1,21 @@
 //! From the points of a file to a profile: placed, checked, smoothed.
 //!
-//! **Order and side.** Points are reversed if they run from the field side to the flange (gauge) side.
+//! **Order and side.** Points are reversed if they run from the field side to the flange (gauge)
+//! side.
 //!
-//! **Origin.** A wheel whose points all have y > -5 mm is measured from its flange back, as MiniProf does and
-//! some SIMPACK files do: its running circle is 70 mm from y = 0, and z is counted from the profile there.
-//! Any other wheel is taken as it stands, with the running circle at y = 0 and the nominal radius at z = 0.
-//! A rail is taken as it stands; a MiniProf rail gets its origin at its highest point.
+//! **Origin.** A wheel whose points all have y > -5 mm is measured from its flange back, as
+//! `MiniProf` does and some SIMPACK files do: its running circle is 70 mm from y = 0, and z is
+//! counted from the profile there. Any other wheel is taken as it stands, with the running circle
+//! at y = 0 and the nominal radius at z = 0. A rail is taken as it stands; a `MiniProf` rail gets
+//! its origin at its highest point.
 //!
-//! **Smoothing.** y and z are smoothed as splines over the arc length, so that flanks and vertical faces fare
-//! as well as the tread. The strength is a wavelength L: a wave of that length along the profile keeps half
-//! its amplitude, one of 2 L 94 %, one of L/2 6 %, whatever the spacing of the points. L = 0 passes
-//! through every point. Lines and arcs stay where they are; a step Δκ of the curvature is spread over about L and
-//! the profile moves there by 0.16 Δκ (L/2π)². With L = 2 mm that is 1.3 µm on S1002 (flank to flange root, Δκ = 77 1/m),
-//! 1.0 µm at the gauge corner of 60E1 (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head.
+//! **Smoothing.** y and z are smoothed as splines over the arc length, so that flanks and vertical
+//! faces fare as well as the tread. The strength is a wavelength L: a wave of that length along the
+//! profile keeps half its amplitude, one of 2 L 94 %, one of L/2 6 %, whatever the spacing of the
+//! points. L = 0 passes through every point. Lines and arcs stay where they are; a step Δκ of the
+//! curvature is spread over about L and the profile moves there by 0.16 Δκ (L/2π)². With L = 2 mm
+//! that is 1.3 µm on S1002 (flank to flange root, Δκ = 77 1/m), 1.0 µm at the gauge corner of 60E1
+//! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head.
 
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
@@ -140,8 +143,8 @@ fn smooth(points: &[[f64; 2]], wavelength: f64) -> Vec<Knot> {
     let penalty = penalty_of_wavelength(wavelength);
     let mut fitted = fit(points, &chord_lengths(points), penalty);
     if penalty > 0.0 {
-        // The chords of noisy points are longer than the profile: take the length from the smoothed one.
-        // Two points may then fall together, and the parameter must grow all the same.
+        // The chords of noisy points are longer than the profile: take the length from the smoothed
+        // one. Two points may then fall together, and the parameter must grow all the same.
         let rough = chord_lengths(points);
         let smoothed: Vec<[f64; 2]> = fitted.iter().map(|k| k.point).collect();
         let mut s = vec![0.0];
@@ -228,7 +231,8 @@ pub(crate) mod tests {
 
     #[test]
     fn points_of_a_standard_profile_give_it_back_flanks_and_vertical_sides_included() {
-        // Largest step of curvature [1/m]: from the flank to an arc of 13 mm, into a fillet of 3 mm.
+        // Largest step of curvature [1/m]: from the flank to an arc of 13 mm, into a fillet of 3
+        // mm.
         let cases =
             [("S1002", ProfileKind::Wheel, 1.0 / 0.013), ("60E1", ProfileKind::Rail, 1.0 / 0.003)];
         for (name, kind, step) in cases {

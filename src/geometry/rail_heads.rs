@@ -1,7 +1,8 @@
 //! Rail heads made of arcs that meet with a common tangent, as rail standards draw them.
 //!
-//! From the centre line outwards: arcs of shrinking radius, each to a given half width, a last arc until
-//! the side line is met, the side line 1:20, and on the built-in rails the fillet and the underside 1:2.75.
+//! From the centre line outwards: arcs of shrinking radius, each to a given half width, a last arc
+//! until the side line is met, the side line 1:20, and on the built-in rails the fillet and the
+//! underside 1:2.75.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -28,15 +29,17 @@ pub(crate) enum SideEnd {
 }
 
 impl Profile {
-    /// A symmetric rail head of arcs, with its origin on the centre line at the top and not inclined.
+    /// A symmetric rail head of arcs, with its origin on the centre line at the top and not
+    /// inclined.
     ///
-    /// `arcs`: radius and half width at the outer end of each [m], from the top outwards, half widths growing.
-    /// `corner_radius` [m]: radius of the last arc, which ends where it meets the side line 1:20.
-    /// `side_depth` [m]: depth below the top to which the side line goes.
+    /// * `arcs`: radius and half width at the outer end of each [m], from the top outwards, half
+    ///   widths growing
+    /// * `corner_radius` [m]: radius of the last arc, which ends where it meets the side line 1:20
+    /// * `side_depth` [m]: depth below the top to which the side line goes
     ///
     /// # Panics
-    /// If the arcs cannot be drawn: half widths that do not grow or that an arc does not reach, or a side
-    /// that ends above the last arc.
+    /// If the arcs cannot be drawn: half widths that do not grow or that an arc does not reach, or
+    /// a side that ends above the last arc.
     #[must_use]
     pub fn rail_from_arcs(
         name: &str,

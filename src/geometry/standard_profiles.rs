@@ -1,7 +1,7 @@
 //! The profiles of the standards, from their formulas: wheel S1002, rails 60E1, 60E2 and 54E1.
 //!
-//! Sources: EN 13715 (S1002, flange height 28 mm, thickness 32.5 mm, wheel width 135 mm) and EN 13674-1
-//! (rails). Names are compared without regard to case.
+//! Sources: EN 13715 (S1002, flange height 28 mm, thickness 32.5 mm, wheel width 135 mm) and EN
+//! 13674-1 (rails). Names are compared without regard to case.
 
 use crate::geometry::analytic_profiles::analytic;
 use crate::geometry::curve::Curve;
@@ -69,7 +69,8 @@ const ZONE_C: [f64; 8] = [
     -4.687_195_829e-5,
     -2.252_755_540e-7,
 ];
-// Limits of the zones of S1002 [mm]. The field end is that of the 135 mm wide wheel, without its chamfer.
+// Limits of the zones of S1002 [mm]. The field end is that of the 135 mm wide wheel, without its
+// chamfer.
 const FIELD_END: f64 = 65.0;
 const AB: f64 = 32.157_96;
 const BC: f64 = -26.0;
@@ -91,9 +92,10 @@ const POINT_DISTANCE: f64 = 0.25;
 
 /// S1002 with flange back; origin on the running circle, 70 mm from the flange back.
 ///
-/// Departure from the standard: its digits leave steps of 0.12 and 0.04 µm and breaks of up to 3e-4 degrees
-/// where zone C meets D and B. A cubic added over zone C, nowhere above 0.12 µm, closes both, so that
-/// tangents are continuous throughout. Curvature jumps between zones, as the standard has it.
+/// Departure from the standard: its digits leave steps of 0.12 and 0.04 µm and breaks of up to 3e-4
+/// degrees where zone C meets D and B. A cubic added over zone C, nowhere above 0.12 µm, closes
+/// both, so that tangents are continuous throughout. Curvature jumps between zones, as the standard
+/// has it.
 fn s1002() -> Curve {
     let zone_b = |y: f64| polynomial(&ZONE_B, y);
     let ([yd, zd], rd) = ARC_D;
@@ -285,8 +287,8 @@ mod tests {
             }
         }
         assert!(turn < 1e-9);
-        // Zones F and G miss each other by 7e-8 mm; their pieces of h = 1.2 mm each take half of it, e:
-        // 6 e / h² = 1.5e-4, of a curvature of 83 1/m.
+        // Zones F and G miss each other by 7e-8 mm; their pieces of h = 1.2 mm each take half of
+        // it, e: 6 e / h² = 1.5e-4, of a curvature of 83 1/m.
         assert!(jump < 1.5e-4, "{jump} 1/m");
     }
 

@@ -1,20 +1,21 @@
-//! MiniProf files (.whl, .ban): a header, a blank line, and points with two or more columns.
+//! `MiniProf` files (.whl, .ban): a header, a blank line, and points with two or more columns.
 //!
-//! The header is free text or `key=value`. Used are `ColumnDef` (which columns are X and Y; without it the
-//! first two), `XYPoints` (the number of points, to notice a file that is cut off) and any mention
-//! of the unit. Offsets, alignment and reference points in the header are left alone.
+//! The header is free text or `key=value`. Used are `ColumnDef` (which columns are X and Y; without
+//! it the first two), `XYPoints` (the number of points, to notice a file that is cut off) and any
+//! mention of the unit. Offsets, alignment and reference points in the header are left alone.
 //!
-//! **Units**: millimetres unless the header says inch, or a `Units=` entry says `in`. If it says neither, a
-//! profile less than 10 units across is taken for one in inches: no wheel or rail is that small in
-//! millimetres, nor that large in inches.
+//! **Units**: millimetres unless the header says inch, or a `Units=` entry says `in`. If it says
+//! neither, a profile less than 10 units across is taken for one in inches: no wheel or rail is
+//! that small in millimetres, nor that large in inches.
 //!
-//! **Frame of the files**: in a wheel file X counts from the flange back to the field side and Y outwards from
-//! the axle, so that the flange tip is at about +28 mm and our z is their Y. In a rail file Y points
-//! up and the measured gauge face is at positive X: both are mirrored. If only one side of a rail reaches
-//! 14 mm below its top, that side is taken for the gauge side, whatever its sign.
+//! **Frame of the files**: in a wheel file X counts from the flange back to the field side and Y
+//! outwards from the axle, so that the flange tip is at about +28 mm and our z is their Y. In a
+//! rail file Y points up and the measured gauge face is at positive X: both are mirrored. If only
+//! one side of a rail reaches 14 mm below its top, that side is taken for the gauge side, whatever
+//! its sign.
 //!
-//! **Origin**: wheels are moved to their running circle, 70 mm from the flange back, and rails to their
-//! highest point.
+//! **Origin**: wheels are moved to their running circle, 70 mm from the flange back, and rails to
+//! their highest point.
 
 use crate::geometry::profile::{ProfileError, ProfileKind};
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
@@ -36,7 +37,7 @@ const WIDEST_IN_INCHES: f64 = 10.0;
 /// Depth below the top at which a gauge face is recognised [m].
 const GAUGE_DEPTH: f64 = 0.014;
 
-/// Whether a text looks like a MiniProf file.
+/// Whether a text looks like a `MiniProf` file.
 pub(crate) fn is_recognised(content: &str) -> bool {
     content.trim_start().starts_with("MINIPROF")
         || lines(content)
@@ -94,7 +95,9 @@ pub(crate) fn read(
         p.point = p.point.map(|x| x * unit * sign);
     }
     if kind == ProfileKind::Rail && gauge_side_is_positive(&points) {
-        points.iter_mut().for_each(|p| p.point[0] = -p.point[0]);
+        for p in &mut points {
+            p.point[0] = -p.point[0];
+        }
     }
     Ok(ProfilePoints { file: file.into(), points, rail_origin_on_top: true, remedies: REMEDIES })
 }
@@ -136,7 +139,8 @@ fn read_header(file: &str, header: &[Line]) -> Result<Header, ProfileError> {
                 });
                 found.unit = Some(unit.ok_or_else(|| refused("the unit must be mm or inch"))?);
             }
-            // Free text counts only where it is not the value of some other entry, such as a file name.
+            // Free text counts only where it is not the value of some other entry, such as a file
+            // name.
             "" => found.unit = unit_named(value).or(found.unit),
             _ => {}
         }
@@ -190,7 +194,8 @@ mod tests {
     const WHEEL: ProfileKind = ProfileKind::Wheel;
     const RAIL: ProfileKind = ProfileKind::Rail;
 
-    /// A wheel as MiniProf writes it: from the flange back, in the given unit, after the given header.
+    /// A wheel as `MiniProf` writes it: from the flange back, in the given unit, after the given
+    /// header.
     fn wheel_file(header: &str, unit: f64) -> String {
         let mut text = format!("{header}\n\n");
         for [y, z] in sampled("S1002", WHEEL, 5e-4) {
@@ -199,7 +204,7 @@ mod tests {
         text
     }
 
-    /// The gauge half of a rail as MiniProf writes it, its gauge side at the given sign of X.
+    /// The gauge half of a rail as `MiniProf` writes it, its gauge side at the given sign of X.
     fn rail_file(header: &str, gauge_sign: f64) -> String {
         let mut text = format!("{header}\n\n");
         for [y, z] in

@@ -1,8 +1,8 @@
 //! SIMPACK profile files (.prw wheel, .prr rail).
 //!
-//! `key = value` entries in the blocks `header` and `spline`, and points between `point.begin` and `point.end`;
-//! what follows `!` outside quotes is a comment. The entries are applied in the order of their numbers in the
-//! files:
+//! `key = value` entries in the blocks `header` and `spline`, and points between `point.begin` and
+//! `point.end`; what follows `!` outside quotes is a comment. The entries are applied in the order
+//! of their numbers in the files:
 //!
 //! 1. `point.dist.min`: a point closer to the one before is dropped
 //! 2. `shift.y`, `shift.z`: added
@@ -10,11 +10,12 @@
 //! 4. `bound.y.min|max`, `bound.z.min|max`: points outside are dropped; off unless min < max
 //! 5. `mirror.y`, `mirror.z`: sign changed if 1
 //! 6. `inversion`: order reversed if 1; without effect here, since the order follows from y
-//! 7. `units.len.f`, `units.ang.f`: units of the file in one metre, one radian (1000 for millimetres); 1 if left out
+//! 7. `units.len.f`, `units.ang.f`: units of the file in one metre, one radian (1000 for
+//!    millimetres); 1 if left out
 //!
-//! `type` in the header (0 rail, 1 wheel) must be that of the body. `approx.smooth` and the weights of a third
-//! column are not used: smoothing is set by its wavelength. The frame is ours: y to the field side and z down for the
-//! right side.
+//! `type` in the header (0 rail, 1 wheel) must be that of the body. `approx.smooth` and the weights
+//! of a third column are not used: smoothing is set by its wavelength. The frame is ours: y to the
+//! field side and z down for the right side.
 
 use crate::geometry::profile::{ProfileError, ProfileKind};
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
@@ -302,7 +303,7 @@ mod tests {
     fn a_file_of_the_other_body_is_refused() {
         let error = read("a.prr", &file(0, "", |p| p), WHEEL).unwrap_err();
         assert!(matches!(error, ProfileError::WrongKind { line: 4, .. }), "{error}");
-        assert!(error.to_string().contains("not a wheel profile"), "{error}");
+        assert!(error.to_string().contains("this is not a wheel profile"), "{error}");
         let error = read("a.prr", &file(7, "", |p| p), WHEEL).unwrap_err();
         assert!(matches!(error, ProfileError::BadHeader { line: 4, .. }), "{error}");
     }

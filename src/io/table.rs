@@ -27,7 +27,8 @@ fn columns(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// All columns as numbers, or nothing if one of them is none. Infinite ones and NaN are numbers here.
+/// All columns as numbers, or nothing if one of them is none. Infinite ones and NaN are numbers
+/// here.
 pub(crate) fn numbers(text: &str) -> Option<Vec<f64>> {
     let numbers: Option<Vec<f64>> = columns(text).iter().map(|column| number(column)).collect();
     numbers.filter(|numbers| !numbers.is_empty())

@@ -1,9 +1,9 @@
-//! Plain text with two columns: y_mm, positive to the field side, and z_mm, positive down.
+//! Plain text with two columns: `y_mm`, positive to the field side, and `z_mm`, positive down.
 //!
-//! Columns are separated by blanks, tabs, commas or semicolons (with semicolons a comma is a decimal point). What
-//! follows `#` or `!` is a comment. One line of headings may stand before the first point. The points
-//! follow the profile, from either end. Wheel: y = 0 on the running circle, or on the flange back if no
-//! y is negative. Rail: any origin.
+//! Columns are separated by blanks, tabs, commas or semicolons (with semicolons a comma is a
+//! decimal point). What follows `#` or `!` is a comment. One line of headings may stand before the
+//! first point. The points follow the profile, from either end. Wheel: y = 0 on the running circle,
+//! or on the flange back if no y is negative. Rail: any origin.
 
 use crate::geometry::profile::ProfileError;
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
@@ -32,7 +32,8 @@ pub(crate) fn read(file: &str, content: &str) -> Result<ProfilePoints, ProfileEr
         }
         match line.point(file, [0, 1], 2..=2, EXPECTED) {
             Ok(point) => {
-                points.push(FilePoint { point: point.map(|x| x * 1e-3), line: line.number })
+                let point = point.map(|x| x * 1e-3);
+                points.push(FilePoint { point, line: line.number });
             }
             // Two lines of words and no point yet: this is some other kind of file.
             Err(_) if points.is_empty() && is_heading(line.text) => {
