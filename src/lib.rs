@@ -3,3 +3,4 @@
 pub mod element;
 pub mod error;
 pub mod geometry;
+pub mod variables;
