@@ -2,5 +2,6 @@
 
 pub mod element;
 pub mod error;
+pub mod fmi;
 pub mod geometry;
 pub mod variables;
