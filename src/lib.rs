@@ -2,6 +2,7 @@
 
 pub mod element;
 pub mod error;
+pub mod fmi;
 pub mod geometry;
 pub mod io;
 pub mod kinematics;
@@ -10,3 +11,4 @@ pub mod math;
 pub mod normal;
 pub mod planar;
 pub mod tangential;
+pub mod variables;
