@@ -155,7 +155,8 @@ impl Element {
     fn touching_height(&mut self, start: &Input) -> f64 {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
         let rails = self.rails.iter().flatten().enumerate();
-        let clear = rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
+        let clear =
+            rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
         if clear.is_infinite() {
             return input.wheel.position[2];
         }

@@ -41,8 +41,22 @@ pub struct ContactLine<'a> {
     axle: [f64; 3],
     /// c = sqrt(1 - u_x²).
     cosine: f64,
-    /// e2 = (0, e2y, e2z): the direction down, across x and the axle.
+    /// (y, z) of e1, the projection of x on the planes of the rolling circles.
+    ahead: [f64; 2],
+    /// (y, z) of e2, the direction down, across x and the axle.
     down: [f64; 2],
+}
+
+/// The point of a rolling circle that belongs to the line.
+struct OnCircle {
+    radius: f64,
+    /// Slope of the profile.
+    slope: f64,
+    /// sin α and cos α.
+    sine: f64,
+    cosine: f64,
+    /// (y, z) of the radial direction n.
+    radial: [f64; 2],
 }
 
 /// A point of the contact line.
@@ -52,7 +66,7 @@ pub struct LinePoint {
     pub x: f64,
     /// Point (y, z) across [m].
     pub point: [f64; 2],
-    /// Unit tangent (y, z), towards the field side.
+    /// Tangent (y, z), towards the field side, of length close to one.
     pub tangent: [f64; 2],
 }
 
@@ -71,6 +85,7 @@ impl<'a> ContactLine<'a> {
             marker: pose.marker,
             axle,
             cosine,
+            ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
         }
     }
@@ -85,7 +100,8 @@ impl<'a> ContactLine<'a> {
     #[inline]
     #[must_use]
     pub fn at(&self, s: f64) -> LinePoint {
-        self.with_derivative(s).0
+        let p = self.profile.at(s);
+        self.point(&p, &self.circle(&p))
     }
 
     /// The point at parameter `s` [m] and the derivative of its (y, z).
@@ -93,45 +109,52 @@ impl<'a> ContactLine<'a> {
     #[must_use]
     pub fn with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
         let p = self.profile.at(s);
-        let radius = self.nominal_radius + p.point[1];
+        let on = self.circle(&p);
         let [ux, uy, uz] = self.axle;
-        // e1 = (c, -ux uy/c, -ux uz/c); down = e2.
-        let ahead = [-ux * uy / self.cosine, -ux * uz / self.cosine];
-        let steepness = p.first[0].max(LEAST_SLOPE_COSINE);
-        let slope = p.first[1] / steepness;
-        let unbounded = slope * ux / self.cosine;
-        let sine = unbounded.clamp(-MOST_SINE, MOST_SINE);
-        let cosine = (1.0 - sine * sine).sqrt();
-        let radial =
-            [ahead[0] * sine + self.down[0] * cosine, ahead[1] * sine + self.down[1] * cosine];
-        let x = self.marker[0] + p.point[0] * ux + radius * self.cosine * sine;
-        let point = [
-            self.marker[1] + p.point[0] * uy + radius * radial[0],
-            self.marker[2] + p.point[0] * uz + radius * radial[1],
-        ];
-        // Normal y_w' n - r' u; its (y, z) turned by a quarter gives the tangent of the outline.
-        let normal = [
-            p.first[0] * radial[0] - p.first[1] * uy,
-            p.first[0] * radial[1] - p.first[1] * uz,
-        ];
-        let length = (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
-        let tangent = [normal[1] / length, -normal[0] / length];
         // d sin α/ds where neither bound is active.
-        let turning = if unbounded.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
-            ux / self.cosine * (p.second[1] - slope * p.second[0]) / steepness
+        let turning = if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
+            ux / self.cosine * (p.second[1] - on.slope * p.second[0]) / p.first[0]
         } else {
             0.0
         };
-        let sideways = radius * turning / cosine;
-        let derivative = [
-            p.first[0] * uy
-                + p.first[1] * radial[0]
-                + sideways * (ahead[0] * cosine - self.down[0] * sine),
-            p.first[0] * uz
-                + p.first[1] * radial[1]
-                + sideways * (ahead[1] * cosine - self.down[1] * sine),
+        let sideways = on.radius * turning / on.cosine;
+        let across = |i: usize, axle: f64| {
+            p.first[0] * axle
+                + p.first[1] * on.radial[i]
+                + sideways * (self.ahead[i] * on.cosine - self.down[i] * on.sine)
+        };
+        (self.point(&p, &on), [across(0, uy), across(1, uz)])
+    }
+
+    /// Where on its rolling circle the profile point `p` belongs to the line.
+    #[inline]
+    fn circle(&self, p: &CurvePoint) -> OnCircle {
+        let radius = self.nominal_radius + p.point[1];
+        let slope = p.first[1] / p.first[0].max(LEAST_SLOPE_COSINE);
+        let sine = (slope * self.axle[0] / self.cosine).clamp(-MOST_SINE, MOST_SINE);
+        let cosine = (1.0 - sine * sine).sqrt();
+        let radial = [
+            self.ahead[0] * sine + self.down[0] * cosine,
+            self.ahead[1] * sine + self.down[1] * cosine,
         ];
-        (LinePoint { x, point, tangent }, derivative)
+        OnCircle { radius, slope, sine, cosine, radial }
+    }
+
+    #[inline]
+    fn point(&self, p: &CurvePoint, on: &OnCircle) -> LinePoint {
+        let [ux, uy, uz] = self.axle;
+        LinePoint {
+            x: self.marker[0] + p.point[0] * ux + on.radius * self.cosine * on.sine,
+            point: [
+                self.marker[1] + p.point[0] * uy + on.radius * on.radial[0],
+                self.marker[2] + p.point[0] * uz + on.radius * on.radial[1],
+            ],
+            // The normal y_w' n - r' u, turned by a quarter; as long as the profile's derivative, which is close to one.
+            tangent: [
+                p.first[0] * on.radial[1] - p.first[1] * uz,
+                p.first[1] * uy - p.first[0] * on.radial[0],
+            ],
+        }
     }
 
     /// What the profile at `p` contributes to the length of the line per parameter beyond one, times

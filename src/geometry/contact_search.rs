@@ -18,19 +18,22 @@ use crate::math::root::bracketed;
 pub const MOST_CONTACTS: usize = 16;
 /// Most probes of one wheel on one rail.
 const MOST_PROBES: usize = 2048;
-/// Step inside an interval of penetration [m].
-const INSIDE_STEP: f64 = 5e-4;
+/// Step inside an interval of penetration: waves of a profile that are shorter are not told apart [m].
+const INSIDE_STEP: f64 = 1.5e-3;
 /// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
-const LEAST_STEP: f64 = 3e-4;
+const LEAST_STEP: f64 = 5e-4;
 /// Length of the bins for which the concavity of the wheel is kept [m].
 const BIN: f64 = 4e-3;
 /// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved than the profile.
-const STEP_SHARE: f64 = 0.8;
+const STEP_SHARE: f64 = 0.9;
 /// Patches are split where neighbouring normals differ by more [rad].
 const MOST_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
-/// Nearest points while searching, and where a minimum is pinned down [m].
-const COARSE: f64 = 1e-9;
-const FINE: f64 = 1e-15;
+/// Last Newton step towards a nearest point while searching, and where a minimum is pinned down; what is then left is about its
+/// square times a curvature [m].
+const COARSE: f64 = 3e-5;
+const FINE: f64 = 1e-9;
+/// Bracket within which a minimum is interpolated [m].
+const EXTREMUM_BRACKET: f64 = 1e-9;
 
 /// One patch: where wheel and rail touch first and the frame there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +76,8 @@ struct Sample {
     rail_s: f64,
     rail_point: [f64; 2],
     rail_tangent: [f64; 2],
+    /// Derivative of `rail_s` with respect to `u`.
+    rail_rate: f64,
     beyond_end: bool,
 }
 
@@ -145,7 +150,8 @@ impl ContactSearch {
         self.probes.clear();
         self.interval.clear();
         let [start, end] = line.range();
-        let mut from = self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
+        let mut from =
+            self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
         if from.distance <= 0.0 {
             self.record(from, Kind::Step);
         }
@@ -154,7 +160,7 @@ impl ContactSearch {
             let u = (from.u + step).min(end);
             // Near the rail the two lines run side by side; from afar the nearest point may be anywhere.
             let guess = if step < BIN && from.distance < BIN {
-                from.rail_s + (u - from.u)
+                from.rail_s + from.rail_rate * (u - from.u)
             } else {
                 rail.coarse_nearest(line.at(u).point)
             };
@@ -199,7 +205,9 @@ impl ContactSearch {
             } else {
                 (from.slope + root) / concavity.max(1e-3)
             };
-            step = step.max(STEP_SHARE * bound.min(BIN) / stretch);
+            // The bounds hold to the end of the next bin.
+            let reach = start + (bin + 2) as f64 * BIN - from.u;
+            step = step.max(STEP_SHARE * bound.min(reach) / stretch);
         }
         step.max(LEAST_STEP)
     }
@@ -230,6 +238,8 @@ impl ContactSearch {
             rail_s: nearest.s,
             rail_point: nearest.point,
             rail_tangent: nearest.tangent,
+            rail_rate: nearest.ratio
+                * (at.tangent[0] * nearest.tangent[0] + at.tangent[1] * nearest.tangent[1]),
             beyond_end: nearest.beyond_end,
         }
     }
@@ -273,13 +283,12 @@ impl ContactSearch {
         from: &Sample,
         to: &Sample,
     ) -> Sample {
-        let mut guess = from.rail_s;
-        let u = bracketed((from.u, from.slope), (to.u, to.slope), 1e-14, |u| {
-            let sample = self.sample(line, rail, u, guess, FINE);
-            guess = sample.rail_s;
-            sample.slope
+        let mut near = *from;
+        let u = bracketed((from.u, from.slope), (to.u, to.slope), EXTREMUM_BRACKET, |u| {
+            near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
+            near.slope
         });
-        self.sample(line, rail, u, guess, FINE)
+        self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE)
     }
 
     fn record(&mut self, sample: Sample, kind: Kind) {
@@ -316,8 +325,7 @@ impl ContactSearch {
             }
             if probe.kind == Kind::Minimum {
                 if let Some(before) = minimum {
-                    let [a, b] =
-                        [before, i].map(|k| self.interval[k].sample.rail_tangent);
+                    let [a, b] = [before, i].map(|k| self.interval[k].sample.rail_tangent);
                     let cosine = a[0] * b[0] + a[1] * b[1];
                     if cosine < MOST_ANGLE.cos() && ridge > first && ridge < i {
                         return ridge;
@@ -333,14 +341,17 @@ impl ContactSearch {
     fn add_contact(&mut self, first: usize, last: usize) {
         let group = &self.interval[first..=last];
         let is_minimum = |p: &&IntervalProbe| p.kind == Kind::Minimum;
-        let deeper =
-            |a: &&IntervalProbe, b: &&IntervalProbe| a.sample.distance.total_cmp(&b.sample.distance);
+        let deeper = |a: &&IntervalProbe, b: &&IntervalProbe| {
+            a.sample.distance.total_cmp(&b.sample.distance)
+        };
         // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
         let deepest = group.iter().min_by(deeper);
         let lowest = group.iter().filter(is_minimum).min_by(deeper);
         let (Some(deepest), lowest) = (deepest, lowest) else { return };
         let sample = match lowest {
-            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => lowest.sample,
+            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => {
+                lowest.sample
+            }
             _ => deepest.sample,
         };
         if sample.distance >= 0.0 {
@@ -354,7 +365,8 @@ impl ContactSearch {
             return;
         }
         for probe in group {
-            self.probes.push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
+            self.probes
+                .push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
         }
         self.contacts.push(Contact {
             u: sample.u,
@@ -388,12 +400,15 @@ pub struct LineSeparation<'a> {
     line: &'a ContactLine<'a>,
     rail: &'a PlacedRail,
     contact: Contact,
-    /// Parameter of the rail and lateral coordinate of the last point: where the next one is near.
-    near: [f64; 2],
+    /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the one by the other: the next
+    /// point is near.
+    near: [f64; 3],
 }
 
 /// Cosine of the angle to the contact frame beyond which a line counts as ended.
 const LEAST_COSINE: f64 = 0.15;
+/// Distance over which the rail's curve is as good as straight [m].
+const OPPOSITE: f64 = 1e-8;
 /// Newton steps for the point of the rail opposite to one of the wheel.
 const MOST_OPPOSITE_STEPS: usize = 12;
 
@@ -401,7 +416,7 @@ impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
     #[must_use]
     pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
-        Self { line, rail, contact, near: [contact.rail_s, 0.0] }
+        Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
     }
 
     /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal.
@@ -409,7 +424,8 @@ impl<'a> LineSeparation<'a> {
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let curve = self.rail.curve();
         let (start, end) = (curve.start(), curve.end());
-        let mut s = (self.near[0] + y - self.near[1]).clamp(start, end);
+        let [near_s, near_y, rate] = self.near;
+        let mut s = (near_s + rate * (y - near_y)).clamp(start, end);
         for _ in 0..MOST_OPPOSITE_STEPS {
             let p = curve.at(s);
             let to = [p.point[0] - self.contact.origin[0], p.point[1] - self.contact.origin[1]];
@@ -419,9 +435,12 @@ impl<'a> LineSeparation<'a> {
                 return None;
             }
             let next = s - error / cosine;
-            if error.abs() <= FINE {
-                self.near = [s, y];
-                return Some([s, to[0] * normal[0] + to[1] * normal[1]]);
+            if error.abs() <= OPPOSITE {
+                // The last step needs no new point: the curve is straight over it.
+                self.near = [next, y, 1.0 / cosine];
+                let depth = to[0] * normal[0] + to[1] * normal[1];
+                let sink = p.first[0] * normal[0] + p.first[1] * normal[1];
+                return Some([next, depth + (next - s) * sink]);
             }
             if (next < start && s <= start) || (next > end && s >= end) {
                 return None;

@@ -3,7 +3,7 @@
 use crate::geometry::curve::{Curve, Knot};
 
 /// Samples for the coarse search of the nearest point.
-const COARSE_POINTS: usize = 24;
+const COARSE_POINTS: usize = 32;
 /// Newton steps for the nearest point; two or three are the rule.
 const MOST_STEPS: usize = 20;
 
@@ -19,6 +19,8 @@ pub struct PlacedRail {
     top: [f64; 2],
     /// Greatest concave curvature of the head, ≥ 0 [1/m].
     pub concavity: f64,
+    /// Points (y, z) of the curve at equal steps of the parameter [m].
+    coarse: Vec<[f64; 2]>,
 }
 
 /// The point of a rail nearest to a given point, and the signed distance.
@@ -32,6 +34,8 @@ pub struct Nearest {
     pub tangent: [f64; 2],
     /// The point (y, z) [m].
     pub point: [f64; 2],
+    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 + curvature · distance) [-].
+    pub ratio: f64,
     /// Whether the rail's curve ends there, so that nothing lies opposite.
     pub beyond_end: bool,
 }
@@ -73,7 +77,11 @@ impl PlacedRail {
         let gauge_face = gauge_face(&curve, gauge_depth).ok_or(GaugeFaceMissing)?;
         let concavity = greatest_concavity(&curve);
         let marker = [0.5 * gauge - gauge_face, 0.0];
-        Ok(Self { curve, marker, inclination: [sine, cosine], top, concavity })
+        let (start, length) = (curve.start(), curve.end() - curve.start());
+        let coarse = (0..=COARSE_POINTS)
+            .map(|i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
+            .collect();
+        Ok(Self { curve, marker, inclination: [sine, cosine], top, concavity, coarse })
     }
 
     /// The curve in the frame of the rail marker [m].
@@ -99,17 +107,16 @@ impl PlacedRail {
     /// A parameter near the point of the rail nearest to `point`, for a search without a neighbour.
     #[must_use]
     pub fn coarse_nearest(&self, point: [f64; 2]) -> f64 {
-        let (start, end) = (self.curve.start(), self.curve.end());
-        let mut best = (f64::INFINITY, start);
-        for i in 0..=COARSE_POINTS {
-            let s = start + (end - start) * i as f64 / COARSE_POINTS as f64;
-            let p = self.curve.at(s).point;
-            let distance = (p[0] - point[0]).powi(2) + (p[1] - point[1]).powi(2);
+        let mut best = (f64::INFINITY, 0);
+        for (i, p) in self.coarse.iter().enumerate() {
+            let (y, z) = (p[0] - point[0], p[1] - point[1]);
+            let distance = y * y + z * z;
             if distance < best.0 {
-                best = (distance, s);
+                best = (distance, i);
             }
         }
-        best.1
+        let (start, end) = (self.curve.start(), self.curve.end());
+        start + (end - start) * best.1 as f64 / COARSE_POINTS as f64
     }
 
     /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to within `tolerance` [m].
@@ -121,6 +128,7 @@ impl PlacedRail {
         let mut s = guess.clamp(start, end);
         let mut p = self.curve.at(s);
         let mut beyond_end = false;
+        let mut ratio = 1.0;
         for _ in 0..MOST_STEPS {
             let to = [point[0] - p.point[0], point[1] - p.point[1]];
             let along = to[0] * p.first[0] + to[1] * p.first[1];
@@ -128,17 +136,21 @@ impl PlacedRail {
             let bending = to[0] * p.second[0] + to[1] * p.second[1];
             // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
             let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
+            ratio = speed / slope;
             let step = (along / slope).clamp(-longest, longest);
             let next = (s + step).clamp(start, end);
             let moved = next - s;
             beyond_end = (next - (s + step)).abs() > tolerance;
             s = next;
-            if moved.abs() > 0.0 {
-                p = self.curve.at(s);
-            }
             if moved.abs() <= tolerance {
+                // Over so short a step the curve is as good as its tangent and its curvature.
+                for i in 0..2 {
+                    p.point[i] += moved * (p.first[i] + 0.5 * moved * p.second[i]);
+                    p.first[i] += moved * p.second[i];
+                }
                 break;
             }
+            p = self.curve.at(s);
         }
         let to = [point[0] - p.point[0], point[1] - p.point[1]];
         let speed = (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
@@ -149,7 +161,7 @@ impl PlacedRail {
         } else {
             to[0] * tangent[1] - to[1] * tangent[0]
         };
-        Nearest { s, distance, tangent, point: p.point, beyond_end }
+        Nearest { s, distance, tangent, point: p.point, ratio, beyond_end }
     }
 }
 

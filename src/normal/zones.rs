@@ -68,12 +68,14 @@ fn edge<'a>(
             continue;
         }
         let (u, f) = inside?;
-        let width = (probe.u - u).abs();
         // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
         let outside = (probe.u, value.min(1.0));
-        return Some(bracketed((u, f), outside, 1e-15 + 1e-12 * width, |u| {
+        return Some(bracketed((u, f), outside, EDGE_BRACKET, |u| {
             (separation.at(u).f - level).min(1.0)
         }));
     }
     inside.map(|(u, _)| u)
 }
+
+/// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
+const EDGE_BRACKET: f64 = 1e-7;

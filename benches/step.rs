@@ -1,0 +1,70 @@
+//! Time of one evaluation of the element in named scenes.
+//!
+//! Every evaluation gets an input that differs from the one before by 0.1 nm of height, so that nothing is reused.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m], parameters.
+struct Scene {
+    name: &'static str,
+    shift: f64,
+    depth: f64,
+    yaw: f64,
+}
+
+const SCENES: [Scene; 5] = [
+    Scene { name: "lifted", shift: 0.0, depth: -1e-3, yaw: 0.0 },
+    Scene { name: "tread", shift: -3e-3, depth: 6e-5, yaw: 1e-3 },
+    Scene { name: "two_zones", shift: 0.0, depth: 4e-5, yaw: 1e-3 },
+    Scene { name: "flange", shift: 8e-3, depth: 6e-5, yaw: 5e-3 },
+    Scene { name: "tread_and_flange", shift: 5.35e-3, depth: 1e-4, yaw: 1e-3 },
+];
+
+fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
+    let mut input = Input::default();
+    input.wheel.position[1] += scene.shift;
+    input.wheel.yaw = scene.yaw;
+    input.wheel.velocity = [20.0, 0.0, 0.0];
+    input.wheel.pitch_rate = -20.0 / 0.46;
+    let element = Element::new(parameters, &input, &[]).expect("built-in profiles");
+    input.wheel.position[2] = element.nominal_wheel_z() + scene.depth;
+    (element, input)
+}
+
+fn evaluate(c: &mut Criterion, group: &str, parameters: &Parameters) {
+    let mut group = c.benchmark_group(group);
+    for case in &SCENES {
+        let (mut element, mut input) = scene(case, parameters);
+        let mut output = Output::default();
+        element.evaluate(&input, &mut output).expect("finite input");
+        let patches = output.patch_count;
+        let mut step = 1e-10;
+        group.bench_function(format!("{}/{patches}_patches", case.name), |b| {
+            b.iter(|| {
+                step = -step;
+                input.wheel.position[2] += step;
+                element.evaluate(black_box(&input), &mut output).expect("finite input");
+                black_box(output.wheel.force[2])
+            });
+        });
+    }
+    group.finish();
+}
+
+fn models(c: &mut Criterion) {
+    let default = Parameters::default();
+    evaluate(c, "piotrowski_kik+fastsim_30x30", &default);
+    let normal_only = Parameters { tangential_model: TangentialModel::None, ..default.clone() };
+    evaluate(c, "piotrowski_kik+none", &normal_only);
+    let hertz = Parameters { normal_model: NormalModel::Hertz, ..default.clone() };
+    evaluate(c, "hertz+fastsim_30x30", &hertz);
+    let coarse = Parameters { strips: 12, elements_along: 12, ..default };
+    evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
+}
+
+criterion_group!(benches, models);
+criterion_main!(benches);
