@@ -182,6 +182,7 @@ fn access(out: &mut String, declaration: &Declaration) {
     let read = |f: &str| format!("Some(values.{f})");
     let whole = |f: &str| format!("Some(IntegerField::get(&values.{f}))");
     let letters = |f: &str| format!("Some(&values.{f})");
+    let slot = |f: &str| format!("Some(&mut values.{f})");
     let write = |f: &str| format!("values.{f} = value");
     let convert = |f: &str| format!("IntegerField::set(&mut values.{f}, value)");
     let copy = |f: &str| format!("value.clone_into(&mut values.{f})");
@@ -192,7 +193,11 @@ fn access(out: &mut String, declaration: &Declaration) {
         function(&format!("integer_field({get}) -> Option<i32>"), arms(integer, &whole), "None"),
         function(&format!("boolean_field({get}) -> Option<bool>"), arms(boolean, &read), "None"),
         function(&format!("text_field({get}) -> Option<&str>"), arms(text, &letters), "None"),
-        function(&format!("set_real_field({set}, value: f64)"), settable(real, &write), "()"),
+        function(
+            "real_slot(values: &mut Values, reference: usize) -> Option<&mut f64>",
+            settable(real, &slot),
+            "None",
+        ),
         function(
             &format!("set_integer_field({set}, value: i32)"),
             settable(integer, &convert),

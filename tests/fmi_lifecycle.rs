@@ -3,15 +3,13 @@
 
 mod host;
 
-use std::ffi::{CStr, CString};
+use std::ffi::CStr;
 use std::ptr::{null, null_mut, without_provenance_mut};
 
-use host::{Arguments, Host, reference};
+use host::{Host, reference};
 use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{
-    CallbackFunctions, Component, FALSE, Status, TRUE, Text, ValueReference, status_kind,
-};
-use wheelrail::variables::{Kind, LOG_CATEGORIES, VARIABLES};
+use wheelrail::fmi::types::{Component, FALSE, Status, TRUE, Text, ValueReference, status_kind};
+use wheelrail::variables::{Kind, VARIABLES};
 
 const PRESSED: [(&str, f64); 4] =
     [("wheel.z", -0.4599), ("wheel.y", 0.751), ("wheel.vx", 20.0), ("wheel.pitch_rate", -43.4)];
@@ -244,134 +242,6 @@ fn instances_do_not_mix_and_threads_change_nothing() {
         threads.into_iter().map(|t| t.join().unwrap()).collect::<Vec<_>>()
     });
     assert_eq!(together, alone);
-}
-
-#[test]
-fn a_logger_that_calls_back_gets_an_error_and_no_deadlock() {
-    let host = Host::stepping();
-    let address = host.component.addr();
-    *host.on_message.lock().unwrap() = Some(Box::new(move |_| {
-        let component = without_provenance_mut(address);
-        assert_eq!(fmi2DoStep(component, 0.0, 1e-3, TRUE), Status::Error);
-    }));
-    assert_eq!(host.step(0.0, -1.0), Status::Error);
-    // One message: the busy instance did not log again.
-    assert_eq!(host.messages.lock().unwrap().len(), 1);
-    *host.on_message.lock().unwrap() =
-        Some(Box::new(move |_| fmi2FreeInstance(without_provenance_mut(address))));
-    assert_eq!(host.step(0.0, -1.0), Status::Error);
-    *host.on_message.lock().unwrap() = None;
-    assert_eq!(host.step(0.0, 1e-3), Status::Error);
-}
-
-#[test]
-fn messages_carry_environment_name_and_a_declared_category() {
-    // That the environment is the host's is what makes the messages arrive at all.
-    let host = Host::instantiate(&Arguments { logging_on: true, ..Arguments::default() });
-    assert_eq!(host.set_reals(&[("wheel.y", f64::NAN)]), Status::Error);
-    assert_eq!(fmi2Reset(host.component), Status::Ok);
-    let messages = host.messages.lock().unwrap().clone();
-    assert!(messages.len() >= 3);
-    for message in messages {
-        assert_eq!(message.instance_name, "front left");
-        assert!(LOG_CATEGORIES.iter().any(|(name, _)| *name == message.category));
-        assert_eq!(message.category == "logStatusError", message.status == Status::Error);
-    }
-}
-
-#[test]
-fn categories_can_be_chosen() {
-    let host = Host::new();
-    let count = || host.messages.lock().unwrap().len();
-    let set = |on, names: &[&CStr]| {
-        let names: Vec<Text> = names.iter().map(|n| n.as_ptr()).collect();
-        // SAFETY: FMI 2.0, 2.1.5: an array of null-terminated texts.
-        unsafe { fmi2SetDebugLogging(host.component, on, names.len(), names.as_ptr()) }
-    };
-    let (event, error) = (
-        || assert_eq!(fmi2Reset(host.component), Status::Ok),
-        || assert_eq!(host.step(0.0, 1e-3), Status::Error),
-    );
-    assert_eq!(count(), 0, "events are off without loggingOn");
-    error();
-    assert_eq!(count(), 1, "errors are on without loggingOn");
-    assert_eq!(set(TRUE, &[c"logEvents"]), Status::Ok);
-    event();
-    assert_eq!(count(), 2);
-    assert_eq!(set(FALSE, &[]), Status::Ok);
-    event();
-    error();
-    assert_eq!(count(), 3);
-    assert_eq!(set(FALSE, &[c"logStatusError"]), Status::Ok);
-    error();
-    assert_eq!(count(), 3);
-    assert_eq!(set(TRUE, &[]), Status::Ok);
-    event();
-    error();
-    assert_eq!(count(), 5);
-    assert_eq!(set(TRUE, &[c"logEverything"]), Status::Error);
-    assert!(host.last().contains("no log category \"logEverything\""), "{}", host.last());
-}
-
-#[test]
-fn a_null_logger_is_no_obstacle() {
-    let functions = CallbackFunctions {
-        logger: None,
-        allocate_memory: None,
-        free_memory: None,
-        step_finished: None,
-        component_environment: null_mut(),
-    };
-    let arguments = Arguments::default();
-    let (name, guid) = (arguments.name.unwrap(), arguments.guid.unwrap());
-    // SAFETY: FMI 2.0, 2.1.5: null-terminated texts, a struct that is filled in; null for it is
-    // refused, which is tested too.
-    let (component, refused) = unsafe {
-        (
-            fmi2Instantiate(
-                name.as_ptr(),
-                1,
-                guid.as_ptr(),
-                null(),
-                &raw const functions,
-                TRUE,
-                TRUE,
-            ),
-            fmi2Instantiate(name.as_ptr(), 1, guid.as_ptr(), null(), null(), TRUE, TRUE),
-        )
-    };
-    assert!(refused.is_null());
-    assert_eq!(fmi2DoStep(component, 0.0, 1e-3, TRUE), Status::Error);
-    assert_eq!(fmi2Reset(component), Status::Ok);
-    fmi2FreeInstance(component);
-}
-
-#[test]
-fn an_instance_that_is_refused_is_explained() {
-    let default = Arguments::default;
-    for (arguments, words) in [
-        (Arguments { guid: Some(c"{1-2-3}".into()), ..default() }, "the GUID is \"{1-2-3}\""),
-        (Arguments { guid: None, ..default() }, "argument fmuGUID is null"),
-        (Arguments { fmu_type: 0, ..default() }, "fmuType 0 is not co-simulation"),
-        (Arguments { name: None, ..default() }, "instanceName is empty"),
-        (Arguments { name: Some(c"".into()), ..default() }, "instanceName is empty"),
-        (Arguments { location: Some(c"file:///\xff".into()), ..default() }, "not UTF-8"),
-    ] {
-        let host = Host::instantiate(&arguments);
-        assert!(host.component.is_null());
-        assert!(host.last().contains(words), "{}", host.last());
-        assert_eq!(host.messages.lock().unwrap()[0].status, Status::Error);
-    }
-}
-
-#[test]
-fn a_location_that_is_no_file_is_a_warning() {
-    for (location, warned) in [(Some(c"https://host/x"), true), (None, false), (Some(c""), false)] {
-        let location: Option<CString> = location.map(Into::into);
-        let host = Host::instantiate(&Arguments { location, ..Arguments::default() });
-        assert!(!host.component.is_null());
-        assert_eq!(host.last().contains("is not a file: URI"), warned, "{}", host.last());
-    }
 }
 
 #[test]

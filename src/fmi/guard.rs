@@ -198,3 +198,31 @@ impl State {
         FmiError::WrongState { state, remedy }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi::types::CallbackFunctions;
+
+    #[test]
+    fn a_panic_is_an_error_and_closes_the_instance() {
+        let functions = CallbackFunctions {
+            logger: None,
+            allocate_memory: None,
+            free_memory: None,
+            step_finished: None,
+            component_environment: null_mut(),
+        };
+        let request = Request {
+            instance_name: c"wheel",
+            fmu_type: CO_SIMULATION,
+            guid: Ok(GUID),
+            resource_location: Ok(""),
+        };
+        let component = instantiate(request, Logger::new(&functions, c"wheel".into(), false));
+        assert_eq!(guard(component, Call::RESET, |_, _| Ok(Status::Ok)), Status::Ok);
+        assert_eq!(guard(component, Call::RESET, |_, _| panic!("on purpose")), Status::Error);
+        assert_eq!(guard(component, Call::RESET, |_, _| Ok(Status::Ok)), Status::Error);
+        free(component);
+    }
+}

@@ -7,7 +7,7 @@ use super::error::FmiError;
 use super::logger::{Category, Logger};
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
 use crate::element::{Element, Input};
-use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, check};
+use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
 
 /// Where in its life an instance is (FMI 2.0, 4.2.4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -206,29 +206,20 @@ impl Instance {
         references: &[ValueReference],
         value: impl Fn(usize) -> Value<'a>,
     ) -> Result<Status, FmiError> {
+        let fixed = self.state == State::Stepping;
         for (i, &reference) in references.iter().enumerate() {
-            let variable = variable(reference)?;
-            let value = value(i);
-            let belongs = match value {
-                Value::Real(_) => is_real(variable.kind),
-                Value::Integer(_) => is_integer(variable.kind),
-                Value::Boolean(_) => is_boolean(variable.kind),
-                Value::Text(_) => is_text(variable.kind),
-            };
-            if !belongs {
-                return Err(wrong_type(variable));
-            }
-            check(variable, value)?;
-            if variable.causality == Causality::Parameter && self.state == State::Stepping {
-                return Err(FmiError::Fixed(variable.name));
+            let variable = VARIABLES.get(reference as usize);
+            let accepted = variable.is_some_and(|v| {
+                admits(v, value(i)) && !(fixed && v.causality == Causality::Parameter)
+            });
+            if !accepted {
+                return Err(refusal(reference, value(i)));
             }
         }
         for (i, &reference) in references.iter().enumerate() {
             let variable = &VARIABLES[reference as usize];
-            let value = value(i);
             // Setting the same value again costs no evaluation.
-            if self.values.get(variable) != value {
-                self.values.write(variable, value);
+            if self.values.write(variable, value(i)) {
                 self.outputs_stale = true;
                 self.parameters_changed |= variable.causality == Causality::Parameter;
             }
@@ -297,6 +288,25 @@ fn variable(reference: ValueReference) -> Result<&'static Variable, FmiError> {
     VARIABLES
         .get(reference as usize)
         .ok_or(FmiError::UnknownReference { reference, last: VARIABLES.len() - 1 })
+}
+
+/// Why a value is not accepted; after initialization, if there is nothing else against it.
+#[cold]
+fn refusal(reference: ValueReference, value: Value) -> FmiError {
+    let variable = match variable(reference) {
+        Ok(variable) => variable,
+        Err(error) => return error,
+    };
+    let belongs = match value {
+        Value::Real(_) => is_real(variable.kind),
+        Value::Integer(_) => is_integer(variable.kind),
+        Value::Boolean(_) => is_boolean(variable.kind),
+        Value::Text(_) => is_text(variable.kind),
+    };
+    if !belongs {
+        return wrong_type(variable);
+    }
+    check(variable, value).map_or_else(FmiError::from, |()| FmiError::Fixed(variable.name))
 }
 
 fn is_real(kind: Kind) -> bool {

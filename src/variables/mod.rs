@@ -8,6 +8,7 @@ mod text;
 mod values;
 
 pub use table::{GUID, LOG_CATEGORIES, VARIABLES};
+pub(crate) use values::admits;
 pub use values::{Values, check};
 
 /// Who sets a variable, and when.

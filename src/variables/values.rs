@@ -1,8 +1,8 @@
 //! The values of all variables of one element, set and read through the table.
 
 use super::table::{
-    VARIABLES, boolean_field, integer_field, real_field, set_boolean_field, set_integer_field,
-    set_real_field, set_text_field, text_field,
+    VARIABLES, boolean_field, integer_field, real_field, real_slot, set_boolean_field,
+    set_integer_field, set_text_field, text_field,
 };
 use super::{Kind, Value, Variable};
 use crate::element::{Input, Output, Parameters};
@@ -71,16 +71,27 @@ impl Values {
         value.unwrap_or(Value::Boolean(false))
     }
 
-    /// Sets a variable to a value that [`check`] has accepted.
+    /// Sets a variable to a value that [`check`] has accepted; whether that changed anything.
     #[inline]
-    pub(crate) fn write(&mut self, variable: &Variable, value: Value) {
+    pub(crate) fn write(&mut self, variable: &Variable, value: Value) -> bool {
         let reference = variable.reference;
-        match value {
-            Value::Real(value) => set_real_field(self, reference, value),
-            Value::Integer(value) => set_integer_field(self, reference, value),
-            Value::Boolean(value) => set_boolean_field(self, reference, value),
-            Value::Text(value) => set_text_field(self, reference, value),
+        if let Value::Real(value) = value {
+            // Inputs are set at every step: the field is looked up once for both.
+            let Some(field) = real_slot(self, reference) else { return false };
+            let changed = field.to_bits() != value.to_bits();
+            *field = value;
+            return changed;
         }
+        let changed = self.get(variable) != value;
+        if changed {
+            match value {
+                Value::Real(_) => {}
+                Value::Integer(value) => set_integer_field(self, reference, value),
+                Value::Boolean(value) => set_boolean_field(self, reference, value),
+                Value::Text(value) => set_text_field(self, reference, value),
+            }
+        }
+        changed
     }
 }
 
@@ -89,14 +100,20 @@ impl Values {
 ///
 /// # Errors
 /// Variable, value and what is admitted.
-#[inline]
 pub fn check(variable: &Variable, value: Value) -> Result<(), ContactError> {
+    if admits(variable, value) { Ok(()) } else { Err(refusal(variable, value)) }
+}
+
+/// Whether [`check`] has nothing against a value.
+#[inline]
+pub(crate) fn admits(variable: &Variable, value: Value) -> bool {
+    // Comparisons with what is not a number are false.
     let in_range = |number: f64| {
         number.is_finite()
             && variable.min.is_none_or(|min| number >= min)
             && variable.max.is_none_or(|max| number <= max)
     };
-    let accepted = variable.is_settable()
+    variable.is_settable()
         && match (variable.kind, value) {
             (Kind::Real, Value::Real(number)) => in_range(number),
             (Kind::Integer, Value::Integer(number)) => in_range(f64::from(number)),
@@ -104,8 +121,7 @@ pub fn check(variable: &Variable, value: Value) -> Result<(), ContactError> {
             (Kind::Boolean, Value::Boolean(_)) => true,
             (Kind::Text, Value::Text(text)) => !text.contains('\0'),
             _ => false,
-        };
-    if accepted { Ok(()) } else { Err(refusal(variable, value)) }
+        }
 }
 
 #[cold]
