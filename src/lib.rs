@@ -3,3 +3,5 @@
 pub mod element;
 pub mod error;
 pub mod geometry;
+pub mod material;
+pub mod planar;
