@@ -5,3 +5,4 @@ pub mod error;
 pub mod geometry;
 pub mod material;
 pub mod planar;
+pub mod variables;

@@ -1,0 +1,208 @@
+//! Writes the Rust side of the declaration: the variable table and typed access to the fields.
+
+use std::fmt::Write;
+
+use crate::declaration::{Causality, Declaration, Kind, Variable};
+
+/// The text of `variables.rs`, included by `src/variables/mod.rs`.
+pub fn generate(declaration: &Declaration) -> String {
+    let mut code = String::new();
+    let out = &mut code;
+    line(out, "/// Identifies the description from which library and XML were made: its hash.");
+    line(out, &format!("pub const GUID: &str = {:?};", declaration.guid));
+    line(out, "/// Categories of log messages, name and description.");
+    line(out, "pub const LOG_CATEGORIES: &[(&str, &str)] = &[");
+    for category in &declaration.log_categories {
+        line(out, &format!("({:?}, {:?}),", category.name, category.description));
+    }
+    line(out, "];");
+    for repeat in &declaration.repeats {
+        line(out, &format!("const _: () = assert!({} == {});", repeat.constant, repeat.count));
+    }
+    enumerations(out, declaration);
+    table(out, declaration);
+    access(out, declaration);
+    code
+}
+
+fn line(out: &mut String, text: &str) {
+    writeln!(out, "{text}").expect("writing to a string cannot fail");
+}
+
+fn enumerations(out: &mut String, declaration: &Declaration) {
+    line(out, "static ENUMERATIONS: &[Enumeration] = &[");
+    for e in &declaration.enumerations {
+        let mut items = String::new();
+        for i in &e.items {
+            line(
+                &mut items,
+                &format!(
+                    "Item {{ name: {:?}, value: {}, description: {:?} }},",
+                    i.name, i.value, i.description
+                ),
+            );
+        }
+        line(
+            out,
+            &format!(
+                "Enumeration {{ name: {:?}, description: {:?}, items: &[{items}] }},",
+                e.name, e.description
+            ),
+        );
+    }
+    line(out, "];");
+    for e in &declaration.enumerations {
+        let (mut get, mut set) = (String::new(), String::new());
+        for i in &e.items {
+            line(&mut get, &format!("Self::{} => {},", i.rust, i.value));
+            line(&mut set, &format!("{} => *self = Self::{},", i.value, i.rust));
+        }
+        line(
+            out,
+            &format!(
+                "impl IntegerField for {} {{\n\
+                 fn get(&self) -> i32 {{ match self {{ {get} }} }}\n\
+                 fn set(&mut self, value: i32) {{ match value {{ {set} _ => {{}} }} }}\n}}",
+                e.name
+            ),
+        );
+    }
+}
+
+fn table(out: &mut String, declaration: &Declaration) {
+    line(out, "/// Every variable; its place is its FMI value reference.");
+    line(out, "pub static VARIABLES: &[Variable] = &[");
+    for (reference, v) in declaration.variables.iter().enumerate() {
+        let (kind, start) = match &v.kind {
+            Kind::Real(s) => {
+                ("Kind::Real".into(), s.map(|s| format!("Value::Real({})", number(s))))
+            }
+            Kind::Integer(s) => ("Kind::Integer".into(), s.map(|s| format!("Value::Integer({s})"))),
+            Kind::Boolean(s) => ("Kind::Boolean".into(), s.map(|s| format!("Value::Boolean({s})"))),
+            Kind::Text(s) => {
+                ("Kind::Text".into(), s.as_ref().map(|s| format!("Value::Text({s:?})")))
+            }
+            Kind::Enumeration(place, s) => (
+                format!("Kind::Enumeration(&ENUMERATIONS[{place}])"),
+                s.map(|s| format!("Value::Integer({s})")),
+            ),
+        };
+        let start = start.map_or("None".into(), |s| format!("Some({s})"));
+        let causality = match v.causality {
+            Causality::Input => "Input",
+            Causality::Parameter => "Parameter",
+            Causality::CalculatedParameter => "CalculatedParameter",
+            Causality::Output => "Output",
+        };
+        let bound = |b: Option<f64>| b.map_or("None".into(), |b| format!("Some({})", number(b)));
+        line(
+            out,
+            &format!(
+                "Variable {{ name: {:?}, description: {:?}, reference: {reference}, kind: {kind}, \
+                 causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, start: {start}, \
+                 dependencies: &{:?}, allowed: {:?} }},",
+                v.name,
+                v.description,
+                v.unit.as_deref().unwrap_or(""),
+                bound(v.min),
+                bound(v.max),
+                v.dependencies,
+                allowed(declaration, v),
+            ),
+        );
+    }
+    line(out, "];");
+}
+
+/// A number as a Rust literal.
+fn number(value: f64) -> String {
+    if value.abs() < 1e4 { format!("{value:?}") } else { format!("{value:e}") }
+}
+
+/// A number for people to read.
+fn plain(value: f64) -> String {
+    if value.abs() < 1e4 { value.to_string() } else { format!("{value:e}") }
+}
+
+/// What a variable admits, in words, for messages.
+fn allowed(declaration: &Declaration, v: &Variable) -> String {
+    let unit = v.unit.as_deref().map_or(String::new(), |u| format!(" {u}"));
+    let sort = if matches!(v.kind, Kind::Integer(_)) { "an integer" } else { "a finite number" };
+    match &v.kind {
+        Kind::Real(_) | Kind::Integer(_) => match (v.min, v.max) {
+            (Some(min), Some(max)) => {
+                format!("{sort} from {} to {}{unit}", plain(min), plain(max))
+            }
+            (Some(min), None) => format!("{sort} of at least {}{unit}", plain(min)),
+            (None, Some(max)) => format!("{sort} of at most {}{unit}", plain(max)),
+            (None, None) => format!("{sort}{unit}"),
+        },
+        Kind::Boolean(_) => "true or false".into(),
+        Kind::Text(_) => "a text without null characters".into(),
+        Kind::Enumeration(place, _) => {
+            let items = declaration.enumerations[*place].items.iter();
+            let items: Vec<String> = items.map(|i| format!("{} ({})", i.name, i.value)).collect();
+            format!("one of {}", items.join(", "))
+        }
+    }
+}
+
+/// Functions that read and write the field behind a variable, one for each type. A reference of
+/// another type gives `None` or changes nothing: callers check the type first.
+fn access(out: &mut String, declaration: &Declaration) {
+    let of = |wanted: fn(&Kind) -> bool| {
+        let all = declaration.variables.iter().enumerate();
+        all.filter(move |(_, v)| wanted(&v.kind))
+    };
+    let arms = |wanted: fn(&Kind) -> bool, get: &dyn Fn(&str) -> String| {
+        let mut arms = String::new();
+        for (reference, v) in of(wanted) {
+            line(&mut arms, &format!("{reference} => {},", get(&v.field)));
+        }
+        arms
+    };
+    let settable = |wanted: fn(&Kind) -> bool, set: &dyn Fn(&str) -> String| {
+        let mut arms = String::new();
+        for (reference, v) in of(wanted) {
+            if matches!(v.causality, Causality::Input | Causality::Parameter) {
+                line(&mut arms, &format!("{reference} => {},", set(&v.field)));
+            }
+        }
+        arms
+    };
+    let real: fn(&Kind) -> bool = |k| matches!(k, Kind::Real(_));
+    let integer: fn(&Kind) -> bool = |k| matches!(k, Kind::Integer(_) | Kind::Enumeration(..));
+    let boolean: fn(&Kind) -> bool = |k| matches!(k, Kind::Boolean(_));
+    let text: fn(&Kind) -> bool = |k| matches!(k, Kind::Text(_));
+    let function = |head: &str, arms: String, rest: &str| {
+        format!("#[inline]\npub(super) fn {head} {{ match reference {{ {arms} _ => {rest} }} }}")
+    };
+    let read = |f: &str| format!("Some(values.{f})");
+    let whole = |f: &str| format!("Some(IntegerField::get(&values.{f}))");
+    let letters = |f: &str| format!("Some(&values.{f})");
+    let write = |f: &str| format!("values.{f} = value");
+    let convert = |f: &str| format!("IntegerField::set(&mut values.{f}, value)");
+    let copy = |f: &str| format!("value.clone_into(&mut values.{f})");
+    let get = "values: &Values, reference: usize";
+    let set = "values: &mut Values, reference: usize";
+    for text in [
+        function(&format!("real_field({get}) -> Option<f64>"), arms(real, &read), "None"),
+        function(&format!("integer_field({get}) -> Option<i32>"), arms(integer, &whole), "None"),
+        function(&format!("boolean_field({get}) -> Option<bool>"), arms(boolean, &read), "None"),
+        function(&format!("text_field({get}) -> Option<&str>"), arms(text, &letters), "None"),
+        function(&format!("set_real_field({set}, value: f64)"), settable(real, &write), "()"),
+        function(
+            &format!("set_integer_field({set}, value: i32)"),
+            settable(integer, &convert),
+            "()",
+        ),
+        function(
+            &format!("set_boolean_field({set}, value: bool)"),
+            settable(boolean, &write),
+            "()",
+        ),
+        function(&format!("set_text_field({set}, value: &str)"), settable(text, &copy), "()"),
+    ] {
+        line(out, &text);
+    }
+}

@@ -1,0 +1,299 @@
+//! Reads `modelDescription/variables.toml` and expands it to a flat list of variables.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+/// The whole declaration, as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    model: Model,
+    experiment: Experiment,
+    unit: Vec<Unit>,
+    log_category: Vec<Described>,
+    enumeration: Vec<Enumeration>,
+    dependency: Vec<Dependency>,
+    group: Vec<Group>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Model {
+    pub name: String,
+    pub description: String,
+    pub license: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Experiment {
+    pub start: f64,
+    pub stop: f64,
+    pub step: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Unit {
+    pub name: String,
+    pub exponents: BTreeMap<String, i32>,
+    #[serde(default)]
+    pub display: Vec<DisplayUnit>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct DisplayUnit {
+    pub name: String,
+    pub factor: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Described {
+    pub name: String,
+    pub description: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Enumeration {
+    pub name: String,
+    pub description: String,
+    pub items: Vec<Item>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Item {
+    pub name: String,
+    pub value: i32,
+    pub rust: String,
+    pub description: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Dependency {
+    name: String,
+    extends: Option<String>,
+    inputs: Vec<String>,
+    #[serde(default)]
+    parameters: Vec<String>,
+}
+
+#[derive(Clone, Copy, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "camelCase")]
+pub enum Causality {
+    Input,
+    Parameter,
+    CalculatedParameter,
+    Output,
+}
+
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Repeat {
+    pub count: usize,
+    /// The Rust constant that must have the same value.
+    pub constant: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Group {
+    causality: Causality,
+    r#type: String,
+    repeat: Option<Repeat>,
+    variables: Vec<Template>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Template {
+    name: String,
+    field: String,
+    unit: Option<String>,
+    min: Option<f64>,
+    max: Option<f64>,
+    start: Option<toml::Value>,
+    depends: Option<String>,
+    description: String,
+}
+
+/// Type of a variable with the start value that goes with it; outputs have none.
+pub enum Kind {
+    Real(Option<f64>),
+    Integer(Option<i32>),
+    Boolean(Option<bool>),
+    Text(Option<String>),
+    /// Index of the enumeration and value of the starting item.
+    Enumeration(usize, Option<i32>),
+}
+
+/// One variable; its value reference is its place in the list.
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Variable {
+    pub name: String,
+    pub field: String,
+    pub description: String,
+    pub causality: Causality,
+    pub kind: Kind,
+    pub unit: Option<String>,
+    pub min: Option<f64>,
+    pub max: Option<f64>,
+    /// Places in the list of the variables on which an unknown depends at initialization.
+    pub dependencies: Vec<usize>,
+}
+
+/// The declaration, expanded and checked.
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Declaration {
+    pub guid: String,
+    pub model: Model,
+    pub experiment: Experiment,
+    pub units: Vec<Unit>,
+    pub log_categories: Vec<Described>,
+    pub enumerations: Vec<Enumeration>,
+    pub variables: Vec<Variable>,
+    pub repeats: Vec<Repeat>,
+}
+
+impl Declaration {
+    /// Parses and expands the text of the declaration.
+    ///
+    /// # Panics
+    /// With a message that names the entry at fault: a faulty declaration must stop the build.
+    pub fn read(text: &str) -> Self {
+        let file: File =
+            toml::from_str(text).unwrap_or_else(|e| panic!("modelDescription/variables.toml: {e}"));
+        let mut variables = Vec::new();
+        let mut depends = Vec::new();
+        let mut repeats = Vec::new();
+        for group in &file.group {
+            let count = group.repeat.as_ref().map_or(1, |r| r.count);
+            repeats.extend(group.repeat.clone());
+            for index in 0..count {
+                for template in &group.variables {
+                    variables.push(expand(&file, group, template, index));
+                    depends.push(template.depends.clone());
+                }
+            }
+        }
+        for (place, depends) in depends.iter().enumerate() {
+            variables[place].dependencies =
+                dependencies(&file, &variables, place, depends.as_deref());
+        }
+        Self {
+            guid: guid(text),
+            model: file.model,
+            experiment: file.experiment,
+            units: file.unit,
+            log_categories: file.log_category,
+            enumerations: file.enumeration,
+            variables,
+            repeats,
+        }
+    }
+}
+
+fn expand(file: &File, group: &Group, template: &Template, index: usize) -> Variable {
+    let name = template.name.replace('#', &(index + 1).to_string());
+    let wrong = |what: &str| -> ! { panic!("modelDescription/variables.toml: {name}: {what}") };
+    let start = template.start.as_ref();
+    let number = |v: &toml::Value| v.as_float().unwrap_or_else(|| wrong("start is not a real"));
+    let whole = |v: &toml::Value| {
+        let integer = v.as_integer().unwrap_or_else(|| wrong("start is not an integer"));
+        i32::try_from(integer).unwrap_or_else(|_| wrong("start is too large"))
+    };
+    let kind = match group.r#type.as_str() {
+        "Real" => Kind::Real(start.map(number)),
+        "Integer" => Kind::Integer(start.map(whole)),
+        "Boolean" => Kind::Boolean(
+            start.map(|v| v.as_bool().unwrap_or_else(|| wrong("start is not a boolean"))),
+        ),
+        "String" => Kind::Text(
+            start.map(|v| v.as_str().map_or_else(|| wrong("start is not a text"), str::to_owned)),
+        ),
+        other => {
+            let place = file.enumeration.iter().position(|e| e.name == other);
+            let place = place.unwrap_or_else(|| wrong("its type is not declared"));
+            let item = |v: &toml::Value| {
+                let items = &file.enumeration[place].items;
+                let found = items.iter().find(|i| Some(i.name.as_str()) == v.as_str());
+                found.unwrap_or_else(|| wrong("start is not an item of its type")).value
+            };
+            Kind::Enumeration(place, start.map(item))
+        }
+    };
+    let settable = matches!(group.causality, Causality::Input | Causality::Parameter);
+    if settable != start.is_some() {
+        wrong("inputs and parameters have a start value, and nothing else has");
+    }
+    if settable == template.depends.is_some() {
+        wrong("outputs and calculated parameters say what they depend on, and nothing else does");
+    }
+    if let Some(unit) = &template.unit
+        && !file.unit.iter().any(|u| &u.name == unit)
+    {
+        wrong("its unit is not declared");
+    }
+    Variable {
+        field: template.field.replace('#', &index.to_string()),
+        description: template.description.replace('#', &(index + 1).to_string()),
+        causality: group.causality,
+        kind,
+        unit: template.unit.clone(),
+        min: template.min,
+        max: template.max,
+        dependencies: Vec::new(),
+        name,
+    }
+}
+
+/// Places of the variables a set names; a set that names no parameters depends on all of them.
+fn dependencies(
+    file: &File,
+    variables: &[Variable],
+    place: usize,
+    set: Option<&str>,
+) -> Vec<usize> {
+    let mut places = Vec::new();
+    let mut every_parameter = true;
+    let mut next = set;
+    while let Some(set) = next {
+        let set = file.dependency.iter().find(|d| d.name == set).unwrap_or_else(|| {
+            panic!("{} depends on \"{set}\", which is not declared", variables[place].name)
+        });
+        every_parameter &= set.parameters.is_empty();
+        for name in set.inputs.iter().chain(&set.parameters) {
+            let found = variables.iter().position(|v| &v.name == name);
+            places.push(found.unwrap_or_else(|| panic!("dependency on unknown variable {name}")));
+        }
+        next = set.extends.as_deref();
+    }
+    if set.is_some() && every_parameter {
+        let all = variables.iter().enumerate();
+        places.extend(
+            all.filter(|(_, v)| v.causality == Causality::Parameter).map(|(place, _)| place),
+        );
+    }
+    places.sort_unstable();
+    places
+}
+
+/// The 128-bit FNV-1a hash of the declaration in the usual form of a GUID.
+fn guid(text: &str) -> String {
+    let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+    for byte in text.bytes() {
+        hash ^= u128::from(byte);
+        hash = hash.wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b);
+    }
+    let hex = format!("{hash:032x}");
+    format!("{{{}-{}-{}-{}-{}}}", &hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..])
+}

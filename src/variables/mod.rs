@@ -1,0 +1,185 @@
+//! The variables of the element by name: what the FMI interface and the command line have in common.
+//!
+//! `modelDescription/variables.toml` is the only declaration. From it come [`VARIABLES`], the typed
+//! access of [`Values`], the GUID and the model description of the FMU, so that they cannot disagree.
+
+mod table;
+mod text;
+mod values;
+
+pub use table::{GUID, LOG_CATEGORIES, VARIABLES};
+pub use values::{Values, check};
+
+/// Who sets a variable, and when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Causality {
+    /// Set by the host at any time.
+    Input,
+    /// Set by the host before the element is initialized, then fixed.
+    Parameter,
+    /// Follows from parameters and starting inputs at initialization.
+    CalculatedParameter,
+    /// Computed by the element.
+    Output,
+}
+
+/// Type of a variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A number.
+    Real,
+    /// A whole number.
+    Integer,
+    /// True or false.
+    Boolean,
+    /// A text, such as a profile name.
+    Text,
+    /// A choice; its value is that of the item.
+    Enumeration(&'static Enumeration),
+}
+
+/// A set of choices.
+#[derive(Debug, PartialEq)]
+pub struct Enumeration {
+    /// Name of the type.
+    pub name: &'static str,
+    /// What is chosen.
+    pub description: &'static str,
+    /// The choices.
+    pub items: &'static [Item],
+}
+
+impl Enumeration {
+    /// The item of that value.
+    #[must_use]
+    pub fn item(&self, value: i32) -> Option<&'static Item> {
+        self.items.iter().find(|i| i.value == value)
+    }
+}
+
+/// One choice.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Item {
+    /// Name, as used in text files.
+    pub name: &'static str,
+    /// Value, as used by FMI; fixed for good.
+    pub value: i32,
+    /// What is chosen with it.
+    pub description: &'static str,
+}
+
+/// A value of any type; enumerations are integers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value<'a> {
+    /// Of a real variable, in its unit.
+    Real(f64),
+    /// Of an integer variable or an enumeration.
+    Integer(i32),
+    /// Of a boolean variable.
+    Boolean(bool),
+    /// Of a text variable.
+    Text(&'a str),
+}
+
+/// What is known about a variable.
+#[derive(Debug, PartialEq)]
+pub struct Variable {
+    /// Name, such as `wheel.force.z`.
+    pub name: &'static str,
+    /// The quantity, its frame and sign.
+    pub description: &'static str,
+    /// Place in [`VARIABLES`], which is also the FMI value reference.
+    pub reference: usize,
+    /// Type.
+    pub kind: Kind,
+    /// Who sets it.
+    pub causality: Causality,
+    /// Unit; empty for pure numbers and for what is not a number.
+    pub unit: &'static str,
+    /// Smallest admitted value.
+    pub min: Option<f64>,
+    /// Largest admitted value.
+    pub max: Option<f64>,
+    /// Start value of inputs and parameters.
+    pub start: Option<Value<'static>>,
+    /// References of the inputs and parameters on which an output depends.
+    pub dependencies: &'static [usize],
+    /// What is admitted, in words.
+    pub allowed: &'static str,
+}
+
+impl Variable {
+    /// Whether it is an input or a parameter.
+    #[must_use]
+    pub fn is_settable(&self) -> bool {
+        matches!(self.causality, Causality::Input | Causality::Parameter)
+    }
+}
+
+/// A name that no variable has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no variable \"{name}\"; the nearest name is {nearest}")]
+pub struct UnknownVariable {
+    /// The name asked for.
+    pub name: String,
+    /// The name of a variable that differs least from it.
+    pub nearest: &'static str,
+}
+
+/// The variable of that name.
+///
+/// # Errors
+/// With the nearest name if there is none.
+pub fn find(name: &str) -> Result<&'static Variable, UnknownVariable> {
+    VARIABLES.iter().find(|v| v.name == name).ok_or_else(|| {
+        let nearest = VARIABLES.iter().map(|v| v.name).min_by_key(|n| text::distance(name, n));
+        UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_references_are_places() {
+        for (place, v) in VARIABLES.iter().enumerate() {
+            assert_eq!(v.reference, place);
+            assert_eq!(find(v.name).unwrap(), v);
+        }
+    }
+
+    #[test]
+    fn start_values_lie_in_their_range_and_outputs_have_none() {
+        for v in VARIABLES {
+            assert_eq!(v.start.is_some(), v.is_settable(), "{}", v.name);
+            let start = match v.start {
+                Some(Value::Real(start)) => start,
+                Some(Value::Integer(start)) => f64::from(start),
+                _ => continue,
+            };
+            assert!(v.min.is_none_or(|m| m <= start), "{}", v.name);
+            assert!(v.max.is_none_or(|m| m >= start), "{}", v.name);
+            assert!(v.min.zip(v.max).is_none_or(|(min, max)| min < max), "{}", v.name);
+            if let Kind::Enumeration(e) = v.kind {
+                assert!(e.item(start as i32).is_some(), "{}", v.name);
+            }
+        }
+    }
+
+    #[test]
+    fn outputs_depend_on_inputs_and_parameters_only() {
+        for v in VARIABLES {
+            assert_eq!(v.dependencies.is_empty(), v.is_settable(), "{}", v.name);
+            assert!(v.dependencies.iter().all(|&d| VARIABLES[d].is_settable()), "{}", v.name);
+            assert!(v.dependencies.windows(2).all(|d| d[0] < d[1]), "{}", v.name);
+        }
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_nearest_one() {
+        let error = find("wheel.forcez").unwrap_err();
+        assert_eq!(error.nearest, "wheel.force.z");
+        assert!(find("patch[9].area").unwrap_err().nearest.ends_with("].area"));
+    }
+}

@@ -1,0 +1,102 @@
+//! Variables as text, for files and messages.
+
+use super::values::bad_text;
+use super::{Kind, Value, Values, Variable};
+use crate::error::ContactError;
+
+impl Values {
+    /// Sets an input or a parameter from text: numbers in SI, `true` or `false`, items by name.
+    ///
+    /// # Errors
+    /// Variable, text and what is admitted; nothing is changed then.
+    pub fn set_from_text(&mut self, variable: &Variable, text: &str) -> Result<(), ContactError> {
+        let text = text.trim();
+        let value = match variable.kind {
+            Kind::Real => text.parse().ok().map(Value::Real),
+            Kind::Integer => text.parse().ok().map(Value::Integer),
+            Kind::Boolean => text.parse().ok().map(Value::Boolean),
+            Kind::Text => Some(Value::Text(text)),
+            Kind::Enumeration(e) => {
+                e.items.iter().find(|i| i.name == text).map(|i| Value::Integer(i.value))
+            }
+        };
+        match value {
+            Some(value) => self.set(variable, value),
+            None => Err(bad_text(variable, text, variable.allowed)),
+        }
+    }
+
+    /// The value of a variable as text that [`Values::set_from_text`] reads back to the same bits.
+    #[must_use]
+    pub fn text_of(&self, variable: &Variable) -> String {
+        match (self.get(variable), variable.kind) {
+            (Value::Integer(value), Kind::Enumeration(e)) => {
+                e.item(value).map_or_else(|| value.to_string(), |i| i.name.into())
+            }
+            // The shortest digits that give the same number; exponents where they are shorter.
+            (Value::Real(value), _) => format!("{value:?}"),
+            (Value::Integer(value), _) => value.to_string(),
+            (Value::Boolean(value), _) => value.to_string(),
+            (Value::Text(value), _) => value.into(),
+        }
+    }
+}
+
+/// Number of letters to change, drop or add between two words (Levenshtein).
+pub(super) fn distance(a: &str, b: &str) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.bytes().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, other) in b.bytes().enumerate() {
+            let changed = diagonal + usize::from(letter != other);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variables::{VARIABLES, find};
+
+    #[test]
+    fn text_is_read_back_to_the_same_value() {
+        let mut values = Values::default();
+        values.input.wheel.position[1] = 0.1 + 0.2;
+        values.input.wheel.yaw = -1.234_567_890_123_456_7e-12;
+        let mut copy = Values::default();
+        for v in VARIABLES.iter().filter(|v| v.is_settable()) {
+            copy.set_from_text(v, &values.text_of(v)).unwrap();
+        }
+        assert_eq!(copy, values);
+    }
+
+    #[test]
+    fn enumerations_go_by_item_name() {
+        let mut values = Values::default();
+        let side = find("side").unwrap();
+        values.set_from_text(side, "left").unwrap();
+        assert_eq!(values.text_of(side), "left");
+        let error = values.set_from_text(side, "Left").unwrap_err().to_string();
+        assert!(error.contains("side = \"Left\"") && error.contains("right (1), left (2)"));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused_by_name() {
+        let mut values = Values::default();
+        for text in ["", "abc", "NaN", "inf", "0,5"] {
+            let error = values.set_from_text(find("wheel.yaw").unwrap(), text).unwrap_err();
+            assert!(error.to_string().contains("wheel.yaw"), "{error}");
+        }
+    }
+
+    #[test]
+    fn distance_counts_letters() {
+        assert_eq!(distance("wheel.y", "wheel.y"), 0);
+        assert_eq!(distance("wheel", "whel"), 1);
+        assert_eq!(distance("", "abc"), 3);
+    }
+}
