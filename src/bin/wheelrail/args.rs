@@ -20,7 +20,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Let a wheelset run over a lateral ramp, by way of the packaged FMU
-    Simulate(simulate::Arguments),
+    Simulate(Box<simulate::Arguments>),
     /// Evaluate the contact element for every row of a table
     Evaluate(evaluate::Arguments),
     /// Solve planar contact problems, one for every row of a table

@@ -11,6 +11,8 @@ pub struct Cases {
     path: PathBuf,
     header: StringRecord,
     rows: Vec<StringRecord>,
+    /// Lines on which the rows begin, from 1.
+    lines: Vec<usize>,
 }
 
 /// One row of a table.
@@ -28,11 +30,9 @@ impl Cases {
     /// occurs twice.
     pub fn read(path: &Path) -> Result<Self> {
         let shown = path.display();
-        let mut reader = ReaderBuilder::new()
-            .trim(Trim::All)
-            .comment(Some(b'#'))
-            .from_path(path)
-            .with_context(|| format!("cannot open {shown}"))?;
+        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {shown}"))?;
+        let mut reader =
+            ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(text.as_bytes());
         let header = reader.headers().with_context(|| format!("cannot read {shown}"))?.clone();
         for (index, name) in header.iter().enumerate() {
             if name.is_empty() {
@@ -49,7 +49,8 @@ impl Cases {
         if rows.is_empty() {
             bail!("{shown} has no rows: write a header and one row for each case");
         }
-        Ok(Self { path: path.into(), header, rows })
+        let lines = rows.iter().map(|row| line_of(row, &text)).collect();
+        Ok(Self { path: path.into(), header, rows, lines })
     }
 
     /// Names of the columns.
@@ -101,7 +102,7 @@ impl<'a> Row<'a> {
 
     /// File, row (from 1, the header not counted) and line, for complaints.
     pub fn place(&self) -> String {
-        let line = self.cases.rows[self.index].position().map_or(0, csv::Position::line);
+        let line = self.cases.lines[self.index];
         format!("{}, row {} (line {line})", self.cases.path.display(), self.index + 1)
     }
 
@@ -109,6 +110,18 @@ impl<'a> Row<'a> {
     pub fn cell_place(&self, column: usize) -> String {
         format!("{}, column \"{}\"", self.place(), &self.cases.header[column])
     }
+}
+
+/// Line of `text`, from 1, on which `row` begins. The position of a record is where its reading began: empty lines
+/// and comments before it are still to be passed.
+fn line_of(row: &StringRecord, text: &str) -> usize {
+    let first = row.position().map_or(1, |position| position.line() as usize);
+    let skipped = text
+        .lines()
+        .skip(first - 1)
+        .take_while(|line| line.is_empty() || line.starts_with('#'))
+        .count();
+    first + skipped
 }
 
 #[cfg(test)]

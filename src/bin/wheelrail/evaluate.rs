@@ -17,6 +17,8 @@ use crate::output;
 /// is left out, or an empty cell, keeps its start value (see the table of variables in the README). Enumerations are
 /// given by the names of their items, profile files relative to CASES. The result has one row for each case and one
 /// column for every output and calculated parameter. Lines that begin with # are comments.
+// The text is shown as it stands by --help.
+#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// Table of cases, CSV
@@ -90,7 +92,7 @@ impl Evaluator {
         let (_, element) = match self.current.take() {
             Some(current) if current.0 == *parameters => self.current.insert(current),
             _ => {
-                let element = Element::new(parameters, input, &[self.folder.clone()])?;
+                let element = Element::new(parameters, input, std::slice::from_ref(&self.folder))?;
                 self.current.insert((parameters.clone(), element))
             }
         };

@@ -54,6 +54,8 @@ const REPEATS: usize = 5;
 ///
 /// An empty cell is as if the column were left out. Lines that begin with # are comments. The column time_us of the
 /// result is the time of one solution on this machine, the median of five.
+// The text is shown as it stands by --help.
+#[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {

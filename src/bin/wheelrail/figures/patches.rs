@@ -29,6 +29,9 @@ const VIRIDIS: [(u8, u8, u8); 9] = [
     (253, 231, 37),
 ];
 
+/// Lateral position of a patch on one of the bodies [m].
+type Position = fn(&Patch) -> f64;
+
 /// Draws the figure into the file `path`.
 ///
 /// # Errors
@@ -51,8 +54,7 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
     let cells = charts.split_evenly((2, 2));
     // The left wheel on the left; records hold the right one first.
     let columns = [(1, "Left"), (0, "Right")];
-    let rows: [(fn(&Patch) -> f64, &str); 2] =
-        [(|p| p.rail_y, "rail head"), (|p| p.wheel_y, "wheel")];
+    let rows: [(Position, &str); 2] = [(|p| p.rail_y, "rail head"), (|p| p.wheel_y, "wheel")];
     for (row, (position, body)) in rows.into_iter().enumerate() {
         let values = shown.iter().flat_map(|r| r.patches.iter().flatten()).flat_map(|p| {
             let (y, half) = (1e3 * position(p), 0.5e3 * p.width);
@@ -82,7 +84,7 @@ struct Panel {
     y_title: String,
     y_range: Range<f64>,
     wheel: usize,
-    position: fn(&Patch) -> f64,
+    position: Position,
     /// Force at the upper end of the colours [kN].
     largest: f64,
 }

@@ -1,6 +1,7 @@
 //! An unpacked and loaded unit.
 #![allow(unsafe_code)]
 
+use std::fmt::Write;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -63,7 +64,8 @@ impl Fmu {
             if byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte) {
                 address.push(char::from(byte));
             } else {
-                address.push_str(&format!("%{byte:02X}"));
+                // Writing to a string cannot fail.
+                let _ = write!(address, "%{byte:02X}");
             }
         }
         address

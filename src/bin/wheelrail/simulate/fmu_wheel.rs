@@ -6,7 +6,7 @@ use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
 use crate::importer::{Fmu, Instance};
 use crate::wheelset::{Moment, Wheel, WheelInput};
 
-const INPUTS: [&str; 15] = [
+const INPUTS: [&str; 14] = [
     "wheel.x",
     "wheel.y",
     "wheel.z",
@@ -20,7 +20,6 @@ const INPUTS: [&str; 15] = [
     "wheel.yaw_rate",
     "wheel.pitch_rate",
     "rail[1].y",
-    "rail[1].vy",
     "track.s",
 ];
 
@@ -170,7 +169,6 @@ impl Wheel for FmuWheel<'_> {
             wheel.yaw_rate,
             wheel.pitch_rate,
             input.rail.y,
-            input.rail.vy,
             input.station,
         ];
         self.instance.set_reals(&self.inputs, &values)?;

@@ -138,8 +138,7 @@ fn integrate(
         if index % STEPS_A_TICK == 0 {
             progress.set_position(index);
             let offset = state.y - wheelset.track.lateral(state.distance).position;
-            // Also false for what is not a number.
-            if !(offset.abs() < DERAILED) {
+            if offset.is_nan() || offset.abs() > DERAILED {
                 progress.abandon();
                 bail!(
                     "derailed at {:.2} m: the wheelset is {:.0} mm off the track's centre line; run it slower, stiffen \

@@ -26,7 +26,8 @@ impl Wheel for ConicalWheel {
         let wheel = &input.wheel;
         let side = wheel.position[1].signum();
         let outward = side * (side * 0.75 + input.rail.y - wheel.position[1]);
-        let radius = RADIUS - self.slope * outward;
+        // The edge in the rolled wheel's own profile.
+        let radius = RADIUS - self.slope * (outward + side * wheel.roll * RADIUS);
         let arm = Vector3::new(0.0, side * outward, radius);
         let axle = Vector3::new(-wheel.yaw, 1.0, wheel.roll);
         let turning = Vector3::new(wheel.roll_rate, 0.0, wheel.yaw_rate) + axle * wheel.pitch_rate;

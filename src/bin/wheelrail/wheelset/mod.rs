@@ -83,11 +83,10 @@ impl<W: Wheel> Wheelset<W> {
         let lateral = self.track.lateral(state.distance);
         WheelInput {
             wheel: self.body.wheel_motion(state, self.speed, sign),
-            rail: RailMotion {
-                y: lateral.position,
-                vy: lateral.slope * self.speed,
-                ..RailMotion::default()
-            },
+            // The rails lie still and only run askew: where the next wheel position finds them is not
+            // where they move to, so their velocity is zero. (With the velocity of the ramp as seen from
+            // the wheel, friction would drag the wheelset along with the track.)
+            rail: RailMotion { y: lateral.position, ..RailMotion::default() },
             station: state.distance,
         }
     }
