@@ -47,6 +47,12 @@ fn range_of(values: impl Iterator<Item = f64>, least: f64) -> Range<f64> {
     low - margin..high + margin
 }
 
+/// Label of an axis value, without digits that say nothing.
+fn label(value: &f64) -> String {
+    // Adding zero turns a negative zero into a plain one.
+    ((value * 1e6).round() / 1e6 + 0.0).to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,5 +64,51 @@ mod tests {
         assert!(range.start < 3.0 && range.end > 3.0);
         let range = range_of([0.0, 10.0].into_iter(), 1.0);
         assert!(range.start < 0.0 && range.end > 10.0);
+    }
+}
+
+#[cfg(test)]
+mod drawing {
+    use wheelrail::element::output::Wrench;
+
+    use super::*;
+    use crate::simulate::{Patch, Record};
+    use crate::wheelset::body::State;
+    use crate::wheelset::track::RampShape;
+
+    #[test]
+    fn a_run_is_drawn_with_titles_axes_and_bands() {
+        let track =
+            Track { ramp_start: 5.0, ramp_length: 1.0, ramp: 0.005, shape: RampShape::Linear };
+        let records: Vec<Record> = (0..2000).map(|i| record(&track, 0.03 * f64::from(i))).collect();
+        let folder = tempfile::tempdir().unwrap();
+        let read = |name| std::fs::read_to_string(folder.path().join(name)).unwrap();
+        motion::draw(&folder.path().join("m.svg"), "S1002 on 60E1", &track, &records).unwrap();
+        patches::draw(&folder.path().join("p.svg"), "S1002 on 60E1", &track, &records).unwrap();
+        let (motion, patches) = (read("m.svg"), read("p.svg"));
+        assert!(motion.contains("Wheelset: S1002 on 60E1") && motion.contains("distance [m]"));
+        assert!(patches.contains("Left rail head") && patches.contains("Right wheel"));
+        assert!(patches.matches("<rect").count() > 1000, "bands are missing");
+    }
+
+    fn record(track: &Track, distance: f64) -> Record {
+        let behind = (distance - 5.5).max(0.0);
+        let wave = (-0.05 * behind).exp() * (0.7 * behind).cos();
+        let track_y = track.lateral(distance).position;
+        let y = if behind > 0.0 { 0.005 - 0.005 * wave } else { 0.0 };
+        let patch = |sign: f64| Patch {
+            normal_force: 5e4 + sign * 1e7 * (y - track_y),
+            rail_y: -0.002 + sign * 4.0 * (y - track_y),
+            wheel_y: 0.001 + sign * 5.0 * (y - track_y),
+            width: 0.012,
+            ..Patch::default()
+        };
+        Record {
+            time: distance / 15.0,
+            track_y,
+            state: State { distance, y, yaw: 0.003 * wave, ..State::default() },
+            wrenches: [Wrench::default(); 2],
+            patches: [vec![patch(1.0)], vec![patch(-1.0)]],
+        }
     }
 }

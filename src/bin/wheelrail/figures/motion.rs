@@ -6,11 +6,13 @@ use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::{BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, ramp_stretch, range_of, text};
+use super::{BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, label, ramp_stretch, range_of, text};
 use crate::simulate::Record;
 use crate::wheelset::track::Track;
 
 const SIZE: (u32, u32) = (1100, 760);
+/// Points of a curve at most: coordinates are whole pixels, and closer points look like stairs.
+const POINTS: usize = 500;
 
 /// One curve of a panel.
 struct Series<'a> {
@@ -35,7 +37,8 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
     let area = area.titled(&format!("Wheelset: {title}"), heading(26))?;
     let (above, below) = area.split_vertically(372);
     let over = |quantity: fn(&Record) -> f64| -> Vec<(f64, f64)> {
-        records.iter().map(|r| (r.state.distance, quantity(r))).collect()
+        let shown = records.iter().step_by(records.len().div_ceil(POINTS));
+        shown.map(|r| (r.state.distance, quantity(r))).collect()
     };
     let lateral = [
         Series {
@@ -90,6 +93,8 @@ fn panel(
         .axis_style(INK)
         .x_labels(13)
         .y_labels(7)
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
         .label_style(text(17))
         .axis_desc_style(text(19))
         .y_desc(y_title);

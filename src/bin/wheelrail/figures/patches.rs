@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::{GRID, INK, RAMP, heading, ramp_stretch, range_of, text};
+use super::{GRID, INK, RAMP, heading, label, ramp_stretch, range_of, text};
 use crate::simulate::{Patch, Record};
 use crate::wheelset::track::Track;
 
@@ -64,7 +64,7 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
         for (column, (wheel, side)) in columns.into_iter().enumerate() {
             let panel = Panel {
                 title: format!("{side} {body}"),
-                y_title: format!("y on the {body} [mm]"),
+                y_title: format!("y on the {body} [mm], field side up"),
                 y_range: y_range.clone(),
                 wheel,
                 position,
@@ -118,6 +118,8 @@ impl Panel {
             .axis_style(INK)
             .x_labels(7)
             .y_labels(7)
+            .x_label_formatter(&label)
+            .y_label_formatter(&label)
             .label_style(text(16))
             .axis_desc_style(text(17))
             .x_desc("distance [m]")
@@ -149,6 +151,7 @@ fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, largest: f64) -> Result
         .disable_mesh()
         .disable_x_axis()
         .y_labels(6)
+        .y_label_formatter(&label)
         .label_style(text(16))
         .axis_desc_style(text(17))
         .y_desc("normal force of the patch [kN]")
