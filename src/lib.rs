@@ -4,5 +4,8 @@ pub mod element;
 pub mod error;
 pub mod geometry;
 pub mod material;
+pub mod math;
+pub mod normal;
 pub mod planar;
+pub mod tangential;
 pub mod variables;

@@ -1,57 +1,312 @@
-//! Planar contact problems, stub.
-use crate::element::parameters::{Flexibilities, NormalModel, TangentialModel, TractionBound};
-use crate::error::ContactError;
-use crate::material::Material;
+//! Planar contact problems: a separation of profiles and a wheel radius instead of a placed wheel and rail.
+//!
+//! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the wheel against
+//! the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
 
-/// How deep.
+use crate::element::parameters::{Flexibilities, NormalModel, TangentialModel};
+use crate::error::ContactError;
+use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::material::{Material, MaterialPair};
+use crate::math::quadrature::GaussLegendre;
+use crate::math::root::bracketed;
+use crate::math::spline::{SplineEnd, interpolating_slopes};
+use crate::normal::{NormalProblem, Strips, hertz, piotrowski_kik};
+use crate::tangential::fastsim::{Fastsim, TractionBound};
+use crate::tangential::flexibility::ZoneFlexibility;
+use crate::tangential::{Creepage, Rolling};
+
+/// How deep the bodies are pressed together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Indentation {
-    /// Approach [m].
+    /// Given approach δ from f = 0 [m].
     Approach(f64),
-    /// Load [N].
+    /// Given normal force, ≥ 0 [N].
     Load(f64),
 }
 
-/// A case.
-#[derive(Clone, Debug)]
-#[allow(missing_docs)]
+/// A planar contact problem.
+#[derive(Clone, Copy, Debug)]
 pub struct PlanarCase<'a> {
+    /// Points (y, f) of the separation, at least four, y growing [m].
     pub separation: &'a [[f64; 2]],
+    /// Radius R of the wheel's normal section along x, > 0 [m].
     pub radius: f64,
+    /// Approach or load.
     pub indentation: Indentation,
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation.
     pub creepage: [f64; 3],
+    /// Coefficient of friction, ≥ 0 [-].
     pub friction: f64,
+    /// Material of the wheel.
     pub wheel_material: Material,
+    /// Material of the rail.
     pub rail_material: Material,
+    /// Normal contact model.
     pub normal_model: NormalModel,
+    /// Virtual over true penetration, 0 to 1 [-].
     pub virtual_penetration: f64,
+    /// Tangential contact model.
     pub tangential_model: TangentialModel,
+    /// Strips across each zone.
     pub strips: usize,
+    /// Elements along each strip.
     pub elements_along: usize,
+    /// Shape of the traction bound.
     pub bound: TractionBound,
+    /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
 }
 
-/// A result.
+/// Solution of a planar contact problem; forces on the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[allow(missing_docs)]
 pub struct PlanarResult {
+    /// Normal force [N].
     pub normal_force: f64,
+    /// Greatest pressure [Pa].
     pub max_pressure: f64,
+    /// Area of all zones [m²].
     pub area: f64,
+    /// Greatest length of a zone along x [m].
     pub length: f64,
+    /// Distance from the leftmost to the rightmost edge [m].
     pub width: f64,
+    /// Longitudinal creep force [N].
     pub fx: f64,
+    /// Lateral creep force [N].
     pub fy: f64,
+    /// Moment about the normal through the origin of the separation [N m].
     pub mz: f64,
+    /// Number of separate zones.
     pub patches: usize,
+    /// Whether a solver fell back to a simpler model.
     pub fallback: bool,
 }
 
-/// Solves.
+/// Approaches beyond this are no contact of wheel and rail [m].
+const MOST_APPROACH: f64 = 0.02;
+
+/// Most zones of one problem.
+const MOST_ZONES: usize = 64;
+
+/// Solves a planar contact problem.
 ///
 /// # Errors
-/// Never.
-pub fn solve(_case: &PlanarCase) -> Result<PlanarResult, ContactError> {
-    Ok(PlanarResult::default())
+/// A value of the case that is not admitted, or a load that no approach up to 20 mm carries.
+pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
+    check(case)?;
+    let mut line = PlanarLine::new(case.separation);
+    let rule = GaussLegendre::new(case.strips);
+    let material = MaterialPair::new(case.wheel_material, case.rail_material);
+    let mut strips = Strips::with_capacity(MOST_ZONES, case.strips);
+    let mut press = |approach: f64| {
+        strips.clear();
+        let approach = approach - line.least;
+        if approach > 0.0 {
+            let problem = NormalProblem {
+                approach,
+                radius: case.radius,
+                contact_modulus: material.contact_modulus,
+                contact_u: line.contact,
+                lateral_curvature: line.curve.at(line.contact).second[1],
+                rule: &rule,
+            };
+            match case.normal_model {
+                NormalModel::Hertz => hertz::solve(&problem, &mut line, &mut strips),
+                NormalModel::PiotrowskiKik => {
+                    let probes = std::mem::take(&mut line.probes);
+                    let epsilon = case.virtual_penetration;
+                    piotrowski_kik::solve(&problem, epsilon, &mut line, &probes, &mut strips);
+                    line.probes = probes;
+                }
+            }
+        }
+        strips.load()
+    };
+    match case.indentation {
+        Indentation::Approach(approach) => {
+            press(approach);
+        }
+        Indentation::Load(load) if load > 0.0 => {
+            let approach = approach_for(load, &mut press)?;
+            press(approach);
+        }
+        Indentation::Load(_) => {}
+    }
+    let contact_y = line.contact;
+    Ok(summarise(case, &material, &strips, contact_y))
+}
+
+/// The approach at which `press` gives `load`.
+fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, ContactError> {
+    let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
+    let mut high_load = press(high);
+    while high_load < load {
+        if high >= MOST_APPROACH {
+            return Err(ContactError::bad_value(
+                "load",
+                load,
+                "at most what the profiles carry at an approach of 20 mm",
+            ));
+        }
+        (low, low_load) = (high, high_load);
+        high *= 2.0;
+        high_load = press(high);
+    }
+    Ok(bracketed((low, low_load - load), (high, high_load - load), 1e-16, |a| press(a) - load))
+}
+
+fn summarise(
+    case: &PlanarCase,
+    material: &MaterialPair,
+    strips: &Strips,
+    contact_y: f64,
+) -> PlanarResult {
+    let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
+    let fastsim = Fastsim::new(case.elements_along, case.bound);
+    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+    for zone in &strips.zones {
+        result.normal_force += zone.load;
+        result.max_pressure = result.max_pressure.max(zone.max_pressure);
+        result.area += zone.area;
+        result.length = result.length.max(zone.length);
+        let edges = zone_edges(strips, zone.first, zone.count);
+        left = left.min(edges[0]);
+        right = right.max(edges[1]);
+        if case.tangential_model == TangentialModel::None || zone.load <= 0.0 {
+            continue;
+        }
+        let y = contact_y + zone.y;
+        let [longitudinal, lateral, spin] = case.creepage;
+        let creepage = Creepage { longitudinal: longitudinal - spin * y, lateral, spin };
+        let mut flexibility = ZoneFlexibility::new(zone, strips, material);
+        if case.flexibilities == Flexibilities::Blended && case.friction > 0.0 {
+            flexibility = flexibility.blended(&creepage, case.friction * zone.load);
+        }
+        let force = fastsim.creep_force(
+            zone,
+            strips,
+            &flexibility,
+            &creepage,
+            Rolling::Forward,
+            case.friction,
+            1.0,
+        );
+        result.fx += force.longitudinal;
+        result.fy += force.lateral;
+        result.mz += force.spin_moment - y * force.longitudinal;
+    }
+    result.width = (right - left).max(0.0);
+    result
+}
+
+/// Left and right edge of a zone from its strips: Gauss-Legendre weights sum to its width.
+fn zone_edges(strips: &Strips, first: usize, count: usize) -> [f64; 2] {
+    let range = first..first + count;
+    let width: f64 = strips.width[range.clone()].iter().sum();
+    let (a, b) = (strips.y[first], strips.y[first + count - 1]);
+    let middle = 0.5 * (a + b);
+    [middle - 0.5 * width, middle + 0.5 * width]
+}
+
+fn check(case: &PlanarCase) -> Result<(), ContactError> {
+    let positive = "a finite number greater than 0";
+    let require = |name: &str, value: f64, fits: bool, allowed: &'static str| {
+        if value.is_finite() && fits {
+            Ok(())
+        } else {
+            Err(ContactError::bad_value(name, value, allowed))
+        }
+    };
+    let points = case.separation;
+    require("separation", points.len() as f64, points.len() >= 4, "at least 4 points")?;
+    for pair in points.windows(2) {
+        require("separation f", pair[0][1], true, "a finite number")?;
+        require(
+            "separation y",
+            pair[1][0],
+            pair[1][0] > pair[0][0],
+            "greater than the y before it",
+        )?;
+    }
+    require("separation f", points[points.len() - 1][1], true, "a finite number")?;
+    require("radius", case.radius, case.radius > 0.0, positive)?;
+    match case.indentation {
+        Indentation::Approach(a) => {
+            require("approach", a, a <= MOST_APPROACH, "a finite number up to 20 mm")?;
+        }
+        Indentation::Load(n) => require("load", n, n >= 0.0, "a finite number, at least 0")?,
+    }
+    let names = ["creepage_longitudinal", "creepage_lateral", "spin"];
+    for (name, value) in names.iter().zip(case.creepage) {
+        require(name, value, true, "a finite number")?;
+    }
+    require("friction", case.friction, case.friction >= 0.0, "a finite number, at least 0")?;
+    for (body, m) in [("wheel", case.wheel_material), ("rail", case.rail_material)] {
+        require(
+            &format!("{body} young_modulus"),
+            m.young_modulus,
+            m.young_modulus > 0.0,
+            positive,
+        )?;
+        let nu = m.poisson_ratio;
+        require(&format!("{body} poisson_ratio"), nu, (0.0..=0.5).contains(&nu), "0 to 0.5")?;
+    }
+    let epsilon = case.virtual_penetration;
+    require("virtual_penetration", epsilon, epsilon > 0.0 && epsilon < 1.0, "between 0 and 1")?;
+    let counts = 4..=200;
+    require("strips", case.strips as f64, counts.contains(&case.strips), "4 to 200")?;
+    require(
+        "elements_along",
+        case.elements_along as f64,
+        counts.contains(&case.elements_along),
+        "4 to 200",
+    )
+}
+
+/// The separation as a cubic spline, with y as parameter.
+struct PlanarLine {
+    curve: Curve,
+    /// y of the deepest place [m].
+    contact: f64,
+    /// f there [m].
+    least: f64,
+    probes: Vec<Probe>,
+}
+
+impl PlanarLine {
+    fn new(points: &[[f64; 2]]) -> Self {
+        let y: Vec<f64> = points.iter().map(|p| p[0]).collect();
+        let f: Vec<f64> = points.iter().map(|p| p[1]).collect();
+        let slopes = interpolating_slopes(&y, &f, [SplineEnd::Natural; 2]);
+        let knots: Vec<Knot> = (0..y.len())
+            .map(|i| Knot { s: y[i], point: [y[i], f[i]], tangent: [1.0, slopes[i]] })
+            .collect();
+        let curve = Curve::through(&knots);
+        let mut probes = Vec::new();
+        for pair in knots.windows(2) {
+            probes.push(Probe { u: pair[0].s, f: pair[0].point[1] });
+            let (a, b) = (pair[0].tangent[1], pair[1].tangent[1]);
+            if a * b < 0.0 {
+                let ends = ((pair[0].s, a), (pair[1].s, b));
+                let u = bracketed(ends.0, ends.1, 1e-16, |u| curve.at(u).first[1]);
+                probes.push(Probe { u, f: curve.at(u).point[1] });
+            }
+        }
+        let last = &knots[knots.len() - 1];
+        probes.push(Probe { u: last.s, f: last.point[1] });
+        let deepest = probes.iter().copied().min_by(|a, b| a.f.total_cmp(&b.f));
+        let Probe { u: contact, f: least } = deepest.unwrap_or(Probe { u: 0.0, f: 0.0 });
+        for probe in &mut probes {
+            probe.f -= least;
+        }
+        Self { curve, contact, least, probes }
+    }
+}
+
+impl Separation for PlanarLine {
+    fn at(&mut self, u: f64) -> SeparationPoint {
+        let f = self.curve.at(u).point[1] - self.least;
+        SeparationPoint { y: u - self.contact, dy: 1.0, f, x: 0.0 }
+    }
 }

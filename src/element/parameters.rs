@@ -1,5 +1,7 @@
 //! What is fixed once an element is initialised.
 
+pub use crate::tangential::fastsim::TractionBound;
+
 /// On which side of the track the wheel runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
@@ -36,16 +38,6 @@ pub enum TangentialModel {
     /// Kalker's march through the strips of the true patch.
     #[default]
     Fastsim,
-}
-
-/// Shape of the traction bound along a strip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TractionBound {
-    /// Friction times the semi-elliptical pressure.
-    Elliptic,
-    /// A parabola of the same load.
-    #[default]
-    Parabolic,
 }
 
 /// How the three flexibilities of the simplified theory enter.

@@ -2,3 +2,4 @@
 
 pub mod curve;
 pub mod profile;
+pub mod separation;

@@ -1,5 +1,6 @@
 //! Mathematics without railway words.
 
 pub mod elliptic;
+pub mod quadrature;
 pub mod root;
 pub mod spline;

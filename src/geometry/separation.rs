@@ -1,0 +1,31 @@
+//! Distance of the undeformed wheel and rail along the normal of a contact frame.
+
+/// Separation at one place of the contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeparationPoint {
+    /// Lateral coordinate in the contact frame, from the contact point [m].
+    pub y: f64,
+    /// Derivative of `y` with respect to the parameter of the line, > 0 [-].
+    pub dy: f64,
+    /// Separation of the two lines less that at the contact point; infinite where no normal meets both [m].
+    pub f: f64,
+    /// Longitudinal coordinate of the contact line in the track frame, 0 under the axle [m].
+    pub x: f64,
+}
+
+/// The separation of two contact lines as a function of a parameter that grows with y.
+///
+/// The contact point has y = 0 and f = 0.
+pub trait Separation {
+    /// The separation at parameter `u` [m].
+    fn at(&mut self, u: f64) -> SeparationPoint;
+}
+
+/// A place at which the separation is known well enough to bracket the edges of loaded zones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// Parameter of the line [m].
+    pub u: f64,
+    /// Separation, exact at the local minima and maxima, an estimate in between [m].
+    pub f: f64,
+}

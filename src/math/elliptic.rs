@@ -1,0 +1,114 @@
+//! Complete elliptic integrals of parameter m = k².
+
+/// The complete integrals and two differences of them that would cancel if formed from K and E.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Complete {
+    /// First kind, K(m).
+    pub first: f64,
+    /// Second kind, E(m).
+    pub second: f64,
+    /// K(m) - E(m), without cancellation as m goes to zero.
+    pub first_minus_second: f64,
+    /// E(m) - (1 - m) K(m), without cancellation as m goes to zero.
+    pub second_minus_reduced_first: f64,
+}
+
+/// K, E and their differences by the arithmetic-geometric mean, to rounding; 0 ≤ m < 1.
+///
+/// `complement` is 1 - m, handed over separately so that m close to one loses nothing.
+#[must_use]
+pub fn complete(complement: f64) -> Complete {
+    debug_assert!(complement > 0.0 && complement <= 1.0);
+    let m = 1.0 - complement;
+    let (mut a, mut g) = (1.0, complement.sqrt());
+    // E = K (1 - sum), sum = Σ 2^(n-1) c_n², c_0² = m; the terms after the first are kept apart for the
+    // difference m - sum.
+    let (mut tail, mut power) = (0.0, 1.0);
+    // Quadratic convergence: six steps reach rounding down to complements of 1e-30.
+    for _ in 0..8 {
+        let c = 0.5 * (a - g);
+        let mean = 0.5 * (a + g);
+        g = (a * g).sqrt();
+        a = mean;
+        tail += power * c * c;
+        power *= 2.0;
+        if c.abs() < 1e-9 * a {
+            break;
+        }
+    }
+    let first = std::f64::consts::FRAC_PI_2 / a;
+    let sum = 0.5 * m + tail;
+    Complete {
+        first,
+        second: first * (1.0 - sum),
+        first_minus_second: first * sum,
+        second_minus_reduced_first: first * (0.5 * m - tail),
+    }
+}
+
+/// K(m) - E(m) = regular - ln(1 - m) · logarithmic, split at its logarithmic singularity at m = 1.
+///
+/// Returns (regular, logarithmic) of the polynomial approximation of Hastings (Abramowitz and Stegun 17.3.34
+/// and 17.3.36), absolute error below 4e-8 for 0 ≤ m ≤ 1; `complement` is 1 - m.
+#[inline]
+#[must_use]
+pub fn first_minus_second_split(complement: f64) -> (f64, f64) {
+    let c = complement;
+    let poly = |p: &[f64; 5]| p[0] + c * (p[1] + c * (p[2] + c * (p[3] + c * p[4])));
+    (poly(&REGULAR), poly(&LOGARITHMIC))
+}
+
+/// Coefficients of K less those of E, regular part.
+const REGULAR: [f64; 5] = [
+    1.386_294_361_12 - 1.0,
+    0.096_663_442_59 - 0.443_251_414_63,
+    0.035_900_923_83 - 0.062_606_012_20,
+    0.037_425_637_13 - 0.047_573_835_46,
+    0.014_511_962_12 - 0.017_365_064_51,
+];
+
+/// Coefficients of K less those of E, factor of -ln(1 - m).
+const LOGARITHMIC: [f64; 5] = [
+    0.5,
+    0.124_985_935_97 - 0.249_983_683_10,
+    0.068_802_485_76 - 0.092_001_800_37,
+    0.033_283_553_46 - 0.040_696_975_26,
+    0.004_417_870_12 - 0.005_264_496_39,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn integrals_meet_tabulated_values() {
+        // Abramowitz and Stegun, table 17.1, m = 0.5 and 0.9.
+        let half = complete(0.5);
+        assert_relative_eq!(half.first, 1.854_074_677_301_372, max_relative = 1e-14);
+        assert_relative_eq!(half.second, 1.350_643_881_047_675, max_relative = 1e-14);
+        let most = complete(0.1);
+        assert_relative_eq!(most.first, 2.578_092_113_348_173, max_relative = 1e-13);
+        assert_relative_eq!(most.second, 1.104_774_732_704_073, max_relative = 1e-13);
+    }
+
+    #[test]
+    fn differences_keep_their_digits_as_the_parameter_vanishes() {
+        // K - E -> π m / 4 and E - (1 - m) K -> π m / 4.
+        let m = 1e-9;
+        let c = complete(1.0 - m);
+        let limit = std::f64::consts::FRAC_PI_4 * (1.0 - (1.0 - m));
+        assert_relative_eq!(c.first_minus_second, limit, max_relative = 1e-8);
+        assert_relative_eq!(c.second_minus_reduced_first, limit, max_relative = 1e-8);
+    }
+
+    #[test]
+    fn split_form_is_within_its_stated_error() {
+        for i in 1..=1000 {
+            let complement = f64::from(i) / 1000.0;
+            let (regular, logarithmic) = first_minus_second_split(complement);
+            let exact = complete(complement).first_minus_second;
+            assert!((regular - complement.ln() * logarithmic - exact).abs() < 4e-8);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! A root of a function of one variable inside a bracket.
+
+/// The root of `f` between `a` and `b`, where it has values of opposite sign `fa` and `fb`.
+///
+/// Secant steps with the Anderson-Björck change of the retained end: about 1.7 correct digits more per digit and
+/// evaluation for a smooth function, never outside the bracket, and with bisection whenever three steps
+/// have not halved it. Stops when the bracket is narrower than `tolerance`, when `f` vanishes, or after
+/// `MOST_STEPS`, so that it returns a point of the bracket for any function.
+#[inline]
+pub fn bracketed(
+    (mut a, mut fa): (f64, f64),
+    (mut b, mut fb): (f64, f64),
+    tolerance: f64,
+    mut f: impl FnMut(f64) -> f64,
+) -> f64 {
+    debug_assert!(fa * fb <= 0.0 || !(fa * fb).is_finite());
+    let mut wide = (b - a).abs();
+    // `b` is always the latest point.
+    for step in 1..=MOST_STEPS {
+        if fb == 0.0 || (b - a).abs() <= tolerance {
+            return b;
+        }
+        let mut x = (a * fb - b * fa) / (fb - fa);
+        if step % 3 == 0 {
+            if (b - a).abs() > 0.4 * wide {
+                x = 0.5 * (a + b);
+            }
+            wide = (b - a).abs();
+        }
+        let (low, high) = if a < b { (a, b) } else { (b, a) };
+        if !(x > low && x < high) {
+            x = 0.5 * (a + b);
+            if x <= low || x >= high {
+                return b;
+            }
+        }
+        // A step this short may have found the root: a look just beyond it closes the bracket.
+        if (x - b).abs() < tolerance {
+            x = b + tolerance.copysign(a - b);
+        }
+        let fx = f(x);
+        if (fx > 0.0) == (fb > 0.0) {
+            let factor = 1.0 - fx / fb;
+            fa *= if factor > 0.0 { factor } else { 0.5 };
+        } else {
+            (a, fa) = (b, fb);
+        }
+        (b, fb) = (x, fx);
+    }
+    b
+}
+
+/// Steps after which [`bracketed`] returns what it has: its bisections alone gain fifteen digits.
+const MOST_STEPS: usize = 160;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solve(a: f64, b: f64, f: impl Fn(f64) -> f64) -> (f64, usize) {
+        let mut count = 0;
+        let root = bracketed((a, f(a)), (b, f(b)), 1e-14, |x| {
+            count += 1;
+            f(x)
+        });
+        (root, count)
+    }
+
+    #[test]
+    fn a_smooth_function_takes_few_evaluations() {
+        let (root, count) = solve(0.0, 2.0, |x| x * x * x - 2.0);
+        approx::assert_relative_eq!(root, 2f64.cbrt(), max_relative = 1e-14);
+        assert!(count <= 12, "{count} evaluations");
+    }
+
+    #[test]
+    fn a_flat_and_a_discontinuous_function_end_at_the_sign_change() {
+        let (root, _) = solve(-1.0, 3.0, |x| (x - 0.5).powi(9));
+        approx::assert_relative_eq!(root, 0.5, max_relative = 1e-3);
+        let (root, count) = solve(-1.0, 3.0, |x| if x < 0.7 { -1e-3 } else { 1e6 });
+        approx::assert_relative_eq!(root, 0.7, max_relative = 1e-12);
+        assert!(count <= MOST_STEPS);
+    }
+}

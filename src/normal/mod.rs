@@ -1,0 +1,139 @@
+//! Normal contact: from the separation of wheel and rail to loaded zones of strips with their pressure.
+//!
+//! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical pressure, grouped in
+//! separate loaded zones. Tangential models see nothing else.
+
+pub mod hertz;
+pub mod piotrowski_kik;
+mod zones;
+
+pub use zones::Edge;
+
+use crate::math::quadrature::GaussLegendre;
+
+/// One loaded zone: a connected part of the contact area.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Zone {
+    /// Index of its first strip.
+    pub first: usize,
+    /// Number of its strips.
+    pub count: usize,
+    /// Normal force without damping [N].
+    pub load: f64,
+    /// Greatest pressure [Pa].
+    pub max_pressure: f64,
+    /// Greatest extent along x [m].
+    pub length: f64,
+    /// Extent across [m].
+    pub width: f64,
+    /// Area [m²].
+    pub area: f64,
+    /// Centroid of the load along x, in the track frame from under the axle [m].
+    pub x: f64,
+    /// Centroid of the load across, in the contact frame from the contact point [m].
+    pub y: f64,
+    /// Parameter of the contact line at the centroid of the load [m].
+    pub u: f64,
+}
+
+/// The loaded zones of one contact frame and their strips, as columns of equal length.
+///
+/// Strip j carries p(x, y_j) = pressure_j sqrt(1 - ((x - x_j)/half_length_j)²).
+#[derive(Clone, Debug, Default)]
+pub struct Strips {
+    /// The zones, in growing y.
+    pub zones: Vec<Zone>,
+    /// Lateral coordinate of each strip in the contact frame [m].
+    pub y: Vec<f64>,
+    /// Width [m].
+    pub width: Vec<f64>,
+    /// Centre along x in the track frame [m].
+    pub x: Vec<f64>,
+    /// Half length along x [m].
+    pub half_length: Vec<f64>,
+    /// Pressure at the centre [Pa].
+    pub pressure: Vec<f64>,
+    /// Parameter of the contact line [m].
+    pub u: Vec<f64>,
+}
+
+impl Strips {
+    /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
+    #[must_use]
+    pub fn with_capacity(zones: usize, strips: usize) -> Self {
+        let column = || Vec::with_capacity(zones * strips);
+        Self {
+            zones: Vec::with_capacity(zones),
+            y: column(),
+            width: column(),
+            x: column(),
+            half_length: column(),
+            pressure: column(),
+            u: column(),
+        }
+    }
+
+    /// Forgets all zones and strips, keeps the room.
+    pub fn clear(&mut self) {
+        self.zones.clear();
+        for column in [
+            &mut self.y,
+            &mut self.width,
+            &mut self.x,
+            &mut self.half_length,
+            &mut self.pressure,
+            &mut self.u,
+        ] {
+            column.clear();
+        }
+    }
+
+    /// Whether another zone of `strips` strips fits.
+    #[must_use]
+    pub fn has_room_for(&self, strips: usize) -> bool {
+        self.zones.len() < self.zones.capacity() && self.y.len() + strips <= self.y.capacity()
+    }
+
+    /// Normal force of all zones, without damping [N].
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.zones.iter().map(|zone| zone.load).sum()
+    }
+
+    /// Fills load, area and centroid of `zone` from its strips.
+    fn summarise(&self, zone: &mut Zone) {
+        let strips = zone.first..zone.first + zone.count;
+        let (mut load, mut area, mut x, mut y, mut u) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for j in strips {
+            let strip_area = self.half_length[j] * self.width[j];
+            let strip_load = strip_area * self.pressure[j];
+            area += strip_area;
+            load += strip_load;
+            x += strip_load * self.x[j];
+            y += strip_load * self.y[j];
+            u += strip_load * self.u[j];
+        }
+        zone.area = 2.0 * area;
+        zone.load = std::f64::consts::FRAC_PI_2 * load;
+        if load > 0.0 {
+            (zone.x, zone.y, zone.u) = (x / load, y / load, u / load);
+        }
+    }
+}
+
+/// What all normal models are told about one contact frame.
+#[derive(Clone, Copy, Debug)]
+pub struct NormalProblem<'a> {
+    /// Approach: overlap of the undeformed bodies at the contact point, > 0 [m].
+    pub approach: f64,
+    /// Radius of the normal section of the wheel along x, > 0 [m].
+    pub radius: f64,
+    /// Contact modulus E* of the two bodies [Pa].
+    pub contact_modulus: f64,
+    /// Parameter of the contact line at the contact point [m].
+    pub contact_u: f64,
+    /// Relative curvature of the two lines at the contact point, f''(0) [1/m].
+    pub lateral_curvature: f64,
+    /// Quadrature rule across a zone; its nodes are the strips.
+    pub rule: &'a GaussLegendre,
+}

@@ -1,0 +1,115 @@
+//! Contact area from virtual penetration, semi-elliptical pressure along rolling.
+//!
+//! Source: Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48, sections 2.2 and 2.3. With the separation
+//! f(y) from the contact point, the approach δ and the radius R of the normal section along x
+//!
+//! ```text
+//! g(y) = max(0, δ0 - f(y)), δ0 = ε δ            x_l(y) = sqrt(2 R g(y))                       (7), (8)
+//! p(x, y) = (p0 / x_l(0)) sqrt(x_l(y)² - x²)                                                   (9)
+//! N = π E* δ I1 / I2,  p0 = N x_l(0) / I1                                                     (12), (13)
+//! I1 = ∬ sqrt(x_l² - x²) dx dy = π R ∫ g dy
+//! I2 = ∬ sqrt((x_l² - x²) / (x² + y²)) dx dy = ∫ 2 s (K(m) - E(m)) dy, s² = x_l² + y², m = x_l²/s²
+//! ```
+//!
+//! All zones with g > 0 belong to one half-space and to the one contact point at which the displacement meets the
+//! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel.
+
+use super::zones::for_each_zone;
+use super::{NormalProblem, Strips, Zone};
+use crate::geometry::separation::{Probe, Separation};
+use crate::math::elliptic::first_minus_second_split;
+
+/// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1.
+///
+/// Returns the number of zones that found no room in `strips` (they are left out of the load).
+pub fn solve(
+    problem: &NormalProblem,
+    virtual_penetration: f64,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    strips: &mut Strips,
+) -> usize {
+    let depth = virtual_penetration * problem.approach;
+    let longest = (2.0 * problem.radius * depth).sqrt();
+    let mut left_out = 0;
+    // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
+    let (mut load_integral, mut displacement_integral) = (0.0, 0.0);
+    for_each_zone(separation, probes, depth, |separation, edge| {
+        let count = problem.rule.nodes.len();
+        if !strips.has_room_for(count) {
+            left_out += 1;
+            return;
+        }
+        let first = strips.y.len();
+        let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
+        let mut deepest: f64 = 0.0;
+        for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
+            let u = middle + half * node;
+            let at = separation.at(u);
+            let g = (depth - at.f).max(0.0);
+            let width = half * weight * at.dy;
+            let half_length = (2.0 * problem.radius * g).sqrt();
+            load_integral += std::f64::consts::PI * problem.radius * g * width;
+            displacement_integral += width * regular_influence(half_length, at.y, longest);
+            deepest = deepest.max(g);
+            strips.y.push(at.y);
+            strips.width.push(width);
+            strips.x.push(at.x);
+            strips.half_length.push(half_length);
+            strips.pressure.push(half_length);
+            strips.u.push(u);
+        }
+        let (left, right) = (separation.at(edge.left).y, separation.at(edge.right).y);
+        displacement_integral += singular_influence(left, right, longest);
+        // The strips straddle the deepest place: its depth is exact where the separation was probed.
+        for probe in probes.iter().filter(|p| p.u > edge.left && p.u < edge.right) {
+            deepest = deepest.max(depth - probe.f).min(depth);
+        }
+        strips.zones.push(Zone {
+            first,
+            count,
+            length: 2.0 * (2.0 * problem.radius * deepest).sqrt(),
+            width: right - left,
+            ..Zone::default()
+        });
+    });
+    // p = scale · sqrt(x_l² - x²)
+    let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
+        std::f64::consts::PI * problem.contact_modulus * problem.approach / displacement_integral
+    } else {
+        0.0
+    };
+    for pressure in &mut strips.pressure {
+        *pressure *= scale;
+    }
+    for i in 0..strips.zones.len() {
+        let mut zone = strips.zones[i];
+        zone.max_pressure = 0.5 * zone.length * scale;
+        strips.summarise(&mut zone);
+        strips.zones[i] = zone;
+    }
+    left_out
+}
+
+/// Integrand of I2 at y, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough for Gauss-Legendre.
+#[inline]
+fn regular_influence(half_length: f64, y: f64, longest: f64) -> f64 {
+    let half_length_squared = half_length * half_length;
+    // The logarithm is kept finite; at y = 0 its two occurrences cancel.
+    let y_squared = (y * y).max(1e-24 * longest * longest);
+    let sum = half_length_squared + y_squared;
+    let s = sum.sqrt();
+    let (regular, logarithmic) = first_minus_second_split(y_squared / sum);
+    let log_y = (y_squared / (longest * longest)).ln();
+    let log_sum = (sum / (longest * longest)).ln();
+    2.0 * s * (regular - (log_y - log_sum) * logarithmic) + longest * log_y
+}
+
+/// -longest · ∫ ln(y²/longest²) dy from `left` to `right`: what [`regular_influence`] has taken out.
+fn singular_influence(left: f64, right: f64, longest: f64) -> f64 {
+    let antiderivative = |y: f64| {
+        let t = y.abs() / longest;
+        if t > 0.0 { 2.0 * y * (t.ln() - 1.0) } else { 0.0 }
+    };
+    -longest * (antiderivative(right) - antiderivative(left))
+}

@@ -1,0 +1,79 @@
+//! Loaded zones: the intervals of the contact line on which the separation stays below a level.
+
+use crate::geometry::separation::{Probe, Separation};
+use crate::math::root::bracketed;
+
+/// The two edges of a loaded zone as parameters of the contact line [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Left edge.
+    pub left: f64,
+    /// Right edge.
+    pub right: f64,
+}
+
+/// Calls `found` for every interval with f < `level`, in growing u; at the ends of the probes it is cut off.
+///
+/// A probe below the level starts or carries on a zone; the edge lies between it and its neighbour above the
+/// level and is found as a root, so that it is a smooth function of the level and of the geometry. Every local minimum
+/// and maximum is a probe with an exact value, so that no zone and no gap is missed.
+pub fn for_each_zone<S: Separation>(
+    separation: &mut S,
+    probes: &[Probe],
+    level: f64,
+    mut found: impl FnMut(&mut S, Edge),
+) {
+    let mut i = 0;
+    while i < probes.len() {
+        if probes[i].f >= level {
+            i += 1;
+            continue;
+        }
+        let first = i;
+        while i + 1 < probes.len() && probes[i + 1].f < level {
+            i += 1;
+        }
+        let deepest =
+            (first..=i).min_by(|&a, &b| probes[a].f.total_cmp(&probes[b].f)).unwrap_or(first);
+        let left = edge(separation, probes[..=deepest].iter().rev(), level);
+        let right = edge(separation, probes[deepest..].iter(), level);
+        if let (Some(left), Some(right)) = (left, right)
+            && right > left
+        {
+            found(separation, Edge { left, right });
+        }
+        i += 1;
+    }
+}
+
+/// Walks from a probe inside a zone to the first one outside and returns the root in between; the last probe
+/// where all are inside, and nothing where the first is not inside itself.
+fn edge<'a>(
+    separation: &mut impl Separation,
+    probes: impl Iterator<Item = &'a Probe>,
+    level: f64,
+) -> Option<f64> {
+    let mut inside: Option<(f64, f64)> = None;
+    let mut estimated_inside = true;
+    for probe in probes {
+        // Probes clearly inside are passed by their estimate; near the edge the separation itself decides.
+        if inside.is_some() && estimated_inside && probe.f < 0.5 * level {
+            inside = Some((probe.u, probe.f - level));
+            continue;
+        }
+        estimated_inside = probe.f < level;
+        let value = separation.at(probe.u).f - level;
+        if value < 0.0 {
+            inside = Some((probe.u, value));
+            continue;
+        }
+        let (u, f) = inside?;
+        let width = (probe.u - u).abs();
+        // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
+        let outside = (probe.u, value.min(1.0));
+        return Some(bracketed((u, f), outside, 1e-15 + 1e-12 * width, |u| {
+            (separation.at(u).f - level).min(1.0)
+        }));
+    }
+    inside.map(|(u, _)| u)
+}

@@ -1,0 +1,39 @@
+//! What several integration tests share: reading data, judging sets, leaving reports.
+
+#![allow(dead_code)] // each test crate uses its own part
+
+use std::path::Path;
+
+/// A CSV file of tests/data with its `#` lines left out.
+pub struct Table {
+    pub headings: csv::StringRecord,
+    pub rows: Vec<csv::StringRecord>,
+}
+
+/// Reads a file below tests/data.
+pub fn read_table(name: &str) -> Table {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
+    let headings = reader.headers().unwrap().clone();
+    Table { headings, rows: reader.records().map(Result::unwrap).collect() }
+}
+
+/// Index of a column by its heading.
+pub fn column(table: &Table, name: &str) -> usize {
+    table.headings.iter().position(|h| h == name).unwrap_or_else(|| panic!("no column {name}"))
+}
+
+/// Mean, 95 % quantile and greatest of a set of errors.
+pub fn quantiles(mut errors: Vec<f64>) -> [f64; 3] {
+    errors.sort_by(f64::total_cmp);
+    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+    let p95 = errors[(0.95 * (errors.len() - 1) as f64).round() as usize];
+    [mean, p95, errors[errors.len() - 1]]
+}
+
+/// Leaves a table under target/reports, for reading and plotting.
+pub fn write_report(name: &str, text: &str) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/reports");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join(name), text).unwrap();
+}

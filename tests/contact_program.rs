@@ -1,0 +1,98 @@
+//! Against results of the boundary element program CONTACT; see the heads of the files under tests/data.
+
+mod common;
+mod tolerance;
+
+use common::{column, quantiles, read_table};
+use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel};
+use wheelrail::material::Material;
+use wheelrail::normal::hertz;
+use wheelrail::planar::{Indentation, PlanarCase, solve};
+use wheelrail::tangential::fastsim::TractionBound;
+
+const STEEL: Material = Material { young_modulus: 2.0992e11, poisson_ratio: 0.28 };
+
+/// Errors |ΔF|/(μ N) of FASTSIM on the 300 ellipses.
+fn ellipse_errors(bound: TractionBound, flexibilities: Flexibilities, count: usize) -> Vec<f64> {
+    let table = read_table("contact_25_1/hertz_tangential.csv");
+    let value =
+        |row: &csv::StringRecord, name: &str| -> f64 { row[column(&table, name)].parse().unwrap() };
+    table
+        .rows
+        .iter()
+        .map(|row| {
+            let (a, b) = (1e-3 * value(row, "a_mm"), 1e-3 * value(row, "b_mm"));
+            let load = value(row, "normal_force_n");
+            let (radius, separation) = hertzian_bodies(a, b, load);
+            let result = solve(&PlanarCase {
+                separation: &separation,
+                radius,
+                indentation: Indentation::Load(load),
+                creepage: [
+                    value(row, "creepage_longitudinal"),
+                    value(row, "creepage_lateral"),
+                    1e3 * value(row, "spin_per_mm"),
+                ],
+                friction: 0.3,
+                wheel_material: STEEL,
+                rail_material: STEEL,
+                normal_model: NormalModel::Hertz,
+                virtual_penetration: 0.55,
+                tangential_model: TangentialModel::Fastsim,
+                strips: count,
+                elements_along: count,
+                bound,
+                flexibilities,
+            })
+            .unwrap();
+            let dx = result.fx / (0.3 * load) - value(row, "fx_over_mu_n");
+            let dy = result.fy / (0.3 * load) - value(row, "fy_over_mu_n");
+            dx.hypot(dy)
+        })
+        .collect()
+}
+
+/// Wheel radius and separation whose Hertzian ellipse under `load` [N] has the semi-axes a and b [m].
+fn hertzian_bodies(a: f64, b: f64, load: f64) -> (f64, Vec<[f64; 2]>) {
+    // The shape depends on the ratio of curvatures alone: find it by bisection in logarithms, then scale the size.
+    let (mut low, mut high) = (1e-6f64, 1e6f64);
+    for _ in 0..200 {
+        let ratio = (low * high).sqrt();
+        let e = hertz::ellipse(1.0, ratio, 1e-4, 1e11);
+        if e.semi_axis_along / e.semi_axis_across < a / b { low = ratio } else { high = ratio }
+    }
+    let ratio = (low * high).sqrt();
+    let modulus = STEEL.young_modulus / (1.0 - STEEL.poisson_ratio.powi(2)) / 2.0;
+    let unit = hertz::ellipse(1.0, ratio, 1e-4, modulus);
+    // N ~ δ^1.5/A^0.5 and a ~ (δ/A)^0.5 at fixed ratio: N/a³ ~ A.
+    let along = (load / a.powi(3)) / (unit.load / unit.semi_axis_along.powi(3));
+    let across = ratio * along;
+    let separation =
+        (-50..=50).map(|i| 0.04 * f64::from(i) * b).map(|y| [y, across * y * y]).collect();
+    (0.5 / along, separation)
+}
+
+#[test]
+fn fastsim_is_within_its_known_error_on_three_hundred_ellipses() {
+    let mut report = String::from("bound,flexibilities,elements,mean,p95,worst\n");
+    let mut best = None;
+    for bound in [TractionBound::Elliptic, TractionBound::Parabolic] {
+        for flexibilities in [Flexibilities::Three, Flexibilities::Blended] {
+            for count in [10, 20, 30] {
+                let [mean, p95, worst] = quantiles(ellipse_errors(bound, flexibilities, count));
+                report += &format!(
+                    "{bound:?},{flexibilities:?},{count}x{count},{mean:.4},{p95:.4},{worst:.4}\n"
+                );
+                if (bound, flexibilities, count)
+                    == (TractionBound::Elliptic, Flexibilities::Blended, 20)
+                {
+                    best = Some([mean, p95]);
+                }
+            }
+        }
+    }
+    common::write_report("fastsim_ellipses.csv", &report);
+    let [mean, p95] = best.unwrap();
+    let [most_mean, most_p95] = tolerance::FASTSIM_ELLIPSES;
+    assert!(mean <= most_mean && p95 <= most_p95, "{report}");
+}
