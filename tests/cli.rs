@@ -139,7 +139,7 @@ fn patch_gives_the_load_it_was_asked_for_and_the_approach_that_belongs_to_it() {
     assert_eq!(rows.len(), 4);
     for row in &rows {
         assert!(number(row, "normal_force_n") > 0.0 && number(row, "time_us") > 0.0);
-        assert_eq!(row["fallback"], "false");
+        assert_eq!(row["fallback"], "0");
         // Friction bounds the creep force.
         let force = number(row, "fx_n").hypot(number(row, "fy_n"));
         assert!(force <= 0.3 * number(row, "normal_force_n") * (1.0 + 1e-9));

@@ -20,6 +20,7 @@ use crate::output;
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
 pub struct Arguments {
     /// Table of cases, CSV
     #[arg(value_name = "CASES.csv")]

@@ -120,7 +120,8 @@ fn cells(result: &PlanarResult, time: f64) -> [String; RESULTS.len()] {
         number(result.fy),
         number(1e3 * result.mz),
         result.patches.to_string(),
-        result.fallback.to_string(),
+        // A number like all other columns.
+        u8::from(result.fallback).to_string(),
         format!("{:.2}", 1e6 * time),
     ]
 }

@@ -17,6 +17,7 @@ use crate::wheelset::track::{RampShape, Track};
 /// frame that runs straight ahead on the track's centre line. It starts rolling freely in the middle of the track
 /// and meets a lateral ramp of both rails. Left in the output folder: history.csv, motion.svg, patches.svg.
 #[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
 pub struct Arguments {
     /// The unit to run; without it WheelRail.fmu beside this program
     #[arg(long, value_name = "FILE")]
