@@ -48,6 +48,7 @@ fn range_of(values: impl Iterator<Item = f64>, least: f64) -> Range<f64> {
 }
 
 /// Label of an axis value, without digits that say nothing.
+#[allow(clippy::trivially_copy_pass_by_ref)] // The signature of plotters' formatters.
 fn label(value: &f64) -> String {
     // Adding zero turns a negative zero into a plain one.
     ((value * 1e6).round() / 1e6 + 0.0).to_string()
