@@ -44,12 +44,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;
     let fmu = Fmu::open(&path)?;
     let settings = settings(arguments);
-    let mut out = stdout().lock();
-    report::situation(&mut out, arguments, &path)?;
-
     let mut right = FmuWheel::new(&fmu, "right", &settings)?;
     let left = FmuWheel::new(&fmu, "left", &settings)?;
     let touching_z = right.touching_z()?;
+    let mut out = stdout().lock();
+    report::situation(&mut out, arguments, &path)?;
     let mut wheelset = Wheelset {
         body: arguments.body(),
         suspension: arguments.suspension(),

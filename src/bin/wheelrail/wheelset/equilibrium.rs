@@ -49,7 +49,7 @@ impl<W: Wheel> Wheelset<W> {
             let stiffness = (force_above - force) / dz;
             if stiffness <= 0.0 {
                 bail!(
-                    "no equilibrium found: at z = {} m the wheels do not carry (unbalanced force {force:.0} N)",
+                    "no equilibrium found: at z = {:.6} m the wheels do not carry (unbalanced force {force:.0} N)",
                     state.z
                 );
             }
@@ -61,7 +61,7 @@ impl<W: Wheel> Wheelset<W> {
         }
         let (force, moment) = self.unbalanced(&state)?;
         bail!(
-            "no equilibrium found in {MOST_STEPS} steps: {force:.3} N and {moment:.3} N m remain at z = {} m",
+            "no equilibrium found in {MOST_STEPS} steps: {force:.3} N and {moment:.3} N m remain at z = {:.6} m",
             state.z
         )
     }
