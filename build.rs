@@ -8,6 +8,12 @@ use std::{env, fs};
 mod code;
 #[path = "build/declaration.rs"]
 mod declaration;
+#[cfg(feature = "package")]
+#[path = "build/package.rs"]
+mod package;
+#[cfg(feature = "package")]
+#[path = "build/xml.rs"]
+mod xml;
 
 fn main() {
     println!("cargo::rerun-if-changed=modelDescription");
@@ -17,4 +23,8 @@ fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
     fs::write(out.join("variables.rs"), code::generate(&declaration))
         .unwrap_or_else(|e| panic!("cannot write variables.rs to {}: {e}", out.display()));
+    #[cfg(feature = "package")]
+    if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
+        package::pack(&declaration);
+    }
 }

@@ -60,7 +60,7 @@ fn enumerations(out: &mut String, declaration: &Declaration) {
         line(
             out,
             &format!(
-                "impl IntegerField for {} {{\n\
+                "#[allow(clippy::single_match)]\nimpl IntegerField for {} {{\n\
                  fn get(&self) -> i32 {{ match self {{ {get} }} }}\n\
                  fn set(&mut self, value: i32) {{ match value {{ {set} _ => {{}} }} }}\n}}",
                 e.name
@@ -175,7 +175,9 @@ fn access(out: &mut String, declaration: &Declaration) {
     let boolean: fn(&Kind) -> bool = |k| matches!(k, Kind::Boolean(_));
     let text: fn(&Kind) -> bool = |k| matches!(k, Kind::Text(_));
     let function = |head: &str, arms: String, rest: &str| {
-        format!("#[inline]\npub(super) fn {head} {{ match reference {{ {arms} _ => {rest} }} }}")
+        format!(
+            "#[allow(clippy::single_match, clippy::too_many_lines)]\n#[inline]\npub(super) fn {head} {{ match reference {{ {arms} _ => {rest} }} }}"
+        )
     };
     let read = |f: &str| format!("Some(values.{f})");
     let whole = |f: &str| format!("Some(IntegerField::get(&values.{f}))");

@@ -2,6 +2,7 @@
 
 pub mod element;
 pub mod error;
+pub mod fmi;
 pub mod geometry;
 pub mod material;
 pub mod math;

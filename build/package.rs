@@ -1,0 +1,235 @@
+//! Packs `WheelRail.fmu`: builds the library once more without the packaging, and puts it into an
+//! archive with description, profiles, documentation and licences.
+//!
+//! The library of this very build does not exist yet when its build script runs, hence the inner build.
+//! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
+//! sources give the same bytes wherever they lie: paths are remapped, entries sorted, dates fixed.
+
+use std::ffi::OsString;
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::SystemTime;
+use std::{env, fs};
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+use crate::declaration::Declaration;
+use crate::xml;
+
+/// `modelIdentifier`: name of the archive and of the library in it.
+const IDENTIFIER: &str = "WheelRail";
+/// What goes into the archive, beside what `src` and the declaration become.
+const SOURCES: [&str; 7] =
+    ["src", "modelDescription", "build", "build.rs", "fmu", "Cargo.toml", "Cargo.lock"];
+
+/// Builds the library and writes the archive beside the binaries.
+///
+/// # Panics
+/// With a message for the user if the inner build fails or a file cannot be read or written.
+pub fn pack(declaration: &Declaration) {
+    let root = folder("CARGO_MANIFEST_DIR");
+    let out = folder("OUT_DIR");
+    let target = env::var("TARGET").expect("cargo sets TARGET");
+    let version = env::var("CARGO_PKG_VERSION").expect("cargo sets CARGO_PKG_VERSION");
+    let archive = profile_folder(&out).join(format!("{IDENTIFIER}.fmu"));
+    for source in SOURCES.iter().chain(&LICENSES) {
+        println!("cargo::rerun-if-changed={source}");
+    }
+    // An archive that somebody deleted is made again.
+    println!("cargo::rerun-if-changed={}", archive.display());
+
+    let mut entries = Vec::new();
+    let description = xml::generate(declaration, IDENTIFIER, &version)
+        .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
+    entries.push(("modelDescription.xml".into(), description));
+    let library = Library::of(&target);
+    entries.push((library.entry(), read(&inner_build(&root, &out, &target).join(library.built))));
+    collect(&root.join("fmu/resources"), "resources", &mut entries);
+    collect(&root.join("fmu/documentation"), "documentation", &mut entries);
+    for license in LICENSES {
+        entries.push((format!("documentation/licenses/{license}"), read(&root.join(license))));
+    }
+    let bytes = zip(entries).unwrap_or_else(|e| panic!("packing {}: {e}", archive.display()));
+    write(&archive, &bytes, newest(&root));
+}
+
+/// Licences of the crate; those of what is linked into the library are in `fmu/documentation`.
+const LICENSES: [&str; 2] = ["LICENSE-APACHE", "LICENSE-MIT"];
+
+fn folder(variable: &str) -> PathBuf {
+    env::var_os(variable).unwrap_or_else(|| panic!("cargo sets {variable}")).into()
+}
+
+/// The folder of the binaries: above the `build` folder that holds `OUT_DIR`.
+fn profile_folder(out: &Path) -> PathBuf {
+    let build = out.ancestors().find(|a| a.file_name().is_some_and(|name| name == "build"));
+    let parent = build.and_then(Path::parent);
+    parent.unwrap_or_else(|| panic!("no build folder above {}", out.display())).into()
+}
+
+/// Names of the library as built and as packed.
+struct Library {
+    built: &'static str,
+    platform: &'static str,
+    extension: &'static str,
+}
+
+impl Library {
+    /// # Panics
+    /// For a target that FMI 2.0 has no name for.
+    fn of(target: &str) -> Self {
+        let bits_64 = ["x86_64", "aarch64"].iter().any(|cpu| target.starts_with(cpu));
+        let (platforms, built, extension) = if target.contains("windows") {
+            (["win32", "win64"], "wheelrail.dll", "dll")
+        } else if target.contains("apple-darwin") {
+            (["darwin32", "darwin64"], "libwheelrail.dylib", "dylib")
+        } else if target.contains("linux") {
+            (["linux32", "linux64"], "libwheelrail.so", "so")
+        } else {
+            panic!(
+                "FMI 2.0 has no platform name for {target}; build the library alone with \
+                 `cargo build --release --no-default-features --features cli`"
+            )
+        };
+        Self { built, platform: platforms[usize::from(bits_64)], extension }
+    }
+
+    fn entry(&self) -> String {
+        format!("binaries/{}/{IDENTIFIER}.{}", self.platform, self.extension)
+    }
+}
+
+/// Builds the library without packaging and command line; returns the folder it is in.
+fn inner_build(root: &Path, out: &Path, target: &str) -> PathBuf {
+    let inner = out.join("inner");
+    let cargo = env::var_os("CARGO").expect("cargo sets CARGO");
+    let mut command = Command::new(cargo);
+    command
+        .current_dir(root)
+        .args(["rustc", "--lib", "--release", "--crate-type", "cdylib", "--no-default-features"])
+        .args(["--target", target, "--target-dir"])
+        .arg(&inner);
+    for (name, _) in env::vars_os().filter(|(name, _)| is_of_outer_build(name)) {
+        command.env_remove(name);
+    }
+    command.env("CARGO_ENCODED_RUSTFLAGS", remapping(root, out));
+    let output = command.output().unwrap_or_else(|e| panic!("cannot start cargo: {e}"));
+    assert!(
+        output.status.success(),
+        "the library for {IDENTIFIER}.fmu could not be built ({}):\n{}\nTo build without the FMU: \
+         cargo build --release --no-default-features --features cli",
+        output.status,
+        String::from_utf8_lossy(&output.stderr),
+    );
+    inner.join(target).join("release")
+}
+
+/// Whether a variable describes the outer build, or would change the inner one.
+fn is_of_outer_build(name: &OsString) -> bool {
+    const NAMES: [&str; 17] = [
+        "CARGO_BUILD_TARGET",
+        "CARGO_BUILD_TARGET_DIR",
+        "CARGO_BUILD_RUSTFLAGS",
+        "CARGO_ENCODED_RUSTFLAGS",
+        "CARGO_MAKEFLAGS",
+        "CARGO_PRIMARY_PACKAGE",
+        "CARGO_TARGET_DIR",
+        "DEBUG",
+        "HOST",
+        "NUM_JOBS",
+        "OPT_LEVEL",
+        "OUT_DIR",
+        "PROFILE",
+        "RUSTC_WORKSPACE_WRAPPER",
+        "RUSTFLAGS",
+        "RUST_BACKTRACE",
+        "TARGET",
+    ];
+    const PREFIXES: [&str; 6] =
+        ["CARGO_CFG_", "CARGO_FEATURE_", "CARGO_MANIFEST_", "CARGO_PKG_", "CARGO_PROFILE_", "DEP_"];
+    name.to_str().is_some_and(|name| {
+        NAMES.contains(&name) || PREFIXES.iter().any(|prefix| name.starts_with(prefix))
+    })
+}
+
+/// Flags that replace the paths of this machine, in cargo's encoding.
+fn remapping(root: &Path, out: &Path) -> OsString {
+    let cargo_home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" });
+    let cargo_home = cargo_home.or_else(|| home.map(|home| PathBuf::from(home).join(".cargo")));
+    let mut flags = OsString::new();
+    // The last prefix that fits counts: OUT_DIR lies within the root as a rule.
+    let prefixes = [
+        cargo_home.as_deref().map(|home| (home, "/cargo")),
+        Some((root, "/wheelrail")),
+        Some((out, "/out")),
+    ];
+    for (from, to) in prefixes.into_iter().flatten() {
+        if !flags.is_empty() {
+            flags.push("\x1f");
+        }
+        flags.push("--remap-path-prefix=");
+        flags.push(from);
+        flags.push("=");
+        flags.push(to);
+    }
+    flags
+}
+
+fn read(path: &Path) -> Vec<u8> {
+    fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// Every file below a folder, with its name in the archive.
+fn collect(folder: &Path, name: &str, entries: &mut Vec<(String, Vec<u8>)>) {
+    let files = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    for file in files {
+        let path = file.unwrap_or_else(|e| panic!("{}: {e}", folder.display())).path();
+        let name = format!("{name}/{}", path.file_name().unwrap_or_default().to_string_lossy());
+        if path.is_dir() {
+            collect(&path, &name, entries);
+        } else {
+            entries.push((name, read(&path)));
+        }
+    }
+}
+
+fn zip(mut entries: Vec<(String, Vec<u8>)>) -> zip::result::ZipResult<Vec<u8>> {
+    entries.sort();
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Deflated)
+        .last_modified_time(DateTime::DEFAULT)
+        .unix_permissions(0o644);
+    let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, bytes) in &entries {
+        writer.start_file(name.as_str(), options)?;
+        writer.write_all(bytes)?;
+    }
+    Ok(writer.finish()?.into_inner())
+}
+
+/// Writes the archive, first beside its place: nobody finds half of one.
+///
+/// It is dated back to the newest source, or cargo would take it for a source changed by this run and
+/// run the script at every build.
+fn write(archive: &Path, bytes: &[u8], date: SystemTime) {
+    let part = archive.with_extension("fmu.part");
+    let written = fs::write(&part, bytes)
+        .and_then(|()| fs::File::options().write(true).open(&part)?.set_modified(date))
+        .and_then(|()| fs::rename(&part, archive));
+    written.unwrap_or_else(|e| panic!("cannot write {}: {e}", archive.display()));
+}
+
+/// When the newest source was last changed.
+fn newest(root: &Path) -> SystemTime {
+    fn of(path: &Path) -> SystemTime {
+        let modified = |path: &Path| fs::metadata(path).and_then(|m| m.modified());
+        let own = modified(path).unwrap_or(SystemTime::UNIX_EPOCH);
+        let Ok(files) = fs::read_dir(path) else { return own };
+        files.flatten().map(|file| of(&file.path())).fold(own, SystemTime::max)
+    }
+    let sources = SOURCES.iter().chain(&LICENSES);
+    sources.map(|source| of(&root.join(source))).fold(SystemTime::UNIX_EPOCH, SystemTime::max)
+}

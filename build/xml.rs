@@ -1,0 +1,197 @@
+//! Writes `modelDescription.xml` (FMI 2.0.4, section 2.2) from the declaration.
+
+use std::io::{Result, Write};
+
+use quick_xml::writer::{ElementWriter, Writer};
+
+use crate::declaration::{Causality, Declaration, Enumeration, Kind, Unit, Variable};
+
+/// The text of the file; `version` is that of the crate.
+pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> Result<Vec<u8>> {
+    let mut text = b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_vec();
+    let mut writer = Writer::new_with_indent(&mut text, b' ', 2);
+    let model = &declaration.model;
+    let tool = format!("wheelrail {version}");
+    let root = writer.create_element("fmiModelDescription").with_attributes([
+        ("fmiVersion", "2.0"),
+        ("modelName", &model.name),
+        ("guid", &declaration.guid),
+        ("description", &model.description),
+        ("version", version),
+        ("license", &model.license),
+        ("generationTool", &tool),
+        ("variableNamingConvention", "structured"),
+    ]);
+    root.write_inner_content(|w| {
+        // Only what the library can do; what is left out is false.
+        w.create_element("CoSimulation")
+            .with_attributes([
+                ("modelIdentifier", identifier),
+                ("canHandleVariableCommunicationStepSize", "true"),
+                ("canNotUseMemoryManagementFunctions", "true"),
+            ])
+            .write_empty()?;
+        list(w, "UnitDefinitions", &declaration.units, unit)?;
+        list(w, "TypeDefinitions", &declaration.enumerations, enumeration)?;
+        list(w, "LogCategories", &declaration.log_categories, |w, category| {
+            let attributes = [("name", &*category.name), ("description", &*category.description)];
+            w.create_element("Category").with_attributes(attributes).write_empty().map(drop)
+        })?;
+        let experiment = &declaration.experiment;
+        w.create_element("DefaultExperiment")
+            .with_attribute(("startTime", &*experiment.start.to_string()))
+            .with_attribute(("stopTime", &*experiment.stop.to_string()))
+            .with_attribute(("stepSize", &*experiment.step.to_string()))
+            .write_empty()?;
+        let all: Vec<(usize, &Variable)> = declaration.variables.iter().enumerate().collect();
+        list(w, "ModelVariables", &all, |w, (reference, v)| {
+            variable(w, declaration, *reference, v)
+        })?;
+        structure(w, declaration, &all)
+    })?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+fn list<W: Write, T>(
+    writer: &mut Writer<W>,
+    name: &str,
+    entries: &[T],
+    write: impl Fn(&mut Writer<W>, &T) -> Result<()>,
+) -> Result<()> {
+    let element = writer.create_element(name);
+    element.write_inner_content(|w| entries.iter().try_for_each(|entry| write(w, entry)))?;
+    Ok(())
+}
+
+fn unit<W: Write>(writer: &mut Writer<W>, unit: &Unit) -> Result<()> {
+    let element = writer.create_element("Unit").with_attribute(("name", &*unit.name));
+    element.write_inner_content(|w| {
+        // The standard fixes the order of neither attributes nor exponents.
+        let exponents: Vec<(&str, String)> =
+            unit.exponents.iter().map(|(base, power)| (&**base, power.to_string())).collect();
+        let attributes = exponents.iter().map(|(base, power)| (*base, &**power));
+        w.create_element("BaseUnit").with_attributes(attributes).write_empty()?;
+        for display in &unit.display {
+            w.create_element("DisplayUnit")
+                .with_attribute(("name", &*display.name))
+                .with_attribute(("factor", &*display.factor.to_string()))
+                .write_empty()?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn enumeration<W: Write>(writer: &mut Writer<W>, enumeration: &Enumeration) -> Result<()> {
+    let element = writer
+        .create_element("SimpleType")
+        .with_attribute(("name", &*enumeration.name))
+        .with_attribute(("description", &*enumeration.description));
+    element.write_inner_content(|w| {
+        list(w, "Enumeration", &enumeration.items, |w, item| {
+            w.create_element("Item")
+                .with_attribute(("name", &*item.name))
+                .with_attribute(("value", &*item.value.to_string()))
+                .with_attribute(("description", &*item.description))
+                .write_empty()
+                .map(drop)
+        })
+    })?;
+    Ok(())
+}
+
+fn variable<W: Write>(
+    writer: &mut Writer<W>,
+    declaration: &Declaration,
+    reference: usize,
+    v: &Variable,
+) -> Result<()> {
+    // Initial values follow from causality and variability by the standard's defaults.
+    let (causality, variability) = match (v.causality, &v.kind) {
+        (Causality::Input, _) => ("input", "continuous"),
+        (Causality::Parameter, _) => ("parameter", "fixed"),
+        (Causality::CalculatedParameter, _) => ("calculatedParameter", "fixed"),
+        (Causality::Output, Kind::Real(_)) => ("output", "continuous"),
+        (Causality::Output, _) => ("output", "discrete"),
+    };
+    let element = writer
+        .create_element("ScalarVariable")
+        .with_attribute(("name", &*v.name))
+        .with_attribute(("valueReference", &*reference.to_string()))
+        .with_attribute(("description", &*v.description))
+        .with_attribute(("causality", causality))
+        .with_attribute(("variability", variability));
+    element.write_inner_content(|w| {
+        let (name, start, r#type) = match &v.kind {
+            Kind::Real(start) => ("Real", start.map(|s| s.to_string()), None),
+            Kind::Integer(start) => ("Integer", start.map(|s| s.to_string()), None),
+            Kind::Boolean(start) => ("Boolean", start.map(|s| s.to_string()), None),
+            Kind::Text(start) => ("String", start.clone(), None),
+            Kind::Enumeration(place, start) => (
+                "Enumeration",
+                start.map(|s| s.to_string()),
+                Some(&declaration.enumerations[*place].name),
+            ),
+        };
+        let mut element = w.create_element(name);
+        element = optional(element, "declaredType", r#type.cloned());
+        element = optional(element, "unit", v.unit.clone());
+        element = optional(element, "min", v.min.map(|m| m.to_string()));
+        element = optional(element, "max", v.max.map(|m| m.to_string()));
+        optional(element, "start", start).write_empty()?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn optional<'a, W: Write>(
+    element: ElementWriter<'a, W>,
+    name: &str,
+    value: Option<String>,
+) -> ElementWriter<'a, W> {
+    match value {
+        Some(value) => element.with_attribute((name, &*value)),
+        None => element,
+    }
+}
+
+fn structure<W: Write>(
+    writer: &mut Writer<W>,
+    declaration: &Declaration,
+    all: &[(usize, &Variable)],
+) -> Result<()> {
+    let unknowns = |wanted: &[Causality]| {
+        let unknowns = all.iter().filter(|(_, v)| wanted.contains(&v.causality));
+        unknowns.copied().collect::<Vec<_>>()
+    };
+    // During the run outputs depend on inputs; at initialization on parameters too.
+    let is_input = |place: &usize| declaration.variables[*place].causality == Causality::Input;
+    writer.create_element("ModelStructure").write_inner_content(|w| {
+        list(w, "Outputs", &unknowns(&[Causality::Output]), |w, (reference, v)| {
+            unknown(w, *reference, v.dependencies.iter().filter(|place| is_input(place)))
+        })?;
+        let initial = unknowns(&[Causality::Output, Causality::CalculatedParameter]);
+        let mut initial = initial;
+        initial.sort_by_key(|(reference, _)| *reference);
+        list(w, "InitialUnknowns", &initial, |w, (reference, v)| {
+            unknown(w, *reference, v.dependencies.iter())
+        })
+    })?;
+    Ok(())
+}
+
+/// An unknown with what it depends on; indices count from 1.
+fn unknown<'a, W: Write>(
+    writer: &mut Writer<W>,
+    reference: usize,
+    dependencies: impl Iterator<Item = &'a usize>,
+) -> Result<()> {
+    let dependencies: Vec<String> = dependencies.map(|d| (d + 1).to_string()).collect();
+    writer
+        .create_element("Unknown")
+        .with_attribute(("index", &*(reference + 1).to_string()))
+        .with_attribute(("dependencies", &*dependencies.join(" ")))
+        .write_empty()
+        .map(drop)
+}

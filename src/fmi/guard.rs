@@ -1,0 +1,200 @@
+//! What surrounds every call: instance, state, panics, messages.
+
+use std::ffi::CStr;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::ptr::null_mut;
+use std::sync::{Mutex, TryLockError};
+
+use super::error::FmiError;
+use super::handle::{self, Entry};
+use super::instance::{Instance, State};
+use super::location;
+use super::logger::{Category, Logger};
+use super::types::{CO_SIMULATION, Component, Status};
+use crate::variables::GUID;
+
+/// A function of the interface and the states in which FMI allows it.
+#[derive(Clone, Copy, Debug)]
+pub struct Call {
+    name: &'static str,
+    allowed: u8,
+}
+
+const INSTANTIATED: u8 = State::Instantiated.bit();
+const INITIALIZATION: u8 = State::Initialization.bit();
+const STEPPING: u8 = State::Stepping.bit();
+const TERMINATED: u8 = State::Terminated.bit();
+const ALIVE: u8 = INSTANTIATED | INITIALIZATION | STEPPING | TERMINATED;
+const READABLE: u8 = INITIALIZATION | STEPPING | TERMINATED;
+const SETTABLE: u8 = INSTANTIATED | INITIALIZATION | STEPPING;
+
+macro_rules! calls {
+    ($($constant:ident $name:literal $allowed:expr;)*) => {
+        impl Call {
+            $(#[doc = $name] pub const $constant: Self = Self { name: $name, allowed: $allowed };)*
+        }
+    };
+}
+
+// FMI 2.0, 4.2.4: the state machine of co-simulation and its table of calls.
+calls! {
+    SET_DEBUG_LOGGING "fmi2SetDebugLogging" ALIVE;
+    SETUP_EXPERIMENT "fmi2SetupExperiment" INSTANTIATED;
+    ENTER_INITIALIZATION "fmi2EnterInitializationMode" INSTANTIATED;
+    EXIT_INITIALIZATION "fmi2ExitInitializationMode" INITIALIZATION;
+    TERMINATE "fmi2Terminate" STEPPING;
+    RESET "fmi2Reset" ALIVE;
+    GET_REAL "fmi2GetReal" READABLE;
+    GET_INTEGER "fmi2GetInteger" READABLE;
+    GET_BOOLEAN "fmi2GetBoolean" READABLE;
+    GET_STRING "fmi2GetString" READABLE;
+    SET_REAL "fmi2SetReal" SETTABLE;
+    SET_INTEGER "fmi2SetInteger" SETTABLE;
+    SET_BOOLEAN "fmi2SetBoolean" SETTABLE;
+    SET_STRING "fmi2SetString" SETTABLE;
+    GET_FMU_STATE "fmi2GetFMUstate" ALIVE;
+    SET_FMU_STATE "fmi2SetFMUstate" ALIVE;
+    FREE_FMU_STATE "fmi2FreeFMUstate" ALIVE;
+    SERIALIZED_SIZE "fmi2SerializedFMUstateSize" ALIVE;
+    SERIALIZE "fmi2SerializeFMUstate" ALIVE;
+    DESERIALIZE "fmi2DeSerializeFMUstate" ALIVE;
+    DIRECTIONAL_DERIVATIVE "fmi2GetDirectionalDerivative" READABLE;
+    SET_INPUT_DERIVATIVES "fmi2SetRealInputDerivatives" SETTABLE;
+    GET_OUTPUT_DERIVATIVES "fmi2GetRealOutputDerivatives" STEPPING | TERMINATED;
+    DO_STEP "fmi2DoStep" STEPPING;
+    CANCEL_STEP "fmi2CancelStep" 0;
+    GET_STATUS "fmi2GetStatus" STEPPING | TERMINATED;
+    GET_REAL_STATUS "fmi2GetRealStatus" STEPPING | TERMINATED;
+    GET_INTEGER_STATUS "fmi2GetIntegerStatus" STEPPING | TERMINATED;
+    GET_BOOLEAN_STATUS "fmi2GetBooleanStatus" STEPPING | TERMINATED;
+    GET_STRING_STATUS "fmi2GetStringStatus" STEPPING | TERMINATED;
+}
+
+/// Runs a call on the instance of a handle.
+///
+/// A handle that is none and an instance that is busy, in another thread or with a call from whose
+/// logger this call comes, give an error without a message: the logger could call again, and so on.
+#[inline]
+pub fn guard(
+    component: Component,
+    call: Call,
+    body: impl FnOnce(&mut Instance, &Logger) -> Result<Status, FmiError>,
+) -> Status {
+    catch_unwind(AssertUnwindSafe(|| {
+        let Some(entry) = handle::find(component) else { return Status::Error };
+        let mut instance = match entry.instance.try_lock() {
+            Ok(instance) => instance,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => return Status::Error,
+        };
+        let result = instance.state.admits(call).and_then(|()| {
+            catch_unwind(AssertUnwindSafe(|| body(&mut instance, &entry.logger))).unwrap_or_else(
+                |_| {
+                    instance.state = State::Closed;
+                    Err(FmiError::Panic)
+                },
+            )
+        });
+        result.unwrap_or_else(|error| refuse(call, &error, &entry.logger))
+    }))
+    .unwrap_or(Status::Error)
+}
+
+#[cold]
+fn refuse(call: Call, error: &FmiError, logger: &Logger) -> Status {
+    if logger.takes(Category::Error) {
+        logger.log(Status::Error, Category::Error, &format!("{}: {error}", call.name));
+    }
+    Status::Error
+}
+
+/// What `fmi2Instantiate` is called with, checked for nulls.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// `instanceName`.
+    pub instance_name: &'a CStr,
+    /// `fmuType`.
+    pub fmu_type: i32,
+    /// `fmuGUID`.
+    pub guid: Result<&'a str, FmiError>,
+    /// `fmuResourceLocation`; empty if null.
+    pub resource_location: Result<&'a str, FmiError>,
+}
+
+/// Makes an instance and puts it into the table; null, with a message, if that is not possible.
+pub fn instantiate(request: Request, logger: Logger) -> Component {
+    const NAME: &str = "fmi2Instantiate";
+    catch_unwind(AssertUnwindSafe(|| match profile_folders(request, &logger) {
+        Ok(folders) => {
+            logger.log(Status::Ok, Category::Events, NAME);
+            let instance = Mutex::new(Instance::new(folders));
+            handle::insert(Entry { logger, instance }).unwrap_or(null_mut())
+        }
+        Err(error) => {
+            logger.log(Status::Error, Category::Error, &format!("{NAME}: {error}"));
+            null_mut()
+        }
+    }))
+    .unwrap_or(null_mut())
+}
+
+/// Where profiles are looked for: in the resources, then in the working directory.
+fn profile_folders(request: Request, logger: &Logger) -> Result<Vec<PathBuf>, FmiError> {
+    if request.instance_name.is_empty() {
+        return Err(FmiError::NoName);
+    }
+    if request.fmu_type != CO_SIMULATION {
+        return Err(FmiError::WrongFmuType(request.fmu_type));
+    }
+    let given = request.guid?;
+    if given != GUID {
+        return Err(FmiError::WrongGuid { given: given.into(), own: GUID });
+    }
+    let location = request.resource_location?;
+    let resources = location::folder(location);
+    if resources.is_none() && !location.is_empty() {
+        let warning = FmiError::BadLocation(location.into());
+        let message = format!("fmi2Instantiate: {warning}");
+        logger.log(Status::Warning, Category::Warning, &message);
+    }
+    let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
+    let folders = resources.map(|folder| folder.join("profiles")).into_iter();
+    Ok(folders.chain([working_directory]).collect())
+}
+
+/// Takes the instance out of the table; freed, forged and null handles do nothing.
+pub fn free(component: Component) {
+    // A panic while dropping must not cross the interface; there is nobody to tell.
+    let _ = catch_unwind(|| drop(handle::remove(component)));
+}
+
+impl State {
+    const fn bit(self) -> u8 {
+        1 << self as u8
+    }
+
+    #[inline]
+    fn admits(self, call: Call) -> Result<(), FmiError> {
+        if call.allowed & self.bit() != 0 { Ok(()) } else { Err(self.refusal(call)) }
+    }
+
+    #[cold]
+    fn refusal(self, call: Call) -> FmiError {
+        let state = match self {
+            Self::Instantiated => "before initialization",
+            Self::Initialization => "in initialization mode",
+            Self::Stepping => "after initialization",
+            Self::Terminated => "after fmi2Terminate",
+            Self::Closed => "after an internal fault",
+        };
+        let remedy = match self {
+            _ if call.allowed == 0 => "no step is ever pending",
+            Self::Instantiated => "call fmi2SetupExperiment and fmi2EnterInitializationMode first",
+            Self::Initialization => "call fmi2ExitInitializationMode first",
+            Self::Stepping | Self::Terminated => "call fmi2Reset to start again",
+            Self::Closed => "free the instance",
+        };
+        FmiError::WrongState { state, remedy }
+    }
+}

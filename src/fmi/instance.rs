@@ -1,0 +1,332 @@
+//! One element with its variables and its place in the life cycle.
+
+use std::ffi::{CString, c_char};
+use std::path::PathBuf;
+
+use super::error::FmiError;
+use super::logger::{Category, Logger};
+use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
+use crate::element::{Element, Input};
+use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, check};
+
+/// Where in its life an instance is (FMI 2.0, 4.2.4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Before initialization.
+    Instantiated,
+    /// Between entering and leaving initialization mode.
+    Initialization,
+    /// After initialization; steps are complete when `fmi2DoStep` returns.
+    Stepping,
+    /// After `fmi2Terminate`: outputs can still be read.
+    Terminated,
+    /// After a panic: can only be freed.
+    Closed,
+}
+
+/// Time span announced by `fmi2SetupExperiment`.
+#[derive(Clone, Copy, Debug)]
+struct Experiment {
+    start: f64,
+    stop: Option<f64>,
+}
+
+/// What an `fmi2Component` stands for.
+#[derive(Debug)]
+pub struct Instance {
+    /// Place in the life cycle.
+    pub state: State,
+    values: Values,
+    profile_folders: Vec<PathBuf>,
+    element: Option<Element>,
+    /// Parameters were set since the element was made from them.
+    parameters_changed: bool,
+    /// The input for which the nominal height was found.
+    nominal_input: Option<Input>,
+    /// Inputs were set, or the element made, since the outputs were evaluated.
+    outputs_stale: bool,
+    experiment: Option<Experiment>,
+    time: f64,
+    /// Texts handed out by the last `fmi2GetString`.
+    handed_out: Vec<CString>,
+}
+
+impl Instance {
+    /// An instance with start values; profiles are looked for in the folders, in order.
+    pub fn new(profile_folders: Vec<PathBuf>) -> Self {
+        Self {
+            state: State::Instantiated,
+            values: Values::default(),
+            profile_folders,
+            element: None,
+            parameters_changed: true,
+            nominal_input: None,
+            outputs_stale: true,
+            experiment: None,
+            time: 0.0,
+            handed_out: Vec::new(),
+        }
+    }
+
+    /// Back to what it was after instantiation.
+    pub fn reset(&mut self) {
+        *self = Self::new(std::mem::take(&mut self.profile_folders));
+    }
+
+    /// Takes over the time span; `stop` if it is defined.
+    pub fn setup_experiment(&mut self, start: f64, stop: Option<f64>) -> Result<(), FmiError> {
+        if !start.is_finite() {
+            return Err(bad_argument("startTime", start, "a finite number"));
+        }
+        if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop >= start)) {
+            return Err(bad_argument("stopTime", stop, "a finite number not below startTime"));
+        }
+        self.experiment = Some(Experiment { start, stop });
+        Ok(())
+    }
+
+    /// Enters initialization mode.
+    pub fn enter_initialization(&mut self) -> Result<(), FmiError> {
+        let experiment = self.experiment.ok_or(FmiError::WrongState {
+            state: "while the start time is undefined",
+            remedy: "call fmi2SetupExperiment first",
+        })?;
+        self.time = experiment.start;
+        self.state = State::Initialization;
+        Ok(())
+    }
+
+    /// Makes the element from the parameters; if one of them is at fault, the mode is not left.
+    pub fn exit_initialization(&mut self) -> Result<(), FmiError> {
+        self.prepare_element(true)?;
+        self.state = State::Stepping;
+        Ok(())
+    }
+
+    /// Moves the time; forces depend on the inputs alone.
+    ///
+    /// A host that counts in floating point may start its last step just before the stop time and end
+    /// after it; a step that starts beyond it by more than a thousandth of the step is refused.
+    pub fn step(&mut self, time: f64, step: f64) -> Result<(), FmiError> {
+        if !time.is_finite() {
+            return Err(bad_argument("currentCommunicationPoint", time, "a finite number"));
+        }
+        if !(step.is_finite() && step >= 0.0) {
+            return Err(bad_argument(
+                "communicationStepSize",
+                step,
+                "a finite number, not negative",
+            ));
+        }
+        if let Some(stop) = self.experiment.and_then(|e| e.stop)
+            && time - stop > 1e-3 * step + 1e-9 * stop.abs().max(1.0)
+        {
+            return Err(FmiError::AfterStop { time, stop });
+        }
+        self.time = time + step;
+        Ok(())
+    }
+
+    /// End of the last step, or start time [s].
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Reads real variables.
+    pub fn get_real(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [f64],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        let status = self.prepare_to_read(references, is_real, logger)?;
+        for (out, &reference) in out.iter_mut().zip(references) {
+            if let Value::Real(value) = self.values.get(&VARIABLES[reference as usize]) {
+                *out = value;
+            }
+        }
+        Ok(status)
+    }
+
+    /// Reads integer variables and enumerations.
+    pub fn get_integer(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [i32],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        let status = self.prepare_to_read(references, is_integer, logger)?;
+        for (out, &reference) in out.iter_mut().zip(references) {
+            if let Value::Integer(value) = self.values.get(&VARIABLES[reference as usize]) {
+                *out = value;
+            }
+        }
+        Ok(status)
+    }
+
+    /// Reads boolean variables.
+    pub fn get_boolean(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [Boolean],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        let status = self.prepare_to_read(references, is_boolean, logger)?;
+        for (out, &reference) in out.iter_mut().zip(references) {
+            if let Value::Boolean(value) = self.values.get(&VARIABLES[reference as usize]) {
+                *out = if value { TRUE } else { FALSE };
+            }
+        }
+        Ok(status)
+    }
+
+    /// Reads text variables; the pointers are good until the next call on this instance.
+    pub fn get_text(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [*const c_char],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        let status = self.prepare_to_read(references, is_text, logger)?;
+        let texts = references.iter().map(|&r| match self.values.get(&VARIABLES[r as usize]) {
+            // A text that was set holds no null character.
+            Value::Text(text) => CString::new(text).unwrap_or_default(),
+            _ => CString::default(),
+        });
+        self.handed_out = texts.collect();
+        for (out, text) in out.iter_mut().zip(&self.handed_out) {
+            *out = text.as_ptr();
+        }
+        Ok(status)
+    }
+
+    /// Sets variables; all or, if one of the values is refused, none.
+    pub fn set<'a>(
+        &mut self,
+        references: &[ValueReference],
+        value: impl Fn(usize) -> Value<'a>,
+    ) -> Result<Status, FmiError> {
+        for (i, &reference) in references.iter().enumerate() {
+            let variable = variable(reference)?;
+            let value = value(i);
+            let belongs = match value {
+                Value::Real(_) => is_real(variable.kind),
+                Value::Integer(_) => is_integer(variable.kind),
+                Value::Boolean(_) => is_boolean(variable.kind),
+                Value::Text(_) => is_text(variable.kind),
+            };
+            if !belongs {
+                return Err(wrong_type(variable));
+            }
+            check(variable, value)?;
+            if variable.causality == Causality::Parameter && self.state == State::Stepping {
+                return Err(FmiError::Fixed(variable.name));
+            }
+        }
+        for (i, &reference) in references.iter().enumerate() {
+            let variable = &VARIABLES[reference as usize];
+            let value = value(i);
+            // Setting the same value again costs no evaluation.
+            if self.values.get(variable) != value {
+                self.values.write(variable, value);
+                self.outputs_stale = true;
+                self.parameters_changed |= variable.causality == Causality::Parameter;
+            }
+        }
+        Ok(Status::Ok)
+    }
+
+    /// Checks references and types, and brings up to date what they depend on.
+    fn prepare_to_read(
+        &mut self,
+        references: &[ValueReference],
+        belongs: fn(Kind) -> bool,
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        let (mut outputs, mut nominal) = (false, false);
+        for &reference in references {
+            let variable = variable(reference)?;
+            if !belongs(variable.kind) {
+                return Err(wrong_type(variable));
+            }
+            outputs |= variable.causality == Causality::Output;
+            nominal |= variable.causality == Causality::CalculatedParameter;
+        }
+        if self.state == State::Initialization && (outputs || nominal) {
+            self.prepare_element(nominal)?;
+        }
+        if outputs && self.outputs_stale { self.evaluate(logger) } else { Ok(Status::Ok) }
+    }
+
+    /// Makes the element if there is none of these parameters, or none of this input if the nominal
+    /// height is wanted.
+    fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
+        let moved = nominal && self.nominal_input != Some(self.values.input);
+        if self.element.is_none() || self.parameters_changed || moved {
+            let (parameters, input) = (&self.values.parameters, &self.values.input);
+            let element = Element::new(parameters, input, &self.profile_folders)?;
+            self.values.nominal_wheel_z = element.nominal_wheel_z();
+            self.nominal_input = Some(self.values.input);
+            self.element = Some(element);
+            self.parameters_changed = false;
+            self.outputs_stale = true;
+        }
+        Ok(())
+    }
+
+    fn evaluate(&mut self, logger: &Logger) -> Result<Status, FmiError> {
+        let Some(element) = &mut self.element else { return Ok(Status::Ok) };
+        let fallbacks = self.values.output.fallback_count;
+        element.evaluate(&self.values.input, &mut self.values.output)?;
+        self.outputs_stale = false;
+        if self.values.output.fallback_count == fallbacks {
+            return Ok(Status::Ok);
+        }
+        if logger.takes(Category::Warning) {
+            let count = self.values.output.fallback_count;
+            let message =
+                format!("a solver fell back to a simpler model: fallback_count = {count}");
+            logger.log(Status::Warning, Category::Warning, &message);
+        }
+        Ok(Status::Warning)
+    }
+}
+
+#[inline]
+fn variable(reference: ValueReference) -> Result<&'static Variable, FmiError> {
+    VARIABLES
+        .get(reference as usize)
+        .ok_or(FmiError::UnknownReference { reference, last: VARIABLES.len() - 1 })
+}
+
+fn is_real(kind: Kind) -> bool {
+    matches!(kind, Kind::Real)
+}
+
+fn is_integer(kind: Kind) -> bool {
+    matches!(kind, Kind::Integer | Kind::Enumeration(_))
+}
+
+fn is_boolean(kind: Kind) -> bool {
+    matches!(kind, Kind::Boolean)
+}
+
+fn is_text(kind: Kind) -> bool {
+    matches!(kind, Kind::Text)
+}
+
+#[cold]
+fn wrong_type(variable: &Variable) -> FmiError {
+    let kind = match variable.kind {
+        Kind::Real => "Real",
+        Kind::Integer => "Integer",
+        Kind::Boolean => "Boolean",
+        Kind::Text => "String",
+        Kind::Enumeration(_) => "Enumeration (set and read as Integer)",
+    };
+    FmiError::WrongType { name: variable.name, kind }
+}
+
+fn bad_argument(name: &'static str, value: f64, allowed: &'static str) -> FmiError {
+    FmiError::BadArgument { name, value, allowed }
+}

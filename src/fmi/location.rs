@@ -1,0 +1,91 @@
+//! The folder of resources from the URI that the host hands over.
+
+use std::path::PathBuf;
+
+/// The folder that a `file:` URI in any of its forms, or a plain absolute path, names.
+///
+/// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or without
+/// a slash at the end, percent-encoded or not. `None` for anything else.
+pub fn folder(uri: &str) -> Option<PathBuf> {
+    let has_scheme = uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"));
+    let path = if has_scheme {
+        let rest = &uri[5..];
+        let rest = rest.strip_prefix("//localhost").unwrap_or(rest);
+        decoded(rest)?
+    } else if uri.starts_with('/') {
+        uri.to_owned()
+    } else {
+        return None;
+    };
+    let path = path.strip_prefix("//").map_or(path.as_str(), |rest| {
+        // Two slashes are an empty host; more of them are slips of hosts that mean one.
+        let rest = rest.trim_start_matches('/');
+        &path[path.len() - rest.len() - 1..]
+    });
+    if !path.starts_with('/') {
+        return None;
+    }
+    // A drive letter stands behind the slash: /C:/folder.
+    let bytes = path.as_bytes();
+    let has_drive = bytes.len() > 2 && bytes[1].is_ascii_alphabetic() && bytes[2] == b':';
+    let path = if has_drive { &path[1..] } else { path };
+    let trimmed = path.trim_end_matches('/');
+    Some(PathBuf::from(if trimmed.is_empty() { "/" } else { trimmed }))
+}
+
+/// Replaces `%20` and the like; a percent sign that starts no code stays. `None` if not UTF-8.
+fn decoded(text: &str) -> Option<String> {
+    let digit = |byte: Option<&u8>| byte.and_then(|&b| char::from(b).to_digit(16));
+    let bytes = text.as_bytes();
+    let mut out = Vec::with_capacity(bytes.len());
+    let mut i = 0;
+    while i < bytes.len() {
+        match (bytes[i], digit(bytes.get(i + 1)), digit(bytes.get(i + 2))) {
+            (b'%', Some(high), Some(low)) => {
+                out.push((16 * high + low) as u8);
+                i += 3;
+            }
+            (byte, ..) => {
+                out.push(byte);
+                i += 1;
+            }
+        }
+    }
+    String::from_utf8(out).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_form_that_hosts_use_names_the_same_folder() {
+        for uri in [
+            "file:///tmp/my fmu/resources",
+            "file:///tmp/my%20fmu/resources",
+            "file:///tmp/my%20fmu/resources/",
+            "file:////tmp/my%20fmu/resources",
+            "file:/tmp/my%20fmu/resources",
+            "file://localhost/tmp/my%20fmu/resources",
+            "FILE:///tmp/my%20fmu/resources",
+            "/tmp/my fmu/resources",
+        ] {
+            assert_eq!(folder(uri), Some("/tmp/my fmu/resources".into()), "{uri}");
+        }
+    }
+
+    #[test]
+    fn drive_letters_umlauts_and_odd_percents_survive() {
+        assert_eq!(folder("file:///C:/fmu/resources"), Some("C:/fmu/resources".into()));
+        assert_eq!(folder("file:///r%C3%A4der"), Some("/räder".into()));
+        assert_eq!(folder("file:///100%/x"), Some("/100%/x".into()));
+        assert_eq!(folder("file:///"), Some("/".into()));
+    }
+
+    #[test]
+    fn what_is_no_file_is_refused() {
+        for uri in ["http://host/x", "relative/x", "file:relative", "file:///%ff", "fil", "ä"] {
+            assert_eq!(folder(uri), None, "{uri}");
+        }
+    }
+}
