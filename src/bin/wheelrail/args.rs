@@ -23,3 +23,32 @@ pub enum Command {
     Evaluate(evaluate::Arguments),
     Patch(patch::Arguments),
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_declaration_of_all_options_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn lists_and_assignments_are_read_and_refused() {
+        let parse = |options: &[&str]| {
+            Arguments::try_parse_from(["wheelrail", "simulate"].iter().chain(options))
+        };
+        let parsed =
+            parse(&["--stiffness", "1,2e3,3", "--set", "friction.coefficient = 0.4"]).unwrap();
+        let Command::Simulate(simulate) = parsed.command else { panic!("not simulate") };
+        assert_eq!(simulate.stiffness.map(|value| value as i32), [1, 2000, 3]);
+        assert_eq!(simulate.settings, [("friction.coefficient".into(), "0.4".into())]);
+        assert!(simulate.check().is_ok());
+        for wrong in [["--stiffness", "1,2"], ["--damping", "a,b,c"], ["--set", "friction"]] {
+            let message = parse(&wrong).unwrap_err().to_string();
+            assert!(message.contains("write "), "{message}");
+        }
+    }
+}

@@ -15,6 +15,9 @@ const SIZE: (u32, u32) = (1240, 860);
 /// Columns into which the distance is cut; more would not be seen and make the file large.
 const COLUMNS: usize = 400;
 const SCALE_WIDTH: i32 = 110;
+const SCALE_STEPS: u32 = 64;
+/// Least range of the colours: smaller differences of force are not worth a colour [kN].
+const LEAST_SCALE: f64 = 10.0;
 
 /// Lightness grows evenly from dark violet to yellow (matplotlib's viridis, CC0, nine of its colours).
 const VIRIDIS: [(u8, u8, u8); 9] = [
@@ -49,7 +52,7 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
     let shown: Vec<&Record> = records.iter().step_by(records.len().div_ceil(COLUMNS)).collect();
     let forces =
         shown.iter().flat_map(|r| r.patches.iter().flatten()).map(|p| 1e-3 * p.normal_force);
-    let largest = forces.fold(1e-3, f64::max);
+    let forces_range = range_of(forces, LEAST_SCALE);
 
     let cells = charts.split_evenly((2, 2));
     // The left wheel on the left; records hold the right one first.
@@ -68,12 +71,12 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
                 y_range: y_range.clone(),
                 wheel,
                 position,
-                largest,
+                forces: forces_range.clone(),
             };
             panel.draw(&cells[2 * row + column], track, &shown)?;
         }
     }
-    draw_scale(&scale, largest)?;
+    draw_scale(&scale, &forces_range)?;
     area.present()?;
     Ok(())
 }
@@ -85,8 +88,8 @@ struct Panel {
     y_range: Range<f64>,
     wheel: usize,
     position: Position,
-    /// Force at the upper end of the colours [kN].
-    largest: f64,
+    /// Forces at the ends of the colours [kN].
+    forces: Range<f64>,
 }
 
 impl Panel {
@@ -130,7 +133,7 @@ impl Panel {
             // Light ones last: a small patch is seen before a large one.
             record.patches[self.wheel].iter().map(move |patch| {
                 let (y, half) = (1e3 * (self.position)(patch), 0.5e3 * patch.width);
-                let color = color(1e-3 * patch.normal_force / self.largest);
+                let color = color(share(1e-3 * patch.normal_force, &self.forces));
                 Rectangle::new([(distance(index), y - half), (next, y + half)], color.filled())
             })
         });
@@ -139,13 +142,13 @@ impl Panel {
     }
 }
 
-fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, largest: f64) -> Result<()> {
+fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, forces: &Range<f64>) -> Result<()> {
     let mut chart = ChartBuilder::on(area)
         .margin_top(140)
         .margin_bottom(140)
         .margin_right(10)
         .set_label_area_size(LabelAreaPosition::Right, 70)
-        .build_cartesian_2d(0.0..1.0, 0.0..largest)?;
+        .build_cartesian_2d(0.0..1.0, forces.clone())?;
     chart
         .configure_mesh()
         .disable_mesh()
@@ -156,14 +159,19 @@ fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, largest: f64) -> Result
         .axis_desc_style(text(17))
         .y_desc("normal force of the patch [kN]")
         .draw()?;
-    let steps = 64;
+    let width = (forces.end - forces.start) / f64::from(SCALE_STEPS);
     let band = |index: u32| {
-        let share = |i: u32| f64::from(i) / f64::from(steps);
-        let corners = [(0.0, largest * share(index)), (1.0, largest * share(index + 1))];
-        Rectangle::new(corners, color(share(index)).filled())
+        let low = forces.start + width * f64::from(index);
+        let color = color(share(low, forces));
+        Rectangle::new([(0.0, low), (1.0, low + width)], color.filled())
     };
-    chart.draw_series((0..steps).map(band))?;
+    chart.draw_series((0..SCALE_STEPS).map(band))?;
     Ok(())
+}
+
+/// Where `force` lies in the range of the colours, 0 to 1.
+fn share(force: f64, forces: &Range<f64>) -> f64 {
+    (force - forces.start) / (forces.end - forces.start)
 }
 
 /// Colour of a share from 0 to 1.

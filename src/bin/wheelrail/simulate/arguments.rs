@@ -98,22 +98,20 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "CX,CY,CZ",
-        value_delimiter = ',',
-        num_args = 3,
         default_value = "1e6,5e5,1e6",
+        value_parser = three,
         help_heading = "Primary suspension, one axle box"
     )]
-    pub stiffness: Vec<f64>,
+    pub stiffness: [f64; 3],
     /// Damping along x, y and z [N s/m]
     #[arg(
         long,
         value_name = "DX,DY,DZ",
-        value_delimiter = ',',
-        num_args = 3,
         default_value = "0,0,2e4",
+        value_parser = three,
         help_heading = "Primary suspension, one axle box"
     )]
-    pub damping: Vec<f64>,
+    pub damping: [f64; 3],
 }
 
 fn assignment(text: &str) -> Result<(String, String), String> {
@@ -123,6 +121,15 @@ fn assignment(text: &str) -> Result<(String, String), String> {
         }
         _ => Err("write NAME=VALUE, such as friction.coefficient=0.4".into()),
     }
+}
+
+fn three(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map(|part| part.trim().parse())
+        .collect::<Result<_, _>>()
+        .unwrap_or_default();
+    numbers.try_into().map_err(|_| "write three numbers, for x, y and z: 1e6,5e5,1e6".into())
 }
 
 impl Arguments {
@@ -145,7 +152,7 @@ impl Arguments {
                 bail!("--{name} {value} is not admitted: it must be a finite number above 0");
             }
         }
-        let not_negative = [("stiffness", &self.stiffness), ("damping", &self.damping)];
+        let not_negative = [("stiffness", self.stiffness), ("damping", self.damping)];
         for (name, values) in not_negative {
             if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
                 bail!(
@@ -180,11 +187,10 @@ impl Arguments {
 
     /// The suspension, its resting height not yet known.
     pub fn suspension(&self) -> Suspension {
-        let three = |values: &[f64]| [values[0], values[1], values[2]];
         Suspension {
             half_distance: 0.5 * self.axle_boxes,
-            stiffness: three(&self.stiffness),
-            damping: three(&self.damping),
+            stiffness: self.stiffness,
+            damping: self.damping,
             load: self.axle_load - self.mass * GRAVITY,
             resting_z: 0.0,
         }
