@@ -14,7 +14,7 @@ type Row = HashMap<String, f64>;
 fn simulate(folder: &Path, options: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_wheelrail"))
         .args(["simulate", "--fmu"])
-        .arg(packaged::unit())
+        .arg(packaged::fmu())
         .arg("--output")
         .arg(folder)
         .args(options)

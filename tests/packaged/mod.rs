@@ -1,22 +1,31 @@
-//! The FMU as users get it: from a release build.
+//! The FMU as a release build packs it, in a target directory of its own.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// `WheelRail.fmu` of a release build in a target directory of its own, which the build that runs the tests does
-/// not hold locked. Several tests may ask at once; cargo builds once.
-pub fn unit() -> &'static Path {
-    static UNIT: OnceLock<PathBuf> = OnceLock::new();
-    UNIT.get_or_init(|| {
-        let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/packaged");
-        let status = Command::new(env!("CARGO"))
-            .args(["build", "--release", "--target-dir"])
-            .arg(&target)
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .status()
-            .unwrap();
-        assert!(status.success(), "the release build that packs the FMU failed");
-        target.join("release/WheelRail.fmu")
-    })
+/// Path of `WheelRail.fmu`, packed from the sources as they are.
+///
+/// # Panics
+/// With cargo's messages if it cannot be built.
+pub fn fmu() -> PathBuf {
+    static FMU: OnceLock<PathBuf> = OnceLock::new();
+    FMU.get_or_init(build).clone()
+}
+
+fn build() -> PathBuf {
+    // Not the outer target directory: cargo may hold its lock while the tests run.
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu");
+    let output = Command::new(env!("CARGO"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(["build", "--release", "--no-default-features", "--features", "package"])
+        .arg("--target-dir")
+        .arg(&target)
+        .env_remove("CARGO_BUILD_TARGET")
+        .output()
+        .expect("cargo that builds the tests can be started");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let fmu = target.join("release/WheelRail.fmu");
+    assert!(fmu.is_file(), "{} was not packed", fmu.display());
+    fmu
 }

@@ -4,7 +4,10 @@ pub mod motion;
 pub mod patches;
 
 use std::ops::Range;
+use std::path::Path;
 
+use anyhow::{Context, Result};
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::TextStyle;
 
@@ -20,12 +23,41 @@ const RAMP: RGBColor = RGBColor(240, 228, 190);
 
 const FONT: &str = "Helvetica, Arial, sans-serif";
 
+/// Coordinates are whole numbers; with this many to a pixel curves are smooth.
+const FINENESS: u32 = 8;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// Lengths of `pixels` in coordinates.
+const fn px(pixels: u32) -> u32 {
+    FINENESS * pixels
+}
+
 fn text(size: u32) -> TextStyle<'static> {
-    (FONT, size).into_font().color(&INK)
+    (FONT, px(size)).into_font().color(&INK)
 }
 
 fn heading(size: u32) -> TextStyle<'static> {
-    (FONT, size, FontStyle::Bold).into_font().color(&INK)
+    (FONT, px(size), FontStyle::Bold).into_font().color(&INK)
+}
+
+/// Draws into the file `path`, `size` pixels wide and high.
+///
+/// # Errors
+/// If drawing fails or the file cannot be written.
+fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()>) -> Result<()> {
+    let place = || format!("cannot draw {}", path.display());
+    let mut svg = String::new();
+    {
+        let area = SVGBackend::with_string(&mut svg, (px(size.0), px(size.1))).into_drawing_area();
+        area.fill(&WHITE).with_context(place)?;
+        draw(&area.margin(px(8), 0, 0, 0)).with_context(place)?;
+        area.present().with_context(place)?;
+    }
+    // The viewBox keeps the fine coordinates; only the size that is asked for becomes that of the figure.
+    let dimensions = |width, height| format!("width=\"{width}\" height=\"{height}\"");
+    let svg = svg.replacen(&dimensions(px(size.0), px(size.1)), &dimensions(size.0, size.1), 1);
+    std::fs::write(path, svg).with_context(place)
 }
 
 /// The stretch of distance that holds the ramp, cut to what is drawn.

@@ -2,17 +2,21 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use plotters::coord::Shift;
+use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, label, ramp_stretch, range_of, text};
+use super::{
+    Area, BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, label, px, ramp_stretch, range_of, save,
+    text,
+};
 use crate::simulate::Record;
 use crate::wheelset::track::Track;
 
+/// Length of the line of a legend entry, in coordinates.
+const LINE: i32 = px(26) as i32;
 const SIZE: (u32, u32) = (1100, 760);
-/// Points of a curve at most: coordinates are whole pixels, and closer points look like stairs.
-const POINTS: usize = 500;
+/// Points of a curve at most; more are not seen.
+const POINTS: usize = 1000;
 
 /// One curve of a panel.
 struct Series<'a> {
@@ -27,15 +31,12 @@ struct Series<'a> {
 /// # Errors
 /// If it cannot be written.
 pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
-    draw_inner(path, title, track, records)
-        .with_context(|| format!("cannot draw {}", path.display()))
+    save(path, SIZE, |area| draw_inner(area, title, track, records))
 }
 
-fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
-    let area = SVGBackend::new(path, SIZE).into_drawing_area();
-    area.fill(&WHITE)?;
+fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -> Result<()> {
     let area = area.titled(&format!("Wheelset: {title}"), heading(26))?;
-    let (above, below) = area.split_vertically(372);
+    let (above, below) = area.split_vertically(px(362));
     let over = |quantity: fn(&Record) -> f64| -> Vec<(f64, f64)> {
         let shown = records.iter().step_by(records.len().div_ceil(POINTS));
         shown.map(|r| (r.state.distance, quantity(r))).collect()
@@ -57,12 +58,11 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
         points: over(|r| 1e3 * r.state.yaw),
     }];
     panel(&below, "yaw [mrad], nose to the right", Some("distance [m]"), track, &yaw)?;
-    area.present()?;
     Ok(())
 }
 
 fn panel(
-    area: &DrawingArea<SVGBackend<'_>, Shift>,
+    area: &Area<'_>,
     y_title: &str,
     x_title: Option<&str>,
     track: &Track,
@@ -74,10 +74,10 @@ fn panel(
     let values = series.iter().flat_map(|s| s.points.iter().map(|point| point.1));
     let y_range = range_of(values, 0.1);
     let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .margin_right(24)
-        .x_label_area_size(if x_title.is_some() { 52 } else { 28 })
-        .y_label_area_size(78)
+        .margin(px(8))
+        .margin_right(px(24))
+        .x_label_area_size(px(if x_title.is_some() { 52 } else { 28 }))
+        .y_label_area_size(px(78))
         .build_cartesian_2d(x_range.clone(), y_range.clone())?;
     let ramp = ramp_stretch(track, &x_range);
     let corners = [(ramp.start, y_range.start), (ramp.end, y_range.end)];
@@ -85,12 +85,15 @@ fn panel(
         chart
             .draw_series(std::iter::once(Rectangle::new(corners, RAMP.filled())))?
             .label("ramp")
-            .legend(|(x, y)| Rectangle::new([(x, y - 6), (x + 26, y + 6)], RAMP.filled()));
+            .legend(|(x, y)| {
+                Rectangle::new([(x, y - LINE / 4), (x + LINE, y + LINE / 4)], RAMP.filled())
+            });
     }
     let mut mesh = chart.configure_mesh();
-    mesh.bold_line_style(GRID)
+    mesh.bold_line_style(GRID.stroke_width(px(1)))
+        .set_all_tick_mark_size(px(5))
         .light_line_style(TRANSPARENT)
-        .axis_style(INK)
+        .axis_style(INK.stroke_width(px(1)))
         .x_labels(13)
         .y_labels(7)
         .x_label_formatter(&label)
@@ -103,18 +106,19 @@ fn panel(
     }
     mesh.draw()?;
     for one in series {
-        let style = one.color.stroke_width(if one.dashed { 2 } else { 3 });
+        let style = one.color.stroke_width(px(if one.dashed { 2 } else { 3 }));
         let points = one.points.iter().copied();
         let drawn = if one.dashed {
-            chart.draw_series(DashedLineSeries::new(points, 9, 5, style))?
+            chart.draw_series(DashedLineSeries::new(points, px(9), px(5), style))?
         } else {
             chart.draw_series(LineSeries::new(points, style))?
         };
         let dashed = one.dashed;
         drawn.label(one.label).legend(move |(x, y)| {
-            let end = if dashed { x + 11 } else { x + 26 };
-            let first = PathElement::new(vec![(x, y), (end, y)], style);
-            let second = PathElement::new(vec![(x + 15, y), (x + 26, y)], style);
+            let gap = if dashed { LINE / 8 } else { 0 };
+            let middle = x + LINE / 2;
+            let first = PathElement::new(vec![(x, y), (middle - gap, y)], style);
+            let second = PathElement::new(vec![(middle + gap, y), (x + LINE, y)], style);
             EmptyElement::at((0, 0)) + first + second
         });
     }
@@ -122,9 +126,9 @@ fn panel(
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE.mix(0.85))
-        .border_style(GRID)
-        .legend_area_size(34)
-        .margin(10)
+        .border_style(GRID.stroke_width(px(1)))
+        .legend_area_size(px(34))
+        .margin(px(10))
         .label_font(text(17))
         .draw()?;
     Ok(())

@@ -3,18 +3,17 @@
 use std::ops::Range;
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use plotters::coord::Shift;
+use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{GRID, INK, RAMP, heading, label, ramp_stretch, range_of, text};
+use super::{Area, GRID, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text};
 use crate::simulate::{Patch, Record};
 use crate::wheelset::track::Track;
 
 const SIZE: (u32, u32) = (1240, 860);
 /// Columns into which the distance is cut; more would not be seen and make the file large.
 const COLUMNS: usize = 400;
-const SCALE_WIDTH: i32 = 110;
+const SCALE_WIDTH: u32 = 110;
 const SCALE_STEPS: u32 = 64;
 /// Least range of the colours: smaller differences of force are not worth a colour [kN].
 const LEAST_SCALE: f64 = 10.0;
@@ -40,15 +39,12 @@ type Position = fn(&Patch) -> f64;
 /// # Errors
 /// If it cannot be written.
 pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
-    draw_inner(path, title, track, records)
-        .with_context(|| format!("cannot draw {}", path.display()))
+    save(path, SIZE, |area| draw_inner(area, title, track, records))
 }
 
-fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
-    let area = SVGBackend::new(path, SIZE).into_drawing_area();
-    area.fill(&WHITE)?;
+fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -> Result<()> {
     let area = area.titled(&format!("Contact patches: {title}"), heading(26))?;
-    let (charts, scale) = area.split_horizontally(SIZE.0 as i32 - SCALE_WIDTH);
+    let (charts, scale) = area.split_horizontally(px(SIZE.0 - SCALE_WIDTH));
     let shown: Vec<&Record> = records.iter().step_by(records.len().div_ceil(COLUMNS)).collect();
     let forces =
         shown.iter().flat_map(|r| r.patches.iter().flatten()).map(|p| 1e-3 * p.normal_force);
@@ -77,7 +73,6 @@ fn draw_inner(path: &Path, title: &str, track: &Track, records: &[Record]) -> Re
         }
     }
     draw_scale(&scale, &forces_range)?;
-    area.present()?;
     Ok(())
 }
 
@@ -93,21 +88,16 @@ struct Panel {
 }
 
 impl Panel {
-    fn draw(
-        &self,
-        area: &DrawingArea<SVGBackend<'_>, Shift>,
-        track: &Track,
-        shown: &[&Record],
-    ) -> Result<()> {
+    fn draw(&self, area: &Area<'_>, track: &Track, shown: &[&Record]) -> Result<()> {
         let distance = |index: usize| shown[index].state.distance;
         let last = shown.len() - 1;
         let x_range = 0.0..distance(last).max(1e-3);
         let mut chart = ChartBuilder::on(area)
             .caption(&self.title, heading(19))
-            .margin(8)
-            .margin_right(18)
-            .x_label_area_size(50)
-            .y_label_area_size(66)
+            .margin(px(8))
+            .margin_right(px(18))
+            .x_label_area_size(px(50))
+            .y_label_area_size(px(66))
             .build_cartesian_2d(x_range.clone(), self.y_range.clone())?;
         let ramp = ramp_stretch(track, &x_range);
         if ramp.start < ramp.end {
@@ -116,9 +106,10 @@ impl Panel {
         }
         chart
             .configure_mesh()
-            .bold_line_style(GRID)
+            .set_all_tick_mark_size(px(5))
+            .bold_line_style(GRID.stroke_width(px(1)))
             .light_line_style(TRANSPARENT)
-            .axis_style(INK)
+            .axis_style(INK.stroke_width(px(1)))
             .x_labels(7)
             .y_labels(7)
             .x_label_formatter(&label)
@@ -129,12 +120,14 @@ impl Panel {
             .y_desc(&self.y_title)
             .draw()?;
         let bands = shown.iter().enumerate().flat_map(|(index, record)| {
-            let next = distance((index + 1).min(last));
+            let (start, next) = (distance(index), distance((index + 1).min(last)));
+            // Half under the next band, which is drawn over it, so that no seam shows.
+            let end = (1.5 * next - 0.5 * start).min(distance(last));
             // Light ones last: a small patch is seen before a large one.
             record.patches[self.wheel].iter().map(move |patch| {
                 let (y, half) = (1e3 * (self.position)(patch), 0.5e3 * patch.width);
                 let color = color(share(1e-3 * patch.normal_force, &self.forces));
-                Rectangle::new([(distance(index), y - half), (next, y + half)], color.filled())
+                Rectangle::new([(start, y - half), (end, y + half)], color.filled())
             })
         });
         chart.draw_series(bands)?;
@@ -142,17 +135,19 @@ impl Panel {
     }
 }
 
-fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, forces: &Range<f64>) -> Result<()> {
+fn draw_scale(area: &Area<'_>, forces: &Range<f64>) -> Result<()> {
     let mut chart = ChartBuilder::on(area)
-        .margin_top(140)
-        .margin_bottom(140)
-        .margin_right(10)
-        .set_label_area_size(LabelAreaPosition::Right, 70)
+        .margin_top(px(140))
+        .margin_bottom(px(140))
+        .margin_right(px(10))
+        .set_label_area_size(LabelAreaPosition::Right, px(70))
         .build_cartesian_2d(0.0..1.0, forces.clone())?;
     chart
         .configure_mesh()
         .disable_mesh()
         .disable_x_axis()
+        .set_all_tick_mark_size(px(5))
+        .axis_style(INK.stroke_width(px(1)))
         .y_labels(6)
         .y_label_formatter(&label)
         .label_style(text(16))
@@ -163,7 +158,8 @@ fn draw_scale(area: &DrawingArea<SVGBackend<'_>, Shift>, forces: &Range<f64>) ->
     let band = |index: u32| {
         let low = forces.start + width * f64::from(index);
         let color = color(share(low, forces));
-        Rectangle::new([(0.0, low), (1.0, low + width)], color.filled())
+        // Up to the end, under the bands to come, so that no seam shows.
+        Rectangle::new([(0.0, low), (1.0, forces.end)], color.filled())
     };
     chart.draw_series((0..SCALE_STEPS).map(band))?;
     Ok(())
