@@ -2,13 +2,43 @@
 
 use std::path::PathBuf;
 
+use super::output::REPORTED_PATCHES;
+use super::parameters::{RAILS, Side};
+use super::rail_contact::{Models, RailContact};
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
+use crate::io::load_profile;
+
+/// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Evaluations asked for.
+    pub evaluations: u64,
+    /// Rails for which a bound showed that the wheel is lifted.
+    pub lifted: u64,
+    /// Contact searches.
+    pub searches: u64,
+    /// Points of a contact line whose distance from a rail was computed.
+    pub distances: u64,
+    /// Loaded zones with pressure.
+    pub zones: u64,
+    /// Zones marched through by the tangential model.
+    pub marches: u64,
+}
 
 /// A wheel and the rails under it, ready to be evaluated.
-#[derive(Debug)]
+///
+/// The result of an evaluation depends on its input alone, not on earlier ones.
+#[derive(Clone, Debug)]
 pub struct Element {
+    side: Side,
+    models: Models,
+    rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
+    fallbacks: u64,
+    work: Work,
 }
 
 impl Element {
@@ -18,17 +48,78 @@ impl Element {
     /// # Errors
     /// The parameter or profile at fault, by its FMU name.
     pub fn new(
-        _parameters: &Parameters,
-        _start: &Input,
-        _profile_folders: &[PathBuf],
+        parameters: &Parameters,
+        start: &Input,
+        profile_folders: &[PathBuf],
     ) -> Result<Self, ContactError> {
-        Ok(Self { nominal_wheel_z: -0.46 })
+        parameters.check()?;
+        let load = |parameter: &str, name: &str, kind| {
+            load_profile(parameter, name, kind, parameters.profile_smoothing, profile_folders)
+        };
+        let wheel = load("wheel.profile", &parameters.wheel.profile, ProfileKind::Wheel)?;
+        let mut rails = [const { None }; RAILS];
+        for (k, rail) in parameters.rails.iter().enumerate() {
+            if rail.enabled {
+                let parameter = format!("rail[{}].profile", k + 1);
+                rails[k] = Some(load(&parameter, &rail.profile, ProfileKind::Rail)?);
+            }
+        }
+        Self::with_profiles(parameters, start, &wheel, &rails)
     }
 
-    /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches [m].
+    /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail that is not there.
+    ///
+    /// # Errors
+    /// The parameter or profile at fault, by its FMU name.
+    pub fn with_profiles(
+        parameters: &Parameters,
+        start: &Input,
+        wheel: &Profile,
+        rails: &[Option<Profile>; RAILS],
+    ) -> Result<Self, ContactError> {
+        parameters.check()?;
+        start.check()?;
+        let mut contacts = [const { None }; RAILS];
+        for (k, profile) in rails.iter().enumerate() {
+            let Some(profile) = profile else { continue };
+            let placed = PlacedRail::by_gauge(
+                &profile.curve,
+                parameters.rails[k].inclination,
+                parameters.gauge,
+                parameters.gauge_depth,
+            )
+            .map_err(|_| ContactError::Profile {
+                name: format!("rail[{}].profile", k + 1),
+                source: ProfileError::NoGaugeFace {
+                    name: profile.name.clone(),
+                    depth_mm: 1e3 * parameters.gauge_depth,
+                },
+            })?;
+            contacts[k] = Some(RailContact::new(wheel, parameters, placed));
+        }
+        let mut element = Self {
+            side: parameters.side,
+            models: Models::new(parameters),
+            rails: contacts,
+            nominal_wheel_z: start.wheel.position[2],
+            fallbacks: 0,
+            work: Work::default(),
+        };
+        element.nominal_wheel_z = element.touching_height(start);
+        Ok(element)
+    }
+
+    /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches; its starting height where
+    /// it stands beside the rails [m].
     #[must_use]
     pub fn nominal_wheel_z(&self) -> f64 {
         self.nominal_wheel_z
+    }
+
+    /// Work done and skipped so far.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        self.work
     }
 
     /// Evaluates the forces; allocates nothing.
@@ -36,8 +127,62 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        let _ = input;
-        *output = Output::default();
+        input.check()?;
+        self.work.evaluations += 1;
+        let mirrored = self.side == Side::Left;
+        let input = if mirrored { input.mirrored() } else { *input };
+        let mut result = Output::default();
+        self.models.patches.clear();
+        for (k, rail) in self.rails.iter_mut().enumerate() {
+            if let Some(rail) = rail {
+                let left_out =
+                    rail.evaluate(k, &input, &mut self.models, &mut result, &mut self.work);
+                self.fallbacks += left_out;
+            }
+        }
+        let patches = &mut self.models.patches;
+        patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
+        for (slot, patch) in result.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
+            *slot = *patch;
+        }
+        result.patch_count = patches.len() as i32;
+        result.fallback_count = i32::try_from(self.fallbacks).unwrap_or(i32::MAX);
+        *output = if mirrored { result.mirrored() } else { result };
         Ok(())
     }
+
+    /// The marker height at which the first contact appears when the wheel comes down from above [m].
+    fn touching_height(&mut self, start: &Input) -> f64 {
+        let input = if self.side == Side::Left { start.mirrored() } else { *start };
+        let rails = self.rails.iter().flatten().enumerate();
+        let clear = rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
+        if clear.is_infinite() {
+            return input.wheel.position[2];
+        }
+        let mut touches = |z: f64| {
+            let mut at = input;
+            at.wheel.position[2] = z;
+            self.rails.iter_mut().flatten().enumerate().any(|(k, rail)| rail.touches(k, &at))
+        };
+        let highest = clear;
+        let (mut clear, mut touching) = (highest, highest + DESCENT_STEP);
+        while !touches(touching) {
+            (clear, touching) = (touching, touching + DESCENT_STEP);
+            if touching > highest + MOST_DESCENT {
+                return input.wheel.position[2];
+            }
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (clear + touching);
+            if touches(middle) { touching = middle } else { clear = middle }
+        }
+        touching
+    }
 }
+
+/// Step of the descent onto the rail: no wheel passes through a rail in it [m].
+const DESCENT_STEP: f64 = 2e-4;
+/// Descent after which the wheel stands beside the rail: more than any flange is high [m].
+const MOST_DESCENT: f64 = 0.15;
+/// From the step of the descent to rounding.
+const BISECTIONS: usize = 45;

@@ -1,44 +1,8 @@
 //! What an evaluation depends on besides the parameters.
 
 use super::parameters::RAILS;
-
-/// Position and velocity of the wheel marker, and attitude of the wheel, in the track frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WheelMotion {
-    /// Position (x, y, z) of the wheel marker [m].
-    pub position: [f64; 3],
-    /// Roll angle, about x [rad].
-    pub roll: f64,
-    /// Yaw angle, about the rolled z axis [rad].
-    pub yaw: f64,
-    /// Pitch angle, about the axle [rad].
-    pub pitch: f64,
-    /// Velocity of the wheel marker [m/s].
-    pub velocity: [f64; 3],
-    /// Rate of the roll angle [rad/s].
-    pub roll_rate: f64,
-    /// Rate of the yaw angle [rad/s].
-    pub yaw_rate: f64,
-    /// Rate of the pitch angle, negative when rolling forward [rad/s].
-    pub pitch_rate: f64,
-}
-
-/// Deviation of a rail from its design position and its velocity, of the rail marker.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RailMotion {
-    /// Lateral deviation [m].
-    pub y: f64,
-    /// Vertical deviation, down [m].
-    pub z: f64,
-    /// Roll angle, about x through the rail marker [rad].
-    pub roll: f64,
-    /// Lateral velocity [m/s].
-    pub vy: f64,
-    /// Vertical velocity, down [m/s].
-    pub vz: f64,
-    /// Rate of the roll angle [rad/s].
-    pub roll_rate: f64,
-}
+use crate::error::ContactError;
+pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 
 /// All inputs; one field for each FMU input of design section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,5 +35,87 @@ impl Default for Input {
             track_s: 0.0,
             friction: 0.3,
         }
+    }
+}
+
+impl Input {
+    /// The same situation seen in a mirror along the track: a left wheel as a right one and the reverse.
+    #[must_use]
+    pub(crate) fn mirrored(&self) -> Self {
+        let wheel = &self.wheel;
+        let [x, y, z] = wheel.position;
+        let [vx, vy, vz] = wheel.velocity;
+        Self {
+            wheel: WheelMotion {
+                position: [x, -y, z],
+                roll: -wheel.roll,
+                yaw: -wheel.yaw,
+                velocity: [vx, -vy, vz],
+                roll_rate: -wheel.roll_rate,
+                yaw_rate: -wheel.yaw_rate,
+                ..*wheel
+            },
+            rails: self.rails.map(|rail| RailMotion {
+                y: -rail.y,
+                roll: -rail.roll,
+                vy: -rail.vy,
+                roll_rate: -rail.roll_rate,
+                ..rail
+            }),
+            ..*self
+        }
+    }
+
+    /// Every input with its FMU name.
+    fn named(&self) -> impl Iterator<Item = (&'static str, Option<usize>, f64)> {
+        let w = &self.wheel;
+        let rails = self.rails;
+        [
+            ("wheel.x", w.position[0]),
+            ("wheel.y", w.position[1]),
+            ("wheel.z", w.position[2]),
+            ("wheel.roll", w.roll),
+            ("wheel.yaw", w.yaw),
+            ("wheel.pitch", w.pitch),
+            ("wheel.vx", w.velocity[0]),
+            ("wheel.vy", w.velocity[1]),
+            ("wheel.vz", w.velocity[2]),
+            ("wheel.roll_rate", w.roll_rate),
+            ("wheel.yaw_rate", w.yaw_rate),
+            ("wheel.pitch_rate", w.pitch_rate),
+            ("track.s", self.track_s),
+            ("friction.coefficient", self.friction),
+        ]
+        .into_iter()
+        .map(|(name, value)| (name, None, value))
+        .chain(rails.into_iter().enumerate().flat_map(|(k, rail)| {
+            [
+                ("y", rail.y),
+                ("z", rail.z),
+                ("roll", rail.roll),
+                ("vy", rail.vy),
+                ("vz", rail.vz),
+                ("roll_rate", rail.roll_rate),
+            ]
+            .map(|(name, value)| (name, Some(k + 1), value))
+        }))
+    }
+
+    /// Whether every input is finite and friction is not negative.
+    ///
+    /// # Errors
+    /// The first input at fault, by its FMU name.
+    pub fn check(&self) -> Result<(), ContactError> {
+        for (name, rail, value) in self.named() {
+            if !value.is_finite() {
+                let name = rail.map_or(name.to_owned(), |k| format!("rail[{k}].{name}"));
+                return Err(ContactError::bad_value(name, value, "a finite number"));
+            }
+        }
+        if self.friction < 0.0 {
+            let allowed = "a finite number, at least 0";
+            return Err(ContactError::bad_value("friction.coefficient", self.friction, allowed));
+        }
+        Ok(())
     }
 }

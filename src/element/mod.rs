@@ -1,11 +1,12 @@
 //! The contact element: one wheel and the rails under it.
 
 mod evaluate;
+mod rail_contact;
 pub mod input;
 pub mod output;
 pub mod parameters;
 
-pub use evaluate::Element;
+pub use evaluate::{Element, Work};
 pub use input::Input;
 pub use output::Output;
 pub use parameters::Parameters;

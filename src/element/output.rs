@@ -71,3 +71,38 @@ pub struct Output {
     /// The heaviest patches, heaviest first.
     pub patches: [Patch; REPORTED_PATCHES],
 }
+
+impl Output {
+    /// The same result seen in a mirror along the track; profile coordinates stay those of the right side.
+    #[must_use]
+    pub(crate) fn mirrored(&self) -> Self {
+        Self {
+            wheel: self.wheel.mirrored(),
+            rails: self.rails.map(|rail| rail.mirrored()),
+            patches: self.patches.map(|patch| patch.mirrored()),
+            ..*self
+        }
+    }
+}
+
+impl Wrench {
+    fn mirrored(&self) -> Self {
+        let ([fx, fy, fz], [mx, my, mz]) = (self.force, self.moment);
+        Self { force: [fx, -fy, fz], moment: [-mx, my, -mz] }
+    }
+}
+
+impl Patch {
+    fn mirrored(&self) -> Self {
+        let [x, y, z] = self.position;
+        let [longitudinal, lateral, spin] = self.creepage;
+        Self {
+            creep_force: [self.creep_force[0], -self.creep_force[1]],
+            spin_moment: -self.spin_moment,
+            contact_angle: -self.contact_angle,
+            position: [x, -y, z],
+            creepage: [longitudinal, -lateral, -spin],
+            ..*self
+        }
+    }
+}

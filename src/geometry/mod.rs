@@ -1,5 +1,16 @@
 //! Profiles, the placed wheel and rail, and where they touch.
 
+mod analytic_profiles;
+pub mod clearance;
+pub mod contact_line;
+pub mod contact_search;
 pub mod curve;
+pub(crate) mod curve_sections;
+pub mod placed_rail;
 pub mod profile;
+mod profile_checks;
+mod profile_error;
+pub(crate) mod profile_points;
+mod rail_heads;
 pub mod separation;
+pub mod standard_profiles;

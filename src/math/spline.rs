@@ -1,7 +1,7 @@
 //! Cubic splines through given values, and near them: interpolation and smoothing.
 //!
-//! A cubic spline is handed over as its values and first derivatives at the knots, which fix it. Plane
-//! curves take one spline for each coordinate over the same parameter.
+//! A cubic spline is handed over as its values and first derivatives at the knots, which fix it.
+//! Plane curves take one spline for each coordinate over the same parameter.
 
 /// How an interpolating spline ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +23,12 @@ pub struct KnotValues {
 
 /// First derivatives at the knots of the cubic spline through `values`, twice differentiable.
 ///
-/// `knots` grow strictly, in any spacing; `values` is as long. The spline minimises the integral of the
-/// squared second derivative among all curves through the values that respect clamped ends.
+/// `knots` grow strictly, in any spacing; `values` is as long. The spline minimises the integral of
+/// the squared second derivative among all curves through the values that respect clamped ends.
 ///
 /// # Panics
-/// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not grow.
+/// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not
+/// grow.
 #[must_use]
 pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2]) -> Vec<f64> {
     let n = knots.len();
@@ -44,10 +45,10 @@ pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2])
         SplineEnd::Natural => [1.0, 2.0, 0.0, 3.0 * chord(n - 2)],
         SplineEnd::Clamped(slope) => [0.0, 1.0, 0.0, slope],
     };
-    for i in 1..n - 1 {
+    for (i, row) in rows.iter_mut().enumerate().take(n - 1).skip(1) {
         let (before, after) = (1.0 / h(i - 1), 1.0 / h(i));
         let right = 3.0 * (chord(i - 1) * before + chord(i) * after);
-        rows[i] = [before, 2.0 * (before + after), after, right];
+        *row = [before, 2.0 * (before + after), after, right];
     }
     // The matrix is diagonally dominant: elimination needs no pivoting.
     for i in 1..n {
@@ -79,12 +80,13 @@ pub fn penalty_of_wavelength(wavelength: f64) -> f64 {
 /// minimise   Σ w_i (v_i - f(s_i))² + λ ∫ f''² ds,      w_i: half the distance of the two neighbours of s_i
 /// ```
 ///
-/// With these weights the sum approaches an integral, and the result depends on the shape sampled and
-/// not on how densely it was sampled. `penalty` is λ ≥ 0 [length⁴]; zero interpolates.
-/// Source: Reinsch, Numerische Mathematik 10 (1967), 177-183; the cost is linear in the number of knots.
+/// With these weights the sum approaches an integral, and the result depends on the shape sampled
+/// and not on how densely it was sampled. `penalty` is λ ≥ 0 [length⁴]; zero interpolates. Source:
+/// Reinsch, Numerische Mathematik 10 (1967), 177-183; the cost is linear in the number of knots.
 ///
 /// # Panics
-/// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not grow.
+/// With fewer than two knots, with lengths that differ, or (debug builds) with knots that do not
+/// grow.
 #[must_use]
 pub fn smoothing_spline(knots: &[f64], values: &[f64], penalty: f64) -> KnotValues {
     debug_assert!(penalty >= 0.0);
@@ -289,8 +291,8 @@ mod tests {
         let knots = uneven(50, 1.0);
         let line: Vec<f64> = knots.iter().map(|s| 2.0 - 3.0 * s).collect();
         let smooth = smoothing_spline(&knots, &line, 0.1);
-        for i in 0..knots.len() {
-            assert_relative_eq!(smooth.values[i], line[i], epsilon = 1e-12);
+        for (i, value) in line.iter().enumerate() {
+            assert_relative_eq!(smooth.values[i], *value, epsilon = 1e-12);
             assert_relative_eq!(smooth.slopes[i], -3.0, epsilon = 1e-10);
         }
         // At the minimum no small change of the values lowers the sum that is minimised.

@@ -3,6 +3,7 @@
 //! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical pressure, grouped in
 //! separate loaded zones. Tangential models see nothing else.
 
+pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 mod zones;

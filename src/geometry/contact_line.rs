@@ -1,0 +1,191 @@
+//! The contact line of a yawed and rolled wheel: what of it a rail that is a cylinder along x can touch.
+//!
+//! The wheel is the surface of revolution X(s, α) = M + y_w(s) u + r(s) n(α) about the axle direction u through the marker
+//! M, with n(α) the radial direction. A cylinder along x can only be touched where the normal of the wheel has no component
+//! along x. The normal is y_w' n - r' u, so that with n = e1 sin α + e2 cos α (e1 the projection of x on the plane of the
+//! rolling circles, e2 perpendicular to x in that plane, down)
+//!
+//! ```text
+//! sin α = r' u_x / (y_w' c),  c = sqrt(1 - u_x²)
+//! ```
+//!
+//! This is the outline of the wheel as seen along the rail (Piotrowski and Kik 2008, figure 16). Its points lie ahead of or
+//! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss.
+
+use crate::geometry::curve::{Curve, CurvePoint};
+
+/// Below this cosine of the profile's slope (87 degrees) the outline is continued as if the slope were no steeper: there a
+/// yawed face touches with its rim, not with its outline.
+const LEAST_SLOPE_COSINE: f64 = 0.05;
+/// Largest |sin α|: contact never comes near the height of the axle.
+const MOST_SINE: f64 = 0.9;
+
+/// Where and how a wheel stands in the frame of a rail.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelPose {
+    /// Wheel marker, from the rail marker [m].
+    pub marker: [f64; 3],
+    /// Roll angle against the rail [rad].
+    pub roll: f64,
+    /// Yaw angle [rad].
+    pub yaw: f64,
+}
+
+/// The contact line of a wheel in a given pose.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactLine<'a> {
+    profile: &'a Curve,
+    nominal_radius: f64,
+    marker: [f64; 3],
+    /// Axle direction u.
+    axle: [f64; 3],
+    /// c = sqrt(1 - u_x²).
+    cosine: f64,
+    /// e2 = (0, e2y, e2z): the direction down, across x and the axle.
+    down: [f64; 2],
+}
+
+/// A point of the contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinePoint {
+    /// Coordinate along the track [m].
+    pub x: f64,
+    /// Point (y, z) across [m].
+    pub point: [f64; 2],
+    /// Unit tangent (y, z), towards the field side.
+    pub tangent: [f64; 2],
+}
+
+impl<'a> ContactLine<'a> {
+    /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its running circle [m].
+    #[must_use]
+    pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose) -> Self {
+        let (sin_roll, cos_roll) = pose.roll.sin_cos();
+        let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
+        // R_x(roll) R_z(yaw) e_y
+        let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
+        let cosine = axle[1].hypot(axle[2]).max(f64::MIN_POSITIVE);
+        Self {
+            profile,
+            nominal_radius,
+            marker: pose.marker,
+            axle,
+            cosine,
+            down: [-axle[2] / cosine, axle[1] / cosine],
+        }
+    }
+
+    /// Range of the parameter of the line, which is that of the profile [m].
+    #[must_use]
+    pub fn range(&self) -> [f64; 2] {
+        [self.profile.start(), self.profile.end()]
+    }
+
+    /// The point at parameter `s` [m].
+    #[inline]
+    #[must_use]
+    pub fn at(&self, s: f64) -> LinePoint {
+        self.with_derivative(s).0
+    }
+
+    /// The point at parameter `s` [m] and the derivative of its (y, z).
+    #[inline]
+    #[must_use]
+    pub fn with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
+        let p = self.profile.at(s);
+        let radius = self.nominal_radius + p.point[1];
+        let [ux, uy, uz] = self.axle;
+        // e1 = (c, -ux uy/c, -ux uz/c); down = e2.
+        let ahead = [-ux * uy / self.cosine, -ux * uz / self.cosine];
+        let steepness = p.first[0].max(LEAST_SLOPE_COSINE);
+        let slope = p.first[1] / steepness;
+        let unbounded = slope * ux / self.cosine;
+        let sine = unbounded.clamp(-MOST_SINE, MOST_SINE);
+        let cosine = (1.0 - sine * sine).sqrt();
+        let radial =
+            [ahead[0] * sine + self.down[0] * cosine, ahead[1] * sine + self.down[1] * cosine];
+        let x = self.marker[0] + p.point[0] * ux + radius * self.cosine * sine;
+        let point = [
+            self.marker[1] + p.point[0] * uy + radius * radial[0],
+            self.marker[2] + p.point[0] * uz + radius * radial[1],
+        ];
+        // Normal y_w' n - r' u; its (y, z) turned by a quarter gives the tangent of the outline.
+        let normal = [
+            p.first[0] * radial[0] - p.first[1] * uy,
+            p.first[0] * radial[1] - p.first[1] * uz,
+        ];
+        let length = (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
+        let tangent = [normal[1] / length, -normal[0] / length];
+        // d sin α/ds where neither bound is active.
+        let turning = if unbounded.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
+            ux / self.cosine * (p.second[1] - slope * p.second[0]) / steepness
+        } else {
+            0.0
+        };
+        let sideways = radius * turning / cosine;
+        let derivative = [
+            p.first[0] * uy
+                + p.first[1] * radial[0]
+                + sideways * (ahead[0] * cosine - self.down[0] * sine),
+            p.first[0] * uz
+                + p.first[1] * radial[1]
+                + sideways * (ahead[1] * cosine - self.down[1] * sine),
+        ];
+        (LinePoint { x, point, tangent }, derivative)
+    }
+
+    /// What the profile at `p` contributes to the length of the line per parameter beyond one, times
+    /// [`stretch_per_factor`](Self::stretch_per_factor): a yawed outline runs fast where the profile is steep and curved [1/m].
+    #[must_use]
+    pub fn stretch_factor(p: &CurvePoint) -> f64 {
+        if p.first[0] <= LEAST_SLOPE_COSINE {
+            return 0.0;
+        }
+        let slope = p.first[1] / p.first[0];
+        let turning = (p.second[1] - slope * p.second[0]).abs() / p.first[0];
+        turning * (1.0 + slope.abs())
+    }
+
+    /// Bound of the length of (y, z) of the line per parameter beyond one, over [`stretch_factor`](Self::stretch_factor) [m].
+    #[must_use]
+    pub fn stretch_per_factor(&self) -> f64 {
+        let [ux, ..] = self.axle;
+        let least_cosine = (1.0 - MOST_SINE * MOST_SINE).sqrt();
+        let sine = ux / self.cosine;
+        // No profile reaches beyond twice the nominal radius.
+        2.0 * self.nominal_radius * sine * sine / least_cosine
+    }
+
+    /// Profile point of parameter `s`: lateral coordinate, rolling radius [m] and the radius of the normal section along x,
+    /// r over the cosine of the profile's slope [m].
+    #[must_use]
+    pub fn wheel_point(&self, s: f64) -> WheelPoint {
+        let p = self.profile.at(s);
+        let radius = self.nominal_radius + p.point[1];
+        let cosine = p.first[0] / p.first[0].hypot(p.first[1]);
+        WheelPoint {
+            y: p.point[0],
+            rolling_radius: radius,
+            section_radius: radius / cosine.max(LEAST_SLOPE_COSINE),
+        }
+    }
+
+    /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
+    #[must_use]
+    pub fn curvature(&self, s: f64) -> f64 {
+        let p = self.profile.at(s);
+        let speed = p.first[0].hypot(p.first[1]);
+        (p.first[1] * p.second[0] - p.first[0] * p.second[1]) / (speed * speed * speed)
+    }
+}
+
+/// A point of the wheel's profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelPoint {
+    /// Lateral coordinate on the wheel profile [m].
+    pub y: f64,
+    /// Distance from the axle [m].
+    pub rolling_radius: f64,
+    /// Radius of the wheel's normal section along x [m].
+    pub section_radius: f64,
+}

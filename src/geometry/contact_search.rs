@@ -1,0 +1,457 @@
+//! All contact points and penetrated intervals of a wheel's contact line and a rail, on tread and flange together.
+//!
+//! The signed distance d(u) of the points of the contact line from the rail is followed along the line. Its derivative is the
+//! sine of the angle between the two lines, so that local minima are where the tangents are parallel. Where d > 0 the curvature
+//! of both bodies bounds how soon d can vanish: the step takes that bound, and intervals that cannot touch are passed over.
+//!
+//! An interval with d < 0 is one patch with one contact frame at its deepest minimum, whatever loaded zones it has; where the
+//! normals at two neighbouring minima differ by more than 30 degrees, as tread and flange do, it is split at the ridge in
+//! between, because no common tangent plane makes sense.
+
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::curve::Curve;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::math::root::bracketed;
+
+/// Most patches of one wheel on one rail.
+pub const MOST_CONTACTS: usize = 16;
+/// Most probes of one wheel on one rail.
+const MOST_PROBES: usize = 2048;
+/// Step inside an interval of penetration [m].
+const INSIDE_STEP: f64 = 5e-4;
+/// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
+const LEAST_STEP: f64 = 3e-4;
+/// Length of the bins for which the concavity of the wheel is kept [m].
+const BIN: f64 = 4e-3;
+/// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved than the profile.
+const STEP_SHARE: f64 = 0.8;
+/// Patches are split where neighbouring normals differ by more [rad].
+const MOST_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+/// Nearest points while searching, and where a minimum is pinned down [m].
+const COARSE: f64 = 1e-9;
+const FINE: f64 = 1e-15;
+
+/// One patch: where wheel and rail touch first and the frame there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Parameter of the contact line [m].
+    pub u: f64,
+    /// Parameter of the rail's curve [m].
+    pub rail_s: f64,
+    /// Penetration δ > 0 [m].
+    pub penetration: f64,
+    /// Point of the rail: the origin of the contact frame [m].
+    pub origin: [f64; 2],
+    /// Unit vector (y, z) of the frame's lateral axis.
+    pub tangent: [f64; 2],
+    /// First and one past the last of its probes.
+    pub probes: [usize; 2],
+}
+
+impl Contact {
+    /// Unit vector (y, z) of the frame's normal, into the rail.
+    #[must_use]
+    pub fn normal(&self) -> [f64; 2] {
+        [-self.tangent[1], self.tangent[0]]
+    }
+
+    /// Roll of the contact frame about x [rad].
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.tangent[1].atan2(self.tangent[0])
+    }
+}
+
+/// Distance of one point of the line from the rail.
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    u: f64,
+    distance: f64,
+    /// Derivative of the distance along the line, -1 to 1.
+    slope: f64,
+    rail_s: f64,
+    rail_point: [f64; 2],
+    rail_tangent: [f64; 2],
+    beyond_end: bool,
+}
+
+/// A probe of an interval and what it is.
+#[derive(Clone, Copy, Debug)]
+struct IntervalProbe {
+    sample: Sample,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Step,
+    Minimum,
+    Maximum,
+}
+
+/// Finds contacts; keeps what it needs from call to call, but no result.
+#[derive(Clone, Debug)]
+pub struct ContactSearch {
+    /// Greatest concave curvature of the wheel over each bin and the next [1/m].
+    concavity: Vec<f64>,
+    /// Greatest factor of the wheel in [`ContactLine::stretch_per_factor`] over each bin and the next [1/m].
+    stretch: Vec<f64>,
+    interval: Vec<IntervalProbe>,
+    /// Separation at the probes of all contacts; see [`Contact::probes`].
+    pub probes: Vec<Probe>,
+    /// The contacts found, in growing y.
+    pub contacts: Vec<Contact>,
+    /// Points of the line at which the distance was evaluated.
+    pub evaluations: u64,
+    /// Contacts or probes for which there was no room.
+    pub left_out: u64,
+}
+
+impl ContactSearch {
+    /// A search for wheels with the profile `wheel`.
+    #[must_use]
+    pub fn new(wheel: &Curve) -> Self {
+        let count = ((wheel.end() - wheel.start()) / BIN).ceil() as usize + 1;
+        let (mut concave, mut stretch) = (vec![0.0f64; count + 1], vec![0.0f64; count + 1]);
+        let knots: Vec<f64> = wheel.knots().collect();
+        for pair in knots.windows(2) {
+            for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
+                let s = pair[0] + share * (pair[1] - pair[0]);
+                let p = wheel.at(s);
+                let speed = p.first[0].hypot(p.first[1]);
+                let hollow = (p.first[0] * p.second[1] - p.first[1] * p.second[0]) / speed.powi(3);
+                let bin = ((s - wheel.start()) / BIN) as usize;
+                concave[bin] = concave[bin].max(hollow);
+                stretch[bin] = stretch[bin].max(ContactLine::stretch_factor(&p));
+            }
+        }
+        let with_next =
+            |own: &[f64]| own.windows(2).map(|pair| pair[0].max(pair[1])).collect::<Vec<f64>>();
+        Self {
+            concavity: with_next(&concave),
+            stretch: with_next(&stretch),
+            interval: Vec::with_capacity(MOST_PROBES),
+            probes: Vec::with_capacity(MOST_PROBES),
+            contacts: Vec::with_capacity(MOST_CONTACTS),
+            evaluations: 0,
+            left_out: 0,
+        }
+    }
+
+    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`.
+    pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail) {
+        self.contacts.clear();
+        self.probes.clear();
+        self.interval.clear();
+        let [start, end] = line.range();
+        let mut from = self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
+        if from.distance <= 0.0 {
+            self.record(from, Kind::Step);
+        }
+        while from.u < end {
+            let step = self.step(&from, line, rail.concavity);
+            let u = (from.u + step).min(end);
+            // Near the rail the two lines run side by side; from afar the nearest point may be anywhere.
+            let guess = if step < BIN && from.distance < BIN {
+                from.rail_s + (u - from.u)
+            } else {
+                rail.coarse_nearest(line.at(u).point)
+            };
+            let to = self.sample(line, rail, u, guess, COARSE);
+            self.advance(line, rail, &from, &to);
+            from = to;
+        }
+        self.close_interval();
+    }
+
+    /// How far the line may be followed without passing a penetration.
+    fn step(&self, from: &Sample, line: &ContactLine, rail_concavity: f64) -> f64 {
+        if from.distance <= 0.0 {
+            return INSIDE_STEP;
+        }
+        let [start, end] = line.range();
+        let per_factor = line.stretch_per_factor();
+        let last = self.concavity.len() - 1;
+        let mut bin = (((from.u - start) / BIN) as usize).min(last);
+        let stretch = 1.0 + per_factor * self.stretch[bin];
+        // The distance is 1-Lipschitz: go on until the line may have become as long as it.
+        let (mut u, mut left) = (from.u, STEP_SHARE * from.distance);
+        loop {
+            let stretch = 1.0 + per_factor * self.stretch[bin];
+            let edge = start + (bin + 1) as f64 * BIN;
+            if left < stretch * (edge - u) || bin == last {
+                u += left / stretch;
+                break;
+            }
+            left -= stretch * (edge - u);
+            u = edge;
+            bin += 1;
+        }
+        let mut step = u.min(end) - from.u;
+        if !from.beyond_end {
+            let bin = (((from.u - start) / BIN) as usize).min(last);
+            let concavity = self.concavity[bin] + rail_concavity;
+            // d + slope·t - concavity·t²/2 vanishes no sooner than at:
+            let root = (from.slope * from.slope + 2.0 * concavity * from.distance).sqrt();
+            let bound = if from.slope < 0.0 {
+                2.0 * from.distance / (root - from.slope)
+            } else {
+                (from.slope + root) / concavity.max(1e-3)
+            };
+            step = step.max(STEP_SHARE * bound.min(BIN) / stretch);
+        }
+        step.max(LEAST_STEP)
+    }
+
+    #[inline]
+    fn sample(
+        &mut self,
+        line: &ContactLine,
+        rail: &PlacedRail,
+        u: f64,
+        guess: f64,
+        tolerance: f64,
+    ) -> Sample {
+        self.evaluations += 1;
+        let at = line.at(u);
+        let nearest = rail.nearest(at.point, guess, tolerance);
+        let away = if nearest.beyond_end {
+            let to = [at.point[0] - nearest.point[0], at.point[1] - nearest.point[1]];
+            let length = nearest.distance.max(f64::MIN_POSITIVE);
+            [to[0] / length, to[1] / length]
+        } else {
+            [nearest.tangent[1], -nearest.tangent[0]]
+        };
+        Sample {
+            u,
+            distance: nearest.distance,
+            slope: at.tangent[0] * away[0] + at.tangent[1] * away[1],
+            rail_s: nearest.s,
+            rail_point: nearest.point,
+            rail_tangent: nearest.tangent,
+            beyond_end: nearest.beyond_end,
+        }
+    }
+
+    /// Deals with the line between two neighbouring samples.
+    fn advance(&mut self, line: &ContactLine, rail: &PlacedRail, from: &Sample, to: &Sample) {
+        let dips = from.slope < 0.0 && to.slope > 0.0;
+        if from.distance > 0.0 && to.distance > 0.0 {
+            // Where the distance is convex it lies above its two tangents.
+            let crossing = from.distance * to.slope - to.distance * from.slope
+                + from.slope * to.slope * (to.u - from.u);
+            if dips && crossing <= 0.1 * (to.slope - from.slope) * from.distance.min(to.distance) {
+                let lowest = self.extremum(line, rail, from, to);
+                if lowest.distance < 0.0 {
+                    self.record(*from, Kind::Step);
+                    self.record(lowest, Kind::Minimum);
+                    self.record(*to, Kind::Step);
+                    self.close_interval();
+                }
+            }
+            return;
+        }
+        if self.interval.is_empty() {
+            self.record(*from, Kind::Step);
+        }
+        if dips || (from.slope > 0.0 && to.slope < 0.0) {
+            let extremum = self.extremum(line, rail, from, to);
+            self.record(extremum, if dips { Kind::Minimum } else { Kind::Maximum });
+        }
+        self.record(*to, Kind::Step);
+        if to.distance > 0.0 {
+            self.close_interval();
+        }
+    }
+
+    /// The place between two samples at which the slope changes its sign.
+    fn extremum(
+        &mut self,
+        line: &ContactLine,
+        rail: &PlacedRail,
+        from: &Sample,
+        to: &Sample,
+    ) -> Sample {
+        let mut guess = from.rail_s;
+        let u = bracketed((from.u, from.slope), (to.u, to.slope), 1e-14, |u| {
+            let sample = self.sample(line, rail, u, guess, FINE);
+            guess = sample.rail_s;
+            sample.slope
+        });
+        self.sample(line, rail, u, guess, FINE)
+    }
+
+    fn record(&mut self, sample: Sample, kind: Kind) {
+        if self.interval.len() < self.interval.capacity() {
+            self.interval.push(IntervalProbe { sample, kind });
+        } else {
+            self.left_out += 1;
+        }
+    }
+
+    /// Turns the interval followed so far into contacts.
+    fn close_interval(&mut self) {
+        let mut first = 0;
+        while first < self.interval.len() {
+            let last = self.last_of_group(first);
+            self.add_contact(first, last);
+            if last + 1 >= self.interval.len() {
+                break;
+            }
+            // The ridge belongs to both neighbours.
+            first = last;
+        }
+        self.interval.clear();
+    }
+
+    /// The probe at which the contact that starts at probe `first` ends: the last one or a ridge to split at.
+    fn last_of_group(&self, first: usize) -> usize {
+        let mut minimum: Option<usize> = None;
+        let mut ridge = first;
+        for i in first + 1..self.interval.len() {
+            let probe = &self.interval[i];
+            if probe.sample.distance >= self.interval[ridge].sample.distance || minimum.is_none() {
+                ridge = i;
+            }
+            if probe.kind == Kind::Minimum {
+                if let Some(before) = minimum {
+                    let [a, b] =
+                        [before, i].map(|k| self.interval[k].sample.rail_tangent);
+                    let cosine = a[0] * b[0] + a[1] * b[1];
+                    if cosine < MOST_ANGLE.cos() && ridge > first && ridge < i {
+                        return ridge;
+                    }
+                }
+                minimum = Some(i);
+                ridge = i;
+            }
+        }
+        self.interval.len() - 1
+    }
+
+    fn add_contact(&mut self, first: usize, last: usize) {
+        let group = &self.interval[first..=last];
+        let is_minimum = |p: &&IntervalProbe| p.kind == Kind::Minimum;
+        let deeper =
+            |a: &&IntervalProbe, b: &&IntervalProbe| a.sample.distance.total_cmp(&b.sample.distance);
+        // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
+        let deepest = group.iter().min_by(deeper);
+        let lowest = group.iter().filter(is_minimum).min_by(deeper);
+        let (Some(deepest), lowest) = (deepest, lowest) else { return };
+        let sample = match lowest {
+            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => lowest.sample,
+            _ => deepest.sample,
+        };
+        if sample.distance >= 0.0 {
+            return;
+        }
+        let begin = self.probes.len();
+        if self.contacts.len() == self.contacts.capacity()
+            || begin + group.len() + 1 > self.probes.capacity()
+        {
+            self.left_out += 1;
+            return;
+        }
+        for probe in group {
+            self.probes.push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
+        }
+        self.contacts.push(Contact {
+            u: sample.u,
+            rail_s: sample.rail_s,
+            penetration: -sample.distance,
+            origin: sample.rail_point,
+            tangent: sample.rail_tangent,
+            probes: [begin, self.probes.len()],
+        });
+    }
+
+    /// Replaces the estimates at the local minima and maxima of the probes by the separation in the contact frame.
+    pub fn refine_probes(&mut self, contact: &Contact, separation: &mut impl Separation) {
+        let probes = &mut self.probes[contact.probes[0]..contact.probes[1]];
+        for i in 0..probes.len() {
+            let f = probes[i].f;
+            let lower = |j: usize| probes.get(j).is_none_or(|p| f <= p.f);
+            let higher = |j: usize| probes.get(j).is_none_or(|p| f >= p.f);
+            let (before, after) = (i.wrapping_sub(1), i + 1);
+            let inner = i > 0 && after < probes.len();
+            if inner && (lower(before) && lower(after) || higher(before) && higher(after)) {
+                probes[i].f = separation.at(probes[i].u).f;
+            }
+        }
+    }
+}
+
+/// The separation of a contact line and a rail in the frame of a contact.
+#[derive(Clone, Debug)]
+pub struct LineSeparation<'a> {
+    line: &'a ContactLine<'a>,
+    rail: &'a PlacedRail,
+    contact: Contact,
+    /// Parameter of the rail and lateral coordinate of the last point: where the next one is near.
+    near: [f64; 2],
+}
+
+/// Cosine of the angle to the contact frame beyond which a line counts as ended.
+const LEAST_COSINE: f64 = 0.15;
+/// Newton steps for the point of the rail opposite to one of the wheel.
+const MOST_OPPOSITE_STEPS: usize = 12;
+
+impl<'a> LineSeparation<'a> {
+    /// The separation in the frame of `contact`.
+    #[must_use]
+    pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
+        Self { line, rail, contact, near: [contact.rail_s, 0.0] }
+    }
+
+    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal.
+    fn opposite(&mut self, y: f64) -> Option<[f64; 2]> {
+        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
+        let curve = self.rail.curve();
+        let (start, end) = (curve.start(), curve.end());
+        let mut s = (self.near[0] + y - self.near[1]).clamp(start, end);
+        for _ in 0..MOST_OPPOSITE_STEPS {
+            let p = curve.at(s);
+            let to = [p.point[0] - self.contact.origin[0], p.point[1] - self.contact.origin[1]];
+            let error = to[0] * tangent[0] + to[1] * tangent[1] - y;
+            let cosine = p.first[0] * tangent[0] + p.first[1] * tangent[1];
+            if cosine < LEAST_COSINE {
+                return None;
+            }
+            let next = s - error / cosine;
+            if error.abs() <= FINE {
+                self.near = [s, y];
+                return Some([s, to[0] * normal[0] + to[1] * normal[1]]);
+            }
+            if (next < start && s <= start) || (next > end && s >= end) {
+                return None;
+            }
+            s = next.clamp(start, end);
+        }
+        None
+    }
+
+    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
+    #[must_use]
+    pub fn rail_parameter(&mut self, u: f64) -> f64 {
+        let point = self.line.at(u).point;
+        let [o, t] = [self.contact.origin, self.contact.tangent];
+        let y = (point[0] - o[0]) * t[0] + (point[1] - o[1]) * t[1];
+        self.opposite(y).map_or(self.contact.rail_s, |found| found[0])
+    }
+}
+
+impl Separation for LineSeparation<'_> {
+    #[inline]
+    fn at(&mut self, u: f64) -> SeparationPoint {
+        let (at, derivative) = self.line.with_derivative(u);
+        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
+        let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
+        let y = to[0] * tangent[0] + to[1] * tangent[1];
+        let depth = to[0] * normal[0] + to[1] * normal[1];
+        let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
+        let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
+        let f = rail.map_or(f64::INFINITY, |[_, rail]| rail - depth + self.contact.penetration);
+        SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }
+    }
+}

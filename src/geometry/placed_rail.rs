@@ -1,0 +1,212 @@
+//! A rail as it stands under the wheel: its curve in the frame of its marker, and the nearest point to a given one.
+
+use crate::geometry::curve::{Curve, Knot};
+
+/// Samples for the coarse search of the nearest point.
+const COARSE_POINTS: usize = 24;
+/// Newton steps for the nearest point; two or three are the rule.
+const MOST_STEPS: usize = 20;
+
+/// A rail profile turned by its inclination, with its highest point as origin.
+#[derive(Clone, Debug)]
+pub struct PlacedRail {
+    curve: Curve,
+    /// Marker in the track frame in design position (right side) [m].
+    pub marker: [f64; 2],
+    /// Sine and cosine of the inclination.
+    inclination: [f64; 2],
+    /// Highest point of the inclined profile, in the inclined profile frame [m].
+    top: [f64; 2],
+    /// Greatest concave curvature of the head, ≥ 0 [1/m].
+    pub concavity: f64,
+}
+
+/// The point of a rail nearest to a given point, and the signed distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Parameter of the rail's curve [m].
+    pub s: f64,
+    /// Distance, negative inside the rail; positive where the rail ends [m].
+    pub distance: f64,
+    /// Unit tangent (y, z) of the rail there, towards the field side.
+    pub tangent: [f64; 2],
+    /// The point (y, z) [m].
+    pub point: [f64; 2],
+    /// Whether the rail's curve ends there, so that nothing lies opposite.
+    pub beyond_end: bool,
+}
+
+/// Why a rail cannot be placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GaugeFaceMissing;
+
+impl PlacedRail {
+    /// Places the right rail with profile `curve`: leaned by `inclination` (the tangent, 1:40 is 0.025) towards the
+    /// track centre, highest point at z = 0, gauge face `gauge_depth` below it at y = `gauge`/2 [m].
+    ///
+    /// # Errors
+    /// When the profile has no gauge face at that depth.
+    pub fn by_gauge(
+        curve: &Curve,
+        inclination: f64,
+        gauge: f64,
+        gauge_depth: f64,
+    ) -> Result<Self, GaugeFaceMissing> {
+        // Towards the track centre is a negative turn about x for a right rail.
+        let angle = -inclination.atan();
+        let (sine, cosine) = angle.sin_cos();
+        let turn = |p: [f64; 2]| [p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine];
+        let knots: Vec<Knot> = curve
+            .knots()
+            .map(|s| {
+                let p = curve.at(s);
+                Knot { s, point: turn(p.point), tangent: turn(p.first) }
+            })
+            .collect();
+        let leaned = Curve::through(&knots);
+        let top = highest_point(&leaned);
+        let moved: Vec<Knot> = knots
+            .iter()
+            .map(|k| Knot { point: [k.point[0] - top[0], k.point[1] - top[1]], ..*k })
+            .collect();
+        let curve = Curve::through(&moved);
+        let gauge_face = gauge_face(&curve, gauge_depth).ok_or(GaugeFaceMissing)?;
+        let concavity = greatest_concavity(&curve);
+        let marker = [0.5 * gauge - gauge_face, 0.0];
+        Ok(Self { curve, marker, inclination: [sine, cosine], top, concavity })
+    }
+
+    /// The curve in the frame of the rail marker [m].
+    #[must_use]
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].
+    #[must_use]
+    pub fn profile_y(&self, s: f64) -> f64 {
+        let p = self.curve.at(s).point;
+        let [sine, cosine] = self.inclination;
+        (p[0] + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
+    }
+
+    /// Curvature at `s`, positive where the rail bulges [1/m].
+    #[must_use]
+    pub fn curvature(&self, s: f64) -> f64 {
+        -turning(&self.curve, s)
+    }
+
+    /// A parameter near the point of the rail nearest to `point`, for a search without a neighbour.
+    #[must_use]
+    pub fn coarse_nearest(&self, point: [f64; 2]) -> f64 {
+        let (start, end) = (self.curve.start(), self.curve.end());
+        let mut best = (f64::INFINITY, start);
+        for i in 0..=COARSE_POINTS {
+            let s = start + (end - start) * i as f64 / COARSE_POINTS as f64;
+            let p = self.curve.at(s).point;
+            let distance = (p[0] - point[0]).powi(2) + (p[1] - point[1]).powi(2);
+            if distance < best.0 {
+                best = (distance, s);
+            }
+        }
+        best.1
+    }
+
+    /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to within `tolerance` [m].
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
+        let (start, end) = (self.curve.start(), self.curve.end());
+        let longest = 0.25 * (end - start);
+        let mut s = guess.clamp(start, end);
+        let mut p = self.curve.at(s);
+        let mut beyond_end = false;
+        for _ in 0..MOST_STEPS {
+            let to = [point[0] - p.point[0], point[1] - p.point[1]];
+            let along = to[0] * p.first[0] + to[1] * p.first[1];
+            let speed = p.first[0] * p.first[0] + p.first[1] * p.first[1];
+            let bending = to[0] * p.second[0] + to[1] * p.second[1];
+            // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
+            let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
+            let step = (along / slope).clamp(-longest, longest);
+            let next = (s + step).clamp(start, end);
+            let moved = next - s;
+            beyond_end = (next - (s + step)).abs() > tolerance;
+            s = next;
+            if moved.abs() > 0.0 {
+                p = self.curve.at(s);
+            }
+            if moved.abs() <= tolerance {
+                break;
+            }
+        }
+        let to = [point[0] - p.point[0], point[1] - p.point[1]];
+        let speed = (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
+        let tangent = [p.first[0] / speed, p.first[1] / speed];
+        // Outward normal (t_z, -t_y): up on the top of the head.
+        let distance = if beyond_end {
+            (to[0] * to[0] + to[1] * to[1]).sqrt()
+        } else {
+            to[0] * tangent[1] - to[1] * tangent[0]
+        };
+        Nearest { s, distance, tangent, point: p.point, beyond_end }
+    }
+}
+
+/// Curvature of a rail's curve with the sign of a hollow: positive where it is concave seen from above [1/m].
+fn turning(curve: &Curve, s: f64) -> f64 {
+    let p = curve.at(s);
+    let speed = p.first[0].hypot(p.first[1]);
+    -(p.first[0] * p.second[1] - p.first[1] * p.second[0]) / (speed * speed * speed)
+}
+
+/// The point of least z, exact within its cubic piece.
+fn highest_point(curve: &Curve) -> [f64; 2] {
+    let knots: Vec<f64> = curve.knots().collect();
+    let mut best = curve.at(knots[0]).point;
+    for pair in knots.windows(2) {
+        let mut consider = |s: f64| {
+            let p = curve.at(s).point;
+            if p[1] < best[1] {
+                best = p;
+            }
+        };
+        consider(pair[1]);
+        let slope = |s: f64| curve.at(s).first[1];
+        // The piece of the left knot is meant at its right end too.
+        let inner = pair[1] - 1e-9 * (pair[1] - pair[0]);
+        let (a, b) = (slope(pair[0]), slope(inner));
+        if a < 0.0 && b > 0.0 {
+            consider(crate::math::root::bracketed((pair[0], a), (inner, b), 1e-16, slope));
+        }
+    }
+    best
+}
+
+/// y of the outermost point of the gauge side (negative y) at `depth` below the top.
+fn gauge_face(curve: &Curve, depth: f64) -> Option<f64> {
+    let knots: Vec<f64> = curve.knots().collect();
+    let below = |s: f64| curve.at(s).point[1] - depth;
+    knots
+        .windows(2)
+        .filter_map(|pair| {
+            let (a, b) = (below(pair[0]), below(pair[1]));
+            if (a < 0.0) == (b < 0.0) {
+                return None;
+            }
+            let s = crate::math::root::bracketed((pair[0], a), (pair[1], b), 1e-15, below);
+            Some(curve.at(s).point[0])
+        })
+        .filter(|&y| y < 0.0)
+        .min_by(f64::total_cmp)
+}
+
+/// Greatest concave curvature over the ends and middles of all pieces, ≥ 0.
+fn greatest_concavity(curve: &Curve) -> f64 {
+    let knots: Vec<f64> = curve.knots().collect();
+    knots
+        .windows(2)
+        .flat_map(|k| [0.001, 0.5, 0.999].map(|share| k[0] + share * (k[1] - k[0])))
+        .map(|s| turning(curve, s))
+        .fold(0.0, f64::max)
+}

@@ -1,0 +1,9 @@
+//! Files: the only place that reads them, and the only one with millimetres in it.
+
+mod miniprof;
+mod profile_file;
+mod simpack;
+mod table;
+mod two_column;
+
+pub use profile_file::load_profile;

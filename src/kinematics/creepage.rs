@@ -1,0 +1,92 @@
+//! Creepage at a point of the contact plane, and the speed it refers to.
+
+use nalgebra::Vector3;
+
+use crate::kinematics::motion::{RailMotion, WheelMotion};
+use crate::tangential::Creepage;
+
+/// The speed to which creepages refer, and the direction of rolling.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingSpeed {
+    /// V = max((|v_x| + |ω| r)/2, floor) > 0 [m/s].
+    pub reference: f64,
+    /// 1 when the contact moves forward over both bodies, 0 when backward, in between where they disagree [-].
+    pub forward_share: f64,
+}
+
+/// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative when rolling forward)
+/// [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
+#[must_use]
+pub fn rolling_speed(velocity: f64, pitch_rate: f64, rolling_radius: f64, floor: f64) -> RollingSpeed {
+    let circumferential = -pitch_rate * rolling_radius;
+    let reference = (0.5 * (velocity.abs() + circumferential.abs())).max(floor);
+    // Mean velocity of the contact over the material of wheel and rail.
+    let contact = 0.5 * (velocity + circumferential);
+    RollingSpeed { reference, forward_share: (0.5 * (1.0 + contact / reference)).clamp(0.0, 1.0) }
+}
+
+/// Velocities of wheel and rail at any point, in the track frame.
+#[derive(Clone, Copy, Debug)]
+pub struct RelativeMotion {
+    wheel_marker: Vector3<f64>,
+    wheel_velocity: Vector3<f64>,
+    wheel_rotation: Vector3<f64>,
+    /// The part of the wheel's rotation that is not about its axle.
+    attitude_rotation: Vector3<f64>,
+    rail_marker: Vector3<f64>,
+    rail_velocity: Vector3<f64>,
+    rail_rotation: Vector3<f64>,
+}
+
+impl RelativeMotion {
+    /// The motion of a wheel against a rail whose marker is at `rail_marker` [m].
+    #[must_use]
+    pub fn new(wheel: &WheelMotion, rail: &RailMotion, rail_marker: Vector3<f64>) -> Self {
+        let (sin_roll, cos_roll) = wheel.roll.sin_cos();
+        let (sin_yaw, cos_yaw) = wheel.yaw.sin_cos();
+        let rolled_z = Vector3::new(0.0, -sin_roll, cos_roll);
+        let axle = Vector3::new(-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll);
+        let attitude_rotation = Vector3::x() * wheel.roll_rate + rolled_z * wheel.yaw_rate;
+        Self {
+            wheel_marker: wheel.position.into(),
+            wheel_velocity: wheel.velocity.into(),
+            wheel_rotation: attitude_rotation + axle * wheel.pitch_rate,
+            attitude_rotation,
+            rail_marker,
+            rail_velocity: Vector3::new(0.0, rail.vy, rail.vz),
+            rail_rotation: Vector3::x() * rail.roll_rate,
+        }
+    }
+
+    /// Creepage at `point` [m] in the contact plane with unit vectors `lateral` and `normal` (into the rail), for the
+    /// reference speed [m/s].
+    #[must_use]
+    pub fn creepage(
+        &self,
+        point: Vector3<f64>,
+        lateral: Vector3<f64>,
+        normal: Vector3<f64>,
+        reference_speed: f64,
+    ) -> Creepage {
+        let wheel =
+            self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
+        let slip = wheel - self.rail_velocity_at(point);
+        Creepage {
+            longitudinal: slip.x / reference_speed,
+            lateral: slip.dot(&lateral) / reference_speed,
+            spin: (self.wheel_rotation - self.rail_rotation).dot(&normal) / reference_speed,
+        }
+    }
+
+    /// Velocity at which the undeformed bodies close at `point`: without the turning about the axle, which moves no wheel
+    /// surface, as the wheel is round [m/s].
+    #[must_use]
+    pub fn closing_velocity(&self, point: Vector3<f64>) -> Vector3<f64> {
+        self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
+            - self.rail_velocity_at(point)
+    }
+
+    fn rail_velocity_at(&self, point: Vector3<f64>) -> Vector3<f64> {
+        self.rail_velocity + self.rail_rotation.cross(&(point - self.rail_marker))
+    }
+}

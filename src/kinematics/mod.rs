@@ -1,0 +1,4 @@
+//! Motion of wheel and rail against each other at a contact.
+
+pub mod creepage;
+pub mod motion;

@@ -1,0 +1,181 @@
+"""What an importer sees of the unit, whatever the mechanics say: WHEELRAIL_FMU names the archive."""
+
+import math
+import os
+import shutil
+import tempfile
+import unittest
+import zipfile
+
+import fmpy
+import numpy as np
+from fmpy.fmi1 import FMICallException
+from fmpy.validation import validate_fmu
+
+from unit import Unit
+
+ARCHIVE = os.environ["WHEELRAIL_FMU"]
+MOVED = {"wheel.z": -0.4599, "wheel.y": 0.751, "wheel.vx": 20.0, "wheel.pitch_rate": -43.4}
+
+
+class Description(unittest.TestCase):
+    def setUp(self):
+        self.model = fmpy.read_model_description(ARCHIVE)
+
+    def test_fmpy_finds_nothing_to_complain_about(self):
+        self.assertEqual(validate_fmu(ARCHIVE), [])
+
+    def test_start_values_lie_within_their_limits(self):
+        for v in self.model.modelVariables:
+            low = float(v.min) if v.min is not None else -math.inf
+            high = float(v.max) if v.max is not None else math.inf
+            self.assertLessEqual(low, high, v.name)
+            if v.type in ("Real", "Integer") and v.start is not None:
+                self.assertTrue(low <= float(v.start) <= high, v.name)
+            if v.type == "Enumeration" and v.start is not None:
+                items = [item.value for item in v.declaredType.items]
+                self.assertIn(v.start, [str(i) for i in items], v.name)
+                self.assertEqual(len(items), len(set(items)), v.name)
+
+    def test_only_capabilities_that_the_library_has_are_claimed(self):
+        claims = self.model.coSimulation
+        self.assertTrue(claims.canHandleVariableCommunicationStepSize)
+        self.assertTrue(claims.canNotUseMemoryManagementFunctions)
+        self.assertFalse(claims.canGetAndSetFMUstate)
+        self.assertFalse(claims.canSerializeFMUstate)
+        self.assertFalse(claims.providesDirectionalDerivative)
+        self.assertFalse(claims.canInterpolateInputs)
+        self.assertFalse(claims.maxOutputDerivativeOrder)
+        self.assertFalse(claims.needsExecutionTool)
+        self.assertFalse(claims.canBeInstantiatedOnlyOncePerProcess)
+
+    def test_every_variable_says_what_it_is(self):
+        for v in self.model.modelVariables:
+            self.assertTrue(v.description, v.name)
+        units = {v.name: v.unit for v in self.model.modelVariables}
+        self.assertEqual(units["wheel.force.z"], "N")
+        self.assertEqual(units["patch[8].creepage.spin"], "1/m")
+
+    def test_the_archive_holds_what_it_should(self):
+        with zipfile.ZipFile(ARCHIVE) as archive:
+            names = archive.namelist()
+            dates = {entry.date_time for entry in archive.infolist()}
+        self.assertEqual(names, sorted(names))
+        self.assertEqual(dates, {(1980, 1, 1, 0, 0, 0)})
+        for name in (
+            "modelDescription.xml",
+            "documentation/index.html",
+            "documentation/licenses/LICENSE-MIT",
+            "resources/profiles/S1002_worn.txt",
+        ):
+            self.assertIn(name, names)
+
+
+class Simulation(unittest.TestCase):
+    def test_inputs_from_a_table_arrive(self):
+        signals = np.array(
+            [(0.0, 0.75, 20.0), (0.01, 0.76, 20.0)],
+            dtype=[("time", float), ("wheel.y", float), ("wheel.vx", float)],
+        )
+        result = fmpy.simulate_fmu(
+            ARCHIVE,
+            stop_time=0.01,
+            step_size=1e-3,
+            output_interval=1e-3,
+            input=signals,
+            start_values={"side": 1, "normal.model": 1, "wheel.profile": "S1002"},
+            output=["wheel.y", "wheel.force.z", "patch_count", "nominal.wheel_z"],
+        )
+        self.assertEqual(len(result), 11)
+        self.assertAlmostEqual(result["time"][-1], 0.01)
+        # FMPy sets inputs at the start of a step and records at its end.
+        self.assertTrue(np.all(np.diff(result["wheel.y"])[1:] > 0))
+        self.assertAlmostEqual(result["wheel.y"][-1], 0.759)
+        for name in result.dtype.names:
+            self.assertTrue(np.all(np.isfinite(result[name])), name)
+
+    def test_a_repeated_run_gives_the_same_bits(self):
+        def run():
+            return fmpy.simulate_fmu(
+                ARCHIVE,
+                stop_time=0.01,
+                start_values=MOVED,
+                output=["wheel.force.y", "wheel.force.z", "patch[1].position.y"],
+            )
+
+        self.assertEqual(run().tobytes(), run().tobytes())
+
+
+class Instances(unittest.TestCase):
+    def unit(self, start=None, name="wheel"):
+        unit = Unit(ARCHIVE, start, name)
+        self.addCleanup(unit.close)
+        return unit
+
+    def refused(self, call):
+        with self.assertRaises(FMICallException) as caught:
+            call()
+        self.assertEqual(caught.exception.status, 3)
+
+    def run_steps(self, unit, sideways):
+        seen = []
+        unit.set(MOVED)
+        for i in range(20):
+            unit.set({"wheel.y": 0.75 + sideways * i})
+            unit.step(1e-3 * i, 1e-3)
+            seen.append(np.array(unit.outputs()).tobytes())
+        return seen
+
+    def test_instances_do_not_mix(self):
+        alone = [self.run_steps(self.unit().ready(), s) for s in (1e-4, -1e-4)]
+        first, second = self.unit(name="first").ready(), self.unit(name="second").ready()
+        first.set(MOVED)
+        second.set(MOVED)
+        together = [[], []]
+        for i in range(20):
+            for unit, sideways, seen in zip((first, second), (1e-4, -1e-4), together):
+                unit.set({"wheel.y": 0.75 + sideways * i})
+                unit.step(1e-3 * i, 1e-3)
+                seen.append(np.array(unit.outputs()).tobytes())
+        self.assertEqual(together, alone)
+
+    def test_reset_and_repeat_gives_the_same_bits(self):
+        unit = self.unit().ready()
+        first = self.run_steps(unit, 2e-4)
+        unit.slave.reset()
+        unit.start({})
+        unit.ready()
+        self.assertEqual(unit.get("wheel.z"), -0.46)
+        self.assertEqual(self.run_steps(unit, 2e-4), first)
+
+    def test_wrong_use_is_an_error_with_a_message(self):
+        unit = self.unit(name="front left")
+        self.refused(lambda: unit.step(0.0, 1e-3))
+        self.assertIn("call fmi2ExitInitializationMode first", unit.last())
+        unit.ready()
+        for values, words in (
+            ({"wheel.y": math.nan}, "wheel.y = NaN is not admitted"),
+            ({"friction.coefficient": -0.1}, "friction.coefficient = -0.1"),
+            ({"wheel.force.z": 1.0}, "cannot be set"),
+            ({"track.gauge": 1.5}, "track.gauge is fixed after initialization"),
+        ):
+            self.refused(lambda values=values: unit.set(values))
+            self.assertIn(words, unit.last())
+        self.refused(lambda: unit.step(0.0, -1e-3))
+        self.assertIn("communicationStepSize = -0.001", unit.last())
+        self.refused(lambda: unit.slave.getReal([99999]))
+        self.assertIn("value reference 99999 does not exist", unit.last())
+        name, status, category, _ = unit.messages[-1]
+        self.assertEqual((name, status, category), ("front left", 3, "logStatusError"))
+        self.assertEqual(unit.get("wheel.y"), 0.75)
+        unit.step(0.0, 1e-3)
+
+    def test_a_unit_in_a_folder_with_spaces_and_umlauts_works(self):
+        with tempfile.TemporaryDirectory(prefix="wheel räil ") as folder:
+            copy = shutil.copy(ARCHIVE, folder)
+            result = fmpy.simulate_fmu(copy, stop_time=1e-3, output=["wheel.force.z"])
+            self.assertTrue(np.all(np.isfinite(result["wheel.force.z"])))
+
+
+if __name__ == "__main__":
+    unittest.main()
