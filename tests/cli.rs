@@ -84,8 +84,8 @@ fn evaluate_answers_every_row_with_every_output() {
 fn evaluate_treats_the_left_wheel_as_the_mirror_image() {
     let (_folder, path) = written(
         "side,wheel.y,wheel.z,wheel.yaw,wheel.vx,wheel.pitch_rate\n\
-         right,0.752,-0.4599,0.002,10,-21.7\n\
-         left,-0.752,-0.4599,-0.002,10,-21.7\n",
+         right,0.752,-0.4597,0.002,10,-21.7\n\
+         left,-0.752,-0.4597,-0.002,10,-21.7\n",
     );
     let rows = success(&["evaluate", &path]);
     for (column, sign) in [("wheel.force.x", 1.0), ("wheel.force.y", -1.0), ("wheel.force.z", 1.0)]

@@ -77,10 +77,18 @@ fn a_wheelset_meets_the_ramp_and_returns_to_the_middle_of_the_track() {
     }
 }
 
-/// Klingel 1883: a free pair of cones oscillates with the wavelength 2π sqrt(e r / tan γ).
+/// Klingel 1883: a free pair of cones oscillates with the wavelength 2π sqrt(e r / tan γ), e being half the distance of
+/// the contact points and r the rolling radius. Klingel's rails are edges. On heads of radius R the contact moves as the
+/// wheelset rolls over: conicity tan γ (e + R γ)/(e - r γ), and the points at rail level move e/(e - r γ) times as far as
+/// the centre; together the wavelength is sqrt(e/(e + R γ)) times Klingel's, 1 % less here.
 #[test]
 fn free_cones_follow_klingels_wave() {
+    const CONICITY: f64 = 0.05;
+    const HEAD_RADIUS: f64 = 0.3;
+    /// For Klingel's formula as it stands: the 1 % of round rail heads and half as much again.
     const TOLERANCE: f64 = 0.015;
+    /// With round rail heads: amplitude, inertia and spin creepage remain.
+    const TOLERANCE_ON_ROUND_HEADS: f64 = 0.001;
     let folder = TempDir::new().unwrap();
     let options = [
         "--wheel-profile=conical:0.05",
@@ -99,7 +107,9 @@ fn free_cones_follow_klingels_wave() {
     let rows = history(folder.path());
     let half_distance = 1e-3 * rows[0]["right_patch1_position_y_mm"];
     let radius = 1e-3 * rows[0]["right_patch1_rolling_radius_mm"];
-    let klingel = 2.0 * std::f64::consts::PI * (half_distance * radius / 0.05).sqrt();
+    let klingel = 2.0 * std::f64::consts::PI * (half_distance * radius / CONICITY).sqrt();
+    let on_round_heads =
+        klingel * (half_distance / (half_distance + HEAD_RADIUS * CONICITY.atan())).sqrt();
 
     let behind: Vec<(f64, f64)> = rows
         .iter()
@@ -117,10 +127,14 @@ fn free_cones_follow_klingels_wave() {
     assert!(crossings.len() >= 5, "{crossings:?}");
     let half_waves = (crossings.len() - 1) as f64;
     let wavelength = 2.0 * (crossings[crossings.len() - 1] - crossings[0]) / half_waves;
+    let error = wavelength / klingel - 1.0;
+    assert!(error.abs() < TOLERANCE, "wavelength {wavelength} m, by Klingel {klingel} m");
+    let error = wavelength / on_round_heads - 1.0;
     assert!(
-        (wavelength / klingel - 1.0).abs() < TOLERANCE,
-        "wavelength {wavelength} m, by Klingel {klingel} m"
+        error.abs() < TOLERANCE_ON_ROUND_HEADS,
+        "wavelength {wavelength} m, on round heads {on_round_heads} m"
     );
+    println!("wavelength {wavelength} m, Klingel {klingel} m, on round heads {on_round_heads} m");
 }
 
 #[test]
@@ -149,5 +163,5 @@ fn wrong_use_is_explained() {
     let profile = message(&["--wheel-profile", "no_such.prw"]);
     assert!(profile.contains("no_such.prw"), "{profile}");
     let damping = message(&["--set", "normal.damping=0"]);
-    assert!(damping.contains("set normal.damping"), "{damping}");
+    assert!(damping.contains("--set normal.damping=1e5"), "{damping}");
 }

@@ -151,11 +151,13 @@ impl Element {
         Ok(())
     }
 
-    /// The marker height at which the first contact appears when the wheel comes down from above [m].
-    fn touching_height(&mut self, start: &Input) -> f64 {
+    /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
+    /// yaw of `start`; its own height where it stands beside the rails [m].
+    pub fn touching_height(&mut self, start: &Input) -> f64 {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
         let rails = self.rails.iter().flatten().enumerate();
-        let clear = rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
+        let clear =
+            rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
         if clear.is_infinite() {
             return input.wheel.position[2];
         }

@@ -1,10 +1,10 @@
 //! The contact element: one wheel and the rails under it.
 
 mod evaluate;
-mod rail_contact;
 pub mod input;
 pub mod output;
 pub mod parameters;
+mod rail_contact;
 
 pub use evaluate::{Element, Work};
 pub use input::Input;

@@ -110,10 +110,8 @@ impl<'a> ContactLine<'a> {
             self.marker[2] + p.point[0] * uz + radius * radial[1],
         ];
         // Normal y_w' n - r' u; its (y, z) turned by a quarter gives the tangent of the outline.
-        let normal = [
-            p.first[0] * radial[0] - p.first[1] * uy,
-            p.first[0] * radial[1] - p.first[1] * uz,
-        ];
+        let normal =
+            [p.first[0] * radial[0] - p.first[1] * uy, p.first[0] * radial[1] - p.first[1] * uz];
         let length = (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
         let tangent = [normal[1] / length, -normal[0] / length];
         // d sin α/ds where neither bound is active.

@@ -145,7 +145,8 @@ impl ContactSearch {
         self.probes.clear();
         self.interval.clear();
         let [start, end] = line.range();
-        let mut from = self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
+        let mut from =
+            self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
         if from.distance <= 0.0 {
             self.record(from, Kind::Step);
         }
@@ -316,8 +317,7 @@ impl ContactSearch {
             }
             if probe.kind == Kind::Minimum {
                 if let Some(before) = minimum {
-                    let [a, b] =
-                        [before, i].map(|k| self.interval[k].sample.rail_tangent);
+                    let [a, b] = [before, i].map(|k| self.interval[k].sample.rail_tangent);
                     let cosine = a[0] * b[0] + a[1] * b[1];
                     if cosine < MOST_ANGLE.cos() && ridge > first && ridge < i {
                         return ridge;
@@ -333,14 +333,17 @@ impl ContactSearch {
     fn add_contact(&mut self, first: usize, last: usize) {
         let group = &self.interval[first..=last];
         let is_minimum = |p: &&IntervalProbe| p.kind == Kind::Minimum;
-        let deeper =
-            |a: &&IntervalProbe, b: &&IntervalProbe| a.sample.distance.total_cmp(&b.sample.distance);
+        let deeper = |a: &&IntervalProbe, b: &&IntervalProbe| {
+            a.sample.distance.total_cmp(&b.sample.distance)
+        };
         // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
         let deepest = group.iter().min_by(deeper);
         let lowest = group.iter().filter(is_minimum).min_by(deeper);
         let (Some(deepest), lowest) = (deepest, lowest) else { return };
         let sample = match lowest {
-            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => lowest.sample,
+            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => {
+                lowest.sample
+            }
             _ => deepest.sample,
         };
         if sample.distance >= 0.0 {
@@ -354,7 +357,8 @@ impl ContactSearch {
             return;
         }
         for probe in group {
-            self.probes.push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
+            self.probes
+                .push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
         }
         self.contacts.push(Contact {
             u: sample.u,

@@ -17,7 +17,12 @@ pub struct RollingSpeed {
 /// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative when rolling forward)
 /// [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
 #[must_use]
-pub fn rolling_speed(velocity: f64, pitch_rate: f64, rolling_radius: f64, floor: f64) -> RollingSpeed {
+pub fn rolling_speed(
+    velocity: f64,
+    pitch_rate: f64,
+    rolling_radius: f64,
+    floor: f64,
+) -> RollingSpeed {
     let circumferential = -pitch_rate * rolling_radius;
     let reference = (0.5 * (velocity.abs() + circumferential.abs())).max(floor);
     // Mean velocity of the contact over the material of wheel and rail.
@@ -68,8 +73,7 @@ impl RelativeMotion {
         normal: Vector3<f64>,
         reference_speed: f64,
     ) -> Creepage {
-        let wheel =
-            self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
+        let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
         let slip = wheel - self.rail_velocity_at(point);
         Creepage {
             longitudinal: slip.x / reference_speed,

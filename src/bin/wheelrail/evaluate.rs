@@ -100,7 +100,8 @@ impl Evaluator {
         let before = output.fallback_count;
         element.evaluate(input, output)?;
         output.fallback_count -= before;
-        values.nominal_wheel_z = element.nominal_wheel_z();
+        // Every row is a start of its own.
+        values.nominal_wheel_z = element.touching_height(input);
         Ok(())
     }
 }

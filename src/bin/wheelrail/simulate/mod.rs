@@ -25,6 +25,8 @@ use crate::wheelset::{Moment, Wheelset};
 
 /// Steps between two looks at the progress bar.
 const STEPS_A_TICK: u64 = 2000;
+/// Steps below are not proposed: a second would take millions of them [s].
+const SHORTEST_STEP: f64 = 1e-6;
 /// Beyond this lateral position against the track the wheelset has left the rails [m].
 const DERAILED: f64 = 0.06;
 
@@ -60,13 +62,16 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let start = wheelset.find_equilibrium(touching_z)?;
     let limit = wheelset.step_limit(&start)?;
     let step = arguments.step.unwrap_or_else(|| limit.proposal());
-    report::step(&mut out, &start, &limit, step)?;
-    if !(step.is_finite() && step > 0.0) {
+    if arguments.step.is_none() && step < SHORTEST_STEP {
         bail!(
-            "no stable step exists without contact damping: set normal.damping, for instance \
-             --set normal.damping=1e5, or give --step"
+            "the limit of stability is {:.1e} s, too short to run: with k = {:.2e} N/m and c = {:.2e} N s/m the contact lacks \
+             damping: add --set normal.damping=1e5, or take a chance with --step",
+            limit.longest(),
+            limit.stiffness,
+            limit.damping
         );
     }
+    report::step(&mut out, &start, &limit, step)?;
     // Leave no trace of the differences taken around the start.
     wheelset.force(&start, Moment::Initialization)?;
     for wheel in &mut wheelset.wheels {

@@ -83,13 +83,13 @@ pub fn step(out: &mut impl Write, start: &State, limit: &StepLimit, step: f64) -
     )?;
     writeln!(
         out,
-        "Step        {step:.3e} s, semi-implicit Euler; {:.1} times below the limit",
+        "Step        {step:.3e} s, semi-implicit Euler; the limit is {:.1} steps long",
         limit.longest() / step
     )?;
     if step > limit.longest() {
         writeln!(
             out,
-            "            The step is above the limit: expect the wheels to bounce or the creep forces to chatter."
+            "            The step is above the limit: wheels that bounce and creep forces that chatter may be artefacts."
         )?;
     }
     Ok(())
