@@ -151,8 +151,9 @@ impl Element {
         Ok(())
     }
 
-    /// The marker height at which the first contact appears when the wheel comes down from above [m].
-    fn touching_height(&mut self, start: &Input) -> f64 {
+    /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
+    /// yaw of `start`; its own height where it stands beside the rails [m].
+    pub fn touching_height(&mut self, start: &Input) -> f64 {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
         let rails = self.rails.iter().flatten().enumerate();
         let clear =

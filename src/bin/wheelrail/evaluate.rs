@@ -1,0 +1,107 @@
+//! `wheelrail evaluate`: the contact element for every row of a table.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use wheelrail::element::{Element, Parameters};
+use wheelrail::error::ContactError;
+use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
+
+use crate::cases::{Cases, Row};
+use crate::output;
+
+/// Evaluate the contact element for every row of a table
+///
+/// The header of CASES names inputs and parameters of the FMU, such as wheel.y, wheel.z, side or normal.model; what
+/// is left out, or an empty cell, keeps its start value (see the table of variables in the README). Enumerations are
+/// given by the names of their items, profile files relative to CASES. The result has one row for each case and one
+/// column for every output and calculated parameter. Lines that begin with # are comments.
+// The text is shown as it stands by --help.
+#[allow(clippy::doc_markdown)]
+#[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
+pub struct Arguments {
+    /// Table of cases, CSV
+    #[arg(value_name = "CASES.csv")]
+    pub cases: PathBuf,
+    /// File for the results, CSV; without it standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Evaluates all rows.
+///
+/// # Errors
+/// With row and column: an unknown name, a value or profile that is refused. Rows before it are written.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let cases = Cases::read(&arguments.cases)?;
+    let columns: Vec<&Variable> =
+        cases.columns().map(|name| settable(&cases, name)).collect::<Result<_>>()?;
+    let computed: Vec<&Variable> = VARIABLES
+        .iter()
+        .filter(|v| matches!(v.causality, Causality::Output | Causality::CalculatedParameter))
+        .collect();
+    let path = arguments.output.as_deref();
+    let mut table = output::table(path)?;
+    table.write_record(computed.iter().map(|v| v.name))?;
+    let progress = output::progress(cases.len(), path)?;
+    let mut evaluator = Evaluator { folder: cases.folder(), current: None };
+    for row in cases.rows() {
+        let mut values = Values::default();
+        for (column, _, text) in row.cells() {
+            values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
+        }
+        evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
+        table.write_record(computed.iter().map(|v| values.text_of(v)))?;
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    Ok(table.flush()?)
+}
+
+fn settable(cases: &Cases, name: &str) -> Result<&'static Variable> {
+    let variable = find(name).with_context(|| cases.column_place(name))?;
+    if !variable.is_settable() {
+        bail!(
+            "{}: it is computed by the element; columns are inputs and parameters",
+            cases.column_place(name)
+        );
+    }
+    Ok(variable)
+}
+
+/// `error` with the column of the variable it names, if the table has it.
+fn placed(error: ContactError, row: &Row<'_>) -> anyhow::Error {
+    let (ContactError::BadValue { name, .. }
+    | ContactError::BadText { name, .. }
+    | ContactError::Profile { name, .. }) = &error;
+    let column = row.cells().find(|(_, column, _)| column == name).map(|(column, ..)| column);
+    let place = column.map_or_else(|| row.place(), |column| row.cell_place(column));
+    anyhow::Error::new(error).context(place)
+}
+
+/// The element of the last row, used again as long as the parameters stay.
+struct Evaluator {
+    folder: PathBuf,
+    current: Option<(Parameters, Element)>,
+}
+
+impl Evaluator {
+    fn evaluate(&mut self, values: &mut Values) -> Result<(), ContactError> {
+        let Values { parameters, input, output, .. } = values;
+        let (_, element) = match self.current.take() {
+            Some(current) if current.0 == *parameters => self.current.insert(current),
+            _ => {
+                let element = Element::new(parameters, input, std::slice::from_ref(&self.folder))?;
+                self.current.insert((parameters.clone(), element))
+            }
+        };
+        let before = output.fallback_count;
+        element.evaluate(input, output)?;
+        output.fallback_count -= before;
+        // Every row is a start of its own.
+        values.nominal_wheel_z = element.touching_height(input);
+        Ok(())
+    }
+}

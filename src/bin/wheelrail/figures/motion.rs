@@ -1,0 +1,135 @@
+//! Lateral displacement and yaw of the wheelset over the distance run.
+
+use std::path::Path;
+
+use anyhow::Result;
+use plotters::prelude::*;
+
+use super::{
+    Area, BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, label, px, ramp_stretch, range_of, save,
+    text,
+};
+use crate::simulate::Record;
+use crate::wheelset::track::Track;
+
+/// Length of the line of a legend entry, in coordinates.
+const LINE: i32 = px(26) as i32;
+const SIZE: (u32, u32) = (1100, 760);
+/// Points of a curve at most; more are not seen.
+const POINTS: usize = 1000;
+
+/// One curve of a panel.
+struct Series<'a> {
+    label: &'a str,
+    color: RGBColor,
+    dashed: bool,
+    points: Vec<(f64, f64)>,
+}
+
+/// Draws the figure into the file `path`.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Result<()> {
+    save(path, SIZE, |area| draw_inner(area, title, track, records))
+}
+
+fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -> Result<()> {
+    let area = area.titled(&format!("Wheelset: {title}"), heading(26))?;
+    let (above, below) = area.split_vertically(px(362));
+    let over = |quantity: fn(&Record) -> f64| -> Vec<(f64, f64)> {
+        let shown = records.iter().step_by(records.len().div_ceil(POINTS));
+        shown.map(|r| (r.state.distance, quantity(r))).collect()
+    };
+    let lateral = [
+        Series {
+            label: "track centre line",
+            color: GREY,
+            dashed: true,
+            points: over(|r| 1e3 * r.track_y),
+        },
+        Series { label: "wheelset", color: BLUE, dashed: false, points: over(|r| 1e3 * r.state.y) },
+    ];
+    panel(&above, "lateral displacement [mm], to the right", None, track, &lateral)?;
+    let yaw = [Series {
+        label: "wheelset",
+        color: VERMILION,
+        dashed: false,
+        points: over(|r| 1e3 * r.state.yaw),
+    }];
+    panel(&below, "yaw [mrad], nose to the right", Some("distance [m]"), track, &yaw)?;
+    Ok(())
+}
+
+fn panel(
+    area: &Area<'_>,
+    y_title: &str,
+    x_title: Option<&str>,
+    track: &Track,
+    series: &[Series<'_>],
+) -> Result<()> {
+    let distances = series[0].points.iter().map(|point| point.0);
+    let (x_start, x_end) = (distances.clone().fold(0.0, f64::min), distances.fold(1e-3, f64::max));
+    let x_range = x_start..x_end;
+    let values = series.iter().flat_map(|s| s.points.iter().map(|point| point.1));
+    let y_range = range_of(values, 0.1);
+    let mut chart = ChartBuilder::on(area)
+        .margin(px(8))
+        .margin_right(px(24))
+        .x_label_area_size(px(if x_title.is_some() { 52 } else { 28 }))
+        .y_label_area_size(px(78))
+        .build_cartesian_2d(x_range.clone(), y_range.clone())?;
+    let ramp = ramp_stretch(track, &x_range);
+    let corners = [(ramp.start, y_range.start), (ramp.end, y_range.end)];
+    if ramp.start < ramp.end {
+        chart
+            .draw_series(std::iter::once(Rectangle::new(corners, RAMP.filled())))?
+            .label("ramp")
+            .legend(|(x, y)| {
+                Rectangle::new([(x, y - LINE / 4), (x + LINE, y + LINE / 4)], RAMP.filled())
+            });
+    }
+    let mut mesh = chart.configure_mesh();
+    mesh.bold_line_style(GRID.stroke_width(px(1)))
+        .set_all_tick_mark_size(px(5))
+        .light_line_style(TRANSPARENT)
+        .axis_style(INK.stroke_width(px(1)))
+        .x_labels(13)
+        .y_labels(7)
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
+        .label_style(text(17))
+        .axis_desc_style(text(19))
+        .y_desc(y_title);
+    if let Some(x_title) = x_title {
+        mesh.x_desc(x_title);
+    }
+    mesh.draw()?;
+    for one in series {
+        let style = one.color.stroke_width(px(if one.dashed { 2 } else { 3 }));
+        let points = one.points.iter().copied();
+        let drawn = if one.dashed {
+            chart.draw_series(DashedLineSeries::new(points, px(9), px(5), style))?
+        } else {
+            chart.draw_series(LineSeries::new(points, style))?
+        };
+        let dashed = one.dashed;
+        drawn.label(one.label).legend(move |(x, y)| {
+            let gap = if dashed { LINE / 8 } else { 0 };
+            let middle = x + LINE / 2;
+            let first = PathElement::new(vec![(x, y), (middle - gap, y)], style);
+            let second = PathElement::new(vec![(middle + gap, y), (x + LINE, y)], style);
+            EmptyElement::at((0, 0)) + first + second
+        });
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .border_style(GRID.stroke_width(px(1)))
+        .legend_area_size(px(34))
+        .margin(px(10))
+        .label_font(text(17))
+        .draw()?;
+    Ok(())
+}

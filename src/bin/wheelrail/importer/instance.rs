@@ -1,0 +1,274 @@
+//! One instance of a unit.
+#![allow(unsafe_code)]
+
+use std::ffi::{CString, c_char, c_int, c_void};
+
+use anyhow::{Context, Result, bail};
+
+use super::archive::Fmu;
+use super::description::Kind;
+use super::functions::{Callbacks, Component, Status};
+use super::logger::{self, Messages, log};
+
+const FALSE: c_int = 0;
+const TRUE: c_int = 1;
+/// `fmi2CoSimulation`.
+const CO_SIMULATION: c_int = 1;
+
+/// An instance of a unit; freed when dropped.
+pub struct Instance<'fmu> {
+    fmu: &'fmu Fmu,
+    name: String,
+    component: Component,
+    messages: Box<Messages>,
+    /// The unit keeps a pointer to it.
+    _callbacks: Box<Callbacks>,
+}
+
+unsafe extern "C" fn allocate(count: usize, size: usize) -> *mut c_void {
+    // SAFETY: calloc admits any arguments.
+    unsafe { libc::calloc(count, size) }
+}
+
+unsafe extern "C" fn release(memory: *mut c_void) {
+    // SAFETY: FMI 2.0, 2.1.5: only what `allocate` gave is released.
+    unsafe { libc::free(memory) };
+}
+
+impl<'fmu> Instance<'fmu> {
+    /// Makes an instance called `name`.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    pub fn new(fmu: &'fmu Fmu, name: &str) -> Result<Self> {
+        let messages = Box::new(Messages::default());
+        let callbacks = Box::new(Callbacks {
+            logger: log,
+            allocate_memory: allocate,
+            free_memory: release,
+            step_finished: None,
+            component_environment: std::ptr::from_ref::<Messages>(&messages).cast_mut().cast(),
+        });
+        let c_name = text(name)?;
+        let guid = text(&fmu.description.guid)?;
+        let resources = text(&fmu.resource_location())?;
+        // SAFETY: FMI 2.0, 2.1.5: the strings are null-terminated, and the callbacks live as long as
+        // the instance.
+        let component = unsafe {
+            (fmu.functions.instantiate)(
+                c_name.as_ptr(),
+                CO_SIMULATION,
+                guid.as_ptr(),
+                resources.as_ptr(),
+                &raw const *callbacks,
+                FALSE,
+                FALSE,
+            )
+        };
+        if component.is_null() {
+            bail!(
+                "{}",
+                explained(&format!("{name}: the unit refuses to be instantiated"), &messages)
+            );
+        }
+        Ok(Self { fmu, name: name.into(), component, messages, _callbacks: callbacks })
+    }
+
+    /// Value references of the variables called `names`, in their order.
+    ///
+    /// # Errors
+    /// A name that does not exist or is not a Real.
+    pub fn reals(&self, names: &[&str]) -> Result<Vec<u32>> {
+        names.iter().map(|name| self.reference(name, &Kind::Real)).collect()
+    }
+
+    /// Value reference of the Integer called `name`.
+    ///
+    /// # Errors
+    /// If it does not exist or is not an Integer.
+    pub fn integer(&self, name: &str) -> Result<u32> {
+        self.reference(name, &Kind::Integer)
+    }
+
+    fn reference(&self, name: &str, kind: &Kind) -> Result<u32> {
+        let variable = self.fmu.description.variable(name)?;
+        if variable.kind != *kind {
+            bail!("\"{name}\" is of type {:?}, not {kind:?}", variable.kind);
+        }
+        Ok(variable.value_reference)
+    }
+
+    /// Sets the variable called `name`, of any type, from `value` as text.
+    ///
+    /// # Errors
+    /// If there is no such variable, the text is no value of its type, or the unit refuses it.
+    pub fn set_text(&mut self, name: &str, value: &str) -> Result<()> {
+        let variable = self.fmu.description.variable(name)?;
+        let reference = [variable.value_reference];
+        let what = || format!("{name} = \"{value}\"");
+        let functions = &self.fmu.functions;
+        let status = match &variable.kind {
+            Kind::Real => {
+                let value = [value.parse::<f64>().with_context(what)?];
+                // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+                unsafe {
+                    (functions.set_real)(self.component, reference.as_ptr(), 1, value.as_ptr())
+                }
+            }
+            Kind::Boolean => {
+                let value = [c_int::from(value.parse::<bool>().with_context(what)?)];
+                // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+                unsafe {
+                    (functions.set_boolean)(self.component, reference.as_ptr(), 1, value.as_ptr())
+                }
+            }
+            Kind::Integer | Kind::Enumeration(_) => {
+                let value = [match &variable.kind {
+                    Kind::Enumeration(type_name) => {
+                        self.fmu.description.item(type_name, value).with_context(what)?
+                    }
+                    _ => value.parse::<c_int>().with_context(what)?,
+                }];
+                // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+                unsafe {
+                    (functions.set_integer)(self.component, reference.as_ptr(), 1, value.as_ptr())
+                }
+            }
+            Kind::String => {
+                let value = text(value)?;
+                let values: [*const c_char; 1] = [value.as_ptr()];
+                // SAFETY: FMI 2.0, 2.1.7: one reference, one string, which the unit copies.
+                unsafe {
+                    (functions.set_string)(self.component, reference.as_ptr(), 1, values.as_ptr())
+                }
+            }
+        };
+        self.check(status, &what())
+    }
+
+    /// Sets Reals by their value references.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    ///
+    /// # Panics
+    /// If the numbers of references and values differ.
+    pub fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<()> {
+        assert_eq!(references.len(), values.len(), "one value for each reference");
+        // SAFETY: FMI 2.0, 2.1.7: as many values as references.
+        let status = unsafe {
+            let set_real = self.fmu.functions.set_real;
+            set_real(self.component, references.as_ptr(), references.len(), values.as_ptr())
+        };
+        self.check(status, "setting the inputs")
+    }
+
+    /// Gets Reals by their value references.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    ///
+    /// # Panics
+    /// If the numbers of references and values differ.
+    pub fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<()> {
+        assert_eq!(references.len(), values.len(), "one value for each reference");
+        // SAFETY: FMI 2.0, 2.1.7: as many values as references.
+        let status = unsafe {
+            let get_real = self.fmu.functions.get_real;
+            get_real(self.component, references.as_ptr(), references.len(), values.as_mut_ptr())
+        };
+        self.check(status, "reading the outputs")
+    }
+
+    /// Gets one Integer by its value reference.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    pub fn get_integer(&mut self, reference: u32) -> Result<i32> {
+        let mut value = [0];
+        // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
+        let status = unsafe {
+            (self.fmu.functions.get_integer)(
+                self.component,
+                [reference].as_ptr(),
+                1,
+                value.as_mut_ptr(),
+            )
+        };
+        self.check(status, "reading the outputs")?;
+        Ok(value[0])
+    }
+
+    /// Sets up an experiment from time 0 on and enters initialization mode.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    pub fn initialize(&mut self) -> Result<()> {
+        // SAFETY: FMI 2.0, 2.1.6: plain values; no tolerance and no stop time are defined.
+        let status = unsafe {
+            (self.fmu.functions.setup_experiment)(self.component, FALSE, 0.0, 0.0, FALSE, 0.0)
+        };
+        self.check(status, "fmi2SetupExperiment")?;
+        // SAFETY: FMI 2.0, 2.1.6: the instance is valid and an experiment set up.
+        let status = unsafe { (self.fmu.functions.enter_initialization_mode)(self.component) };
+        self.check(status, "fmi2EnterInitializationMode")
+    }
+
+    /// Leaves initialization mode; steps may follow.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    pub fn start(&mut self) -> Result<()> {
+        // SAFETY: FMI 2.0, 2.1.6: the instance is valid.
+        let status = unsafe { (self.fmu.functions.exit_initialization_mode)(self.component) };
+        self.check(status, "fmi2ExitInitializationMode")
+    }
+
+    /// One communication step from `time` over `step` [s].
+    ///
+    /// # Errors
+    /// If the unit does not complete it; with its messages.
+    pub fn do_step(&mut self, time: f64, step: f64) -> Result<()> {
+        // SAFETY: FMI 2.0, 4.2.2: plain values; steps are not taken back.
+        let status = unsafe { (self.fmu.functions.do_step)(self.component, time, step, TRUE) };
+        self.check(status, &format_args!("the step at {time} s"))
+    }
+
+    /// Ends the run.
+    ///
+    /// # Errors
+    /// If the unit refuses; with its messages.
+    pub fn terminate(&mut self) -> Result<()> {
+        // SAFETY: FMI 2.0, 2.1.6: the instance is valid.
+        let status = unsafe { (self.fmu.functions.terminate)(self.component) };
+        self.check(status, "fmi2Terminate")
+    }
+
+    /// Messages of the unit that no error has shown yet.
+    pub fn take_messages(&self) -> Vec<String> {
+        self.messages.take()
+    }
+
+    fn check(&self, status: Status, what: &(impl std::fmt::Display + ?Sized)) -> Result<()> {
+        if matches!(status, logger::OK | logger::WARNING) {
+            return Ok(());
+        }
+        bail!("{}", explained(&format!("{}: {what} failed", self.name), &self.messages))
+    }
+}
+
+impl Drop for Instance<'_> {
+    fn drop(&mut self) {
+        // SAFETY: FMI 2.0, 2.1.5: the instance came from fmi2Instantiate and is freed once.
+        unsafe { (self.fmu.functions.free_instance)(self.component) };
+    }
+}
+
+fn explained(summary: &str, messages: &Messages) -> String {
+    let messages = messages.take();
+    if messages.is_empty() { summary.into() } else { format!("{summary}: {}", messages.join("; ")) }
+}
+
+fn text(text: &str) -> Result<CString> {
+    CString::new(text).with_context(|| format!("{text:?} holds a null character"))
+}

@@ -1,0 +1,174 @@
+//! The columns of planar cases.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use wheelrail::element::Parameters;
+use wheelrail::material::Material;
+use wheelrail::planar::{Indentation, PlanarCase};
+use wheelrail::variables::{Values, find};
+
+use super::separation::number;
+use crate::cases::{Cases, Row};
+
+/// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
+const VARIABLE_COLUMNS: [(&str, &str, f64); 11] = [
+    ("friction", "friction.coefficient", 1.0),
+    ("young_modulus_mpa", "wheel.young_modulus", 1e6),
+    ("poisson_ratio", "wheel.poisson_ratio", 1.0),
+    ("rail_young_modulus_mpa", "rail.young_modulus", 1e6),
+    ("rail_poisson_ratio", "rail.poisson_ratio", 1.0),
+    ("normal_model", "normal.model", 0.0),
+    ("tangential_model", "tangential.model", 0.0),
+    ("strips", "normal.strips", 0.0),
+    ("elements_along", "tangential.elements_along", 0.0),
+    ("bound", "tangential.bound", 0.0),
+    ("flexibilities", "tangential.flexibilities", 0.0),
+];
+
+const OTHER_COLUMNS: [&str; 8] = [
+    "separation",
+    "radius_mm",
+    "approach_mm",
+    "load_n",
+    "creepage_longitudinal",
+    "creepage_lateral",
+    "spin_per_mm",
+    "elements_across",
+];
+
+/// One planar case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// File of the separation.
+    pub separation: PathBuf,
+    /// Column that names it.
+    pub separation_column: usize,
+    radius: f64,
+    indentation: Indentation,
+    creepage: [f64; 3],
+    friction: f64,
+    parameters: Parameters,
+}
+
+/// Checks that all columns are known and those needed are there.
+///
+/// # Errors
+/// The column at fault.
+pub fn check(cases: &Cases) -> Result<()> {
+    let known: Vec<&str> =
+        OTHER_COLUMNS.into_iter().chain(VARIABLE_COLUMNS.iter().map(|c| c.0)).collect();
+    if let Some(name) = cases.columns().find(|name| !known.contains(name)) {
+        bail!("{}: unknown; known columns are {}", cases.column_place(name), known.join(", "));
+    }
+    for name in ["separation", "radius_mm"] {
+        if cases.column(name).is_none() {
+            bail!("{}: missing", cases.column_place(name));
+        }
+    }
+    Ok(())
+}
+
+impl Case {
+    /// Reads the case in `row`.
+    ///
+    /// # Errors
+    /// With row and column, what is missing or refused.
+    pub fn read(cases: &Cases, row: &Row<'_>) -> Result<Self> {
+        let value = |name: &str| -> Result<Option<f64>> {
+            match cases.column(name) {
+                Some(column) if row.cell(column).is_some() => number(row, column).map(Some),
+                _ => Ok(None),
+            }
+        };
+        let positive = |name: &str| -> Result<Option<f64>> {
+            match value(name)? {
+                Some(number) if number <= 0.0 => {
+                    bail!("{}, column \"{name}\": {number} is not admitted: above 0", row.place())
+                }
+                value => Ok(value),
+            }
+        };
+        let needed = |name: &str| format!("{}, column \"{name}\": empty", row.place());
+        let separation_column = cases.column("separation").with_context(|| needed("separation"))?;
+        let file = row.cell(separation_column).with_context(|| needed("separation"))?;
+        let radius = positive("radius_mm")?.with_context(|| needed("radius_mm"))?;
+        let indentation = match (positive("approach_mm")?, positive("load_n")?) {
+            (Some(approach), None) => Indentation::Approach(1e-3 * approach),
+            (None, Some(load)) => Indentation::Load(load),
+            (None, None) => bail!("{}: give approach_mm or load_n", row.place()),
+            (Some(_), Some(_)) => bail!("{}: give approach_mm or load_n, not both", row.place()),
+        };
+        let creepage = [
+            value("creepage_longitudinal")?.unwrap_or(0.0),
+            value("creepage_lateral")?.unwrap_or(0.0),
+            1e3 * value("spin_per_mm")?.unwrap_or(0.0),
+        ];
+        if let Some(column) = cases.column("elements_across")
+            && let Some(text) = row.cell(column)
+            && !text.parse::<usize>().is_ok_and(|count| count > 0)
+        {
+            bail!("{}: \"{text}\" is not a whole number above 0", row.cell_place(column));
+        }
+        let values = variables(cases, row)?;
+        Ok(Self {
+            separation: cases.folder().join(file),
+            separation_column,
+            radius: 1e-3 * radius,
+            indentation,
+            creepage,
+            friction: values.input.friction,
+            parameters: values.parameters,
+        })
+    }
+
+    /// The case with the points of its separation file.
+    pub fn planar<'a>(&self, separation: &'a [[f64; 2]]) -> PlanarCase<'a> {
+        let parameters = &self.parameters;
+        PlanarCase {
+            separation,
+            radius: self.radius,
+            indentation: self.indentation,
+            creepage: self.creepage,
+            friction: self.friction,
+            wheel_material: Material {
+                young_modulus: parameters.wheel.young_modulus,
+                poisson_ratio: parameters.wheel.poisson_ratio,
+            },
+            rail_material: Material {
+                young_modulus: parameters.rail_young_modulus,
+                poisson_ratio: parameters.rail_poisson_ratio,
+            },
+            normal_model: parameters.normal_model,
+            virtual_penetration: parameters.virtual_penetration,
+            tangential_model: parameters.tangential_model,
+            strips: parameters.strips,
+            elements_along: parameters.elements_along,
+            bound: parameters.bound,
+            flexibilities: parameters.flexibilities,
+        }
+    }
+}
+
+/// The element's variables as the row sets them; the range of each is checked there.
+fn variables(cases: &Cases, row: &Row<'_>) -> Result<Values> {
+    let mut values = Values::default();
+    for (name, variable, scale) in VARIABLE_COLUMNS {
+        // Without columns of its own the rail is of the material of the wheel.
+        let own = cases.column(name).filter(|&column| row.cell(column).is_some());
+        let shared = name.strip_prefix("rail_").and_then(|name| cases.column(name));
+        let Some((column, text)) =
+            own.or(shared).and_then(|column| Some((column, row.cell(column)?)))
+        else {
+            continue;
+        };
+        let text = if scale > 0.0 {
+            format!("{:?}", scale * number(row, column)?)
+        } else {
+            text.to_string()
+        };
+        let variable = find(variable)?;
+        values.set_from_text(variable, &text).with_context(|| row.cell_place(column))?;
+    }
+    Ok(values)
+}

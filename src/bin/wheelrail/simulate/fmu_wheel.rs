@@ -1,0 +1,184 @@
+//! A wheel whose contact is an instance of the FMU.
+
+use anyhow::{Context, Result};
+use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
+
+use crate::importer::{Fmu, Instance};
+use crate::wheelset::{Moment, Wheel, WheelInput};
+
+const INPUTS: [&str; 14] = [
+    "wheel.x",
+    "wheel.y",
+    "wheel.z",
+    "wheel.roll",
+    "wheel.yaw",
+    "wheel.pitch",
+    "wheel.vx",
+    "wheel.vy",
+    "wheel.vz",
+    "wheel.roll_rate",
+    "wheel.yaw_rate",
+    "wheel.pitch_rate",
+    "rail[1].y",
+    "track.s",
+];
+
+const WRENCH: [&str; 6] = [
+    "wheel.force.x",
+    "wheel.force.y",
+    "wheel.force.z",
+    "wheel.moment.x",
+    "wheel.moment.y",
+    "wheel.moment.z",
+];
+
+/// What is read of each patch, in the order of the fields of [`Patch`].
+const PATCH: [&str; 7] =
+    ["normal_force", "contact_angle", "rail_y", "wheel_y", "width", "position.y", "rolling_radius"];
+
+/// One patch as the history and the figures show it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Patch {
+    /// Normal force [N].
+    pub normal_force: f64,
+    /// Contact angle [rad].
+    pub contact_angle: f64,
+    /// Lateral position on the rail profile [m].
+    pub rail_y: f64,
+    /// Lateral position on the wheel profile [m].
+    pub wheel_y: f64,
+    /// Extent across [m].
+    pub width: f64,
+    /// Lateral position in the track frame [m].
+    pub position_y: f64,
+    /// Distance of the contact point from the axle [m].
+    pub rolling_radius: f64,
+}
+
+/// A wheel on its rail, computed by the FMU.
+pub struct FmuWheel<'fmu> {
+    instance: Instance<'fmu>,
+    inputs: Vec<u32>,
+    wrench: Vec<u32>,
+    patch_count: u32,
+    patches: Vec<u32>,
+    /// Sets of inputs answered.
+    pub evaluations: u64,
+}
+
+impl<'fmu> FmuWheel<'fmu> {
+    /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode.
+    ///
+    /// # Errors
+    /// If the unit refuses a setting or is not a wheel-rail contact element.
+    pub fn new(fmu: &'fmu Fmu, side: &str, settings: &[(String, String)]) -> Result<Self> {
+        let mut instance = Instance::new(fmu, &format!("{side} wheel"))?;
+        instance.set_text("side", side)?;
+        for (name, value) in settings {
+            instance.set_text(name, value)?;
+        }
+        let patch_names: Vec<String> = (1..=REPORTED_PATCHES)
+            .flat_map(|k| PATCH.map(|name| format!("patch[{k}].{name}")))
+            .collect();
+        let patch_names: Vec<&str> = patch_names.iter().map(String::as_str).collect();
+        let mut wheel = Self {
+            inputs: instance.reals(&INPUTS)?,
+            wrench: instance.reals(&WRENCH)?,
+            patch_count: instance.integer("patch_count")?,
+            patches: instance.reals(&patch_names)?,
+            instance,
+            evaluations: 0,
+        };
+        // The starting position belongs to the side; the unit starts as a right wheel.
+        if side == "left" {
+            let y = wheel.instance.reals(&["wheel.y"])?;
+            wheel.instance.set_reals(&y, &[-0.75])?;
+        }
+        wheel.instance.initialize()?;
+        Ok(wheel)
+    }
+
+    /// Height of the wheel marker at which the wheel touches, at the start position [m].
+    ///
+    /// # Errors
+    /// If the unit has no such variable.
+    pub fn touching_z(&mut self) -> Result<f64> {
+        let reference = self.instance.reals(&["nominal.wheel_z"])?;
+        let mut value = [0.0];
+        self.instance.get_reals(&reference, &mut value)?;
+        Ok(value[0])
+    }
+
+    /// Leaves initialization; steps follow.
+    ///
+    /// # Errors
+    /// If the unit refuses.
+    pub fn start(&mut self) -> Result<()> {
+        self.instance.start()
+    }
+
+    /// The patches of the last evaluation, heaviest first.
+    ///
+    /// # Errors
+    /// If the unit refuses.
+    pub fn patches(&mut self) -> Result<Vec<Patch>> {
+        let count = self.instance.get_integer(self.patch_count)?;
+        let count =
+            usize::try_from(count).context("patch_count is negative")?.min(REPORTED_PATCHES);
+        let mut values = vec![0.0; count * PATCH.len()];
+        self.instance.get_reals(&self.patches[..values.len()], &mut values)?;
+        Ok(values
+            .chunks_exact(PATCH.len())
+            .map(|v| Patch {
+                normal_force: v[0],
+                contact_angle: v[1],
+                rail_y: v[2],
+                wheel_y: v[3],
+                width: v[4],
+                position_y: v[5],
+                rolling_radius: v[6],
+            })
+            .collect())
+    }
+
+    /// Ends the run and hands out what the unit had to say.
+    ///
+    /// # Errors
+    /// If the unit refuses.
+    pub fn finish(&mut self) -> Result<Vec<String>> {
+        self.instance.terminate()?;
+        Ok(self.instance.take_messages())
+    }
+}
+
+impl Wheel for FmuWheel<'_> {
+    fn wrench(&mut self, input: &WheelInput, moment: Moment) -> Result<Wrench> {
+        let wheel = &input.wheel;
+        let ([x, y, z], [vx, vy, vz]) = (wheel.position, wheel.velocity);
+        let values = [
+            x,
+            y,
+            z,
+            wheel.roll,
+            wheel.yaw,
+            wheel.pitch,
+            vx,
+            vy,
+            vz,
+            wheel.roll_rate,
+            wheel.yaw_rate,
+            wheel.pitch_rate,
+            input.rail.y,
+            input.station,
+        ];
+        self.instance.set_reals(&self.inputs, &values)?;
+        if let Moment::Step { time, step } = moment {
+            self.instance.do_step(time, step)?;
+        }
+        let mut values = [0.0; WRENCH.len()];
+        self.instance.get_reals(&self.wrench, &mut values)?;
+        self.evaluations += 1;
+        let [fx, fy, fz, mx, my, mz] = values;
+        Ok(Wrench { force: [fx, fy, fz], moment: [mx, my, mz] })
+    }
+}

@@ -1,0 +1,189 @@
+//! `wheelrail simulate`: a wheelset runs over a lateral ramp on two instances of the FMU.
+
+mod arguments;
+mod fmu_wheel;
+pub mod history;
+mod report;
+
+use std::io::{Write, stdout};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail};
+use indicatif::{ProgressBar, ProgressStyle};
+use wheelrail::element::output::Wrench;
+
+pub use arguments::Arguments;
+use fmu_wheel::FmuWheel;
+pub use fmu_wheel::Patch;
+pub use history::Record;
+
+use crate::figures;
+use crate::importer::Fmu;
+use crate::wheelset::body::State;
+use crate::wheelset::{Moment, Wheelset};
+
+/// Steps between two looks at the progress bar.
+const STEPS_A_TICK: u64 = 2000;
+/// Steps below are not proposed: a second would take millions of them [s].
+const SHORTEST_STEP: f64 = 1e-6;
+/// Beyond this lateral position against the track the wheelset has left the rails [m].
+const DERAILED: f64 = 0.06;
+
+/// A finished run.
+struct Run {
+    records: Vec<Record>,
+    evaluations: u64,
+    duration: Duration,
+}
+
+/// Runs the simulation, writes the files and prints what there is to know.
+///
+/// # Errors
+/// If an option is not admitted, the unit cannot be loaded or refuses something, or nothing can be written.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    arguments.check()?;
+    let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;
+    let fmu = Fmu::open(&path)?;
+    let settings = settings(arguments);
+    let mut right = FmuWheel::new(&fmu, "right", &settings)?;
+    let left = FmuWheel::new(&fmu, "left", &settings)?;
+    let touching_z = right.touching_z()?;
+    let mut out = stdout().lock();
+    report::situation(&mut out, arguments, &path)?;
+    let mut wheelset = Wheelset {
+        body: arguments.body(),
+        suspension: arguments.suspension(),
+        track: arguments.track(),
+        speed: arguments.speed,
+        wheels: [right, left],
+        wrenches: [Wrench::default(); 2],
+    };
+    let start = wheelset.find_equilibrium(touching_z)?;
+    let limit = wheelset.step_limit(&start)?;
+    let step = arguments.step.unwrap_or_else(|| limit.proposal());
+    if arguments.step.is_none() && step < SHORTEST_STEP {
+        bail!(
+            "the limit of stability is {:.1e} s, too short to run: with k = {:.2e} N/m and c = {:.2e} N s/m the contact lacks \
+             damping: add --set normal.damping=1e5, or take a chance with --step",
+            limit.longest(),
+            limit.stiffness,
+            limit.damping
+        );
+    }
+    report::step(&mut out, &start, &limit, step)?;
+    // Leave no trace of the differences taken around the start.
+    wheelset.force(&start, Moment::Initialization)?;
+    for wheel in &mut wheelset.wheels {
+        wheel.start()?;
+    }
+    out.flush()?;
+
+    let run = integrate(&mut wheelset, start, step, arguments)?;
+    let mut messages = Vec::new();
+    for (wheel, side) in wheelset.wheels.iter_mut().zip(history::SIDES) {
+        messages
+            .extend(wheel.finish()?.into_iter().map(|message| format!("{side} wheel: {message}")));
+    }
+    let files = write_files(arguments, &run.records)?;
+    report::messages(&messages);
+    report::summary(&mut out, arguments, &run, &files)?;
+    Ok(out.flush()?)
+}
+
+fn packaged_unit() -> Result<PathBuf> {
+    let program = std::env::current_exe().context("cannot find where this program lies")?;
+    let path = program.with_file_name("WheelRail.fmu");
+    if !path.is_file() {
+        bail!(
+            "{} does not exist: `cargo build --release` packs it beside the release binary; or name one with --fmu FILE",
+            path.display()
+        );
+    }
+    Ok(path)
+}
+
+fn settings(arguments: &Arguments) -> Vec<(String, String)> {
+    let named = [
+        ("wheel.profile", arguments.wheel_profile.clone()),
+        ("rail[1].profile", arguments.rail_profile.clone()),
+        ("rail[1].inclination", arguments.inclination.to_string()),
+    ];
+    let named = named.into_iter().map(|(name, value)| (name.into(), value));
+    named.chain(arguments.settings.iter().cloned()).collect()
+}
+
+fn integrate(
+    wheelset: &mut Wheelset<FmuWheel<'_>>,
+    start: State,
+    step: f64,
+    arguments: &Arguments,
+) -> Result<Run> {
+    let steps = (arguments.length / (arguments.speed * step)).ceil() as u64;
+    let steps_a_record =
+        (arguments.record_every / (arguments.speed * step)).round().max(1.0) as u64;
+    let progress = ProgressBar::new(steps).with_style(ProgressStyle::with_template(
+        "{bar:40.blue} {percent:>3} % of {msg}, {elapsed} elapsed, {eta} to go",
+    )?);
+    progress.set_message(format!("{} m", arguments.length));
+
+    let before: u64 = wheelset.wheels.iter().map(|wheel| wheel.evaluations).sum();
+    let begin = Instant::now();
+    let mut records = Vec::with_capacity((steps / steps_a_record) as usize + 1);
+    let mut state = start;
+    for index in 0..steps {
+        // Multiples of the step, not a sum, so that rounding does not add up.
+        let time = index as f64 * step;
+        let at_start_of_step = state;
+        wheelset.advance(&mut state, time, step)?;
+        if index % steps_a_record == 0 {
+            records.push(record(wheelset, at_start_of_step, time)?);
+        }
+        if index % STEPS_A_TICK == 0 {
+            progress.set_position(index);
+            let offset = state.y - wheelset.track.lateral(state.distance).position;
+            if offset.is_nan() || offset.abs() > DERAILED {
+                progress.abandon();
+                bail!(
+                    "derailed at {:.2} m: the wheelset is {:.0} mm off the track's centre line; run it slower, stiffen \
+                     the suspension or shorten --step",
+                    state.distance,
+                    1e3 * offset
+                );
+            }
+        }
+    }
+    progress.finish_and_clear();
+    let after: u64 = wheelset.wheels.iter().map(|wheel| wheel.evaluations).sum();
+    Ok(Run { records, evaluations: after - before, duration: begin.elapsed() })
+}
+
+fn record(wheelset: &mut Wheelset<FmuWheel<'_>>, state: State, time: f64) -> Result<Record> {
+    let [right, left] = &mut wheelset.wheels;
+    Ok(Record {
+        time,
+        track_y: wheelset.track.lateral(state.distance).position,
+        state,
+        wrenches: wheelset.wrenches,
+        patches: [right.patches()?, left.patches()?],
+    })
+}
+
+fn write_files(arguments: &Arguments, records: &[Record]) -> Result<Vec<PathBuf>> {
+    let folder = &arguments.output;
+    std::fs::create_dir_all(folder)
+        .with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    let files = ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name));
+    history::write(&files[0], records)?;
+    let title = format!(
+        "{} on {}, {} mm ramp at {} m/s",
+        arguments.wheel_profile,
+        arguments.rail_profile,
+        1e3 * arguments.ramp,
+        arguments.speed
+    );
+    let track = arguments.track();
+    figures::motion::draw(&files[1], &title, &track, records)?;
+    figures::patches::draw(&files[2], &title, &track, records)?;
+    Ok(files.into())
+}

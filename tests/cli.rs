@@ -1,0 +1,228 @@
+//! The binary as scripts see it: tables in, tables out, and messages that say where a table is wrong.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+fn wheelrail(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_wheelrail")).args(arguments).output().unwrap()
+}
+
+/// A folder with one file in it, and the path of that file as text.
+fn written(text: &str) -> (TempDir, String) {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("cases.csv");
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}
+
+/// Lines of two columns: each of `y` and its `height`.
+fn lines(y: impl Iterator<Item = i32>, separator: &str, height: impl Fn(f64) -> f64) -> String {
+    let lines: Vec<String> = y.map(|y| format!("{y}{separator}{}", height(y.into()))).collect();
+    lines.join("\n") + "\n"
+}
+
+fn failure(arguments: &[&str]) -> String {
+    let output = wheelrail(arguments);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.starts_with("error: "), "{message}");
+    message
+}
+
+/// The rows of a result by column.
+fn table(output: &[u8]) -> Vec<HashMap<String, String>> {
+    csv::Reader::from_reader(output).deserialize().map(Result::unwrap).collect()
+}
+
+fn success(arguments: &[&str]) -> Vec<HashMap<String, String>> {
+    let output = wheelrail(arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    table(&output.stdout)
+}
+
+fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap()
+}
+
+fn example(name: &str) -> String {
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
+    path.to_str().unwrap().into()
+}
+
+#[test]
+fn every_subcommand_explains_itself() {
+    for arguments in
+        [&["--help"][..], &["simulate", "--help"], &["evaluate", "-h"], &["patch", "-h"]]
+    {
+        let output = wheelrail(arguments);
+        assert!(output.status.success());
+        assert!(String::from_utf8(output.stdout).unwrap().contains("Usage: wheelrail"));
+    }
+}
+
+#[test]
+fn evaluate_answers_every_row_with_every_output() {
+    let rows = success(&["evaluate", &example("wheel_positions.csv")]);
+    assert_eq!(rows.len(), 5);
+    let lifted = &rows[0];
+    assert_eq!(lifted["patch_count"], "0");
+    assert_eq!(lifted["wheel.force.z"], "0.0");
+    for row in &rows[1..] {
+        assert!(number(row, "patch_count") >= 1.0);
+        assert!(number(row, "wheel.force.z") < 0.0);
+        assert!(number(row, "patch[1].normal_force") > 0.0);
+        let touching = number(row, "nominal.wheel_z");
+        assert!((-0.465..-0.455).contains(&touching), "{touching}");
+    }
+}
+
+#[test]
+fn evaluate_treats_the_left_wheel_as_the_mirror_image() {
+    let (_folder, path) = written(
+        "side,wheel.y,wheel.z,wheel.yaw,wheel.vx,wheel.pitch_rate\n\
+         right,0.752,-0.4597,0.002,10,-21.7\n\
+         left,-0.752,-0.4597,-0.002,10,-21.7\n",
+    );
+    let rows = success(&["evaluate", &path]);
+    for (column, sign) in [("wheel.force.x", 1.0), ("wheel.force.y", -1.0), ("wheel.force.z", 1.0)]
+    {
+        let (right, left) = (number(&rows[0], column), number(&rows[1], column));
+        assert!(right != 0.0 && (left - sign * right).abs() <= 1e-9 * right.abs(), "{column}");
+    }
+}
+
+#[test]
+fn evaluate_writes_to_the_file_that_is_named() {
+    let (folder, path) = written("wheel.z\n-0.46\n");
+    let result = folder.path().join("result.csv");
+    let output = wheelrail(&["evaluate", &path, "-o", result.to_str().unwrap()]);
+    assert!(output.status.success() && output.stdout.is_empty());
+    assert_eq!(table(&std::fs::read(result).unwrap()).len(), 1);
+}
+
+#[test]
+fn evaluate_takes_profile_files_relative_to_the_cases() {
+    let (folder, path) = written("wheel.profile,wheel.z\nprofiles/cone.txt,-0.4598\n");
+    std::fs::create_dir(folder.path().join("profiles")).unwrap();
+    let cone = lines(-60..=60, " ", |y| -0.05 * y);
+    std::fs::write(folder.path().join("profiles/cone.txt"), cone).unwrap();
+    let rows = success(&["evaluate", &path]);
+    assert!(number(&rows[0], "patch[1].normal_force") > 0.0);
+}
+
+#[test]
+fn evaluate_complains_with_row_column_and_remedy() {
+    let message = |text: &str| {
+        let (_folder, path) = written(text);
+        failure(&["evaluate", &path])
+    };
+    let unknown = message("wheel.yy\n1\n");
+    assert!(unknown.contains("cases.csv, column \"wheel.yy\""), "{unknown}");
+    assert!(unknown.contains("the nearest name is wheel.y"), "{unknown}");
+    let output = message("wheel.force.z\n1\n");
+    assert!(output.contains("computed by the element"), "{output}");
+    let word = message("wheel.y,wheel.z\n0.75,-0.46\n0.75,up\n");
+    assert!(word.contains("row 2 (line 3), column \"wheel.z\""), "{word}");
+    assert!(word.contains("\"up\""), "{word}");
+    let item = message("normal.model\nhertzian\n");
+    assert!(item.contains("column \"normal.model\"") && item.contains("piotrowski_kik"), "{item}");
+    let range = message("friction.coefficient\n-0.1\n");
+    assert!(range.contains("row 1 (line 2), column \"friction.coefficient\""), "{range}");
+    let profile = message("wheel.y,rail[1].profile\n0.75,60E1\n0.75,no_such.prr\n");
+    assert!(profile.contains("row 2 (line 3), column \"rail[1].profile\""), "{profile}");
+    assert!(profile.contains("no_such.prr"), "{profile}");
+    let missing = failure(&["evaluate", "no_such_file.csv"]);
+    assert!(missing.contains("cannot read no_such_file.csv"), "{missing}");
+}
+
+#[test]
+fn patch_gives_the_load_it_was_asked_for_and_the_approach_that_belongs_to_it() {
+    let rows = success(&["patch", &example("planar_contacts.csv")]);
+    assert_eq!(rows.len(), 4);
+    for row in &rows {
+        assert!(number(row, "normal_force_n") > 0.0 && number(row, "time_us") > 0.0);
+        assert_eq!(row["fallback"], "0");
+        // Friction bounds the creep force.
+        let force = number(row, "fx_n").hypot(number(row, "fy_n"));
+        assert!(force <= 0.3 * number(row, "normal_force_n") * (1.0 + 1e-9));
+    }
+    let loaded = number(&rows[1], "normal_force_n");
+    assert!((loaded - 80e3).abs() < 1.0, "{loaded}");
+    assert!(number(&rows[2], "fx_n") < 0.0, "a wheel that is too fast is held back");
+    assert!(number(&rows[3], "fy_n") < 0.0);
+}
+
+#[test]
+fn patch_meets_hertz_on_a_parabola() {
+    // Radii 0.5 m along and across, steel: a = b, a³ = 3 N R/(4 E*), p0 = 3 N/(2 π a²).
+    let separation = "y_mm,f_mm\n".to_owned() + &lines(-20..=20, ",", |y| y * y / 1000.0);
+    let (folder, path) =
+        written("separation,radius_mm,load_n,normal_model\nf.csv,500,50000,hertz\n");
+    std::fs::write(folder.path().join("f.csv"), separation).unwrap();
+    let rows = success(&["patch", &path]);
+    let (load, radius): (f64, f64) = (50e3, 0.5);
+    let modulus = 2.1e11 / (2.0 * (1.0 - 0.28 * 0.28));
+    let a = (0.75 * load * radius / modulus).cbrt();
+    let pressure = 1e-6 * 1.5 * load / (std::f64::consts::PI * a * a);
+    let found = number(&rows[0], "max_pressure_mpa");
+    assert!((found / pressure - 1.0).abs() < 1e-3, "{found} MPa instead of {pressure} MPa");
+    assert!((number(&rows[0], "length_mm") / (2e3 * a) - 1.0).abs() < 1e-3);
+    assert!((number(&rows[0], "normal_force_n") / load - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn patch_complains_with_row_column_and_remedy() {
+    let message = |text: &str| {
+        let (folder, path) = written(text);
+        let parabola = lines(-10..=10, ",", |y| y * y / 600.0);
+        std::fs::write(folder.path().join("f.csv"), format!("y_mm,f_mm\n{parabola}")).unwrap();
+        std::fs::write(folder.path().join("bad.csv"), "y_mm,f_mm\n0,0\n1,?\n").unwrap();
+        failure(&["patch", &path])
+    };
+    let unknown = message("separation,radius_mm,aproach_mm\nf.csv,460,0.05\n");
+    assert!(unknown.contains("column \"aproach_mm\": unknown"), "{unknown}");
+    assert!(unknown.contains("approach_mm, load_n"), "{unknown}");
+    let neither = message("separation,radius_mm\nf.csv,460\n");
+    assert!(neither.contains("row 1 (line 2): give approach_mm or load_n"), "{neither}");
+    let both = message("separation,radius_mm,approach_mm,load_n\nf.csv,460,0.05,1e4\n");
+    assert!(both.contains("not both"), "{both}");
+    let file = message("separation,radius_mm,load_n\nf.csv,460,1e4\nnone.csv,460,1e4\n");
+    assert!(file.contains("row 2 (line 3), column \"separation\""), "{file}");
+    assert!(file.contains("none.csv"), "{file}");
+    let cell = message("separation,radius_mm,load_n\nbad.csv,460,1e4\n");
+    assert!(cell.contains("bad.csv, row 2 (line 3), column \"f_mm\": \"?\""), "{cell}");
+    let radius = message("separation,radius_mm,load_n\nf.csv,-460,1e4\n");
+    assert!(radius.contains("column \"radius_mm\": -460 is not admitted"), "{radius}");
+    let model = message("separation,radius_mm,load_n,normal_model\nf.csv,460,1e4,kik\n");
+    assert!(
+        model.contains("column \"normal_model\"") && model.contains("piotrowski_kik"),
+        "{model}"
+    );
+}
+
+#[test]
+fn simulate_says_where_a_unit_comes_from() {
+    let missing = failure(&["simulate", "--fmu", "no_such.fmu"]);
+    assert!(missing.contains("cannot open no_such.fmu"), "{missing}");
+    let load = failure(&["simulate", "--axle-load", "1000"]);
+    assert!(load.contains("--axle-load 1000 is not admitted"), "{load}");
+}
+
+#[test]
+fn a_reader_that_has_had_enough_is_no_error() {
+    let text = format!("wheel.z\n{}", "-0.46\n".repeat(2000));
+    let (_folder, path) = written(&text);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+        .args(["evaluate", &path])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
