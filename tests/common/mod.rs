@@ -3,6 +3,7 @@
 #![allow(dead_code)] // each test crate uses its own part
 
 pub mod planar;
+pub mod random;
 
 use std::path::Path;
 

@@ -71,3 +71,24 @@ pub const JUMP_PIOTROWSKI_KIK: f64 = 0.35;
 
 /// As above; the Hertzian ellipse has the curvatures of one point alone, 300 or 80 mm of the rail.
 pub const JUMP_HERTZ: f64 = 0.65;
+
+/// Deepest penetration of the contact search against a scan at steps of 20 µm [m].
+pub const DEEPEST_PENETRATION: f64 = 1e-7;
+
+/// Penetration that no search may miss [m].
+pub const MISSED_PENETRATION: f64 = 1e-7;
+
+/// Contact line against the lowest of all rolling circles: height, from chords of 20 µm on radii of 12 mm, and place along x, where the
+/// lowest is flat [m].
+pub const OUTLINE_HEIGHT: f64 = 2e-8;
+pub const OUTLINE_AHEAD: f64 = 1e-6;
+
+/// Central differences over 1 µm of curves with radii of millimetres.
+pub const DERIVATIVE: f64 = 1e-5;
+
+/// Place of a flange contact along x against r tan(contact angle) sin(yaw), of first order in the angles.
+pub const FLANGE_AHEAD: f64 = 0.01;
+
+/// Contact angle of a cone [rad] and its place on an arc [m]: minima are pinned down to 1e-9 m, arcs are cubic pieces.
+pub const CONE_ANGLE: f64 = 1e-6;
+pub const CONE_PLACE: f64 = 1e-6;
