@@ -92,3 +92,27 @@ pub const FLANGE_AHEAD: f64 = 0.01;
 /// Contact angle of a cone [rad] and its place on an arc [m]: minima are pinned down to 1e-9 m, arcs are cubic pieces.
 pub const CONE_ANGLE: f64 = 1e-6;
 pub const CONE_PLACE: f64 = 1e-6;
+
+/// Height of first touch of bodies of known size [m]: bisection to rounding, arcs are cubic pieces.
+pub const TOUCHING_HEIGHT: f64 = 1e-9;
+
+/// Place of a contact on bodies of known size [m]: an error of the arm of a moment.
+pub const CONTACT_PLACE: f64 = 1e-6;
+
+/// Axle moment against longitudinal force times rolling radius.
+pub const AXLE_MOMENT: f64 = 0.01;
+
+/// A problem and its mirror image along x: the search runs through other roundings.
+pub const MIRRORED: f64 = 1e-9;
+
+/// Two directions of running at 20 m/s with 25 mm/s of slip: creepages refer to mean speeds that differ by a thousandth.
+pub const REFERENCE_SPEED: f64 = 2e-3;
+
+/// Direction of the creep force of a wheel that slides: spin turns it a little, share of the friction limit.
+pub const SLIDING_DIRECTION: f64 = 0.02;
+
+/// Greatest change of a continuous force when the step is a quarter.
+pub const SHRINKING: f64 = 0.35;
+
+/// Second differences of the force over steps of 1 nm, over the force.
+pub const ROUGHNESS: f64 = 1e-7;
