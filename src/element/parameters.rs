@@ -134,7 +134,7 @@ impl Default for Parameters {
             rail_poisson_ratio: 0.28,
             gauge: 1.435,
             gauge_depth: 0.014,
-            profile_smoothing: 0.002,
+            profile_smoothing: 0.004,
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             strips: 30,
