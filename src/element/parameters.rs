@@ -45,9 +45,9 @@ pub enum TangentialModel {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Flexibilities {
     /// One for each creepage.
-    #[default]
     Three,
     /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
+    #[default]
     Blended,
 }
 

@@ -124,7 +124,6 @@ impl PlacedRail {
     #[must_use]
     pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
         let (start, end) = (self.curve.start(), self.curve.end());
-        let longest = 0.25 * (end - start);
         let mut s = guess.clamp(start, end);
         let mut p = self.curve.at(s);
         let mut beyond_end = false;
@@ -137,10 +136,10 @@ impl PlacedRail {
             // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
             let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
             ratio = speed / slope;
-            let step = (along / slope).clamp(-longest, longest);
-            let next = (s + step).clamp(start, end);
+            let free = s + along / slope;
+            let next = free.max(start).min(end);
             let moved = next - s;
-            beyond_end = (next - (s + step)).abs() > tolerance;
+            beyond_end = (next - free).abs() > tolerance;
             s = next;
             if moved.abs() <= tolerance {
                 // Over so short a step the curve is as good as its tangent and its curvature.

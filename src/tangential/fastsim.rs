@@ -21,9 +21,9 @@ use crate::normal::{Strips, Zone};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TractionBound {
     /// Friction times the semi-elliptical pressure.
+    #[default]
     Elliptic,
     /// Friction times C (x_l² - x²), C such that the load of the zone is kept.
-    #[default]
     Parabolic,
 }
 
