@@ -110,10 +110,10 @@ impl Curve {
     fn piece_of(&self, s: f64) -> usize {
         // Adding 2^52 leaves the rounded number in the low bits; minimum and maximum turn any s, not a number included,
         // into a valid index.
-        let bin = ((s - self.start()) * self.bins_per_length)
-            .max(0.0)
-            .min((self.bins.len() - 1) as f64);
-        let mut index = self.bins[(bin + 4_503_599_627_370_496.0).to_bits() as u32 as usize] as usize;
+        let bin =
+            ((s - self.start()) * self.bins_per_length).max(0.0).min((self.bins.len() - 1) as f64);
+        let mut index =
+            self.bins[(bin + 4_503_599_627_370_496.0).to_bits() as u32 as usize] as usize;
         // No piece starts at the end, so that the search stops before the last entry.
         let s = s.min(self.end);
         while self.starts[index + 1] <= s {
