@@ -74,8 +74,13 @@ pub struct RailContact {
     nominal_radius: f64,
     rail: PlacedRail,
     clearance: Clearance,
+    /// Stretches of the contact line that may touch.
+    ranges: Vec<[f64; 2]>,
     search: ContactSearch,
 }
+
+/// Most stretches of a contact line that are searched apart from each other.
+const MOST_RANGES: usize = 32;
 
 impl RailContact {
     /// Prepares the contact of the wheel with profile `wheel` and a placed rail.
@@ -84,6 +89,7 @@ impl RailContact {
         let nominal_radius = parameters.wheel.nominal_radius;
         Self {
             clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
+            ranges: Vec::with_capacity(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
             wheel: wheel.clone(),
             nominal_radius,
@@ -94,19 +100,24 @@ impl RailContact {
     /// Whether any contact appears for `input` (right side) with rail number `k`.
     pub fn touches(&mut self, k: usize, input: &Input) -> bool {
         let pose = Frame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        self.clearance.ranges(
+            [pose.marker[1], pose.marker[2]],
+            pose.roll,
+            pose.yaw,
+            &mut self.ranges,
+        );
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        self.search.search(&line, &self.rail);
+        self.search.search_within(&line, &self.rail, &self.ranges);
         !self.search.contacts.is_empty()
     }
 
-    /// A marker height from which the wheel with the y, roll and yaw of `input` (right side) is surely clear of rail number
-    /// `k`; infinite where it stands beside it [m].
+    /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of rail number `k` [m].
     pub fn clear_height(&self, k: usize, input: &Input) -> f64 {
         let frame = Frame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
-        let height = self.clearance.clear_height(pose.marker[1], pose.roll, pose.yaw);
-        // A rolled rail turns the height about its marker; beyond a millimetre for each degree it matters no more here.
-        frame.marker.z + height - pose.marker[1].abs() * frame.roll.abs()
+        // A rolled rail turns the height about its marker.
+        frame.marker.z + self.clearance.clear_height(pose.roll)
+            - pose.marker[1].abs() * frame.roll.abs()
     }
 
     /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room.
@@ -120,13 +131,19 @@ impl RailContact {
     ) -> u64 {
         let frame = Frame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
-        if self.clearance.is_lifted([pose.marker[1], pose.marker[2]], pose.roll, pose.yaw) {
+        self.clearance.ranges(
+            [pose.marker[1], pose.marker[2]],
+            pose.roll,
+            pose.yaw,
+            &mut self.ranges,
+        );
+        if self.ranges.is_empty() {
             work.lifted += 1;
             return 0;
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let before = (self.search.evaluations, self.search.left_out);
-        self.search.search(&line, &self.rail);
+        self.search.search_within(&line, &self.rail, &self.ranges);
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;

@@ -144,31 +144,39 @@ impl ContactSearch {
         }
     }
 
-    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`.
+    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the whole line.
     pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail) {
+        self.search_within(line, rail, &[line.range()]);
+    }
+
+    /// As [`search`](Self::search), from the given stretches of the line alone, which are in growing u and apart.
+    pub fn search_within(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
         self.contacts.clear();
         self.probes.clear();
-        self.interval.clear();
         let [start, end] = line.range();
-        let mut from =
-            self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
-        if from.distance <= 0.0 {
-            self.record(from, Kind::Step);
+        for range in ranges {
+            self.interval.clear();
+            let (first, last) = (range[0].max(start), range[1].min(end));
+            let near = rail.coarse_nearest(line.at(first).point);
+            let mut from = self.sample(line, rail, first, near, COARSE);
+            if from.distance <= 0.0 {
+                self.record(from, Kind::Step);
+            }
+            while from.u < last {
+                let step = self.step(&from, line, rail.concavity);
+                let u = (from.u + step).min(last);
+                // After a long step the nearest point may be anywhere.
+                let guess = if step < 2.0 * BIN && !from.beyond_end {
+                    from.rail_s + from.rail_rate * (u - from.u)
+                } else {
+                    rail.coarse_nearest(line.at(u).point)
+                };
+                let to = self.sample(line, rail, u, guess, COARSE);
+                self.advance(line, rail, &from, &to);
+                from = to;
+            }
+            self.close_interval();
         }
-        while from.u < end {
-            let step = self.step(&from, line, rail.concavity);
-            let u = (from.u + step).min(end);
-            // After a long step the nearest point may be anywhere.
-            let guess = if step < 2.0 * BIN && !from.beyond_end {
-                from.rail_s + from.rail_rate * (u - from.u)
-            } else {
-                rail.coarse_nearest(line.at(u).point)
-            };
-            let to = self.sample(line, rail, u, guess, COARSE);
-            self.advance(line, rail, &from, &to);
-            from = to;
-        }
-        self.close_interval();
     }
 
     /// How far the line may be followed without passing a penetration.

@@ -28,7 +28,7 @@ pub enum TractionBound {
 }
 
 /// Strips that are marched together.
-const LANES: usize = 8;
+const LANES: usize = 32;
 type Lanes = [f64; LANES];
 
 /// FASTSIM with a fixed number of elements along each strip.
