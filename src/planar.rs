@@ -190,7 +190,6 @@ fn summarise(
             &creepage,
             Rolling::Forward,
             case.friction,
-            1.0,
         );
         result.fx += force.longitudinal;
         result.fy += force.lateral;

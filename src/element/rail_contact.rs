@@ -360,8 +360,7 @@ fn creep_force(
                 &flexibility,
                 creepage,
                 rolling,
-                friction,
-                load_factor,
+                friction * load_factor,
             );
             total.longitudinal += share * force.longitudinal;
             total.lateral += share * force.lateral;
