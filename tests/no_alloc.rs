@@ -61,7 +61,11 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
         };
         let start = if k == 1 { mirrored(&path(0)) } else { path(0) };
         let mut element = Element::new(&parameters, &start, &[]).unwrap();
-        { let mut i = Input::default(); i.wheel.position[1]=0.75516; println!("HEIGHT {}", element.touching_height(&i)); }
+        {
+            let mut i = Input::default();
+            i.wheel.position[1] = 0.75516;
+            println!("HEIGHT {}", element.touching_height(&i));
+        }
         let mut output = Output::default();
         // How often there was no patch, one, and more; how often one on the flange.
         let mut seen = [0; 4];

@@ -200,8 +200,9 @@ impl Frame {
     fn pose(&self, wheel: &WheelMotion) -> WheelPose {
         let to = Vector3::from(wheel.position) - self.marker;
         WheelPose {
+            // The rail is the same all along: x counts from the wheel marker.
             marker: [
-                to.x,
+                0.0,
                 to.y * self.cosine + to.z * self.sine,
                 to.z * self.cosine - to.y * self.sine,
             ],
@@ -235,13 +236,16 @@ impl Situation<'_> {
         output: &mut Output,
         work: &mut Work,
     ) {
-        let wheel = &self.input.wheel;
+        // All points have their x from the wheel marker, so that no result depends on the station by rounding.
+        let [station, y, z] = self.input.wheel.position;
+        let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
+        let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
-        let motion = RelativeMotion::new(wheel, rail_motion, self.frame.marker);
+        let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
         let lateral = self.frame.direction(self.contact.tangent);
         let normal = self.frame.direction(self.contact.normal());
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch = self.track_point(wheel.position[0], 0.0, self.contact.penetration);
+        let touch = self.track_point(0.0, 0.0, self.contact.penetration);
         let load = models.strips.load();
         let closing_speed = motion.closing_velocity(touch).dot(&normal);
         let damped =
@@ -279,7 +283,8 @@ impl Situation<'_> {
             let on_wheel =
                 Vector3::x() * force.longitudinal + lateral * force.lateral - normal * normal_force;
             let spin_moment = normal * force.spin_moment;
-            add(&mut output.wheel, on_wheel, position - Vector3::from(wheel.position), spin_moment);
+            add(&mut output.wheel, on_wheel, position - wheel_marker, spin_moment);
+            let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
             add(&mut output.rails[self.k], -on_wheel, arm, -spin_moment);
             let dissipation = -(force.longitudinal * creepage.longitudinal
@@ -310,7 +315,7 @@ impl Situation<'_> {
         }
     }
 
-    /// A point given by its x in the track frame and its lateral coordinate and depth in the contact frame.
+    /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
     fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
