@@ -82,7 +82,8 @@ impl<'a> ContactLine<'a> {
         let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
         // R_x(roll) R_z(yaw) e_y
         let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
-        let cosine = axle[1].hypot(axle[2]).max(f64::MIN_POSITIVE);
+        // An axle along the track has no such line: kept away from zero, the result stays finite.
+        let cosine = axle[1].hypot(axle[2]).max(1e-9);
         Self {
             profile,
             nominal_radius,
@@ -137,7 +138,7 @@ impl<'a> ContactLine<'a> {
         let radius = self.nominal_radius + p.point[1];
         let flatness = 1.0 / p.first[0].max(LEAST_SLOPE_COSINE);
         let slope = p.first[1] * flatness;
-        let sine = (slope * self.lead).max(-MOST_SINE).min(MOST_SINE);
+        let sine = (slope * self.lead).clamp(-MOST_SINE, MOST_SINE);
         let cosine = (1.0 - sine * sine).sqrt();
         let radial = [
             self.ahead[0] * sine + self.down[0] * cosine,
