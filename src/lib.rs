@@ -1,4 +1,95 @@
-//! Wheel-rail contact element.
+//! Contact of a railway wheel with the rail under it: position and velocity in, contact forces out, patch by patch.
+//!
+//! An [`Element`](element::Element) stands for one wheel and its rail. It holds no history: an evaluation finds where the two
+//! profiles overlap, the pressure there (Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM), and sums
+//! them to forces and moments on wheel and rail. The same element is inside the FMI 2.0 unit `WheelRail.fmu` ([`fmi`]) and the
+//! command line `wheelrail`. The equations and their limits: `docs/theory.md`.
+//!
+//! ```
+//! use wheelrail::element::{Element, Input, Output, Parameters};
+//!
+//! // S1002 on 60E1 at 1:40; the starting input is that of a right wheel in the middle of the track.
+//! let mut input = Input::default();
+//! let mut element = Element::new(&Parameters::default(), &input, &[])?;
+//! // A tenth of a millimetre below first touch, rolling forward at 20 m/s.
+//! input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
+//! input.wheel.velocity[0] = 20.0;
+//! input.wheel.pitch_rate = -20.0 / 0.46;
+//! let mut output = Output::default();
+//! element.evaluate(&input, &mut output)?;
+//! // z points down: the rail pushes the wheel up.
+//! assert!(output.wheel.force[2] < -3e4);
+//! # Ok::<(), wheelrail::error::ContactError>(())
+//! ```
+//!
+//! # Frames
+//!
+//! A right wheel on its rail, seen from behind, x away from the reader. The origin of the track frame lies on the track centre
+//! line in the plane of the rail tops.
+//!
+//! ```text
+//!   track centre line       plane of the running circle
+//!       .                        .
+//!       .     axle ..............M.......          M  wheel marker: y about +0.75 m, z about -(nominal radius)
+//!       .       |                .      |
+//!       .       |     wheel      .      |          C  contact point, n normal of the contact frame, into the rail
+//!       .       |                .      |
+//!       O--> y..| |..............C______|.A..      A  rail marker: highest point of the inclined rail head
+//!       |       | |\_____________|______           .. plane of the rail tops
+//!       v       \_/   |          v n    |
+//!       z             |   rail          |          x forward, y right, z down
+//! ```
+//!
+//! - Angles are right-handed: R = `R_x`(roll) `R_z`(yaw) `R_y`(pitch). A wheel rolling forward has a negative pitch rate.
+//! - The contact frame is the track frame rolled about x by the contact angle, negative on the right tread, so that x is along
+//!   the track, the lateral axis lies in the contact plane and n points into the rail.
+//! - Creepage is the velocity of the wheel's surface minus that of the rail's, over the reference speed; spin is the relative
+//!   angular velocity about n over that speed.
+//! - Forces and moments are those on the body they are named after; patch forces are those on the wheel.
+//! - A left wheel is computed as the mirror image of a right one; in- and outputs are those of the real left wheel.
+//! - Profiles are those of the right side: y to the field side, z down. Wheel: origin on the running circle.
+//!
+//! # Units
+//!
+//! SI and radians everywhere but in profile files, on the command line and in figures, which say mm and degrees.
+//!
+//! | quantity | unit |
+//! |---|---|
+//! | position, penetration, length | m |
+//! | angle | rad |
+//! | velocity; rate of an angle | m/s; rad/s |
+//! | force; moment | N; N m |
+//! | pressure, modulus | Pa |
+//! | creepage, longitudinal and lateral; friction | 1 |
+//! | spin creepage | 1/m |
+//! | wear number | J/m = N |
+//! | frictional power | W |
+//! | damping | N s/m |
+//!
+//! # Modules
+//!
+//! A module imports only from those above it. Exceptions: `kinematics` takes the type of a creepage from `tangential`, and
+//! `planar` the names of models from `element::parameters`.
+//!
+//! ```text
+//! math        elliptic integrals, quadrature, roots, splines: no railway words
+//! geometry    profiles, placed wheel and rail, contact line, contact search, separation
+//! material    elastic constants
+//! error       why something is refused
+//! io          profiles from files: SIMPACK, MiniProf, two columns
+//! normal      hertz, piotrowski_kik, damping: separation to loaded strips
+//! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
+//! kinematics  motion of wheel and rail to creepage
+//! element     one wheel: parameters, input, evaluation, output
+//! planar      contact problems given by a separation instead of two profiles
+//! variables   everything above by name, from modelDescription/variables.toml
+//! fmi         the C interface of FMI 2.0 for co-simulation
+//! ```
+//!
+//! # Features
+//!
+//! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
+//! dependencies. As a library: `default-features = false`.
 
 pub mod element;
 pub mod error;

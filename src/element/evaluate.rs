@@ -158,9 +158,6 @@ impl Element {
         let rails = self.rails.iter().flatten().enumerate();
         let clear =
             rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
-        if clear.is_infinite() {
-            return input.wheel.position[2];
-        }
         let mut touches = |z: f64| {
             let mut at = input;
             at.wheel.position[2] = z;

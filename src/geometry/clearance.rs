@@ -1,24 +1,41 @@
-//! A bound that tells a lifted wheel without a contact search.
+//! Bounds that tell which stretches of a wheel can touch a rail, without a contact search.
 //!
-//! For every lateral position of a straight, upright wheel the table holds a height of the wheel marker down to which it cannot
-//! touch the rail. Roll and yaw enter by how far they can move points of the wheel sideways and down.
+//! Both bodies are kept as tables over lateral cells: the height of the rail's top and the lowest points of a straight, upright
+//! wheel. Roll and yaw enter by how far they can move points of the wheel sideways and down: a point of the wheel low
+//! enough to meet the rail lies within a chord of the axle's vertical plane, so that yaw moves it sideways by at most
+//! chord · yaw.
 
 use crate::geometry::curve::Curve;
 
-/// Lateral spacing of the table [m].
-const CELL: f64 = 2.5e-4;
+/// Lateral spacing of the tables [m].
+const CELL: f64 = 5e-4;
 /// Spacing of the samples of both bodies along their curves [m].
 const SAMPLE: f64 = 1e-4;
 /// What a body may reach beyond its samples: bulges of radius 1 mm between them, and rounding [m].
 const MARGIN: f64 = 5e-6;
+/// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
+const LEVELS: usize = 9;
+/// Cells that are looked at together.
+const BLOCK: usize = 16;
+/// Cells beyond either end of the rail that any level can reach.
+const PADDING: usize = 1 << (LEVELS - 1);
 
-/// Heights of a wheel marker above which the wheel is clear of one rail.
+/// Where a wheel with one profile can touch one rail.
 #[derive(Clone, Debug)]
 pub struct Clearance {
-    /// Lateral position of the first cell [m].
-    start: f64,
-    /// Least marker z at which something of a wheel in this cell or its neighbours touches [m].
-    heights: Vec<f64>,
+    /// For each level the height (z) of the rail's top over its cells and the padding [m].
+    tops: Vec<Vec<f64>>,
+    /// Lateral position of the first cell of `tops` in the rail's frame [m].
+    rail_start: f64,
+    /// Greatest z of the wheel profile over each of its cells [m].
+    lows: Vec<f64>,
+    /// First and last parameter of the profile over each of its cells [m].
+    spans: Vec<[f64; 2]>,
+    /// Lateral position of the first cell of the wheel on its profile [m].
+    wheel_start: f64,
+    /// Least height of the rail and greatest z of the wheel [m].
+    rail_top: f64,
+    wheel_low: f64,
     nominal_radius: f64,
     /// Greatest |y| and |z| of the wheel profile [m].
     wheel_extent: [f64; 2],
@@ -27,42 +44,40 @@ pub struct Clearance {
 }
 
 impl Clearance {
-    /// The table for a wheel profile and a rail curve in the frame of its marker.
+    /// The tables for a wheel profile and a rail curve in the frame of its marker.
     #[must_use]
     pub fn new(wheel: &Curve, nominal_radius: f64, rail: &Curve) -> Self {
         let (wheel, rail) = (samples(wheel), samples(rail));
-        let extent = |points: &[[f64; 2]], i: usize| {
-            points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
-                [low.min(p[i]), high.max(p[i])]
-            })
-        };
-        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] =
-            [extent(&wheel, 0), extent(&wheel, 1)];
-        let [[rail_left, rail_right], [rail_top, rail_low]] = [extent(&rail, 0), extent(&rail, 1)];
-        // Height of the rail over a grid, the least of each cell and its neighbours.
-        let cells = ((rail_right - rail_left) / CELL) as usize + 1;
-        let top = spread(&bin_minimum(&rail, rail_left, cells, |p| p[1]));
-        // Lowest wheel point of each cell.
-        let wheel_cells = ((wheel_right - wheel_left) / CELL) as usize + 1;
-        let low = bin_minimum(&wheel, wheel_left, wheel_cells, |p| -p[1]);
-        let start = rail_left - wheel_right - CELL;
-        let count = ((rail_right - wheel_left - start) / CELL) as usize + 2;
-        let mut heights = vec![f64::INFINITY; count];
-        for (k, height) in heights.iter_mut().enumerate() {
-            let offset = start + k as f64 * CELL;
-            for (i, &negative_low) in low.iter().enumerate() {
-                let y = offset + wheel_left + (i as f64 + 0.5) * CELL - rail_left;
-                if y > -CELL && y < (cells + 1) as f64 * CELL {
-                    let cell = ((y / CELL).max(0.0) as usize).min(cells - 1);
-                    *height = height.min(top[cell] + negative_low);
-                }
-            }
+        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(&wheel);
+        let [[rail_left, rail_right], [rail_top, rail_low]] = extent(&rail);
+        let cells = cell_count(wheel_left, wheel_right);
+        let (mut lows, mut spans) =
+            (vec![f64::NEG_INFINITY; cells], vec![[f64::MAX, f64::MIN]; cells]);
+        for &([y, z], s) in &wheel {
+            let cell = ((y - wheel_left) / CELL) as usize;
+            lows[cell] = lows[cell].max(z);
+            spans[cell] = [spans[cell][0].min(s - SAMPLE), spans[cell][1].max(s + SAMPLE)];
         }
-        let heights = spread(&heights).iter().map(|h| h - nominal_radius - MARGIN).collect();
+        let count = cell_count(rail_left, rail_right);
+        let mut top = vec![f64::INFINITY; count + 2 * PADDING];
+        for &([y, z], _) in &rail {
+            let cell = &mut top[PADDING + ((y - rail_left) / CELL) as usize];
+            *cell = cell.min(z);
+        }
+        // Level 0 is the least over one cell to either side, each further level doubles the reach.
+        let mut tops = vec![least_within(&top, 1)];
+        for level in 1..LEVELS {
+            tops.push(least_within(&tops[level - 1], 1 << (level - 1)));
+        }
         let reach = (rail_low - rail_top) + (wheel_low - wheel_top);
         Self {
-            start,
-            heights,
+            tops,
+            rail_start: rail_left - PADDING as f64 * CELL,
+            lows,
+            spans,
+            wheel_start: wheel_left,
+            rail_top,
+            wheel_low,
             nominal_radius,
             wheel_extent: [
                 wheel_left.abs().max(wheel_right.abs()),
@@ -72,64 +87,108 @@ impl Clearance {
         }
     }
 
-    /// Whether a wheel at (y, z) [m] of the rail's frame with these angles [rad] surely does not touch.
+    /// Marker z above which (smaller z) no wheel with this roll [rad] touches, wherever it stands [m].
     #[must_use]
-    pub fn is_lifted(&self, marker: [f64; 2], roll: f64, yaw: f64) -> bool {
-        marker[1] < self.clear_height(marker[0], roll, yaw)
+    pub fn clear_height(&self, roll: f64) -> f64 {
+        self.rail_top - self.wheel_low - self.nominal_radius - self.drop(roll)
     }
 
-    /// Marker z above which (smaller z) a wheel at `y` [m] of the rail's frame with these angles [rad] surely does not touch;
-    /// infinite where it stands beside the rail [m].
-    #[must_use]
-    pub fn clear_height(&self, y: f64, roll: f64, yaw: f64) -> f64 {
+    /// Fills `ranges` with the stretches of the contact line, as ranges of its parameter, that may touch the rail when the wheel
+    /// marker is at (y, z) [m] of the rail's frame with these angles [rad]: none for a lifted wheel, everything where the angles
+    /// are too large for a bound.
+    pub fn ranges(&self, marker: [f64; 2], roll: f64, yaw: f64, ranges: &mut Vec<[f64; 2]>) {
+        ranges.clear();
         let [extent_y, extent_z] = self.wheel_extent;
         let sideways =
             self.chord * yaw.abs() + extent_y * (yaw * yaw + roll * roll) + extent_z * roll.abs();
-        let down = extent_y * roll.abs();
-        let y = y - self.nominal_radius * roll.sin();
-        self.touching_height(y, sideways) - down
+        // One cell more, because the two grids do not meet.
+        let reach = sideways / CELL + 1.0;
+        let Some(top) = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach) else {
+            ranges.push([f64::MIN, f64::MAX]);
+            return;
+        };
+        let top = &self.tops[top];
+        let y = marker[0] - self.nominal_radius * roll.sin();
+        let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
+        // Far beside the rail; this also keeps the conversion below exact.
+        if offset.abs() > 1e6 {
+            return;
+        }
+        let offset = offset as isize;
+        let low = marker[1] + self.nominal_radius + self.drop(roll);
+        let first = usize::try_from(-offset).unwrap_or(0);
+        let last = (top.len() as isize - offset).clamp(0, self.lows.len() as isize) as usize;
+        if first >= last {
+            return;
+        }
+        let tops = &top[(first as isize + offset) as usize..];
+        for (block, (lows, tops)) in
+            self.lows[first..last].chunks(BLOCK).zip(tops.chunks(BLOCK)).enumerate()
+        {
+            // Nearly all blocks are clear: the whole block is looked at before its cells.
+            let touching = lows.iter().zip(tops).filter(|(cell, top)| **cell + low >= **top);
+            if touching.count() > 0 {
+                let start = first + block * BLOCK;
+                self.add_ranges(start, lows.iter().zip(tops).map(|(c, t)| c + low >= *t), ranges);
+            }
+        }
     }
 
-    /// Least marker z at which a straight, upright wheel within `sideways` of `y` may touch; infinite beside the rail [m].
-    fn touching_height(&self, y: f64, sideways: f64) -> f64 {
-        let cell = |y: f64| ((y - self.start) / CELL).round();
-        let (first, last) = (cell(y - sideways), cell(y + sideways));
-        let most = self.heights.len() as f64 - 1.0;
-        if last < 0.0 || first > most {
-            return f64::INFINITY;
+    /// Adds the stretches of the cells from `start` on that are told to touch.
+    fn add_ranges(
+        &self,
+        start: usize,
+        touching: impl Iterator<Item = bool>,
+        ranges: &mut Vec<[f64; 2]>,
+    ) {
+        for (i, _) in touching.enumerate().filter(|(_, touches)| *touches) {
+            let span = self.spans[start + i];
+            let is_full = ranges.len() == ranges.capacity();
+            match ranges.last_mut() {
+                Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
+                // No room for another stretch: the last one grows over the gap.
+                Some(range) if is_full => range[1] = span[1],
+                _ => ranges.push(span),
+            }
         }
-        let range = first.max(0.0) as usize..=last.min(most) as usize;
-        self.heights[range].iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far roll and what the tables leave open can lower a point of the wheel [m].
+    fn drop(&self, roll: f64) -> f64 {
+        self.wheel_extent[0] * roll.abs() + MARGIN
     }
 }
 
-fn samples(curve: &Curve) -> Vec<[f64; 2]> {
+/// Points of a curve with their parameters.
+fn samples(curve: &Curve) -> Vec<([f64; 2], f64)> {
     let length = curve.end() - curve.start();
     let count = (length / SAMPLE).ceil() as usize;
-    (0..=count).map(|i| curve.at(curve.start() + length * i as f64 / count as f64).point).collect()
+    (0..=count)
+        .map(|i| curve.start() + length * i as f64 / count as f64)
+        .map(|s| (curve.at(s).point, s))
+        .collect()
 }
 
-/// Least value of the points in each cell of a lateral grid.
-fn bin_minimum(
-    points: &[[f64; 2]],
-    left: f64,
-    cells: usize,
-    value: impl Fn(&[f64; 2]) -> f64,
-) -> Vec<f64> {
-    let mut least = vec![f64::INFINITY; cells];
-    for p in points {
-        let cell = (((p[0] - left) / CELL) as usize).min(cells - 1);
-        least[cell] = least[cell].min(value(p));
-    }
-    least
+/// Least and greatest y and z.
+fn extent(points: &[([f64; 2], f64)]) -> [[f64; 2]; 2] {
+    [0, 1].map(|i| {
+        points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (p, _)| {
+            [low.min(p[i]), high.max(p[i])]
+        })
+    })
 }
 
-/// Least of each value and its two neighbours.
-fn spread(values: &[f64]) -> Vec<f64> {
+fn cell_count(left: f64, right: f64) -> usize {
+    ((right - left) / CELL) as usize + 1
+}
+
+/// Least of each value and its neighbours up to `reach` to either side, where values within less are known already.
+fn least_within(values: &[f64], reach: usize) -> Vec<f64> {
     (0..values.len())
         .map(|i| {
-            let range = i.saturating_sub(1)..(i + 2).min(values.len());
-            values[range].iter().copied().fold(f64::INFINITY, f64::min)
+            let before = values[i.saturating_sub(reach)];
+            let after = values[(i + reach).min(values.len() - 1)];
+            values[i].min(before).min(after)
         })
         .collect()
 }

@@ -144,31 +144,39 @@ impl ContactSearch {
         }
     }
 
-    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`.
+    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the whole line.
     pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail) {
+        self.search_within(line, rail, &[line.range()]);
+    }
+
+    /// As [`search`](Self::search), from the given stretches of the line alone, which are in growing u and apart.
+    pub fn search_within(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
         self.contacts.clear();
         self.probes.clear();
-        self.interval.clear();
         let [start, end] = line.range();
-        let mut from =
-            self.sample(line, rail, start, rail.coarse_nearest(line.at(start).point), COARSE);
-        if from.distance <= 0.0 {
-            self.record(from, Kind::Step);
+        for range in ranges {
+            self.interval.clear();
+            let (first, last) = (range[0].max(start), range[1].min(end));
+            let near = rail.coarse_nearest(line.at(first).point);
+            let mut from = self.sample(line, rail, first, near, COARSE);
+            if from.distance <= 0.0 {
+                self.record(from, Kind::Step);
+            }
+            while from.u < last {
+                let step = self.step(&from, line, rail.concavity);
+                let u = (from.u + step).min(last);
+                // After a long step the nearest point may be anywhere.
+                let guess = if step < 2.0 * BIN && !from.beyond_end {
+                    from.rail_s + from.rail_rate * (u - from.u)
+                } else {
+                    rail.coarse_nearest(line.at(u).point)
+                };
+                let to = self.sample(line, rail, u, guess, COARSE);
+                self.advance(line, rail, &from, &to);
+                from = to;
+            }
+            self.close_interval();
         }
-        while from.u < end {
-            let step = self.step(&from, line, rail.concavity);
-            let u = (from.u + step).min(end);
-            // Near the rail the two lines run side by side; from afar the nearest point may be anywhere.
-            let guess = if step < BIN && from.distance < BIN {
-                from.rail_s + from.rail_rate * (u - from.u)
-            } else {
-                rail.coarse_nearest(line.at(u).point)
-            };
-            let to = self.sample(line, rail, u, guess, COARSE);
-            self.advance(line, rail, &from, &to);
-            from = to;
-        }
-        self.close_interval();
     }
 
     /// How far the line may be followed without passing a penetration.
@@ -407,8 +415,8 @@ pub struct LineSeparation<'a> {
 
 /// Cosine of the angle to the contact frame beyond which a line counts as ended.
 const LEAST_COSINE: f64 = 0.15;
-/// Distance over which the rail's curve is as good as straight [m].
-const OPPOSITE: f64 = 1e-8;
+/// Distance over which the rail's curve is as good as a parabola [m].
+const OPPOSITE: f64 = 3e-6;
 /// Newton steps for the point of the rail opposite to one of the wheel.
 const MOST_OPPOSITE_STEPS: usize = 12;
 
@@ -434,13 +442,18 @@ impl<'a> LineSeparation<'a> {
             if cosine < LEAST_COSINE {
                 return None;
             }
-            let next = s - error / cosine;
-            if error.abs() <= OPPOSITE {
-                // The last step needs no new point: the curve is straight over it.
-                self.near = [next, y, 1.0 / cosine];
-                let depth = to[0] * normal[0] + to[1] * normal[1];
-                let sink = p.first[0] * normal[0] + p.first[1] * normal[1];
-                return Some([next, depth + (next - s) * sink]);
+            let steepness = 1.0 / cosine;
+            let step = -error * steepness;
+            let next = s + step;
+            if step.abs() <= OPPOSITE {
+                // The last step needs no new point: over it the curve is a parabola.
+                let turn = p.second[0] * tangent[0] + p.second[1] * tangent[1];
+                let bend = step * turn * steepness;
+                let step = step * (1.0 - 0.5 * bend);
+                let along = |v: &[f64; 2]| v[0] * normal[0] + v[1] * normal[1];
+                self.near = [s + step, y, steepness * (1.0 - bend)];
+                let depth = along(&to) + step * (along(&p.first) + 0.5 * step * along(&p.second));
+                return Some([s + step, depth]);
             }
             if (next < start && s <= start) || (next > end && s >= end) {
                 return None;

@@ -26,12 +26,11 @@ pub struct CurvePoint {
     pub second: [f64; 2],
 }
 
-/// One cubic piece, as a polynomial in `s - start`.
+/// One cubic piece: coefficients of (y, z) in growing powers of `s - start`.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     start: f64,
-    y: [f64; 4],
-    z: [f64; 4],
+    coefficients: [[f64; 2]; 4],
 }
 
 /// A plane curve of cubic pieces (y(s), z(s)) in a profile frame [m].
@@ -39,10 +38,15 @@ struct Piece {
 pub struct Curve {
     pieces: Vec<Piece>,
     end: f64,
+    /// Parameter at which each piece starts, and infinity: a search needs no other end.
+    starts: Vec<f64>,
     /// For equal bins over the parameter range the first piece that reaches into the bin.
     bins: Vec<u32>,
     bins_per_length: f64,
 }
+
+/// Bins for each piece: on even knots a search takes one comparison.
+const BINS_PER_PIECE: usize = 4;
 
 impl Curve {
     /// The curve through at least two knots with strictly growing parameters.
@@ -55,21 +59,23 @@ impl Curve {
         assert!(knots.windows(2).all(|k| k[1].s > k[0].s), "knot parameters must grow");
         let pieces: Vec<Piece> = knots.windows(2).map(|k| piece(&k[0], &k[1])).collect();
         let (start, end) = (knots[0].s, knots[knots.len() - 1].s);
-        let count = 2 * pieces.len();
+        let count = BINS_PER_PIECE * pieces.len();
         let bins_per_length = count as f64 / (end - start);
-        let bins = (0..count)
+        let bins = (0..=count)
             .map(|bin| {
-                let s = start + bin as f64 / bins_per_length;
+                // A bin holds what is rounded to its number; a little more makes up for rounding errors.
+                let s = start + (bin as f64 - 0.51) / bins_per_length;
                 (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
             })
             .collect();
-        Self { pieces, end, bins, bins_per_length }
+        let starts = pieces.iter().map(|p| p.start).chain([f64::INFINITY]).collect();
+        Self { pieces, end, starts, bins, bins_per_length }
     }
 
     /// Smallest admitted parameter [m].
     #[must_use]
     pub fn start(&self) -> f64 {
-        self.pieces[0].start
+        self.starts[0]
     }
 
     /// Largest admitted parameter [m].
@@ -84,14 +90,15 @@ impl Curve {
     pub fn at(&self, s: f64) -> CurvePoint {
         let p = &self.pieces[self.piece_of(s)];
         let u = s - p.start;
-        let value = |c: &[f64; 4]| c[0] + u * (c[1] + u * (c[2] + u * c[3]));
-        let first = |c: &[f64; 4]| c[1] + u * (2.0 * c[2] + u * 3.0 * c[3]);
-        let second = |c: &[f64; 4]| 2.0 * c[2] + 6.0 * u * c[3];
-        CurvePoint {
-            point: [value(&p.y), value(&p.z)],
-            first: [first(&p.y), first(&p.z)],
-            second: [second(&p.y), second(&p.z)],
+        let [c0, c1, c2, c3] = &p.coefficients;
+        // Both coordinates at once: one vector instruction for the pair.
+        let (mut point, mut first, mut second) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        for i in 0..2 {
+            point[i] = c0[i] + u * (c1[i] + u * (c2[i] + u * c3[i]));
+            first[i] = c1[i] + u * (2.0 * c2[i] + u * (3.0 * c3[i]));
+            second[i] = 2.0 * c2[i] + u * (6.0 * c3[i]);
         }
+        CurvePoint { point, first, second }
     }
 
     /// Parameters at which the pieces meet, both ends included [m].
@@ -101,10 +108,15 @@ impl Curve {
 
     #[inline]
     fn piece_of(&self, s: f64) -> usize {
-        // Comparisons with NaN are false and the cast saturates, so any s gives a valid index.
-        let bin = ((s - self.start()) * self.bins_per_length) as usize;
-        let mut index = self.bins[bin.min(self.bins.len() - 1)] as usize;
-        while index + 1 < self.pieces.len() && self.pieces[index + 1].start <= s {
+        // Adding 2^52 leaves the rounded number in the low bits; minimum and maximum turn any s, not a number included,
+        // into a valid index.
+        let bin =
+            ((s - self.start()) * self.bins_per_length).max(0.0).min((self.bins.len() - 1) as f64);
+        let mut index =
+            self.bins[(bin + 4_503_599_627_370_496.0).to_bits() as u32 as usize] as usize;
+        // No piece starts at the end, so that the search stops before the last entry.
+        let s = s.min(self.end);
+        while self.starts[index + 1] <= s {
             index += 1;
         }
         index
@@ -118,7 +130,8 @@ fn piece(from: &Knot, to: &Knot) -> Piece {
         let (m0, m1) = (from.tangent[i], to.tangent[i]);
         [from.point[i], m0, (3.0 * slope - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * slope) / (h * h)]
     };
-    Piece { start: from.s, y: cubic(0), z: cubic(1) }
+    let (y, z) = (cubic(0), cubic(1));
+    Piece { start: from.s, coefficients: [0, 1, 2, 3].map(|power| [y[power], z[power]]) }
 }
 
 #[cfg(test)]

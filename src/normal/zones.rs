@@ -54,28 +54,29 @@ fn edge<'a>(
     level: f64,
 ) -> Option<f64> {
     let mut inside: Option<(f64, f64)> = None;
-    let mut estimated_inside = true;
     for probe in probes {
-        // Probes clearly inside are passed by their estimate; near the edge the separation itself decides.
-        if inside.is_some() && estimated_inside && probe.f < 0.5 * level {
-            inside = Some((probe.u, probe.f - level));
-            continue;
-        }
-        estimated_inside = probe.f < level;
-        let value = separation.at(probe.u).f - level;
+        // The estimates are good to a few percent: only close to the level the separation itself decides.
+        let value = if (probe.f - level).abs() > ESTIMATE_MARGIN * level {
+            probe.f - level
+        } else {
+            separation.at(probe.u).f - level
+        };
         if value < 0.0 {
             inside = Some((probe.u, value));
             continue;
         }
-        let (u, f) = inside?;
+        let inside = inside?;
         // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
         let outside = (probe.u, value.min(1.0));
-        return Some(bracketed((u, f), outside, EDGE_BRACKET, |u| {
+        return Some(bracketed(inside, outside, EDGE_BRACKET, |u| {
             (separation.at(u).f - level).min(1.0)
         }));
     }
     inside.map(|(u, _)| u)
 }
+
+/// Distance from the level, as a share of it, from which an estimated separation is on the side it seems to be on.
+const ESTIMATE_MARGIN: f64 = 0.3;
 
 /// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
 const EDGE_BRACKET: f64 = 1e-7;

@@ -21,14 +21,14 @@ use crate::normal::{Strips, Zone};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TractionBound {
     /// Friction times the semi-elliptical pressure.
+    #[default]
     Elliptic,
     /// Friction times C (x_l² - x²), C such that the load of the zone is kept.
-    #[default]
     Parabolic,
 }
 
 /// Strips that are marched together.
-const LANES: usize = 8;
+const LANES: usize = 32;
 type Lanes = [f64; LANES];
 
 /// FASTSIM with a fixed number of elements along each strip.
@@ -63,9 +63,10 @@ impl Fastsim {
         Self { bound, profile, abscissae }
     }
 
-    /// Creep force of `zone` for the creepage at its centroid of load and the friction coefficient `friction` ≥ 0.
+    /// Creep force of `zone` for the creepage at its centroid of load.
     ///
-    /// `load_factor` ≥ 0 scales the pressure, for damping forces on top of the elastic load.
+    /// `friction` ≥ 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
+    /// the elastic load.
     #[must_use]
     pub fn creep_force(
         &self,
@@ -75,11 +76,9 @@ impl Fastsim {
         creepage: &Creepage,
         rolling: Rolling,
         friction: f64,
-        load_factor: f64,
     ) -> CreepForce {
         let range = zone.first..zone.first + zone.count;
         let n = self.profile.len() as f64;
-        let friction = friction * load_factor;
         let parabola = match self.bound {
             TractionBound::Elliptic => 0.0,
             TractionBound::Parabolic => {
@@ -97,7 +96,7 @@ impl Fastsim {
             let mut march = March::default();
             let lanes = (range.end - start).min(LANES);
             let mut geometry = [[0.0; 4]; LANES];
-            for lane in 0..lanes {
+            for (lane, shape) in geometry.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
                 let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
@@ -115,11 +114,10 @@ impl Fastsim {
                         TractionBound::Elliptic => strips.pressure[j],
                         TractionBound::Parabolic => parabola * a * a,
                     };
-                geometry[lane] = [x, direction * a, y, strips.width[j] * step];
+                *shape = [x, direction * a, y, strips.width[j] * step];
             }
             let sums = march_strips(&march, &self.profile, &self.abscissae);
-            for lane in 0..lanes {
-                let [x, a, y, area] = geometry[lane];
+            for (lane, [x, a, y, area]) in geometry.into_iter().enumerate().take(lanes) {
                 total.longitudinal += area * sums.x[lane];
                 total.lateral += area * sums.y[lane];
                 total.spin_moment +=

@@ -28,12 +28,12 @@ pub fn kalker_coefficients(axis_ratio: f64, poisson_ratio: f64) -> KalkerCoeffic
     // Logarithms far beyond any contact patch keep the asymptotes finite.
     let t = axis_ratio.ln().clamp(-MOST_LOG_RATIO, MOST_LOG_RATIO);
     let share = smooth_step((t.abs() - FIT_END) / (BLEND_END - FIT_END));
-    if share == 0.0 {
+    if share <= 0.0 {
         return fitted(t, poisson_ratio).map_coefficients(f64::exp);
     }
     let asymptote =
         if t < 0.0 { wide(t.exp(), poisson_ratio) } else { slender((-t).exp(), poisson_ratio) };
-    if share == 1.0 {
+    if share >= 1.0 {
         return asymptote;
     }
     let fit = fitted(t, poisson_ratio);

@@ -1,0 +1,154 @@
+//! The documents do not go stale: the table of variables in docs/fmi.md is that of the element, and every variable that a
+//! document names exists. `UPDATE_DOCS=1 cargo test --test docs` writes the table.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use wheelrail::variables::{Causality, Enumeration, Kind, VARIABLES, Value, Variable, find};
+
+const TABLE: [&str; 2] = ["<!-- variables -->\n", "<!-- end of variables -->"];
+
+fn document(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
+#[test]
+fn the_table_of_variables_is_that_of_the_element() {
+    let path = document("docs/fmi.md");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let start = text.find(TABLE[0]).expect("a line that starts the table") + TABLE[0].len();
+    let end = text.find(TABLE[1]).expect("a line that ends the table");
+    let table = table();
+    if text[start..end] == table {
+        return;
+    }
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        std::fs::write(&path, [&text[..start], &table, &text[end..]].concat()).unwrap();
+        return;
+    }
+    panic!("docs/fmi.md is stale: run UPDATE_DOCS=1 cargo test --test docs");
+}
+
+fn table() -> String {
+    let mut text = String::new();
+    for (title, causality) in [
+        ("Inputs", Causality::Input),
+        ("Parameters", Causality::Parameter),
+        ("Calculated parameter", Causality::CalculatedParameter),
+        ("Outputs", Causality::Output),
+    ] {
+        let starts = matches!(causality, Causality::Input | Causality::Parameter);
+        let (heading, rule) = if starts { (" start |", "---|") } else { ("", "") };
+        write!(text, "\n### {title}\n\n| name | unit or type |{heading} admitted | meaning |\n|---|---|{rule}---|---|\n").unwrap();
+        // The patches are alike: the first one stands for all.
+        for v in VARIABLES.iter().filter(|v| v.causality == causality && !is_later_patch(v)) {
+            let start = if starts { format!(" {} |", start(v)) } else { String::new() };
+            let (kind, range) = (kind(v), range(v));
+            writeln!(text, "| `{}` | {kind} |{start} {range} | {} |", v.name, v.description)
+                .unwrap();
+        }
+    }
+    text += "\n### Enumerations\n\n| type | number | item | meaning |\n|---|---|---|---|\n";
+    let mut seen: Vec<&Enumeration> = Vec::new();
+    for v in VARIABLES {
+        let Kind::Enumeration(e) = v.kind else { continue };
+        if seen.iter().any(|other| other.name == e.name) {
+            continue;
+        }
+        seen.push(e);
+        for item in e.items {
+            writeln!(
+                text,
+                "| {} | {} | `{}` | {} |",
+                e.name, item.value, item.name, item.description
+            )
+            .unwrap();
+        }
+    }
+    text + "\n"
+}
+
+fn is_later_patch(v: &Variable) -> bool {
+    v.name.starts_with("patch[") && !v.name.starts_with("patch[1]")
+}
+
+fn kind(v: &Variable) -> String {
+    match v.kind {
+        Kind::Real if v.unit.is_empty() => "1".into(),
+        Kind::Real => v.unit.into(),
+        Kind::Integer => "Integer".into(),
+        Kind::Boolean => "Boolean".into(),
+        Kind::Text => "String".into(),
+        Kind::Enumeration(e) => e.name.into(),
+    }
+}
+
+fn start(v: &Variable) -> String {
+    match (v.start, v.kind) {
+        (Some(Value::Real(value)), _) => format!("{value:?}"),
+        (Some(Value::Integer(value)), Kind::Enumeration(e)) => {
+            e.item(value).map_or_else(String::new, |item| format!("`{}` ({value})", item.name))
+        }
+        (Some(Value::Integer(value)), _) => value.to_string(),
+        (Some(Value::Boolean(value)), _) => value.to_string(),
+        (Some(Value::Text(value)), _) => format!("\"{value}\""),
+        (None, _) => String::new(),
+    }
+}
+
+fn range(v: &Variable) -> String {
+    let number = |x: f64| match v.kind {
+        Kind::Real => format!("{x:?}"),
+        _ => x.to_string(),
+    };
+    match (v.min.map(number), v.max.map(number)) {
+        (Some(min), Some(max)) => format!("{min} to {max}"),
+        (Some(min), None) => format!("from {min}"),
+        (None, Some(max)) => format!("to {max}"),
+        (None, None) => String::new(),
+    }
+}
+
+/// Names in backquotes that begin like a variable are variables; `wheel.x|y|z` stands for three.
+#[test]
+fn every_variable_that_a_document_names_exists() {
+    let roots: Vec<&str> =
+        VARIABLES.iter().filter_map(|v| v.name.split_once(['.', '[']).map(|n| n.0)).collect();
+    let mut count = 0;
+    for file in [
+        "README.md",
+        "docs/fmi.md",
+        "docs/theory.md",
+        "docs/validation.md",
+        "docs/benchmarks.md",
+        "CHANGELOG.md",
+    ] {
+        let text = std::fs::read_to_string(document(file)).unwrap();
+        for name in text.split('`').skip(1).step_by(2) {
+            let is_name = name.split_once(['.', '[']).is_some_and(|n| roots.contains(&n.0))
+                && name.contains('.')
+                && name.chars().all(|c| c.is_ascii_alphanumeric() || "._[]|".contains(c));
+            if !is_name {
+                continue;
+            }
+            for name in alternatives(name) {
+                count += 1;
+                assert!(find(&name).is_ok(), "{file}: there is no variable \"{name}\"");
+            }
+        }
+    }
+    assert!(count > 100, "only {count} names were found");
+}
+
+/// `a.x|y.b` as `a.x.b` and `a.y.b`.
+fn alternatives(name: &str) -> Vec<String> {
+    let mut names = vec![String::new()];
+    for (i, part) in name.split('.').enumerate() {
+        let dot = if i > 0 { "." } else { "" };
+        names = names
+            .iter()
+            .flat_map(|name| part.split('|').map(move |choice| format!("{name}{dot}{choice}")))
+            .collect();
+    }
+    names
+}

@@ -1,0 +1,92 @@
+//! Forces stay finite for every finite input, however far from a wheel on a rail.
+
+use proptest::prelude::*;
+use wheelrail::element::parameters::NormalModel;
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// A number of any size and sign, small ones as likely as large ones.
+fn any_size() -> impl Strategy<Value = f64> {
+    (-12.0..12.0f64, any::<bool>())
+        .prop_map(|(power, minus)| if minus { -(10f64.powf(power)) } else { 10f64.powf(power) })
+}
+
+/// A value around `middle` within `reach`.
+fn around(middle: f64, reach: f64) -> impl Strategy<Value = f64> {
+    (-1.0..1.0f64).prop_map(move |t| middle + reach * t)
+}
+
+prop_compose! {
+    /// A wheel somewhere at, above, beside, below or inside the rail, moving anyhow.
+    fn near_the_rail()(
+        y in around(0.75, 0.2),
+        z in around(-0.46, 0.06),
+        angles in [around(0.0, 0.2), around(0.0, 0.2), around(0.0, 4.0)],
+        velocity in [around(0.0, 150.0), around(0.0, 5.0), around(0.0, 5.0)],
+        rates in [around(0.0, 5.0), around(0.0, 5.0), around(0.0, 350.0)],
+        rail in [around(0.0, 0.02), around(0.0, 0.02), around(0.0, 0.1)],
+        friction in 0.0..2.0f64,
+    ) -> Input {
+        let mut input = Input::default();
+        input.wheel.position = [0.0, y, z];
+        [input.wheel.roll, input.wheel.yaw, input.wheel.pitch] = angles;
+        input.wheel.velocity = velocity;
+        [input.wheel.roll_rate, input.wheel.yaw_rate, input.wheel.pitch_rate] = rates;
+        [input.rails[0].y, input.rails[0].z, input.rails[0].roll] = rail;
+        input.friction = friction;
+        input
+    }
+}
+
+prop_compose! {
+    /// Inputs of any size.
+    fn anywhere()(
+        position in [any_size(), any_size(), any_size()],
+        angles in [any_size(), any_size(), any_size()],
+        velocity in [any_size(), any_size(), any_size()],
+        rail in [any_size(), any_size(), any_size()],
+    ) -> Input {
+        let mut input = Input::default();
+        input.wheel.position = position;
+        [input.wheel.roll, input.wheel.yaw, input.wheel.pitch_rate] = angles;
+        input.wheel.velocity = velocity;
+        [input.rails[0].y, input.rails[0].z, input.rails[0].roll] = rail;
+        input
+    }
+}
+
+/// Evaluates and asserts what holds for every input.
+fn check(element: &mut Element, input: &Input) -> Result<(), TestCaseError> {
+    let mut output = Output::default();
+    element.evaluate(input, &mut output).expect("finite inputs are admitted");
+    let wrenches = [output.wheel, output.rails[0]];
+    let all_finite =
+        wrenches.iter().flat_map(|w| w.force.iter().chain(&w.moment)).all(|v| v.is_finite());
+    prop_assert!(all_finite, "{input:?} gives {wrenches:?}");
+    prop_assert!(output.wear_number.is_finite() && output.wear_number >= 0.0);
+    for patch in output.patches.iter().take(output.patch_count as usize) {
+        let limit = input.friction * patch.normal_force;
+        let force = patch.creep_force[0].hypot(patch.creep_force[1]);
+        prop_assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
+        prop_assert!(force <= limit * (1.0 + 1e-9), "{patch:?}");
+        prop_assert!((0.0..=1.0).contains(&patch.slip_share), "{patch:?}");
+    }
+    Ok(())
+}
+
+fn element(normal_model: NormalModel) -> Element {
+    let parameters = Parameters { normal_model, ..Parameters::default() };
+    Element::new(&parameters, &Input::default(), &[]).expect("built-in profiles")
+}
+
+#[test]
+fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
+    for model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
+        let shared = std::cell::RefCell::new(element(model));
+        proptest!(ProptestConfig::with_cases(4000), |(input in near_the_rail())| {
+            check(&mut shared.borrow_mut(), &input)?;
+        });
+        proptest!(ProptestConfig::with_cases(1000), |(input in anywhere())| {
+            check(&mut shared.borrow_mut(), &input)?;
+        });
+    }
+}
