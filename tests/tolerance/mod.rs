@@ -54,11 +54,11 @@ pub const MANCHESTER_SPIN: [f64; 2] = [0.02, 0.065];
 
 /// Longitudinal and lateral creep force over the friction limit, median and worst: the error of the simplified theory, and where the
 /// patch straddles the rail's jump of curvature that of its place.
-pub const MANCHESTER_FX: [f64; 2] = [0.025, 0.16];
-pub const MANCHESTER_FY: [f64; 2] = [0.012, 0.11];
+pub const MANCHESTER_FX: [f64; 2] = [0.003, 0.14];
+pub const MANCHESTER_FY: [f64; 2] = [0.004, 0.10];
 
 /// Normal force at given vertical load, median and worst: the contact angle and the creep force decide it.
-pub const MANCHESTER_NORMAL_FORCE: [f64; 2] = [3e-4, 8e-3];
+pub const MANCHESTER_NORMAL_FORCE: [f64; 2] = [3e-4, 2.5e-3];
 
 /// Greatest pressure, median and worst: Piotrowski-Kik is 23 % off in the median of non-Hertzian patches, less on these.
 pub const MANCHESTER_PRESSURE: [f64; 2] = [0.085, 0.29];
