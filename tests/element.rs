@@ -200,6 +200,54 @@ fn reversed(input: &Input) -> Input {
     back
 }
 
+/// Wheel and rail turned together about the marker of the rail, motions and all.
+fn turned(input: &Input, marker: [f64; 3], angle: f64) -> Input {
+    let (sine, cosine) = angle.sin_cos();
+    let turn =
+        |y: &mut f64, z: &mut f64| (*y, *z) = (*y * cosine - *z * sine, *y * sine + *z * cosine);
+    let mut all = *input;
+    let rail = &mut all.rails[0];
+    let [_, y, z] = add(marker, [0.0, rail.y, rail.z]);
+    rail.roll += angle;
+    turn(&mut rail.vy, &mut rail.vz);
+    let wheel = &mut all.wheel;
+    wheel.roll += angle;
+    let [_, wheel_y, wheel_z] = &mut wheel.position;
+    (*wheel_y, *wheel_z) = (*wheel_y - y, *wheel_z - z);
+    turn(wheel_y, wheel_z);
+    (*wheel_y, *wheel_z) = (*wheel_y + y, *wheel_z + z);
+    let [_, vy, vz] = &mut wheel.velocity;
+    turn(vy, vz);
+    all
+}
+
+#[test]
+fn turning_wheel_and_rail_together_turns_their_forces_and_nothing_else() {
+    let parameters = Parameters::default();
+    let mut element = element(&parameters);
+    let marker = rail_marker(&parameters);
+    let mut random = Random::new(10);
+    for _ in 0..200 {
+        let input = random_input(&mut element, &mut random);
+        let angle = random.about(0.03);
+        let (sine, cosine) = angle.sin_cos();
+        let turn = |[x, y, z]: [f64; 3]| [x, y * cosine - z * sine, y * sine + z * cosine];
+        let (one, two) = (
+            evaluate(&mut element, &input),
+            evaluate(&mut element, &turned(&input, marker, angle)),
+        );
+        let allowed = tolerance::MIRRORED * dot(one.wheel.force, one.wheel.force).sqrt();
+        for (one, two) in [(one.wheel, two.wheel), (one.rails[0], two.rails[0])] {
+            assert_close(two.force, turn(one.force), allowed, "force");
+            assert_close(two.moment, turn(one.moment), allowed, "moment");
+        }
+        for (one, two) in one.patches.iter().zip(&two.patches).take(one.patch_count as usize) {
+            assert!((two.contact_angle - one.contact_angle - angle).abs() < tolerance::MIRRORED);
+            assert_close(two.creepage, one.creepage, tolerance::MIRRORED, "creepage");
+        }
+    }
+}
+
 #[test]
 fn running_backwards_is_the_mirror_image_across_the_track() {
     let mut element = element(&Parameters::default());

@@ -102,7 +102,7 @@ pub const CONTACT_PLACE: f64 = 1e-6;
 /// Axle moment against longitudinal force times rolling radius.
 pub const AXLE_MOMENT: f64 = 0.01;
 
-/// A problem and its mirror image along x: the search runs through other roundings.
+/// A problem and its mirror image along x, or turned about it: the search runs through other roundings.
 pub const MIRRORED: f64 = 1e-9;
 
 /// Two directions of running at 20 m/s with 25 mm/s of slip: creepages refer to mean speeds that differ by a thousandth.
