@@ -8,7 +8,7 @@ use common::vectors::dot;
 use common::wheel::{
     element, evaluate, plain_parameters, pressed, rail_marker, random_input, rolling, the_patch,
 };
-use wheelrail::element::parameters::Flexibilities;
+use wheelrail::element::parameters::{Flexibilities, NormalModel};
 use wheelrail::element::{Element, Input, Parameters};
 use wheelrail::normal::damping::REFERENCE_STIFFNESS;
 
@@ -160,4 +160,52 @@ fn damping_follows_its_law_and_never_pulls() {
     input.wheel.velocity[2] = -50.0;
     let parting = evaluate(&mut element, &input);
     assert!(parting.wheel.force.iter().all(|f| f.abs() <= 0.0), "{:?}", parting.wheel);
+}
+
+/// Where everything is after `time` seconds at the velocities of `input`.
+fn after(input: &Input, time: f64) -> Input {
+    let mut later = *input;
+    let wheel = &mut later.wheel;
+    for (place, speed) in wheel.position.iter_mut().zip(wheel.velocity) {
+        *place += time * speed;
+    }
+    wheel.roll += time * wheel.roll_rate;
+    wheel.yaw += time * wheel.yaw_rate;
+    let rail = &mut later.rails[0];
+    rail.y += time * rail.vy;
+    rail.z += time * rail.vz;
+    rail.roll += time * rail.roll_rate;
+    later
+}
+
+#[test]
+fn damping_knows_how_fast_the_penetration_grows() {
+    let parameters = Parameters { normal_model: NormalModel::Hertz, ..Parameters::default() };
+    let still = Parameters { damping: 0.0, ..parameters.clone() };
+    let (mut damped, mut elastic) = (element(&parameters), element(&still));
+    let mut random = Random::new(12);
+    let (mut judged, mut flanges) = (0, 0);
+    for _ in 0..300 {
+        let input = random_input(&mut damped, &mut random);
+        let time = 1e-7;
+        let all = [-time, 0.0, time].map(|t| evaluate(&mut elastic, &after(&input, t)));
+        let output = evaluate(&mut damped, &input);
+        if output.patch_count != 1 || all.iter().any(|o| o.patch_count != 1) {
+            continue;
+        }
+        let [before, now, next] = all.map(|o| o.patches[0]);
+        let growth = (next.penetration - before.penetration) / (2.0 * time);
+        let stiffness = 1.5 * now.normal_force / now.penetration;
+        let c = parameters.damping * (stiffness / REFERENCE_STIFFNESS).sqrt();
+        let load = output.patches[0].normal_force;
+        if load <= 0.0 || now.normal_force < 100.0 {
+            continue;
+        }
+        let closing = (load - now.normal_force) / c;
+        judged += 1;
+        flanges += i32::from(now.contact_angle < -0.7);
+        let miss = (closing - growth).abs();
+        assert!(miss < tolerance::CLOSING_SPEED, "{closing} against {growth}: {now:?} {input:?}");
+    }
+    assert!(judged > 150 && flanges > 20, "{judged}, {flanges}");
 }

@@ -241,7 +241,7 @@ impl Situation<'_> {
         let lateral = self.frame.direction(self.contact.tangent);
         let normal = self.frame.direction(self.contact.normal());
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch = self.track_point(0.0, 0.0, self.contact.penetration);
+        let touch = self.track_point(self.line.at(self.contact.u).x, 0.0, self.contact.penetration);
         let load = models.strips.load();
         let closing_speed = motion.closing_velocity(touch).dot(&normal);
         let damped =

@@ -117,3 +117,6 @@ pub const SHRINKING: f64 = 0.35;
 /// Second differences of the force over steps of 1 nm and 1 nrad, over the force: a stiff integrator's Newton differences stand on
 /// these. A few 1e-9 are the curvature of the force itself.
 pub const ROUGHNESS: f64 = 5e-8;
+
+/// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
+pub const CLOSING_SPEED: f64 = 1e-6;
