@@ -3,7 +3,6 @@
 //! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the wheel against
 //! the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
 
-use crate::element::parameters::{Flexibilities, NormalModel, TangentialModel};
 use crate::error::ContactError;
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::separation::{Probe, Separation, SeparationPoint};
@@ -11,10 +10,9 @@ use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
-use crate::normal::{NormalProblem, Strips, hertz, piotrowski_kik};
-use crate::tangential::fastsim::{Fastsim, TractionBound};
-use crate::tangential::flexibility::ZoneFlexibility;
-use crate::tangential::{Creepage, Rolling};
+use crate::normal::{self, NormalModel, NormalProblem, Strips};
+use crate::tangential::fastsim::TractionBound;
+use crate::tangential::{Creepage, Flexibilities, RollingState, Tangential, TangentialModel};
 
 /// How deep the bodies are pressed together.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,15 +109,10 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
                 lateral_curvature: line.curve.at(line.contact).second[1],
                 rule: &rule,
             };
-            match case.normal_model {
-                NormalModel::Hertz => hertz::solve(&problem, &mut line, &mut strips),
-                NormalModel::PiotrowskiKik => {
-                    let probes = std::mem::take(&mut line.probes);
-                    let epsilon = case.virtual_penetration;
-                    piotrowski_kik::solve(&problem, epsilon, &mut line, &probes, &mut strips);
-                    line.probes = probes;
-                }
-            }
+            let probes = std::mem::take(&mut line.probes);
+            let (model, epsilon) = (case.normal_model, case.virtual_penetration);
+            normal::solve(model, epsilon, &problem, &mut line, &probes, &mut strips);
+            line.probes = probes;
         }
         strips.load()
     };
@@ -163,7 +156,8 @@ fn summarise(
     contact_y: f64,
 ) -> PlanarResult {
     let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
-    let fastsim = Fastsim::new(case.elements_along, case.bound);
+    let tangential =
+        Tangential::new(case.tangential_model, case.flexibilities, case.bound, case.elements_along);
     let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
     for zone in &strips.zones {
         result.normal_force += zone.load;
@@ -173,24 +167,15 @@ fn summarise(
         let edges = zone_edges(strips, zone.first, zone.count);
         left = left.min(edges[0]);
         right = right.max(edges[1]);
-        if case.tangential_model == TangentialModel::None || zone.load <= 0.0 {
-            continue;
-        }
         let y = contact_y + zone.y;
         let [longitudinal, lateral, spin] = case.creepage;
-        let creepage = Creepage { longitudinal: longitudinal - spin * y, lateral, spin };
-        let mut flexibility = ZoneFlexibility::new(zone, strips, material);
-        if case.flexibilities == Flexibilities::Blended && case.friction > 0.0 {
-            flexibility = flexibility.blended(&creepage, case.friction * zone.load);
-        }
-        let force = fastsim.creep_force(
-            zone,
-            strips,
-            &flexibility,
-            &creepage,
-            Rolling::Forward,
-            case.friction,
-        );
+        let state = RollingState {
+            creepage: Creepage { longitudinal: longitudinal - spin * y, lateral, spin },
+            forward_share: 1.0,
+            friction: case.friction,
+            load_factor: 1.0,
+        };
+        let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
         result.fx += force.longitudinal;
         result.fy += force.lateral;
         result.mz += force.spin_moment - y * force.longitudinal;

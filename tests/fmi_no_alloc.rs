@@ -1,39 +1,13 @@
 //! Setting, stepping and reading through the FMI interface allocates nothing.
 #![allow(unsafe_code)]
 
+mod allocations;
 mod host;
-
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 
 use host::{Host, reference};
 use wheelrail::fmi::abi::{fmi2DoStep, fmi2GetInteger, fmi2GetReal, fmi2SetReal};
 use wheelrail::fmi::types::{Status, TRUE, ValueReference};
 use wheelrail::variables::{Causality, Kind, VARIABLES};
-
-thread_local! {
-    /// Counted for each thread: the test harness allocates in others.
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-struct Counting;
-
-// SAFETY: every call is passed on to the system's allocator; the counter allocates nothing.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-        // SAFETY: the caller's promise is that of the system's allocator.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise is that of the system's allocator.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn a_thousand_rounds_of_set_step_get_allocate_nothing() {
@@ -46,7 +20,7 @@ fn a_thousand_rounds_of_set_step_get_allocate_nothing() {
     let (reals, integers) = (places(Causality::Output, false), places(Causality::Output, true));
     let (mut real, mut integer) = (vec![0.0; reals.len()], vec![0; integers.len()]);
     let patch_count = integers.iter().position(|&r| r == reference("patch_count")).unwrap();
-    let before = ALLOCATIONS.get();
+    let before = allocations::count();
     for i in 0..1000 {
         let t = 1e-4 * f64::from(i);
         let values = [0.75 + 5e-3 * (20.0 * t).sin(), -0.4597, 20.0];
@@ -61,5 +35,5 @@ fn a_thousand_rounds_of_set_step_get_allocate_nothing() {
         assert_eq!(worst, Status::Ok);
         assert!(integer[patch_count] > 0, "lifted at {} m", values[0]);
     }
-    assert_eq!(ALLOCATIONS.get(), before);
+    assert_eq!(allocations::count(), before);
 }

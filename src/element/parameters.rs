@@ -1,7 +1,9 @@
 //! What is fixed once an element is initialised.
 
 use crate::error::ContactError;
+pub use crate::normal::NormalModel;
 pub use crate::tangential::fastsim::TractionBound;
+pub use crate::tangential::{Flexibilities, TangentialModel};
 
 /// On which side of the track the wheel runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,42 +15,12 @@ pub enum Side {
     Left,
 }
 
-/// Normal contact model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NormalModel {
-    /// An ellipse at each contact point from the curvatures there.
-    Hertz,
-    /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
-    #[default]
-    PiotrowskiKik,
-}
-
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
     /// One triple of creepages for each patch.
     #[default]
     Flat,
-}
-
-/// Tangential contact model.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TangentialModel {
-    /// No creep force.
-    None,
-    /// Kalker's march through the strips of the true patch.
-    #[default]
-    Fastsim,
-}
-
-/// How the three flexibilities of the simplified theory enter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Flexibilities {
-    /// One for each creepage.
-    Three,
-    /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
-    #[default]
-    Blended,
 }
 
 /// Wheel: profile, size and material.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::evaluate::Work;
 use super::input::{Input, RailMotion, WheelMotion};
 use super::output::{Output, Patch, Wrench};
-use super::parameters::{Flexibilities, NormalModel, Parameters, TangentialModel};
+use super::parameters::Parameters;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::contact_search::{Contact, ContactSearch, LineSeparation, MOST_CONTACTS};
@@ -14,10 +14,8 @@ use crate::geometry::profile::Profile;
 use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
-use crate::normal::{NormalProblem, Strips, Zone, damping, hertz, piotrowski_kik};
-use crate::tangential::fastsim::Fastsim;
-use crate::tangential::flexibility::ZoneFlexibility;
-use crate::tangential::{CreepForce, Creepage, Rolling};
+use crate::normal::{self, NormalModel, NormalProblem, Strips, damping};
+use crate::tangential::{RollingState, Tangential};
 
 /// Most loaded zones of one contact frame.
 const MOST_ZONES: usize = 8;
@@ -28,12 +26,10 @@ pub struct Models {
     normal: NormalModel,
     virtual_penetration: f64,
     damping: f64,
-    tangential: TangentialModel,
-    flexibilities: Flexibilities,
+    tangential: Tangential,
     minimum_speed: f64,
     material: MaterialPair,
     rule: GaussLegendre,
-    fastsim: Fastsim,
     strips: Strips,
     /// All loaded zones of the evaluation under way.
     pub patches: Vec<Patch>,
@@ -55,12 +51,15 @@ impl Models {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
             damping: parameters.damping,
-            tangential: parameters.tangential_model,
-            flexibilities: parameters.flexibilities,
+            tangential: Tangential::new(
+                parameters.tangential_model,
+                parameters.flexibilities,
+                parameters.bound,
+                parameters.elements_along,
+            ),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             rule: GaussLegendre::new(parameters.strips),
-            fastsim: Fastsim::new(parameters.elements_along, parameters.bound),
             strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
             patches: Vec::with_capacity(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
         }
@@ -160,18 +159,14 @@ impl RailContact {
                 lateral_curvature: line.curvature(contact.u) + self.rail.curvature(contact.rail_s),
                 rule: &models.rule,
             };
-            match models.normal {
-                NormalModel::Hertz => hertz::solve(&problem, &mut separation, &mut models.strips),
-                NormalModel::PiotrowskiKik => {
-                    left_out += piotrowski_kik::solve(
-                        &problem,
-                        models.virtual_penetration,
-                        &mut separation,
-                        &self.search.probes[contact.probes[0]..contact.probes[1]],
-                        &mut models.strips,
-                    ) as u64;
-                }
-            }
+            left_out += normal::solve(
+                models.normal,
+                models.virtual_penetration,
+                &problem,
+                &mut separation,
+                &self.search.probes[contact.probes[0]..contact.probes[1]],
+                &mut models.strips,
+            ) as u64;
             let situation = Situation { k, input, frame, line, rail: &self.rail, contact };
             situation.add_forces(&mut separation, models, output, work);
         }
@@ -200,8 +195,9 @@ impl Frame {
     fn pose(&self, wheel: &WheelMotion) -> WheelPose {
         let to = Vector3::from(wheel.position) - self.marker;
         WheelPose {
+            // The rail is the same all along: x counts from the wheel marker.
             marker: [
-                to.x,
+                0.0,
                 to.y * self.cosine + to.z * self.sine,
                 to.z * self.cosine - to.y * self.sine,
             ],
@@ -235,13 +231,16 @@ impl Situation<'_> {
         output: &mut Output,
         work: &mut Work,
     ) {
-        let wheel = &self.input.wheel;
+        // All points have their x from the wheel marker, so that no result depends on the station by rounding.
+        let [station, y, z] = self.input.wheel.position;
+        let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
+        let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
-        let motion = RelativeMotion::new(wheel, rail_motion, self.frame.marker);
+        let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
         let lateral = self.frame.direction(self.contact.tangent);
         let normal = self.frame.direction(self.contact.normal());
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch = self.track_point(wheel.position[0], 0.0, self.contact.penetration);
+        let touch = self.track_point(0.0, 0.0, self.contact.penetration);
         let load = models.strips.load();
         let closing_speed = motion.closing_velocity(touch).dot(&normal);
         let damped =
@@ -266,20 +265,22 @@ impl Situation<'_> {
                 models.minimum_speed,
             );
             let creepage = motion.creepage(position, lateral, normal, speed.reference);
-            let force = creep_force(
-                models,
-                &zone,
-                &creepage,
-                speed.forward_share,
-                self.input.friction,
+            let state = RollingState {
+                creepage,
+                forward_share: speed.forward_share,
+                friction: self.input.friction,
                 load_factor,
-                work,
-            );
+            };
+            let marched =
+                models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
+            work.marches += u64::from(marched.is_some());
+            let force = marched.unwrap_or_default();
             let normal_force = zone.load * load_factor;
             let on_wheel =
                 Vector3::x() * force.longitudinal + lateral * force.lateral - normal * normal_force;
             let spin_moment = normal * force.spin_moment;
-            add(&mut output.wheel, on_wheel, position - Vector3::from(wheel.position), spin_moment);
+            add(&mut output.wheel, on_wheel, position - wheel_marker, spin_moment);
+            let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
             add(&mut output.rails[self.k], -on_wheel, arm, -spin_moment);
             let dissipation = -(force.longitudinal * creepage.longitudinal
@@ -310,7 +311,7 @@ impl Situation<'_> {
         }
     }
 
-    /// A point given by its x in the track frame and its lateral coordinate and depth in the contact frame.
+    /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
     fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
@@ -325,48 +326,4 @@ fn add(wrench: &mut Wrench, force: Vector3<f64>, arm: Vector3<f64>, moment: Vect
         wrench.force[i] += force[i];
         wrench.moment[i] += moment[i];
     }
-}
-
-/// The creep force of a zone by the chosen model.
-///
-/// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against their
-/// motion leave room for, the forces of both directions are mixed, so that the force has no jump.
-fn creep_force(
-    models: &Models,
-    zone: &Zone,
-    creepage: &Creepage,
-    forward_share: f64,
-    friction: f64,
-    load_factor: f64,
-    work: &mut Work,
-) -> CreepForce {
-    let limit = friction * zone.load * load_factor;
-    if models.tangential == TangentialModel::None || limit <= 0.0 || creepage.is_zero() {
-        return CreepForce::default();
-    }
-    work.marches += 1;
-    let mut flexibility = ZoneFlexibility::new(zone, &models.strips, &models.material);
-    if models.flexibilities == Flexibilities::Blended {
-        flexibility = flexibility.blended(creepage, limit);
-    }
-    let mut total = CreepForce::default();
-    for (rolling, share) in
-        [(Rolling::Forward, forward_share), (Rolling::Backward, 1.0 - forward_share)]
-    {
-        if share > 0.0 {
-            let force = models.fastsim.creep_force(
-                zone,
-                &models.strips,
-                &flexibility,
-                creepage,
-                rolling,
-                friction * load_factor,
-            );
-            total.longitudinal += share * force.longitudinal;
-            total.lateral += share * force.lateral;
-            total.spin_moment += share * force.spin_moment;
-            total.slip_area += share * force.slip_area;
-        }
-    }
-    total
 }

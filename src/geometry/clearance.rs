@@ -15,6 +15,8 @@ const SAMPLE: f64 = 1e-4;
 const MARGIN: f64 = 5e-6;
 /// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
 const LEVELS: usize = 9;
+/// Cells that are looked at together.
+const BLOCK: usize = 16;
 /// Cells beyond either end of the rail that any level can reach.
 const PADDING: usize = 1 << (LEVELS - 1);
 
@@ -25,8 +27,11 @@ pub struct Clearance {
     tops: Vec<Vec<f64>>,
     /// Lateral position of the first cell of `tops` in the rail's frame [m].
     rail_start: f64,
-    wheel: Vec<WheelCell>,
-    /// Lateral position of the first cell of `wheel` on its profile [m].
+    /// Greatest z of the wheel profile over each of its cells [m].
+    lows: Vec<f64>,
+    /// First and last parameter of the profile over each of its cells [m].
+    spans: Vec<[f64; 2]>,
+    /// Lateral position of the first cell of the wheel on its profile [m].
     wheel_start: f64,
     /// Least height of the rail and greatest z of the wheel [m].
     rail_top: f64,
@@ -38,15 +43,6 @@ pub struct Clearance {
     chord: f64,
 }
 
-/// What of the wheel lies over one cell.
-#[derive(Clone, Copy, Debug)]
-struct WheelCell {
-    /// Greatest z on the profile [m].
-    low: f64,
-    /// First and last parameter of the profile [m].
-    range: [f64; 2],
-}
-
 impl Clearance {
     /// The tables for a wheel profile and a rail curve in the frame of its marker.
     #[must_use]
@@ -54,14 +50,13 @@ impl Clearance {
         let (wheel, rail) = (samples(wheel), samples(rail));
         let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(&wheel);
         let [[rail_left, rail_right], [rail_top, rail_low]] = extent(&rail);
-        let mut cells = vec![
-            WheelCell { low: f64::NEG_INFINITY, range: [f64::MAX, f64::MIN] };
-            cell_count(wheel_left, wheel_right)
-        ];
+        let cells = cell_count(wheel_left, wheel_right);
+        let (mut lows, mut spans) =
+            (vec![f64::NEG_INFINITY; cells], vec![[f64::MAX, f64::MIN]; cells]);
         for &([y, z], s) in &wheel {
-            let cell = &mut cells[((y - wheel_left) / CELL) as usize];
-            cell.low = cell.low.max(z);
-            cell.range = [cell.range[0].min(s - SAMPLE), cell.range[1].max(s + SAMPLE)];
+            let cell = ((y - wheel_left) / CELL) as usize;
+            lows[cell] = lows[cell].max(z);
+            spans[cell] = [spans[cell][0].min(s - SAMPLE), spans[cell][1].max(s + SAMPLE)];
         }
         let count = cell_count(rail_left, rail_right);
         let mut top = vec![f64::INFINITY; count + 2 * PADDING];
@@ -78,7 +73,8 @@ impl Clearance {
         Self {
             tops,
             rail_start: rail_left - PADDING as f64 * CELL,
-            wheel: cells,
+            lows,
+            spans,
             wheel_start: wheel_left,
             rail_top,
             wheel_low,
@@ -121,18 +117,38 @@ impl Clearance {
         let offset = offset as isize;
         let low = marker[1] + self.nominal_radius + self.drop(roll);
         let first = usize::try_from(-offset).unwrap_or(0);
-        let last = (top.len() as isize - offset).clamp(0, self.wheel.len() as isize) as usize;
-        for i in first..last {
-            let cell = &self.wheel[i];
-            if cell.low + low < top[(i as isize + offset) as usize] {
-                continue;
+        let last = (top.len() as isize - offset).clamp(0, self.lows.len() as isize) as usize;
+        if first >= last {
+            return;
+        }
+        let tops = &top[(first as isize + offset) as usize..];
+        for (block, (lows, tops)) in
+            self.lows[first..last].chunks(BLOCK).zip(tops.chunks(BLOCK)).enumerate()
+        {
+            // Nearly all blocks are clear: the whole block is looked at before its cells.
+            let touching = lows.iter().zip(tops).filter(|(cell, top)| **cell + low >= **top);
+            if touching.count() > 0 {
+                let start = first + block * BLOCK;
+                self.add_ranges(start, lows.iter().zip(tops).map(|(c, t)| c + low >= *t), ranges);
             }
+        }
+    }
+
+    /// Adds the stretches of the cells from `start` on that are told to touch.
+    fn add_ranges(
+        &self,
+        start: usize,
+        touching: impl Iterator<Item = bool>,
+        ranges: &mut Vec<[f64; 2]>,
+    ) {
+        for (i, _) in touching.enumerate().filter(|(_, touches)| *touches) {
+            let span = self.spans[start + i];
             let is_full = ranges.len() == ranges.capacity();
             match ranges.last_mut() {
-                Some(range) if cell.range[0] <= range[1] => range[1] = range[1].max(cell.range[1]),
+                Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
                 // No room for another stretch: the last one grows over the gap.
-                Some(range) if is_full => range[1] = cell.range[1],
-                _ => ranges.push(cell.range),
+                Some(range) if is_full => range[1] = span[1],
+                _ => ranges.push(span),
             }
         }
     }

@@ -41,6 +41,8 @@ pub struct ContactLine<'a> {
     axle: [f64; 3],
     /// c = sqrt(1 - u_x²).
     cosine: f64,
+    /// u_x / c.
+    lead: f64,
     /// (y, z) of e1, the projection of x on the planes of the rolling circles.
     ahead: [f64; 2],
     /// (y, z) of e2, the direction down, across x and the axle.
@@ -50,6 +52,8 @@ pub struct ContactLine<'a> {
 /// The point of a rolling circle that belongs to the line.
 struct OnCircle {
     radius: f64,
+    /// One over y_w', as far as the slope is followed.
+    flatness: f64,
     /// Slope of the profile.
     slope: f64,
     /// sin α and cos α.
@@ -78,13 +82,15 @@ impl<'a> ContactLine<'a> {
         let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
         // R_x(roll) R_z(yaw) e_y
         let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
-        let cosine = axle[1].hypot(axle[2]).max(f64::MIN_POSITIVE);
+        // An axle along the track has no such line: kept away from zero, the result stays finite.
+        let cosine = axle[1].hypot(axle[2]).max(1e-9);
         Self {
             profile,
             nominal_radius,
             marker: pose.marker,
             axle,
             cosine,
+            lead: axle[0] / cosine,
             ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
         }
@@ -110,10 +116,10 @@ impl<'a> ContactLine<'a> {
     pub fn with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
         let p = self.profile.at(s);
         let on = self.circle(&p);
-        let [ux, uy, uz] = self.axle;
+        let [_, uy, uz] = self.axle;
         // d sin α/ds where neither bound is active.
         let turning = if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
-            ux / self.cosine * (p.second[1] - on.slope * p.second[0]) / p.first[0]
+            self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
         } else {
             0.0
         };
@@ -130,14 +136,15 @@ impl<'a> ContactLine<'a> {
     #[inline]
     fn circle(&self, p: &CurvePoint) -> OnCircle {
         let radius = self.nominal_radius + p.point[1];
-        let slope = p.first[1] / p.first[0].max(LEAST_SLOPE_COSINE);
-        let sine = (slope * self.axle[0] / self.cosine).clamp(-MOST_SINE, MOST_SINE);
+        let flatness = 1.0 / p.first[0].max(LEAST_SLOPE_COSINE);
+        let slope = p.first[1] * flatness;
+        let sine = (slope * self.lead).clamp(-MOST_SINE, MOST_SINE);
         let cosine = (1.0 - sine * sine).sqrt();
         let radial = [
             self.ahead[0] * sine + self.down[0] * cosine,
             self.ahead[1] * sine + self.down[1] * cosine,
         ];
-        OnCircle { radius, slope, sine, cosine, radial }
+        OnCircle { radius, flatness, slope, sine, cosine, radial }
     }
 
     #[inline]
@@ -172,11 +179,9 @@ impl<'a> ContactLine<'a> {
     /// Bound of the length of (y, z) of the line per parameter beyond one, over [`stretch_factor`](Self::stretch_factor) [m].
     #[must_use]
     pub fn stretch_per_factor(&self) -> f64 {
-        let [ux, ..] = self.axle;
         let least_cosine = (1.0 - MOST_SINE * MOST_SINE).sqrt();
-        let sine = ux / self.cosine;
         // No profile reaches beyond twice the nominal radius.
-        2.0 * self.nominal_radius * sine * sine / least_cosine
+        2.0 * self.nominal_radius * self.lead * self.lead / least_cosine
     }
 
     /// Profile point of parameter `s`: lateral coordinate, rolling radius [m] and the radius of the normal section along x,

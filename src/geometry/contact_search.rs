@@ -442,14 +442,16 @@ impl<'a> LineSeparation<'a> {
             if cosine < LEAST_COSINE {
                 return None;
             }
-            let step = -error / cosine;
+            let steepness = 1.0 / cosine;
+            let step = -error * steepness;
             let next = s + step;
             if step.abs() <= OPPOSITE {
                 // The last step needs no new point: over it the curve is a parabola.
                 let turn = p.second[0] * tangent[0] + p.second[1] * tangent[1];
-                let step = step * (1.0 - 0.5 * step * turn / cosine);
+                let bend = step * turn * steepness;
+                let step = step * (1.0 - 0.5 * bend);
                 let along = |v: &[f64; 2]| v[0] * normal[0] + v[1] * normal[1];
-                self.near = [s + step, y, 1.0 / (cosine + step * turn)];
+                self.near = [s + step, y, steepness * (1.0 - bend)];
                 let depth = along(&to) + step * (along(&p.first) + 0.5 * step * along(&p.second));
                 return Some([s + step, depth]);
             }

@@ -135,8 +135,9 @@ impl PlacedRail {
             let bending = to[0] * p.second[0] + to[1] * p.second[1];
             // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
             let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
-            ratio = speed / slope;
-            let free = s + along / slope;
+            let stiffness = 1.0 / slope;
+            ratio = speed * stiffness;
+            let free = s + along * stiffness;
             let next = free.max(start).min(end);
             let moved = next - s;
             beyond_end = (next - free).abs() > tolerance;
@@ -152,8 +153,8 @@ impl PlacedRail {
             p = self.curve.at(s);
         }
         let to = [point[0] - p.point[0], point[1] - p.point[1]];
-        let speed = (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
-        let tangent = [p.first[0] / speed, p.first[1] / speed];
+        let slowness = 1.0 / (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
+        let tangent = [p.first[0] * slowness, p.first[1] * slowness];
         // Outward normal (t_z, -t_y): up on the top of the head.
         let distance = if beyond_end {
             (to[0] * to[0] + to[1] * to[1]).sqrt()

@@ -10,7 +10,18 @@ mod zones;
 
 pub use zones::Edge;
 
+use crate::geometry::separation::{Probe, Separation};
 use crate::math::quadrature::GaussLegendre;
+
+/// Normal contact model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NormalModel {
+    /// An ellipse at each contact point from the curvatures there.
+    Hertz,
+    /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
+    #[default]
+    PiotrowskiKik,
+}
 
 /// One loaded zone: a connected part of the contact area.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -137,4 +148,26 @@ pub struct NormalProblem<'a> {
     pub lateral_curvature: f64,
     /// Quadrature rule across a zone; its nodes are the strips.
     pub rule: &'a GaussLegendre,
+}
+
+/// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is ε of Piotrowski and Kik.
+///
+/// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room.
+pub fn solve(
+    model: NormalModel,
+    virtual_penetration: f64,
+    problem: &NormalProblem,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    strips: &mut Strips,
+) -> usize {
+    match model {
+        NormalModel::Hertz => {
+            hertz::solve(problem, separation, strips);
+            0
+        }
+        NormalModel::PiotrowskiKik => {
+            piotrowski_kik::solve(problem, virtual_penetration, separation, probes, strips)
+        }
+    }
 }

@@ -2,6 +2,8 @@
 
 #![allow(dead_code)] // each test crate uses its own part
 
+pub mod planar;
+
 use std::path::Path;
 
 /// A CSV file of tests/data with its `#` lines left out.
@@ -23,12 +25,25 @@ pub fn column(table: &Table, name: &str) -> usize {
     table.headings.iter().position(|h| h == name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
+/// The number in a row under a heading.
+pub fn value(table: &Table, row: &csv::StringRecord, name: &str) -> f64 {
+    let text = &row[column(table, name)];
+    text.parse().unwrap_or_else(|_| panic!("{name}: {text:?} is not a number"))
+}
+
 /// Mean, 95 % quantile and greatest of a set of errors.
 pub fn quantiles(mut errors: Vec<f64>) -> [f64; 3] {
     errors.sort_by(f64::total_cmp);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     let p95 = errors[(0.95 * (errors.len() - 1) as f64).round() as usize];
     [mean, p95, errors[errors.len() - 1]]
+}
+
+/// Median and greatest of a set of errors.
+pub fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
+    errors.sort_by(f64::total_cmp);
+    let n = errors.len();
+    [0.5 * (errors[(n - 1) / 2] + errors[n / 2]), errors[n - 1]]
 }
 
 /// Leaves a table under target/reports, for reading and plotting.

@@ -24,3 +24,50 @@ pub const FASTSIM_ELLIPSES: [f64; 2] = [0.022, 0.055];
 
 /// The fits of Kalker's coefficients against the exact ones inside a/b 0.05 to 20, for c11, c22, c23.
 pub const KALKER_FIT: [f64; 3] = [2.1e-3, 1.4e-3, 5.0e-3];
+
+/// Piotrowski-Kik on an ellipse of a/b = 5 against Hertz at the same approach: the published differences are given to a
+/// tenth of a per cent.
+pub const PIOTROWSKI_KIK_SLENDER: f64 = 1e-3;
+
+/// Laws of similarity: the same problem in other units. Roots of zone edges end at 1e-7 m, so that a scaled problem is not
+/// solved bit for bit alike.
+pub const SIMILARITY: f64 = 1e-9;
+
+/// The same beyond, a/b 0.03 to 0.05 and 20 to 33, where the fits are carried into asymptotes that are themselves a few per cent off.
+pub const KALKER_ENDS: [f64; 3] = [2.2e-2, 1.6e-2, 2.1e-2];
+
+/// Prescribed vertical load of the Manchester benchmark: bisection to rounding of the height.
+pub const PRESCRIBED_LOAD: f64 = 1e-6;
+
+/// Manchester benchmark against CONTACT, 42 contacts: medians, and every contact but the listed ones. Contact position [mm] and
+/// angle [degrees]: CONTACT reports a weighted centre of the patch.
+pub const MANCHESTER_POSITION_MM: f64 = 0.3;
+pub const MANCHESTER_ANGLE_DEG: f64 = 0.3;
+
+/// Creepages, relative; longitudinal and lateral creepage need not be closer than the floor.
+pub const MANCHESTER_CREEPAGE: f64 = 0.02;
+pub const MANCHESTER_CREEPAGE_FLOOR: f64 = 5e-5;
+
+/// Spin, relative, median and worst: on the flat contacts of the left wheel, 0.5 to 1.2 degrees, it is the contact angle that is 0.03 to 0.08
+/// degrees off.
+pub const MANCHESTER_SPIN: [f64; 2] = [0.02, 0.065];
+
+/// Longitudinal and lateral creep force over the friction limit, median and worst: the error of the simplified theory, and where the
+/// patch straddles the rail's jump of curvature that of its place.
+pub const MANCHESTER_FX: [f64; 2] = [0.025, 0.16];
+pub const MANCHESTER_FY: [f64; 2] = [0.012, 0.11];
+
+/// Normal force at given vertical load, median and worst: the contact angle and the creep force decide it.
+pub const MANCHESTER_NORMAL_FORCE: [f64; 2] = [3e-4, 8e-3];
+
+/// Greatest pressure, median and worst: Piotrowski-Kik is 23 % off in the median of non-Hertzian patches, less on these.
+pub const MANCHESTER_PRESSURE: [f64; 2] = [0.085, 0.29];
+
+/// Greatest jumps of the normal force, over the force, in a sweep of a S1002 wheel over a 60E1 rail, 30 to 150 µm deep: both models
+/// have one contact point for each penetrated interval, and at a swap of two minima 5 mm from the centred position, between tread and
+/// flange root, or at the centred position itself, the whole load is computed anew from the other one. A model without a preferred
+/// point is what removes them.
+pub const JUMP_PIOTROWSKI_KIK: f64 = 0.35;
+
+/// As above; the Hertzian ellipse has the curvatures of one point alone, 300 or 80 mm of the rail.
+pub const JUMP_HERTZ: f64 = 0.65;

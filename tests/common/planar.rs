@@ -1,0 +1,85 @@
+//! Planar cases with Hertzian bodies, as several tests use them.
+
+use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel};
+use wheelrail::material::{Material, MaterialPair};
+use wheelrail::planar::{Indentation, PlanarCase};
+use wheelrail::tangential::fastsim::TractionBound;
+
+/// G = 82 GPa, ν = 0.28.
+pub const STEEL: Material = Material { young_modulus: 2.0992e11, poisson_ratio: 0.28 };
+
+/// One row of tests/data/hertz/ellipses.csv, in SI.
+#[derive(Clone, Copy, Debug)]
+pub struct HertzRow {
+    pub axis_ratio: f64,
+    pub approach: f64,
+    /// Undeformed distance along x² + across y² [1/m].
+    pub along: f64,
+    pub across: f64,
+    pub semi_axes: [f64; 2],
+    pub load: f64,
+    pub max_pressure: f64,
+    pub area: f64,
+}
+
+impl HertzRow {
+    /// All rows of the file.
+    pub fn all() -> Vec<Self> {
+        let table = super::read_table("hertz/ellipses.csv");
+        let rows = table.rows.iter().map(|row| {
+            let v = |name: &str| super::value(&table, row, name);
+            Self {
+                axis_ratio: v("a_over_b"),
+                approach: 1e-3 * v("approach_mm"),
+                along: 1e3 * v("along_per_mm"),
+                across: 1e3 * v("across_per_mm"),
+                semi_axes: [1e-3 * v("a_mm"), 1e-3 * v("b_mm")],
+                load: v("normal_force_n"),
+                max_pressure: 1e6 * v("max_pressure_mpa"),
+                area: 1e-6 * v("area_mm2"),
+            }
+        });
+        rows.collect()
+    }
+
+    /// The first row with the axis ratio a/b `ratio`.
+    pub fn with_ratio(ratio: f64) -> Self {
+        let found = Self::all().into_iter().find(|row| (row.axis_ratio - ratio).abs() < 1e-9);
+        found.unwrap_or_else(|| panic!("no row with a/b = {ratio}"))
+    }
+
+    /// Points of its separation out to one and a half semi-axes.
+    pub fn separation(&self) -> Vec<[f64; 2]> {
+        parabola(self.across, self.semi_axes[1])
+    }
+}
+
+/// Points of f(y) = `across` y² out to 1.5 `semi_axis`.
+pub fn parabola(across: f64, semi_axis: f64) -> Vec<[f64; 2]> {
+    (-50..=50).map(|i| 0.03 * f64::from(i) * semi_axis).map(|y| [y, across * y * y]).collect()
+}
+
+/// A case of steel bodies without creepage: Hertz, FASTSIM 20x20 with the elliptic bound.
+pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> PlanarCase<'_> {
+    PlanarCase {
+        separation,
+        radius,
+        indentation: Indentation::Approach(approach),
+        creepage: [0.0; 3],
+        friction: 0.3,
+        wheel_material: STEEL,
+        rail_material: STEEL,
+        normal_model: NormalModel::Hertz,
+        virtual_penetration: 0.55,
+        tangential_model: TangentialModel::Fastsim,
+        strips: 20,
+        elements_along: 20,
+        bound: TractionBound::Elliptic,
+        flexibilities: Flexibilities::Three,
+    }
+}
+
+/// Contact modulus of steel on steel [Pa].
+pub fn steel_modulus() -> f64 {
+    MaterialPair::new(STEEL, STEEL).contact_modulus
+}

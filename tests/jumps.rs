@@ -1,0 +1,117 @@
+//! How far the normal force jumps where the deepest of several minima changes, as both normal models have one contact point for each
+//! penetrated interval.
+
+mod common;
+mod tolerance;
+
+use std::fmt::Write;
+
+use common::write_report;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// Lateral range and step of the sweep [m].
+const RANGE: [f64; 2] = [-6e-3, 6e-3];
+const STEP: f64 = 1e-6;
+/// Spacing of the heights of first touch, linear in between: continuous, so that it adds no jump [m].
+const HEIGHT_STEP: f64 = 2e-5;
+
+/// The force jump between two neighbouring positions, over the mean of both forces.
+#[derive(Clone, Copy, Debug, Default)]
+struct Jump {
+    size: f64,
+    y: f64,
+    load: [f64; 2],
+    patches: [i32; 2],
+}
+
+fn element(normal_model: NormalModel) -> Element {
+    let parameters = Parameters {
+        normal_model,
+        tangential_model: TangentialModel::None,
+        ..Parameters::default()
+    };
+    Element::new(&parameters, &at(0.0, -0.46), &[]).unwrap()
+}
+
+fn at(shift: f64, z: f64) -> Input {
+    let mut input = Input::default();
+    input.wheel.position = [0.0, 0.75 + shift, z];
+    input
+}
+
+/// Heights of first touch over the range.
+fn touching_heights() -> Vec<f64> {
+    let mut element = element(NormalModel::Hertz);
+    let count = ((RANGE[1] - RANGE[0]) / HEIGHT_STEP).round() as usize + 1;
+    (0..count)
+        .map(|i| element.touching_height(&at(RANGE[0] + i as f64 * HEIGHT_STEP, -0.46)))
+        .collect()
+}
+
+/// The jumps of a sweep at `depth` below first touch, largest first. What neighbouring steps change as well is no jump.
+fn jumps(model: NormalModel, heights: &[f64], depth: f64) -> Vec<Jump> {
+    let mut element = element(model);
+    let mut output = Output::default();
+    let count = ((RANGE[1] - RANGE[0]) / STEP).round() as usize;
+    let mut loads = Vec::with_capacity(count);
+    for i in 0..count {
+        let shift = i as f64 * STEP;
+        let cell = ((shift / HEIGHT_STEP) as usize).min(heights.len() - 2);
+        let share = shift / HEIGHT_STEP - cell as f64;
+        let z = heights[cell] + share * (heights[cell + 1] - heights[cell]) + depth;
+        element.evaluate(&at(RANGE[0] + shift, z), &mut output).unwrap();
+        let load: f64 = output.patches.iter().map(|p| p.normal_force).sum();
+        loads.push((load, output.patch_count));
+    }
+    let change = |i: usize| loads[i + 1].0 - loads[i].0;
+    let size = |i: usize| {
+        let jump = change(i) - 0.5 * (change(i - 1) + change(i + 1));
+        2.0 * jump.abs() / (loads[i].0 + loads[i + 1].0)
+    };
+    let mut jumps: Vec<Jump> = (2..count - 3)
+        .filter(|&i| size(i) > size(i - 1) && size(i) > size(i + 1))
+        .map(|i| Jump {
+            size: size(i),
+            y: RANGE[0] + (i as f64 + 0.5) * STEP,
+            load: [loads[i].0, loads[i + 1].0],
+            patches: [loads[i].1, loads[i + 1].1],
+        })
+        .collect();
+    jumps.sort_by(|a, b| b.size.total_cmp(&a.size));
+    jumps
+}
+
+#[test]
+fn force_jumps_where_minima_swap_or_merge_are_bounded() {
+    let heights = touching_heights();
+    let mut report =
+        String::from("model,depth_um,rank,y_mm,jump,load_before_n,load_after_n,patches\n");
+    for (model, most) in [
+        (NormalModel::PiotrowskiKik, tolerance::JUMP_PIOTROWSKI_KIK),
+        (NormalModel::Hertz, tolerance::JUMP_HERTZ),
+    ] {
+        for depth in [3e-5, 8e-5, 1.5e-4] {
+            let found = jumps(model, &heights, depth);
+            for (rank, jump) in found.iter().take(8).enumerate() {
+                writeln!(
+                    report,
+                    "{model:?},{:.0},{},{:.4},{:.5},{:.0},{:.0},{} to {}",
+                    1e6 * depth,
+                    rank + 1,
+                    1e3 * jump.y,
+                    jump.size,
+                    jump.load[0],
+                    jump.load[1],
+                    jump.patches[0],
+                    jump.patches[1]
+                )
+                .unwrap();
+            }
+            let worst = found[0];
+            println!("{model:?} at {depth} m: {worst:?}");
+            assert!(worst.size <= most, "{model:?}: {worst:?}");
+        }
+    }
+    write_report("force_jumps.csv", &report);
+}

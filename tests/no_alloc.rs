@@ -1,0 +1,112 @@
+//! An evaluation allocates nothing, whatever the wheel does.
+
+mod allocations;
+
+use wheelrail::element::parameters::{
+    Flexibilities, NormalModel, Side, TangentialModel, TractionBound,
+};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// Height at which a wheel shifted by 5.16 mm is pressed 30 µm into tread and flange root [m].
+const TWO_PATCHES_Z: f64 = 0.0;
+
+/// A wheel on its way over the rail: lifted, on the tread, on two patches, on the flange.
+fn path(step: u32) -> Input {
+    let t = f64::from(step);
+    let mut input = Input::default();
+    let wheel = &mut input.wheel;
+    wheel.position[1] = 0.75 + 7e-3 * (0.037 * t).sin();
+    wheel.position[2] = -0.46 + 3e-4 * (1.0 + (0.41 * t).sin());
+    wheel.roll = 4e-3 * (0.11 * t).sin();
+    wheel.yaw = 3e-2 * (0.07 * t).cos();
+    wheel.velocity = [25.0 * (0.013 * t).cos(), 0.1 * (0.2 * t).sin(), 0.05];
+    wheel.pitch_rate = -54.0 * (0.013 * t).cos();
+    if step % 4 == 0 {
+        // Between tread and flange root: two patches.
+        wheel.position[1] = 0.755_16 + 1e-5 * (0.17 * t).sin();
+        wheel.position[2] = TWO_PATCHES_Z + 1e-5 * (0.41 * t).sin();
+        (wheel.roll, wheel.yaw) = (0.0, 0.0);
+        return input;
+    }
+    input.rails[0].y = 1e-3 * (0.05 * t).sin();
+    input.rails[0].roll = 1e-2 * (0.03 * t).sin();
+    input.friction = if step % 50 == 0 { 0.0 } else { 0.35 };
+    input
+}
+
+#[test]
+fn the_counter_counts() {
+    let before = allocations::count();
+    let list = std::hint::black_box(vec![1, 2, 3]);
+    assert_eq!(allocations::count(), before + 1);
+    drop(list);
+}
+
+#[test]
+fn a_thousand_evaluations_allocate_nothing_with_any_model() {
+    let variants = [
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim, Flexibilities::Three),
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim, Flexibilities::Blended),
+        (NormalModel::PiotrowskiKik, TangentialModel::None, Flexibilities::Three),
+        (NormalModel::Hertz, TangentialModel::Fastsim, Flexibilities::Three),
+    ];
+    for (k, (normal_model, tangential_model, flexibilities)) in variants.into_iter().enumerate() {
+        let parameters = Parameters {
+            side: if k == 1 { Side::Left } else { Side::Right },
+            normal_model,
+            tangential_model,
+            flexibilities,
+            bound: if k == 1 { TractionBound::Elliptic } else { TractionBound::Parabolic },
+            ..Parameters::default()
+        };
+        let start = if k == 1 { mirrored(&path(0)) } else { path(0) };
+        let mut element = Element::new(&parameters, &start, &[]).unwrap();
+        {
+            let mut i = Input::default();
+            i.wheel.position[1] = 0.75516;
+            println!("HEIGHT {}", element.touching_height(&i));
+        }
+        let mut output = Output::default();
+        // How often there was no patch, one, and more; how often one on the flange.
+        let mut seen = [0; 4];
+        let before = allocations::count();
+        for step in 0..1000 {
+            let input = if k == 1 { mirrored(&path(step)) } else { path(step) };
+            element.evaluate(&input, &mut output).unwrap();
+            seen[output.patch_count.clamp(0, 2) as usize] += 1;
+            seen[3] += usize::from(output.patches[0].contact_angle.abs() > 0.7);
+        }
+        assert_eq!(allocations::count(), before);
+        println!("none, one, several patches, flange: {seen:?}");
+        assert!(seen.iter().all(|&n| n >= 20), "the path is too dull: {seen:?}");
+    }
+}
+
+#[test]
+fn a_refused_input_leaves_only_its_message_behind() {
+    let mut element = Element::new(&Parameters::default(), &path(0), &[]).unwrap();
+    let mut output = Output::default();
+    let mut input = path(1);
+    input.wheel.yaw = f64::NAN;
+    assert!(element.evaluate(&input, &mut output).is_err());
+    let before = allocations::count();
+    element.evaluate(&path(2), &mut output).unwrap();
+    assert_eq!(allocations::count(), before);
+}
+
+/// The same path of a left wheel.
+fn mirrored(input: &Input) -> Input {
+    let mut left = *input;
+    let wheel = &mut left.wheel;
+    for value in [
+        &mut wheel.position[1],
+        &mut wheel.roll,
+        &mut wheel.yaw,
+        &mut wheel.velocity[1],
+        &mut left.rails[0].y,
+        &mut left.rails[0].roll,
+    ] {
+        *value = -*value;
+    }
+    left
+}
