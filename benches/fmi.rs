@@ -2,6 +2,8 @@
 //! beside the evaluation of the same inputs by the element alone.
 #![allow(unsafe_code)]
 
+// Clippy lets tests import by wildcard, benches not.
+#[allow(clippy::wildcard_imports)]
 #[path = "../tests/host/mod.rs"]
 mod host;
 
