@@ -159,7 +159,7 @@ fn summarise(
     let tangential =
         Tangential::new(case.tangential_model, case.flexibilities, case.bound, case.elements_along);
     let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-    for zone in &strips.zones {
+    for zone in strips.zones.iter() {
         result.normal_force += zone.load;
         result.max_pressure = result.max_pressure.max(zone.max_pressure);
         result.area += zone.area;

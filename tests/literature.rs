@@ -3,6 +3,8 @@
 mod common;
 mod tolerance;
 
+use std::fmt::Write;
+
 use common::{read_table, value, write_report};
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
 
@@ -22,13 +24,8 @@ fn greatest_errors(inside: bool, report: &mut String) -> [f64; 3] {
         let exact = [v("c11"), v("c22"), v("c23")];
         let found = [c.c11, c.c22, c.c23];
         let errors = [0, 1, 2].map(|k| found[k] / exact[k] - 1.0);
-        *report += &format!(
-            "{},{ratio},{:.5},{:.5},{:.5}\n",
-            v("poisson_ratio"),
-            errors[0],
-            errors[1],
-            errors[2]
-        );
+        let [c11, c22, c23] = errors;
+        writeln!(report, "{},{ratio},{c11:.5},{c22:.5},{c23:.5}", v("poisson_ratio")).unwrap();
         for (worst, error) in worst.iter_mut().zip(errors) {
             *worst = worst.max(error.abs());
         }

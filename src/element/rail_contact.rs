@@ -14,6 +14,7 @@ use crate::geometry::profile::Profile;
 use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
+use crate::math::room::Room;
 use crate::normal::{self, NormalModel, NormalProblem, Strips, damping};
 use crate::tangential::{RollingState, Tangential};
 
@@ -32,7 +33,7 @@ pub struct Models {
     rule: GaussLegendre,
     strips: Strips,
     /// All loaded zones of the evaluation under way.
-    pub patches: Vec<Patch>,
+    pub patches: Room<Patch>,
 }
 
 impl Models {
@@ -61,7 +62,7 @@ impl Models {
             material: MaterialPair::new(wheel, rail),
             rule: GaussLegendre::new(parameters.strips),
             strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
-            patches: Vec::with_capacity(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
+            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
         }
     }
 }
@@ -74,7 +75,7 @@ pub struct RailContact {
     rail: PlacedRail,
     clearance: Clearance,
     /// Stretches of the contact line that may touch.
-    ranges: Vec<[f64; 2]>,
+    ranges: Room<[f64; 2]>,
     search: ContactSearch,
 }
 
@@ -88,7 +89,7 @@ impl RailContact {
         let nominal_radius = parameters.wheel.nominal_radius;
         Self {
             clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
-            ranges: Vec::with_capacity(MOST_RANGES),
+            ranges: Room::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
             wheel: wheel.clone(),
             nominal_radius,

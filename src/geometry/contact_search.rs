@@ -12,6 +12,7 @@ use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::Curve;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::math::room::Room;
 use crate::math::root::bracketed;
 
 /// Most patches of one wheel on one rail.
@@ -102,11 +103,11 @@ pub struct ContactSearch {
     concavity: Vec<f64>,
     /// Greatest factor of the wheel in [`ContactLine::stretch_per_factor`] over each bin and the next [1/m].
     stretch: Vec<f64>,
-    interval: Vec<IntervalProbe>,
+    interval: Room<IntervalProbe>,
     /// Separation at the probes of all contacts; see [`Contact::probes`].
-    pub probes: Vec<Probe>,
+    pub probes: Room<Probe>,
     /// The contacts found, in growing y.
-    pub contacts: Vec<Contact>,
+    pub contacts: Room<Contact>,
     /// Points of the line at which the distance was evaluated.
     pub evaluations: u64,
     /// Contacts or probes for which there was no room.
@@ -136,9 +137,9 @@ impl ContactSearch {
         Self {
             concavity: with_next(&concave),
             stretch: with_next(&stretch),
-            interval: Vec::with_capacity(MOST_PROBES),
-            probes: Vec::with_capacity(MOST_PROBES),
-            contacts: Vec::with_capacity(MOST_CONTACTS),
+            interval: Room::new(MOST_PROBES),
+            probes: Room::new(MOST_PROBES),
+            contacts: Room::new(MOST_CONTACTS),
             evaluations: 0,
             left_out: 0,
         }

@@ -2,5 +2,6 @@
 
 pub mod elliptic;
 pub mod quadrature;
+pub mod room;
 pub mod root;
 pub mod spline;

@@ -12,6 +12,7 @@ pub use zones::Edge;
 
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::quadrature::GaussLegendre;
+use crate::math::room::Room;
 
 /// Normal contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -54,28 +55,28 @@ pub struct Zone {
 #[derive(Clone, Debug, Default)]
 pub struct Strips {
     /// The zones, in growing y.
-    pub zones: Vec<Zone>,
+    pub zones: Room<Zone>,
     /// Lateral coordinate of each strip in the contact frame [m].
-    pub y: Vec<f64>,
+    pub y: Room<f64>,
     /// Width [m].
-    pub width: Vec<f64>,
+    pub width: Room<f64>,
     /// Centre along x in the track frame [m].
-    pub x: Vec<f64>,
+    pub x: Room<f64>,
     /// Half length along x [m].
-    pub half_length: Vec<f64>,
+    pub half_length: Room<f64>,
     /// Pressure at the centre [Pa].
-    pub pressure: Vec<f64>,
+    pub pressure: Room<f64>,
     /// Parameter of the contact line [m].
-    pub u: Vec<f64>,
+    pub u: Room<f64>,
 }
 
 impl Strips {
     /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
     #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
-        let column = || Vec::with_capacity(zones * strips);
+        let column = || Room::new(zones * strips);
         Self {
-            zones: Vec::with_capacity(zones),
+            zones: Room::new(zones),
             y: column(),
             width: column(),
             x: column(),

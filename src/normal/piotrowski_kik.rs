@@ -79,7 +79,7 @@ pub fn solve(
     } else {
         0.0
     };
-    for pressure in &mut strips.pressure {
+    for pressure in strips.pressure.iter_mut() {
         *pressure *= scale;
     }
     for i in 0..strips.zones.len() {

@@ -3,6 +3,8 @@
 #![allow(dead_code)] // each test crate uses its own part
 
 pub mod planar;
+pub mod random;
+pub mod wheel;
 
 use std::path::Path;
 

@@ -54,11 +54,11 @@ pub const MANCHESTER_SPIN: [f64; 2] = [0.02, 0.065];
 
 /// Longitudinal and lateral creep force over the friction limit, median and worst: the error of the simplified theory, and where the
 /// patch straddles the rail's jump of curvature that of its place.
-pub const MANCHESTER_FX: [f64; 2] = [0.025, 0.16];
-pub const MANCHESTER_FY: [f64; 2] = [0.012, 0.11];
+pub const MANCHESTER_FX: [f64; 2] = [0.003, 0.14];
+pub const MANCHESTER_FY: [f64; 2] = [0.004, 0.10];
 
 /// Normal force at given vertical load, median and worst: the contact angle and the creep force decide it.
-pub const MANCHESTER_NORMAL_FORCE: [f64; 2] = [3e-4, 8e-3];
+pub const MANCHESTER_NORMAL_FORCE: [f64; 2] = [3e-4, 2.5e-3];
 
 /// Greatest pressure, median and worst: Piotrowski-Kik is 23 % off in the median of non-Hertzian patches, less on these.
 pub const MANCHESTER_PRESSURE: [f64; 2] = [0.085, 0.29];
@@ -71,3 +71,48 @@ pub const JUMP_PIOTROWSKI_KIK: f64 = 0.35;
 
 /// As above; the Hertzian ellipse has the curvatures of one point alone, 300 or 80 mm of the rail.
 pub const JUMP_HERTZ: f64 = 0.65;
+
+/// Deepest penetration of the contact search against a scan at steps of 20 µm [m].
+pub const DEEPEST_PENETRATION: f64 = 1e-7;
+
+/// Penetration that no search may miss [m].
+pub const MISSED_PENETRATION: f64 = 1e-7;
+
+/// Contact line against the lowest of all rolling circles: height, from chords of 20 µm on radii of 12 mm, and place along x, where the
+/// lowest is flat [m].
+pub const OUTLINE_HEIGHT: f64 = 2e-8;
+pub const OUTLINE_AHEAD: f64 = 1e-6;
+
+/// Central differences over 1 µm of curves with radii of millimetres.
+pub const DERIVATIVE: f64 = 1e-5;
+
+/// Place of a flange contact along x against r tan(contact angle) sin(yaw), of first order in the angles.
+pub const FLANGE_AHEAD: f64 = 0.01;
+
+/// Contact angle of a cone [rad] and its place on an arc [m]: minima are pinned down to 1e-9 m, arcs are cubic pieces.
+pub const CONE_ANGLE: f64 = 1e-6;
+pub const CONE_PLACE: f64 = 1e-6;
+
+/// Height of first touch of bodies of known size [m]: bisection to rounding, arcs are cubic pieces.
+pub const TOUCHING_HEIGHT: f64 = 1e-9;
+
+/// Place of a contact on bodies of known size [m]: an error of the arm of a moment.
+pub const CONTACT_PLACE: f64 = 1e-6;
+
+/// Axle moment against longitudinal force times rolling radius.
+pub const AXLE_MOMENT: f64 = 0.01;
+
+/// A problem and its mirror image along x: the search runs through other roundings.
+pub const MIRRORED: f64 = 1e-9;
+
+/// Two directions of running at 20 m/s with 25 mm/s of slip: creepages refer to mean speeds that differ by a thousandth.
+pub const REFERENCE_SPEED: f64 = 2e-3;
+
+/// Direction of the creep force of a wheel that slides: spin turns it a little, share of the friction limit.
+pub const SLIDING_DIRECTION: f64 = 0.02;
+
+/// Greatest change of a continuous force when the step is a quarter.
+pub const SHRINKING: f64 = 0.35;
+
+/// Second differences of the force over steps of 1 nm, over the force.
+pub const ROUGHNESS: f64 = 1e-7;

@@ -1,0 +1,67 @@
+//! Elements and inputs of wheels on rails, as several tests use them.
+
+use wheelrail::element::input::RailMotion;
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+use super::random::Random;
+
+/// An element with built-in profiles.
+pub fn element(parameters: &Parameters) -> Element {
+    Element::new(parameters, &Input::default(), &[]).unwrap()
+}
+
+/// A wheel of the default parameters with the given profiles on a rail without inclination.
+pub fn plain_parameters(wheel: &str, rail: &str) -> Parameters {
+    let mut parameters = Parameters::default();
+    parameters.wheel.profile = wheel.into();
+    parameters.rails[0].profile = rail.into();
+    parameters.rails[0].inclination = 0.0;
+    parameters
+}
+
+/// The result of one evaluation.
+pub fn evaluate(element: &mut Element, input: &Input) -> Output {
+    let mut output = Output::default();
+    element.evaluate(input, &mut output).unwrap();
+    output
+}
+
+/// The wheel marker moved to `depth` below the height of first touch.
+pub fn pressed(element: &mut Element, input: &Input, depth: f64) -> Input {
+    let mut pressed = *input;
+    pressed.wheel.position[2] = element.touching_height(input) + depth;
+    pressed
+}
+
+/// A wheel shifted by `shift` that rolls forward at `speed`, not yet pressed on the rail.
+pub fn rolling(shift: f64, speed: f64) -> Input {
+    let mut input = Input::default();
+    input.wheel.position[1] += shift;
+    input.wheel.velocity[0] = speed;
+    input.wheel.pitch_rate = -speed / 0.46;
+    input
+}
+
+/// Anything a right wheel may do on a rail that moves and rolls, pressed on it.
+pub fn random_input(element: &mut Element, random: &mut Random) -> Input {
+    let mut input = rolling(random.within(-5e-3, 8e-3), random.about(60.0));
+    let wheel = &mut input.wheel;
+    wheel.position[0] = random.about(0.02);
+    (wheel.roll, wheel.yaw, wheel.pitch) =
+        (random.about(0.01), random.about(0.03), random.about(3.0));
+    wheel.velocity[1] = random.about(0.3);
+    wheel.velocity[2] = random.about(0.02);
+    (wheel.roll_rate, wheel.yaw_rate) = (random.about(0.05), random.about(0.1));
+    wheel.pitch_rate *= 1.0 + random.about(1.0).powi(3) * 0.02;
+    input.rails[0] = RailMotion {
+        y: random.about(2e-3),
+        z: random.about(2e-3),
+        roll: random.about(0.02),
+        vy: random.about(0.1),
+        vz: random.about(0.02),
+        roll_rate: random.about(0.1),
+    };
+    input.friction = random.within(0.05, 0.6);
+    let depth = random.within(0.0, 1.2e-4);
+    pressed(element, &input, depth)
+}
