@@ -325,10 +325,13 @@ fn a_wheel_at_rest_has_no_creep_force_and_a_sliding_one_all_of_it() {
         input.wheel.pitch_rate = pitch_rate;
         let patch = the_patch(&evaluate(&mut element, &input));
         let limit = 0.3 * patch.normal_force;
-        for k in 0..2 {
-            let share = patch.creep_force[k] / limit;
-            let miss = (share - expected[k]).abs();
-            assert!(miss < tolerance::SLIDING_DIRECTION, "{name}: {share} for {k}: {patch:?}");
+        for (force, expected) in patch.creep_force.into_iter().zip(expected) {
+            let share = force / limit;
+            let miss = (share - expected).abs();
+            assert!(
+                miss < tolerance::SLIDING_DIRECTION,
+                "{name}: {share}, not {expected}: {patch:?}"
+            );
         }
         assert!(patch.slip_share > 0.95, "{name}: {patch:?}");
     }
