@@ -114,5 +114,6 @@ pub const SLIDING_DIRECTION: f64 = 0.02;
 /// Greatest change of a continuous force when the step is a quarter.
 pub const SHRINKING: f64 = 0.35;
 
-/// Second differences of the force over steps of 1 nm, over the force.
-pub const ROUGHNESS: f64 = 1e-7;
+/// Second differences of the force over steps of 1 nm and 1 nrad, over the force: a stiff integrator's Newton differences stand on
+/// these. A few 1e-9 are the curvature of the force itself.
+pub const ROUGHNESS: f64 = 5e-8;
