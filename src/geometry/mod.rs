@@ -2,10 +2,12 @@
 
 mod analytic_profiles;
 pub mod clearance;
+pub mod contact;
 pub mod contact_line;
 pub mod contact_search;
 pub mod curve;
 pub(crate) mod curve_sections;
+pub mod line_separation;
 pub mod placed_rail;
 pub mod profile;
 mod profile_checks;

@@ -1,0 +1,92 @@
+//! What the FMI interface adds to an evaluation: a round of one set of twelve inputs, one step and one get of 34 outputs,
+//! beside the evaluation of the same inputs by the element alone.
+#![allow(unsafe_code)]
+
+// Clippy lets tests import by wildcard, benches not.
+#[allow(clippy::wildcard_imports)]
+#[path = "../tests/host/mod.rs"]
+mod host;
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use host::{Host, reference};
+use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::fmi::abi::{fmi2DoStep, fmi2GetReal, fmi2SetReal};
+use wheelrail::fmi::types::{Status, TRUE, ValueReference};
+use wheelrail::variables::{Causality, Kind, VARIABLES};
+
+/// Scenes and their heights against first touch, down positive [m].
+const SCENES: [(&str, f64); 2] = [("lifted", -1e-3), ("tread", 6e-5)];
+const INPUTS: [&str; 12] = [
+    "wheel.x",
+    "wheel.y",
+    "wheel.z",
+    "wheel.roll",
+    "wheel.yaw",
+    "wheel.pitch",
+    "wheel.vx",
+    "wheel.vy",
+    "wheel.vz",
+    "wheel.roll_rate",
+    "wheel.yaw_rate",
+    "wheel.pitch_rate",
+];
+const OUTPUTS: usize = 34;
+
+fn round(c: &mut Criterion) {
+    for (scene, depth) in SCENES {
+        let mut group = c.benchmark_group(format!("fmi/{scene}"));
+        let mut input = Input::default();
+        input.wheel.position[1] -= 3e-3;
+        let mut element = Element::new(&Parameters::default(), &input, &[]).expect("built in");
+        let z = element.nominal_wheel_z() + depth;
+        input.wheel.velocity[0] = 20.0;
+        input.wheel.pitch_rate = -20.0 / 0.46;
+        // Every evaluation gets another height, so that nothing is reused.
+        let mut step = 1e-10;
+        let mut output = Output::default();
+        group.bench_function("element", |b| {
+            b.iter(|| {
+                step = -step;
+                input.wheel.position[2] = z + step;
+                element.evaluate(black_box(&input), &mut output).expect("finite input");
+                black_box(output.wheel.force[2])
+            });
+        });
+
+        let host = Host::stepping();
+        let inputs = INPUTS.map(reference);
+        let wheel = &input.wheel;
+        let mut values = [0.0, wheel.position[1], z, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        values[11] = wheel.pitch_rate;
+        let outputs: Vec<ValueReference> = VARIABLES
+            .iter()
+            .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real)
+            .map(|v| reference(v.name))
+            .take(OUTPUTS)
+            .collect();
+        let mut results = [0.0; OUTPUTS];
+        group.bench_function("set_step_get", |b| {
+            b.iter(|| {
+                step = -step;
+                values[2] = z + step;
+                // SAFETY: FMI 2.0, 2.1.7: both arrays hold as many elements as the count says.
+                let set = unsafe {
+                    fmi2SetReal(host.component, inputs.as_ptr(), inputs.len(), values.as_ptr())
+                };
+                let stepped = fmi2DoStep(host.component, 0.0, 1e-4, TRUE);
+                // SAFETY: as above.
+                let got = unsafe {
+                    fmi2GetReal(host.component, outputs.as_ptr(), OUTPUTS, results.as_mut_ptr())
+                };
+                assert_eq!([set, stepped, got], [Status::Ok; 3]);
+                black_box(results[0])
+            });
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, round);
+criterion_main!(benches);

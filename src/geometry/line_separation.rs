@@ -1,0 +1,95 @@
+//! The separation of a wheel's contact line and a rail in the frame of a contact.
+//!
+//! The distance of the two lines along the normal of the frame, measured from the point of first touch: for a point of the
+//! contact line the opposite point of the rail has the same lateral coordinate.
+
+use crate::geometry::contact::Contact;
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::separation::{Separation, SeparationPoint};
+
+/// The separation of a contact line and a rail in the frame of a contact.
+#[derive(Clone, Debug)]
+pub struct LineSeparation<'a> {
+    line: &'a ContactLine<'a>,
+    rail: &'a PlacedRail,
+    contact: Contact,
+    /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the one by the other: the next
+    /// point is near.
+    near: [f64; 3],
+}
+
+/// Cosine of the angle to the contact frame beyond which a line counts as ended.
+const LEAST_COSINE: f64 = 0.15;
+/// Distance over which the rail's curve is as good as a parabola [m].
+const OPPOSITE: f64 = 3e-6;
+/// Newton steps for the point of the rail opposite to one of the wheel.
+const MOST_OPPOSITE_STEPS: usize = 12;
+
+impl<'a> LineSeparation<'a> {
+    /// The separation in the frame of `contact`.
+    #[must_use]
+    pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
+        Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
+    }
+
+    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal.
+    fn opposite(&mut self, y: f64) -> Option<[f64; 2]> {
+        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
+        let curve = self.rail.curve();
+        let (start, end) = (curve.start(), curve.end());
+        let [near_s, near_y, rate] = self.near;
+        let mut s = (near_s + rate * (y - near_y)).clamp(start, end);
+        for _ in 0..MOST_OPPOSITE_STEPS {
+            let p = curve.at(s);
+            let to = [p.point[0] - self.contact.origin[0], p.point[1] - self.contact.origin[1]];
+            let error = to[0] * tangent[0] + to[1] * tangent[1] - y;
+            let cosine = p.first[0] * tangent[0] + p.first[1] * tangent[1];
+            if cosine < LEAST_COSINE {
+                return None;
+            }
+            let steepness = 1.0 / cosine;
+            let step = -error * steepness;
+            let next = s + step;
+            if step.abs() <= OPPOSITE {
+                // The last step needs no new point: over it the curve is a parabola.
+                let turn = p.second[0] * tangent[0] + p.second[1] * tangent[1];
+                let bend = step * turn * steepness;
+                let step = step * (1.0 - 0.5 * bend);
+                let along = |v: &[f64; 2]| v[0] * normal[0] + v[1] * normal[1];
+                self.near = [s + step, y, steepness * (1.0 - bend)];
+                let depth = along(&to) + step * (along(&p.first) + 0.5 * step * along(&p.second));
+                return Some([s + step, depth]);
+            }
+            if (next < start && s <= start) || (next > end && s >= end) {
+                return None;
+            }
+            s = next.clamp(start, end);
+        }
+        None
+    }
+
+    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
+    #[must_use]
+    pub fn rail_parameter(&mut self, u: f64) -> f64 {
+        let point = self.line.at(u).point;
+        let [o, t] = [self.contact.origin, self.contact.tangent];
+        let y = (point[0] - o[0]) * t[0] + (point[1] - o[1]) * t[1];
+        self.opposite(y).map_or(self.contact.rail_s, |found| found[0])
+    }
+}
+
+impl Separation for LineSeparation<'_> {
+    #[inline]
+    fn at(&mut self, u: f64) -> SeparationPoint {
+        let (at, derivative) = self.line.with_derivative(u);
+        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
+        let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
+        let y = to[0] * tangent[0] + to[1] * tangent[1];
+        let depth = to[0] * normal[0] + to[1] * normal[1];
+        let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
+        let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
+        let f = rail.map_or(f64::INFINITY, |[_, rail]| rail - depth + self.contact.penetration);
+        SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }
+    }
+}
