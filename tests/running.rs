@@ -10,7 +10,7 @@ use common::wheel::{
 };
 use wheelrail::element::parameters::{Flexibilities, NormalModel};
 use wheelrail::element::{Element, Input, Parameters};
-use wheelrail::normal::damping::REFERENCE_STIFFNESS;
+use wheelrail::normal::damping::{REFERENCE_PENETRATION, REFERENCE_STIFFNESS};
 
 #[test]
 fn the_running_direction_changes_the_leading_edge_alone() {
@@ -133,6 +133,12 @@ fn forces_are_continuous_where_the_running_direction_changes() {
     );
 }
 
+/// Share of the damping that is there at a penetration [m].
+fn onset(penetration: f64) -> f64 {
+    let ratio = penetration / REFERENCE_PENETRATION;
+    ratio * ratio / (1.0 + ratio * ratio)
+}
+
 #[test]
 fn damping_follows_its_law_and_never_pulls() {
     let parameters = plain_parameters("cylindrical", "arc:0.3");
@@ -142,7 +148,7 @@ fn damping_follows_its_law_and_never_pulls() {
     let at = pressed(&mut element, &rolling(top - 0.75, 20.0), 8e-5);
     let still = the_patch(&evaluate(&mut element, &at));
     let stiffness = 1.5 * still.normal_force / still.penetration;
-    let c = coefficient * (stiffness / REFERENCE_STIFFNESS).sqrt();
+    let c = coefficient * (stiffness / REFERENCE_STIFFNESS).sqrt() * onset(still.penetration);
     for closing in [-0.3, -0.02, 0.02, 0.3] {
         let mut input = at;
         input.wheel.velocity[2] = closing;
@@ -196,7 +202,8 @@ fn damping_knows_how_fast_the_penetration_grows() {
         let [before, now, next] = all.map(|o| o.patches[0]);
         let growth = (next.penetration - before.penetration) / (2.0 * time);
         let stiffness = 1.5 * now.normal_force / now.penetration;
-        let c = parameters.damping * (stiffness / REFERENCE_STIFFNESS).sqrt();
+        let c =
+            parameters.damping * (stiffness / REFERENCE_STIFFNESS).sqrt() * onset(now.penetration);
         let load = output.patches[0].normal_force;
         if load <= 0.0 || now.normal_force < 100.0 {
             continue;
