@@ -152,7 +152,7 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
         let mut random = Random::new(9);
         let mut all = Vec::new();
         let mut flanges = 0;
-        for _ in 0..150 {
+        for _ in 0..70 {
             let mut input = rolling(random.within(-6e-3, 9e-3), 20.0);
             (input.wheel.roll, input.wheel.yaw) = (random.about(3e-3), random.about(0.02));
             let depth = random.within(2e-5, 1e-4);
@@ -177,7 +177,7 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
         }
         let [median, worst] = median_and_worst(all);
         println!("{normal_model:?}: roughness {median:e} in the median, {worst:e} at worst");
-        assert!(flanges > 10, "{flanges} flange contacts are too few");
+        assert!(flanges > 5, "{flanges} flange contacts are too few");
         assert!(worst < tolerance::ROUGHNESS, "{normal_model:?}: {worst:e}\n{report}");
     }
     write_report("roughness.csv", &report);
