@@ -126,10 +126,18 @@ impl Clearance {
             self.lows[first..last].chunks(BLOCK).zip(tops.chunks(BLOCK)).enumerate()
         {
             // Nearly all blocks are clear: the whole block is looked at before its cells.
-            let touching = lows.iter().zip(tops).filter(|(cell, top)| **cell + low >= **top);
-            if touching.count() > 0 {
+            let mut overlap = f64::NEG_INFINITY;
+            for (cell, top) in lows.iter().zip(tops) {
+                let own = cell - top;
+                overlap = if own > overlap { own } else { overlap };
+            }
+            if overlap + low >= 0.0 {
                 let start = first + block * BLOCK;
-                self.add_ranges(start, lows.iter().zip(tops).map(|(c, t)| c + low >= *t), ranges);
+                self.add_ranges(
+                    start,
+                    lows.iter().zip(tops).map(|(cell, top)| cell - top + low >= 0.0),
+                    ranges,
+                );
             }
         }
     }

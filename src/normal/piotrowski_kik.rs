@@ -14,10 +14,13 @@
 //! All zones with g > 0 belong to one half-space and to the one contact point at which the displacement meets the
 //! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel.
 
+use multiversion::multiversion;
+
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::elliptic::first_minus_second_split;
+use crate::math::logarithm::ln;
 
 /// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1.
 ///
@@ -50,7 +53,6 @@ pub fn solve(
             let width = half * weight * at.dy;
             let half_length = (2.0 * problem.radius * g).sqrt();
             load_integral += std::f64::consts::PI * problem.radius * g * width;
-            displacement_integral += width * regular_influence(half_length, at.y, longest);
             deepest = deepest.max(g);
             strips.y.push(at.y);
             strips.width.push(width);
@@ -59,6 +61,12 @@ pub fn solve(
             strips.pressure.push(half_length);
             strips.u.push(u);
         }
+        displacement_integral += regular_influence(
+            &strips.half_length[first..],
+            &strips.y[first..],
+            &strips.width[first..],
+            longest,
+        );
         let (left, right) = (separation.at(edge.left).y, separation.at(edge.right).y);
         displacement_integral += singular_influence(left, right, longest);
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
@@ -91,19 +99,38 @@ pub fn solve(
     left_out
 }
 
-/// Integrand of I2 at y, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough for Gauss-Legendre.
-#[inline]
-fn regular_influence(half_length: f64, y: f64, longest: f64) -> f64 {
-    let half_length_squared = half_length * half_length;
-    // The logarithm is kept finite; at y = 0 its two occurrences cancel.
-    let y_squared = (y * y).max(1e-24 * longest * longest);
-    let sum = half_length_squared + y_squared;
-    let s = sum.sqrt();
-    let (regular, logarithmic) = first_minus_second_split(y_squared / sum);
-    let log_y = (y_squared / (longest * longest)).ln();
-    let log_sum = (sum / (longest * longest)).ln();
-    2.0 * s * (regular - (log_y - log_sum) * logarithmic) + longest * log_y
+/// Sum over strips of width times the integrand of I2, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough
+/// for Gauss-Legendre.
+///
+/// Compiled for several instruction sets, the widest one chosen at run time; the order of the sums is fixed by
+/// [`LANES`], so that all of them give the same bits.
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+fn regular_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
+    let scale = 1.0 / (longest * longest);
+    let term = |half_length: f64, y: f64, width: f64| {
+        // The logarithm is kept finite; at y = 0 its two occurrences cancel.
+        let y_squared = (y * y * scale).max(1e-24);
+        let sum = half_length * half_length * scale + y_squared;
+        let (regular, logarithmic) = first_minus_second_split(y_squared / sum);
+        let (log_y, log_sum) = (ln(y_squared), ln(sum));
+        width * longest * (2.0 * sum.sqrt() * (regular - (log_y - log_sum) * logarithmic) + log_y)
+    };
+    let mut sums = [0.0; LANES];
+    let blocks = half_lengths.chunks_exact(LANES);
+    let rest = half_lengths.len() - blocks.remainder().len();
+    for ((a, y), w) in blocks.zip(ys.chunks_exact(LANES)).zip(widths.chunks_exact(LANES)) {
+        for lane in 0..LANES {
+            sums[lane] += term(a[lane], y[lane], w[lane]);
+        }
+    }
+    for j in rest..half_lengths.len() {
+        sums[j - rest] += term(half_lengths[j], ys[j], widths[j]);
+    }
+    sums.iter().sum()
 }
+
+/// Strips whose influence is summed at once.
+const LANES: usize = 8;
 
 /// -longest · ∫ ln(y²/longest²) dy from `left` to `right`: what [`regular_influence`] has taken out.
 fn singular_influence(left: f64, right: f64, longest: f64) -> f64 {
