@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{RAILS, Side};
-use super::rail_contact::{Models, RailContact};
+use super::rail_contact::RailContact;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
