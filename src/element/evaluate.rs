@@ -139,23 +139,25 @@ impl Element {
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
         let input = if mirrored { input.mirrored() } else { *input };
-        let mut result = Output::default();
+        // Nothing can fail from here on.
+        *output = Output::default();
         self.models.patches.clear();
         for (k, rail) in self.rails.iter_mut().enumerate() {
             if let Some(rail) = rail {
-                let left_out =
-                    rail.evaluate(k, &input, &mut self.models, &mut result, &mut self.work);
+                let left_out = rail.evaluate(k, &input, &mut self.models, output, &mut self.work);
                 self.fallbacks += left_out;
             }
         }
         let patches = &mut self.models.patches;
         patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
-        for (slot, patch) in result.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
+        for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
             *slot = *patch;
         }
-        result.patch_count = patches.len() as i32;
-        result.fallback_count = i32::try_from(self.fallbacks).unwrap_or(i32::MAX);
-        *output = if mirrored { result.mirrored() } else { result };
+        output.patch_count = patches.len() as i32;
+        output.fallback_count = i32::try_from(self.fallbacks).unwrap_or(i32::MAX);
+        if mirrored {
+            *output = output.mirrored();
+        }
         Ok(())
     }
 
