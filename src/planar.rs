@@ -97,9 +97,10 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let mut strips = Strips::with_capacity(MOST_ZONES, case.strips);
+    let (least, mut left_out) = (line.least, 0);
+    // `approach` counts from first touch.
     let mut press = |approach: f64| {
         strips.clear();
-        let approach = approach - line.least;
         if approach > 0.0 {
             let problem = NormalProblem {
                 approach,
@@ -111,14 +112,14 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
             };
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
-            normal::solve(model, epsilon, &problem, &mut line, &probes, &mut strips);
+            left_out = normal::solve(model, epsilon, &problem, &mut line, &probes, &mut strips);
             line.probes = probes;
         }
         strips.load()
     };
     match case.indentation {
         Indentation::Approach(approach) => {
-            press(approach);
+            press(approach - least);
         }
         Indentation::Load(load) if load > 0.0 => {
             let approach = approach_for(load, &mut press)?;
@@ -127,10 +128,10 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
         Indentation::Load(_) => {}
     }
     let contact_y = line.contact;
-    Ok(summarise(case, &material, &strips, contact_y))
+    Ok(PlanarResult { fallback: left_out > 0, ..summarise(case, &material, &strips, contact_y) })
 }
 
-/// The approach at which `press` gives `load`.
+/// The approach from first touch at which `press` gives `load`; where the load jumps past it, the place of the jump.
 fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, ContactError> {
     let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
     let mut high_load = press(high);
@@ -139,11 +140,11 @@ fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, Co
             return Err(ContactError::bad_value(
                 "load",
                 load,
-                "at most what the profiles carry at an approach of 20 mm",
+                "at most what the profiles carry 20 mm below first touch",
             ));
         }
         (low, low_load) = (high, high_load);
-        high *= 2.0;
+        high = (2.0 * high).min(MOST_APPROACH);
         high_load = press(high);
     }
     Ok(bracketed((low, low_load - load), (high, high_load - load), 1e-16, |a| press(a) - load))
@@ -270,11 +271,18 @@ impl PlanarLine {
         let mut probes = Vec::new();
         for pair in knots.windows(2) {
             probes.push(Probe { u: pair[0].s, f: pair[0].point[1] });
-            let (a, b) = (pair[0].tangent[1], pair[1].tangent[1]);
-            if a * b < 0.0 {
-                let ends = ((pair[0].s, a), (pair[1].s, b));
-                let u = bracketed(ends.0, ends.1, 1e-16, |u| curve.at(u).first[1]);
-                probes.push(Probe { u, f: curve.at(u).point[1] });
+            let slope = |u: f64| curve.at(u).first[1];
+            // The slope of a cubic piece is monotone on either side of its inflection.
+            let (s0, s1) = (pair[0].s, pair[1].s);
+            let (bend0, bend1) = (curve.at(s0).second[1], curve.at(s1.next_down()).second[1]);
+            let inflection = s0 + (s1 - s0) * bend0 / (bend0 - bend1);
+            let inner = if inflection > s0 && inflection < s1 { inflection } else { s1 };
+            let ends = [(s0, pair[0].tangent[1]), (inner, slope(inner)), (s1, pair[1].tangent[1])];
+            for end in ends.windows(2) {
+                if end[0].1 * end[1].1 < 0.0 {
+                    let u = bracketed(end[0], end[1], 1e-16, slope);
+                    probes.push(Probe { u, f: curve.at(u).point[1] });
+                }
             }
         }
         let last = &knots[knots.len() - 1];

@@ -3,6 +3,8 @@
 mod common;
 mod tolerance;
 
+use std::fmt::Write;
+
 use common::{column, quantiles, read_table};
 use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel};
 use wheelrail::material::Material;
@@ -80,9 +82,11 @@ fn fastsim_is_within_its_known_error_on_three_hundred_ellipses() {
         for flexibilities in [Flexibilities::Three, Flexibilities::Blended] {
             for count in [10, 20, 30] {
                 let [mean, p95, worst] = quantiles(ellipse_errors(bound, flexibilities, count));
-                report += &format!(
-                    "{bound:?},{flexibilities:?},{count}x{count},{mean:.4},{p95:.4},{worst:.4}\n"
-                );
+                writeln!(
+                    report,
+                    "{bound:?},{flexibilities:?},{count}x{count},{mean:.4},{p95:.4},{worst:.4}"
+                )
+                .unwrap();
                 if (bound, flexibilities, count)
                     == (TractionBound::Elliptic, Flexibilities::Blended, 20)
                 {

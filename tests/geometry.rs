@@ -73,8 +73,7 @@ impl Pair {
 /// Searches as the element does: from the stretches that the clearance bound leaves over.
 fn search(pair: &mut Pair, pose: &WheelPose) {
     let line = ContactLine::new(&pair.wheel.curve, RADIUS, pose);
-    let place = [pose.marker[1], pose.marker[2]];
-    pair.clearance.ranges(place, pose.roll, pose.yaw, &mut pair.ranges);
+    pair.clearance.ranges(pose, &mut pair.ranges);
     pair.search.search_within(&line, &pair.rail, &pair.ranges);
 }
 

@@ -1,7 +1,9 @@
 //! An evaluation allocates nothing, whatever the wheel does.
 
 mod allocations;
+mod common;
 
+use common::wheel::mirrored;
 use wheelrail::element::parameters::{
     Flexibilities, NormalModel, Side, TangentialModel, TractionBound,
 };
@@ -87,21 +89,4 @@ fn a_refused_input_leaves_only_its_message_behind() {
     let before = allocations::count();
     element.evaluate(&path(2), &mut output).unwrap();
     assert_eq!(allocations::count(), before);
-}
-
-/// The same path of a left wheel.
-fn mirrored(input: &Input) -> Input {
-    let mut left = *input;
-    let wheel = &mut left.wheel;
-    for value in [
-        &mut wheel.position[1],
-        &mut wheel.roll,
-        &mut wheel.yaw,
-        &mut wheel.velocity[1],
-        &mut left.rails[0].y,
-        &mut left.rails[0].roll,
-    ] {
-        *value = -*value;
-    }
-    left
 }

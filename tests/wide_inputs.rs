@@ -6,7 +6,7 @@ use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A number of any size and sign, small ones as likely as large ones.
 fn any_size() -> impl Strategy<Value = f64> {
-    (-12.0..12.0f64, any::<bool>())
+    (-15.0..160.0f64, any::<bool>())
         .prop_map(|(power, minus)| if minus { -(10f64.powf(power)) } else { 10f64.powf(power) })
 }
 
@@ -71,6 +71,36 @@ fn check(element: &mut Element, input: &Input) -> Result<(), TestCaseError> {
         prop_assert!((0.0..=1.0).contains(&patch.slip_share), "{patch:?}");
     }
     Ok(())
+}
+
+#[test]
+fn an_element_can_be_made_wherever_the_wheel_starts() {
+    proptest!(ProptestConfig::with_cases(200), |(start in anywhere())| {
+        let element = Element::new(&Parameters::default(), &start, &[]);
+        prop_assert!(element.expect("finite starts are admitted").nominal_wheel_z().is_finite());
+    });
+}
+
+#[test]
+fn without_a_rail_there_is_no_force_and_no_height_to_find() {
+    let mut parameters = Parameters::default();
+    parameters.rails[0].enabled = false;
+    let start = Input::default();
+    let mut element = Element::new(&parameters, &start, &[]).expect("a wheel without a rail");
+    assert!((element.nominal_wheel_z() - start.wheel.position[2]).abs() <= 0.0);
+    let mut output = Output::default();
+    element.evaluate(&start, &mut output).expect("finite input");
+    assert_eq!(output, Output::default());
+}
+
+#[test]
+fn a_radius_that_does_not_go_with_the_profile_is_refused_by_name() {
+    let mut parameters = Parameters::default();
+    for radius in [1e-3, 0.02] {
+        parameters.wheel.nominal_radius = radius;
+        let error = Element::new(&parameters, &Input::default(), &[]).unwrap_err();
+        assert!(error.to_string().starts_with("wheel.nominal_radius"), "{error}");
+    }
 }
 
 fn element(normal_model: NormalModel) -> Element {

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{RAILS, Side};
-use super::rail_contact::{Models, RailContact};
+use super::rail_contact::RailContact;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
@@ -79,6 +80,13 @@ impl Element {
     ) -> Result<Self, ContactError> {
         parameters.check()?;
         start.check()?;
+        let radius = parameters.wheel.nominal_radius;
+        let [least, greatest] = wheel.bounds().z;
+        // All of the wheel is on one side of its axle, and none of it further out than twice the nominal radius.
+        if radius + least <= 0.1 * radius || greatest > radius {
+            let allowed = "a radius in metres that goes with the heights of the wheel profile";
+            return Err(ContactError::bad_value("wheel.nominal_radius", radius, allowed));
+        }
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
@@ -155,22 +163,23 @@ impl Element {
     /// yaw of `start`; its own height where it stands beside the rails [m].
     pub fn touching_height(&mut self, start: &Input) -> f64 {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
-        let rails = self.rails.iter().flatten().enumerate();
-        let clear =
-            rails.map(|(k, rail)| rail.clear_height(k, &input)).fold(f64::INFINITY, f64::min);
+        let highest = (self.rails.iter().enumerate())
+            .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, &input)))
+            .fold(f64::INFINITY, f64::min);
         let mut touches = |z: f64| {
             let mut at = input;
             at.wheel.position[2] = z;
-            self.rails.iter_mut().flatten().enumerate().any(|(k, rail)| rail.touches(k, &at))
+            (self.rails.iter_mut().enumerate())
+                .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
+                .any(|touches| touches)
         };
-        let highest = clear;
-        let (mut clear, mut touching) = (highest, highest + DESCENT_STEP);
-        while !touches(touching) {
-            (clear, touching) = (touching, touching + DESCENT_STEP);
-            if touching > highest + MOST_DESCENT {
-                return input.wheel.position[2];
-            }
-        }
+        // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
+        let height = |step: usize| highest + step as f64 * DESCENT_STEP;
+        let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
+        let Some(step) = found.filter(|_| highest.is_finite()) else {
+            return start.wheel.position[2];
+        };
+        let (mut clear, mut touching) = (height(step - 1), height(step));
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (clear + touching);
             if touches(middle) { touching = middle } else { clear = middle }
@@ -181,7 +190,7 @@ impl Element {
 
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].
 const DESCENT_STEP: f64 = 2e-4;
-/// Descent after which the wheel stands beside the rail: more than any flange is high [m].
-const MOST_DESCENT: f64 = 0.15;
+/// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
+const MOST_DESCENT_STEPS: usize = 750;
 /// From the step of the descent to rounding.
 const BISECTIONS: usize = 45;

@@ -1,10 +1,13 @@
 //! The contact element: one wheel and the rails under it.
 
+mod contact_forces;
 mod evaluate;
 pub mod input;
+mod models;
 pub mod output;
 pub mod parameters;
 mod rail_contact;
+mod rail_frame;
 
 pub use evaluate::{Element, Work};
 pub use input::Input;

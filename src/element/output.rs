@@ -33,7 +33,7 @@ pub struct Patch {
     pub wheel_y: f64,
     /// Lateral coordinate of the centroid on the rail profile [m].
     pub rail_y: f64,
-    /// Distance of the contact point from the axle [m].
+    /// Distance from the axle of the wheel's surface at the centroid of the load [m].
     pub rolling_radius: f64,
     /// Overlap of the undeformed bodies along the contact normal [m].
     pub penetration: f64,

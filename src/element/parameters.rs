@@ -43,7 +43,7 @@ pub struct RailParameters {
     pub profile: String,
     /// Whether this rail takes part.
     pub enabled: bool,
-    /// Inclination of the profile towards the track centre, 1:40 is 0.025 [rad as tangent].
+    /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025 [-].
     pub inclination: f64,
 }
 

@@ -5,6 +5,7 @@
 //! enough to meet the rail lies within a chord of the axle's vertical plane, so that yaw moves it sideways by at most
 //! chord · yaw.
 
+use crate::geometry::contact_line::WheelPose;
 use crate::geometry::curve::Curve;
 
 /// Lateral spacing of the tables [m].
@@ -94,9 +95,9 @@ impl Clearance {
     }
 
     /// Fills `ranges` with the stretches of the contact line, as ranges of its parameter, that may touch the rail when the wheel
-    /// marker is at (y, z) [m] of the rail's frame with these angles [rad]: none for a lifted wheel, everything where the angles
-    /// are too large for a bound.
-    pub fn ranges(&self, marker: [f64; 2], roll: f64, yaw: f64, ranges: &mut Vec<[f64; 2]>) {
+    /// stands at `pose`: none for a lifted wheel, everything where the angles are too large for a bound.
+    pub fn ranges(&self, pose: &WheelPose, ranges: &mut Vec<[f64; 2]>) {
+        let WheelPose { marker, roll, yaw } = *pose;
         ranges.clear();
         let [extent_y, extent_z] = self.wheel_extent;
         let sideways =
@@ -108,14 +109,14 @@ impl Clearance {
             return;
         };
         let top = &self.tops[top];
-        let y = marker[0] - self.nominal_radius * roll.sin();
+        let y = marker[1] - self.nominal_radius * roll.sin();
         let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
         // Far beside the rail; this also keeps the conversion below exact.
         if offset.abs() > 1e6 {
             return;
         }
         let offset = offset as isize;
-        let low = marker[1] + self.nominal_radius + self.drop(roll);
+        let low = marker[2] + self.nominal_radius + self.drop(roll);
         let first = usize::try_from(-offset).unwrap_or(0);
         let last = (top.len() as isize - offset).clamp(0, self.lows.len() as isize) as usize;
         if first >= last {

@@ -26,6 +26,8 @@ const INSIDE_STEP: f64 = 1.5e-3;
 const LEAST_STEP: f64 = 5e-4;
 /// Length of the bins for which the concavity of the wheel is kept [m].
 const BIN: f64 = 4e-3;
+/// Concavity times distance up to which the curvature of a hollow rail bounds the step.
+const MOST_HOLLOW: f64 = 0.5;
 /// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved than the profile.
 const STEP_SHARE: f64 = 0.9;
 /// Patches are split where neighbouring normals differ by more [rad].
@@ -93,7 +95,10 @@ impl ContactSearch {
         let (mut concave, mut stretch) = (vec![0.0f64; count + 1], vec![0.0f64; count + 1]);
         let knots: Vec<f64> = wheel.knots().collect();
         for pair in knots.windows(2) {
-            for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
+            // Curvature is close to linear over a piece; a long one still has to reach every bin.
+            let count = ((pair[1] - pair[0]) / (0.5 * BIN)) as usize + 4;
+            for i in 0..=count {
+                let share = (i as f64 / count as f64).clamp(0.001, 0.999);
                 let s = pair[0] + share * (pair[1] - pair[0]);
                 let p = wheel.at(s);
                 let speed = p.first[0].hypot(p.first[1]);
@@ -175,9 +180,11 @@ impl ContactSearch {
             bin += 1;
         }
         let mut step = u.min(end) - from.u;
-        if !from.beyond_end {
+        // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond its centre without bound.
+        let hollow = rail_concavity * from.distance;
+        if !from.beyond_end && hollow < MOST_HOLLOW {
             let bin = (((from.u - start) / BIN) as usize).min(last);
-            let concavity = self.concavity[bin] + rail_concavity;
+            let concavity = self.concavity[bin] + rail_concavity / (1.0 - hollow);
             // d + slope·t - concavity·t²/2 vanishes no sooner than at:
             let root = (from.slope * from.slope + 2.0 * concavity * from.distance).sqrt();
             let bound = if from.slope < 0.0 {

@@ -24,7 +24,7 @@ const LEAST_COSINE: f64 = 0.15;
 /// Distance over which the rail's curve is as good as a parabola [m].
 const OPPOSITE: f64 = 3e-6;
 /// Newton steps for the point of the rail opposite to one of the wheel.
-const MOST_OPPOSITE_STEPS: usize = 12;
+const MOST_OPPOSITE_STEPS: usize = 24;
 
 impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
@@ -33,24 +33,37 @@ impl<'a> LineSeparation<'a> {
         Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
     }
 
-    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal.
+    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal;
+    /// nothing where the rail ends or turns away before.
     fn opposite(&mut self, y: f64) -> Option<[f64; 2]> {
+        let [near_s, near_y, rate] = self.near;
+        // From the last point it takes a step or two. Only the way from the contact point tells that there is none, so that the
+        // result does not depend on the point before.
+        self.opposite_from(near_s + rate * (y - near_y), y)
+            .or_else(|| self.opposite_from(self.contact.rail_s, y))
+    }
+
+    /// As [`opposite`](Self::opposite), by Newton steps from the parameter `guess`.
+    #[inline]
+    fn opposite_from(&mut self, guess: f64, y: f64) -> Option<[f64; 2]> {
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let curve = self.rail.curve();
         let (start, end) = (curve.start(), curve.end());
-        let [near_s, near_y, rate] = self.near;
-        let mut s = (near_s + rate * (y - near_y)).clamp(start, end);
+        let mut s = guess.clamp(start, end);
+        let mut good = None;
         for _ in 0..MOST_OPPOSITE_STEPS {
             let p = curve.at(s);
-            let to = [p.point[0] - self.contact.origin[0], p.point[1] - self.contact.origin[1]];
-            let error = to[0] * tangent[0] + to[1] * tangent[1] - y;
             let cosine = p.first[0] * tangent[0] + p.first[1] * tangent[1];
             if cosine < LEAST_COSINE {
-                return None;
+                // Too far: half way back to where the rail still faced the normal.
+                s = 0.5 * (s + good?);
+                continue;
             }
+            good = Some(s);
+            let to = [p.point[0] - self.contact.origin[0], p.point[1] - self.contact.origin[1]];
+            let error = to[0] * tangent[0] + to[1] * tangent[1] - y;
             let steepness = 1.0 / cosine;
             let step = -error * steepness;
-            let next = s + step;
             if step.abs() <= OPPOSITE {
                 // The last step needs no new point: over it the curve is a parabola.
                 let turn = p.second[0] * tangent[0] + p.second[1] * tangent[1];
@@ -61,6 +74,7 @@ impl<'a> LineSeparation<'a> {
                 let depth = along(&to) + step * (along(&p.first) + 0.5 * step * along(&p.second));
                 return Some([s + step, depth]);
             }
+            let next = s + step;
             if (next < start && s <= start) || (next > end && s >= end) {
                 return None;
             }

@@ -218,7 +218,7 @@ fn greatest_concavity(curve: &Curve) -> f64 {
     let knots: Vec<f64> = curve.knots().collect();
     knots
         .windows(2)
-        .flat_map(|k| [0.001, 0.5, 0.999].map(|share| k[0] + share * (k[1] - k[0])))
+        .flat_map(|k| [0.001, 0.25, 0.5, 0.75, 0.999].map(|share| k[0] + share * (k[1] - k[0])))
         .map(|s| turning(curve, s))
         .fold(0.0, f64::max)
 }

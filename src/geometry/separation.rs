@@ -9,7 +9,7 @@ pub struct SeparationPoint {
     pub dy: f64,
     /// Separation of the two lines less that at the contact point; infinite where no normal meets both [m].
     pub f: f64,
-    /// Longitudinal coordinate of the contact line in the track frame, 0 under the axle [m].
+    /// Coordinate of the contact line along the track, from the wheel marker [m].
     pub x: f64,
 }
 

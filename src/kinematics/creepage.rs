@@ -3,7 +3,29 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::motion::{RailMotion, WheelMotion};
-use crate::tangential::Creepage;
+
+/// Creepage of the wheel against the rail at one point of the contact plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Creepage {
+    /// Longitudinal, ξ = relative velocity along x over V [-].
+    pub longitudinal: f64,
+    /// Lateral, η, along the lateral axis of the contact frame [-].
+    pub lateral: f64,
+    /// Spin, φ = normal component of the relative angular velocity over V [1/m].
+    pub spin: f64,
+}
+
+impl Creepage {
+    /// Whether all three vanish, so that there is nothing to compute.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.abs() == 0.0)
+    }
+}
+
+/// Creepages, and spins in 1/m, beyond this are taken as this: the wheel slides far below it already, and squares of
+/// larger ones would overflow.
+const MOST_CREEPAGE: f64 = 1e6;
 
 /// The speed to which creepages refer, and the direction of rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,10 +97,12 @@ impl RelativeMotion {
     ) -> Creepage {
         let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
         let slip = wheel - self.rail_velocity_at(point);
+        let bounded =
+            |velocity: f64| (velocity / reference_speed).clamp(-MOST_CREEPAGE, MOST_CREEPAGE);
         Creepage {
-            longitudinal: slip.x / reference_speed,
-            lateral: slip.dot(&lateral) / reference_speed,
-            spin: (self.wheel_rotation - self.rail_rotation).dot(&normal) / reference_speed,
+            longitudinal: bounded(slip.x),
+            lateral: bounded(slip.dot(&lateral)),
+            spin: bounded((self.wheel_rotation - self.rail_rotation).dot(&normal)),
         }
     }
 

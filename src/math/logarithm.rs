@@ -3,6 +3,13 @@
 //! The one of the standard library is a call for each number; this one is plain arithmetic, so that a loop over
 //! strips is compiled to vector instructions.
 
+/// Bits of 2^52: an integer put into its low bits makes a float that much larger.
+const INTEGER: u64 = 0x4330_0000_0000_0000;
+const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
+/// Bits of 1/√2, at which a mantissa is taken to the next exponent, and from there to those of 1.
+const SPLIT: u64 = 0x3fe6_a09e_667f_3bcd;
+const BELOW_ONE: u64 = 0x3ff0_0000_0000_0000 - SPLIT;
+
 /// ln x for finite, normal x > 0, to within 3e-16 (1 + |ln x|).
 ///
 /// x = 2^e m with m between 1/√2 and √2, and ln m = 2 artanh((m - 1)/(m + 1)) by its series.
@@ -10,14 +17,9 @@
 #[must_use]
 pub fn ln(x: f64) -> f64 {
     debug_assert!(x.is_normal() && x > 0.0);
-    /// Bits of 2^52: an integer put into its low bits makes a float that much larger.
-    const INTEGER: u64 = 0x4330_0000_0000_0000;
-    const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
-    // Moves the split between two exponents from 1 to 1/√2.
-    const SPLIT: u64 = 0x3ff0_0000_0000_0000 - 0x3fe6_a09e_667f_3bcd;
-    let shifted = x.to_bits() + SPLIT;
+    let shifted = x.to_bits() + BELOW_ONE;
     let exponent = f64::from_bits(INTEGER | (shifted >> 52)) - (TWO_TO_52 + 1023.0);
-    let m = f64::from_bits((shifted & 0x000f_ffff_ffff_ffff) + 0x3fe6_a09e_667f_3bcd);
+    let m = f64::from_bits((shifted & 0x000f_ffff_ffff_ffff) + SPLIT);
     let f = (m - 1.0) / (m + 1.0);
     let s = f * f;
     let mut series = 1.0 / 19.0;

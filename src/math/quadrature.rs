@@ -25,9 +25,6 @@ impl GaussLegendre {
                     let k = k as f64;
                     (below, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * below) / k);
                 }
-                if count == 1 {
-                    value = x;
-                }
                 slope = n * (below - x * value) / (1.0 - x * x);
                 x -= value / slope;
             }

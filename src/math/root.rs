@@ -4,7 +4,7 @@
 ///
 /// Secant steps with the Anderson-Björck change of the retained end: about 1.7 correct digits more per digit and
 /// evaluation for a smooth function, never outside the bracket, and with bisection whenever three steps
-/// have not halved it. Stops when the bracket is narrower than `tolerance`, when `f` vanishes, or after
+/// have not brought it to two fifths. Stops when the bracket is narrower than `tolerance`, when `f` vanishes, or after
 /// `MOST_STEPS`, so that it returns a point of the bracket for any function.
 #[inline]
 pub fn bracketed(

@@ -35,13 +35,13 @@ pub struct Zone {
     pub load: f64,
     /// Greatest pressure [Pa].
     pub max_pressure: f64,
-    /// Greatest extent along x [m].
+    /// Length of the longest strip [m]; strips of a yawed wheel are shifted against each other besides.
     pub length: f64,
     /// Extent across [m].
     pub width: f64,
     /// Area [m²].
     pub area: f64,
-    /// Centroid of the load along x, in the track frame from under the axle [m].
+    /// Centroid of the load along the track, from the wheel marker [m].
     pub x: f64,
     /// Centroid of the load across, in the contact frame from the contact point [m].
     pub y: f64,
@@ -60,7 +60,7 @@ pub struct Strips {
     pub y: Room<f64>,
     /// Width [m].
     pub width: Room<f64>,
-    /// Centre along x in the track frame [m].
+    /// Centre along the track, from the wheel marker [m].
     pub x: Room<f64>,
     /// Half length along x [m].
     pub half_length: Room<f64>,
@@ -145,7 +145,7 @@ pub struct NormalProblem<'a> {
     pub contact_modulus: f64,
     /// Parameter of the contact line at the contact point [m].
     pub contact_u: f64,
-    /// Relative curvature of the two lines at the contact point, f''(0) [1/m].
+    /// Relative curvature of the two profiles at the contact point, f''(0) without yaw [1/m].
     pub lateral_curvature: f64,
     /// Quadrature rule across a zone; its nodes are the strips.
     pub rule: &'a GaussLegendre,

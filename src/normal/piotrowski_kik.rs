@@ -85,6 +85,8 @@ pub fn solve(
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
         std::f64::consts::PI * problem.contact_modulus * problem.approach / displacement_integral
     } else {
+        // Zones without width at the limit of what is resolved; they count as left out.
+        left_out += strips.zones.len();
         0.0
     };
     for pressure in strips.pressure.iter_mut() {

@@ -4,6 +4,7 @@ pub mod fastsim;
 pub mod flexibility;
 pub mod kalker_coefficients;
 
+pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 use fastsim::{Fastsim, TractionBound};
@@ -27,25 +28,6 @@ pub enum Flexibilities {
     /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
     #[default]
     Blended,
-}
-
-/// Creepage of the wheel against the rail at one point of the contact plane.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Creepage {
-    /// Longitudinal, ξ = relative velocity along x over V [-].
-    pub longitudinal: f64,
-    /// Lateral, η, along the lateral axis of the contact frame [-].
-    pub lateral: f64,
-    /// Spin, φ = normal component of the relative angular velocity over V [1/m].
-    pub spin: f64,
-}
-
-impl Creepage {
-    /// Whether all three vanish, so that there is nothing to compute.
-    #[must_use]
-    pub fn is_zero(&self) -> bool {
-        [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.abs() == 0.0)
-    }
 }
 
 /// Which end of the strips leads.

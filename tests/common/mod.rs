@@ -4,6 +4,7 @@
 
 pub mod planar;
 pub mod random;
+pub mod vectors;
 pub mod wheel;
 
 use std::path::Path;

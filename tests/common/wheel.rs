@@ -1,7 +1,11 @@
 //! Elements and inputs of wheels on rails, as several tests use them.
 
 use wheelrail::element::input::RailMotion;
+use wheelrail::element::output::Patch;
 use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::geometry::placed_rail::PlacedRail;
+use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::io::load_profile;
 
 use super::random::Random;
 
@@ -64,4 +68,46 @@ pub fn random_input(element: &mut Element, random: &mut Random) -> Input {
     input.friction = random.within(0.05, 0.6);
     let depth = random.within(0.0, 1.2e-4);
     pressed(element, &input, depth)
+}
+
+/// Marker of the right rail in design position.
+pub fn rail_marker(parameters: &Parameters) -> [f64; 3] {
+    let rail = &parameters.rails[0];
+    let profile = load_profile("rail", &rail.profile, ProfileKind::Rail, 0.0, &[]).unwrap();
+    let placed = PlacedRail::by_gauge(
+        &profile.curve,
+        rail.inclination,
+        parameters.gauge,
+        parameters.gauge_depth,
+    );
+    let [y, z] = placed.unwrap().marker;
+    [0.0, y, z]
+}
+
+/// The only patch of an evaluation.
+pub fn the_patch(output: &Output) -> Patch {
+    assert_eq!(output.patch_count, 1, "{output:?}");
+    output.patches[0]
+}
+
+/// The inputs of a left wheel that is the mirror image of a right one.
+pub fn mirrored(input: &Input) -> Input {
+    let mut left = *input;
+    let wheel = &mut left.wheel;
+    for value in [
+        &mut wheel.position[1],
+        &mut wheel.velocity[1],
+        &mut wheel.roll,
+        &mut wheel.yaw,
+        &mut wheel.roll_rate,
+        &mut wheel.yaw_rate,
+    ] {
+        *value = -*value;
+    }
+    for rail in &mut left.rails {
+        for value in [&mut rail.y, &mut rail.roll, &mut rail.vy, &mut rail.roll_rate] {
+            *value = -*value;
+        }
+    }
+    left
 }

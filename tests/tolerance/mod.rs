@@ -102,7 +102,7 @@ pub const CONTACT_PLACE: f64 = 1e-6;
 /// Axle moment against longitudinal force times rolling radius.
 pub const AXLE_MOMENT: f64 = 0.01;
 
-/// A problem and its mirror image along x: the search runs through other roundings.
+/// A problem and its mirror image along x, or turned about it: the search runs through other roundings.
 pub const MIRRORED: f64 = 1e-9;
 
 /// Two directions of running at 20 m/s with 25 mm/s of slip: creepages refer to mean speeds that differ by a thousandth.
@@ -117,3 +117,6 @@ pub const SHRINKING: f64 = 0.35;
 /// Second differences of the force over steps of 1 nm and 1 nrad, over the force: a stiff integrator's Newton differences stand on
 /// these. A few 1e-9 are the curvature of the force itself.
 pub const ROUGHNESS: f64 = 5e-8;
+
+/// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
+pub const CLOSING_SPEED: f64 = 1e-6;

@@ -1,12 +1,15 @@
-//! How far the normal force jumps where the deepest of several minima changes, as both normal models have one contact point for each
-//! penetrated interval.
+//! Continuity of the forces: smooth for one patch; how far the normal force jumps where the deepest of several minima changes, as both
+//! normal models have one contact point for each penetrated interval.
 
 mod common;
 mod tolerance;
 
 use std::fmt::Write;
 
-use common::write_report;
+use common::random::Random;
+use common::vectors::dot;
+use common::wheel::{evaluate, pressed, rolling};
+use common::{median_and_worst, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -25,7 +28,7 @@ struct Jump {
     patches: [i32; 2],
 }
 
-fn element(normal_model: NormalModel) -> Element {
+fn normal_element(normal_model: NormalModel) -> Element {
     let parameters = Parameters {
         normal_model,
         tangential_model: TangentialModel::None,
@@ -42,7 +45,7 @@ fn at(shift: f64, z: f64) -> Input {
 
 /// Heights of first touch over the range.
 fn touching_heights() -> Vec<f64> {
-    let mut element = element(NormalModel::Hertz);
+    let mut element = normal_element(NormalModel::Hertz);
     let count = ((RANGE[1] - RANGE[0]) / HEIGHT_STEP).round() as usize + 1;
     (0..count)
         .map(|i| element.touching_height(&at(RANGE[0] + i as f64 * HEIGHT_STEP, -0.46)))
@@ -51,7 +54,7 @@ fn touching_heights() -> Vec<f64> {
 
 /// The jumps of a sweep at `depth` below first touch, largest first. What neighbouring steps change as well is no jump.
 fn jumps(model: NormalModel, heights: &[f64], depth: f64) -> Vec<Jump> {
-    let mut element = element(model);
+    let mut element = normal_element(model);
     let mut output = Output::default();
     let count = ((RANGE[1] - RANGE[0]) / STEP).round() as usize;
     let mut loads = Vec::with_capacity(count);
@@ -114,4 +117,68 @@ fn force_jumps_where_minima_swap_or_merge_are_bounded() {
         }
     }
     write_report("force_jumps.csv", &report);
+}
+
+/// Moves something by a number.
+type Change = fn(&mut Input, f64);
+
+/// Greatest second difference of the wheel's force over 100 steps of `change`, over the force.
+fn roughness(element: &mut Element, input: &Input, change: Change) -> f64 {
+    let forces: Vec<[f64; 3]> = (0..100)
+        .map(|i| {
+            let mut moved = *input;
+            change(&mut moved, 1e-9 * f64::from(i));
+            evaluate(element, &moved).wheel.force
+        })
+        .collect();
+    let second = |f: &[[f64; 3]], k: usize| (f[0][k] - 2.0 * f[1][k] + f[2][k]).abs();
+    let greatest = forces.windows(3).flat_map(|f| [0, 1, 2].map(|k| second(f, k)));
+    greatest.fold(0.0, f64::max) / dot(forces[0], forces[0]).sqrt()
+}
+
+#[test]
+fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian() {
+    let directions: [(&str, Change); 4] = [
+        ("y", |i, h| i.wheel.position[1] += h),
+        ("z", |i, h| i.wheel.position[2] += h),
+        ("roll", |i, h| i.wheel.roll += h),
+        ("yaw", |i, h| i.wheel.yaw += h),
+    ];
+    let mut report =
+        String::from("model,direction,shift_mm,yaw_mrad,depth_um,angle_deg,roughness\n");
+    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
+        let mut element =
+            common::wheel::element(&Parameters { normal_model, ..Parameters::default() });
+        let mut random = Random::new(9);
+        let mut all = Vec::new();
+        let mut flanges = 0;
+        for _ in 0..70 {
+            let mut input = rolling(random.within(-6e-3, 9e-3), 20.0);
+            (input.wheel.roll, input.wheel.yaw) = (random.about(3e-3), random.about(0.02));
+            let depth = random.within(2e-5, 1e-4);
+            let at = pressed(&mut element, &input, depth);
+            let output = evaluate(&mut element, &at);
+            if output.patch_count != 1 {
+                continue;
+            }
+            let angle = output.patches[0].contact_angle;
+            flanges += u32::from(angle < -0.7);
+            for (direction, change) in directions {
+                let found = roughness(&mut element, &at, change);
+                let (shift, yaw) = (1e3 * (at.wheel.position[1] - 0.75), 1e3 * at.wheel.yaw);
+                let (depth, angle) = (1e6 * depth, angle.to_degrees());
+                writeln!(
+                    report,
+                    "{normal_model:?},{direction},{shift:.3},{yaw:.2},{depth:.1},{angle:.2},{found:e}"
+                )
+                .unwrap();
+                all.push(found);
+            }
+        }
+        let [median, worst] = median_and_worst(all);
+        println!("{normal_model:?}: roughness {median:e} in the median, {worst:e} at worst");
+        assert!(flanges > 5, "{flanges} flange contacts are too few");
+        assert!(worst < tolerance::ROUGHNESS, "{normal_model:?}: {worst:e}\n{report}");
+    }
+    write_report("roughness.csv", &report);
 }

@@ -1,0 +1,138 @@
+//! From the loaded zones of a contact to forces on wheel and rail.
+
+use nalgebra::Vector3;
+
+use super::evaluate::Work;
+use super::input::{Input, WheelMotion};
+use super::models::Models;
+use super::output::{Output, Patch, Wrench};
+use super::rail_frame::RailFrame;
+use crate::geometry::contact::Contact;
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
+use crate::normal::damping;
+use crate::tangential::RollingState;
+
+/// Brings the solution of one contact to forces on both bodies.
+pub struct ContactForces<'a> {
+    /// Number of the rail, from 0.
+    pub k: usize,
+    /// The input, of a right side.
+    pub input: &'a Input,
+    /// The frame of the rail.
+    pub frame: RailFrame,
+    /// The contact line of the wheel in that frame.
+    pub line: ContactLine<'a>,
+    /// The rail.
+    pub rail: &'a PlacedRail,
+    /// The contact.
+    pub contact: Contact,
+}
+
+impl ContactForces<'_> {
+    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`.
+    pub fn add(
+        &self,
+        separation: &mut LineSeparation,
+        models: &mut Models,
+        output: &mut Output,
+        work: &mut Work,
+    ) {
+        // All points have their x from the wheel marker, so that no result depends on the station by rounding.
+        let [station, y, z] = self.input.wheel.position;
+        let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
+        let wheel_marker = Vector3::from(wheel.position);
+        let rail_motion = &self.input.rails[self.k];
+        let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
+        let lateral = self.frame.direction(self.contact.tangent);
+        let normal = self.frame.direction(self.contact.normal());
+        // The wheel's surface of first touch lies deeper in the rail by the penetration.
+        let touch = self.track_point(self.line.at(self.contact.u).x, 0.0, self.contact.penetration);
+        let load = models.strips.load();
+        let closing_speed = motion.closing_velocity(touch).dot(&normal);
+        let damped =
+            damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
+        let load_factor = if load > 0.0 { damped / load } else { 0.0 };
+        for index in 0..models.strips.zones.len() {
+            let zone = models.strips.zones[index];
+            if zone.load <= 0.0 || zone.width <= 0.0 {
+                continue;
+            }
+            work.zones += 1;
+            let at = self.line.at(zone.u);
+            let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
+            let axis = self.contact.normal();
+            let depth = to[0] * axis[0] + to[1] * axis[1];
+            let position = self.track_point(zone.x, zone.y, depth);
+            let wheel_point = self.line.wheel_point(zone.u);
+            let speed = rolling_speed(
+                wheel.velocity[0],
+                wheel.pitch_rate,
+                wheel_point.rolling_radius,
+                models.minimum_speed,
+            );
+            let creepage = motion.creepage(position, lateral, normal, speed.reference);
+            let state = RollingState {
+                creepage,
+                forward_share: speed.forward_share,
+                friction: self.input.friction,
+                load_factor,
+            };
+            let marched =
+                models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
+            work.marches += u64::from(marched.is_some());
+            let force = marched.unwrap_or_default();
+            let normal_force = zone.load * load_factor;
+            let on_wheel =
+                Vector3::x() * force.longitudinal + lateral * force.lateral - normal * normal_force;
+            let spin_moment = normal * force.spin_moment;
+            add(&mut output.wheel, on_wheel, position - wheel_marker, spin_moment);
+            let position = position + Vector3::x() * station;
+            let arm = position - self.frame.marker;
+            add(&mut output.rails[self.k], -on_wheel, arm, -spin_moment);
+            let dissipation = -(force.longitudinal * creepage.longitudinal
+                + force.lateral * creepage.lateral
+                + force.spin_moment * creepage.spin);
+            let frictional_power = (dissipation * speed.reference).max(0.0);
+            output.wear_number += dissipation.max(0.0);
+            output.frictional_power += frictional_power;
+            models.patches.push(Patch {
+                rail: self.k as i32 + 1,
+                normal_force,
+                creep_force: [force.longitudinal, force.lateral],
+                spin_moment: force.spin_moment,
+                contact_angle: self.contact.angle() + self.frame.roll,
+                position: position.into(),
+                wheel_y: wheel_point.y,
+                rail_y: self.rail.profile_y(separation.rail_parameter(zone.u)),
+                rolling_radius: wheel_point.rolling_radius,
+                penetration: self.contact.penetration,
+                max_pressure: zone.max_pressure * load_factor,
+                length: zone.length,
+                width: zone.width,
+                area: zone.area,
+                creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
+                slip_share: (force.slip_area / zone.area).min(1.0),
+                frictional_power,
+            });
+        }
+    }
+
+    /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
+    fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
+        let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
+        let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
+        self.frame.marker + self.frame.direction(point) + Vector3::x() * x
+    }
+}
+
+/// Adds a force on a body that acts at `arm` from its marker, and a free moment.
+fn add(wrench: &mut Wrench, force: Vector3<f64>, arm: Vector3<f64>, moment: Vector3<f64>) {
+    let moment = arm.cross(&force) + moment;
+    for i in 0..3 {
+        wrench.force[i] += force[i];
+        wrench.moment[i] += moment[i];
+    }
+}

@@ -1,0 +1,67 @@
+//! The contact models of an element and their scratch memory.
+
+use super::output::Patch;
+use super::parameters::Parameters;
+use crate::geometry::contact_search::MOST_CONTACTS;
+use crate::material::{Material, MaterialPair};
+use crate::math::quadrature::GaussLegendre;
+use crate::math::room::Room;
+use crate::normal::{NormalModel, Strips};
+use crate::tangential::Tangential;
+
+/// Most loaded zones of one contact frame.
+const MOST_ZONES: usize = 8;
+
+/// The chosen models and their scratch memory, shared by the rails of an element.
+#[derive(Clone, Debug)]
+pub struct Models {
+    /// Normal contact model.
+    pub normal: NormalModel,
+    /// Virtual over true penetration [-].
+    pub virtual_penetration: f64,
+    /// Contact damping at the reference stiffness [N s/m].
+    pub damping: f64,
+    /// Tangential contact model with its settings.
+    pub tangential: Tangential,
+    /// Floor of the speed that creepages refer to [m/s].
+    pub minimum_speed: f64,
+    /// Elastic constants of wheel and rails.
+    pub material: MaterialPair,
+    /// Quadrature rule across a zone.
+    pub rule: GaussLegendre,
+    /// Loaded zones of the contact under way.
+    pub strips: Strips,
+    /// All loaded zones of the evaluation under way.
+    pub patches: Room<Patch>,
+}
+
+impl Models {
+    /// The models that checked `parameters` ask for.
+    #[must_use]
+    pub fn new(parameters: &Parameters) -> Self {
+        let wheel = Material {
+            young_modulus: parameters.wheel.young_modulus,
+            poisson_ratio: parameters.wheel.poisson_ratio,
+        };
+        let rail = Material {
+            young_modulus: parameters.rail_young_modulus,
+            poisson_ratio: parameters.rail_poisson_ratio,
+        };
+        Self {
+            normal: parameters.normal_model,
+            virtual_penetration: parameters.virtual_penetration,
+            damping: parameters.damping,
+            tangential: Tangential::new(
+                parameters.tangential_model,
+                parameters.flexibilities,
+                parameters.bound,
+                parameters.elements_along,
+            ),
+            minimum_speed: parameters.minimum_speed,
+            material: MaterialPair::new(wheel, rail),
+            rule: GaussLegendre::new(parameters.strips),
+            strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
+            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
+        }
+    }
+}
