@@ -68,8 +68,7 @@
 //!
 //! # Modules
 //!
-//! A module imports only from those above it. Exceptions: `kinematics` takes the type of a creepage from `tangential`, and
-//! `planar` the names of models from `element::parameters`.
+//! A module imports only from those above it.
 //!
 //! ```text
 //! math        elliptic integrals, quadrature, roots, splines: no railway words
@@ -77,11 +76,11 @@
 //! material    elastic constants
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
+//! kinematics  motion of wheel and rail to creepage
 //! normal      hertz, piotrowski_kik, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
-//! kinematics  motion of wheel and rail to creepage
-//! element     one wheel: parameters, input, evaluation, output
 //! planar      contact problems given by a separation instead of two profiles
+//! element     one wheel: parameters, input, evaluation, output
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation
 //! ```
