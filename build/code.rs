@@ -135,7 +135,8 @@ fn allowed(declaration: &Declaration, v: &Variable) -> String {
             }
             (Some(min), None) => format!("{sort} of at least {}{unit}", plain(min)),
             (None, Some(max)) => format!("{sort} of at most {}{unit}", plain(max)),
-            (None, None) => format!("{sort}{unit}"),
+            (None, None) if unit.is_empty() => sort.into(),
+            (None, None) => format!("{sort}, in{unit}"),
         },
         Kind::Boolean(_) => "true or false".into(),
         Kind::Text(_) => "a text without null characters".into(),

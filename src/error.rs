@@ -29,12 +29,12 @@ pub enum ContactError {
         allowed: String,
     },
     /// A wheel or rail profile that cannot be had or used.
-    #[error("{name}: {source}")]
+    #[error("{name}: {problem}")]
     Profile {
         /// FMU name of the parameter that named the profile, such as `wheel.profile`.
         name: String,
         /// What is wrong with it.
-        source: ProfileError,
+        problem: ProfileError,
     },
 }
 

@@ -180,7 +180,7 @@ fn a_refused_array_changes_nothing_and_the_run_goes_on() {
     assert_eq!(host.set_reals(&PRESSED), Status::Ok);
     assert_eq!(undisturbed.set_reals(&PRESSED), Status::Ok);
     for (name, value, words) in [
-        ("wheel.vy", f64::NAN, "wheel.vy = NaN is not admitted: a finite number m/s"),
+        ("wheel.vy", f64::NAN, "wheel.vy = NaN is not admitted: a finite number, in m/s"),
         ("wheel.vy", f64::NEG_INFINITY, "wheel.vy = -inf"),
         ("friction.coefficient", -0.1, "friction.coefficient = -0.1"),
         ("wheel.force.z", 1.0, "wheel.force.z = 1 is not admitted: it is computed"),

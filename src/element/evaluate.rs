@@ -98,7 +98,7 @@ impl Element {
             )
             .map_err(|_| ContactError::Profile {
                 name: format!("rail[{}].profile", k + 1),
-                source: ProfileError::NoGaugeFace {
+                problem: ProfileError::NoGaugeFace {
                     name: profile.name.clone(),
                     depth_mm: 1e3 * parameters.gauge_depth,
                 },

@@ -51,7 +51,7 @@ pub fn load_profile(
         Ok(None) => find(name, kind, folders).and_then(|path| from_file(&path, kind, smoothing)),
         Err(error) => Err(error),
     };
-    profile.map_err(|source| ContactError::Profile { name: parameter.into(), source })
+    profile.map_err(|problem| ContactError::Profile { name: parameter.into(), problem })
 }
 
 /// The file of that name: an absolute path, or the first of the folders that has it.

@@ -189,7 +189,7 @@ mod tests {
         let mut values = Values::default();
         for (name, value, words) in [
             ("wheel.y", Value::Real(f64::NAN), "wheel.y = NaN"),
-            ("wheel.y", Value::Real(f64::INFINITY), "a finite number m"),
+            ("wheel.y", Value::Real(f64::INFINITY), "a finite number, in m"),
             ("wheel.poisson_ratio", Value::Real(0.6), "from 0 to 0.5"),
             ("friction.coefficient", Value::Real(-0.1), "of at least 0"),
             ("normal.strips", Value::Integer(3), "an integer from 4 to 200"),

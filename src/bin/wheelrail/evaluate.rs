@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .collect();
     let path = arguments.output.as_deref();
     let mut table = output::table(path)?;
-    table.write_record(computed.iter().map(|v| v.name))?;
+    let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;
     let mut evaluator = Evaluator { folder: cases.folder(), current: None };
     for row in cases.rows() {
@@ -53,6 +53,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
         }
         evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
+        // Only now, so that a table that cannot be evaluated leaves nothing but its error.
+        if std::mem::take(&mut header_due) {
+            table.write_record(computed.iter().map(|v| v.name))?;
+        }
         table.write_record(computed.iter().map(|v| values.text_of(v)))?;
         progress.inc(1);
     }

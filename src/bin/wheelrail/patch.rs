@@ -76,7 +76,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     columns::check(&cases)?;
     let path = arguments.output.as_deref();
     let mut table = output::table(path)?;
-    table.write_record(RESULTS)?;
+    let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;
     let mut separations: HashMap<PathBuf, Vec<[f64; 2]>> = HashMap::new();
     for row in cases.rows() {
@@ -88,6 +88,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         }
         let planar = case.planar(&separations[&case.separation]);
         let (result, time) = timed(&planar).with_context(|| row.place())?;
+        // Only now, so that a table that cannot be solved leaves nothing but its error.
+        if std::mem::take(&mut header_due) {
+            table.write_record(RESULTS)?;
+        }
         table.write_record(cells(&result, time))?;
         progress.inc(1);
     }
