@@ -106,16 +106,34 @@ impl Input {
     /// # Errors
     /// The first input at fault, by its FMU name.
     pub fn check(&self) -> Result<(), ContactError> {
-        for (name, rail, value) in self.named() {
-            if !value.is_finite() {
-                let name = rail.map_or(name.to_owned(), |k| format!("rail[{k}].{name}"));
-                return Err(ContactError::bad_value(name, value, "a finite number"));
-            }
+        // At every evaluation this runs; the names are only looked up when there is one to report.
+        let w = &self.wheel;
+        let wheel = [
+            w.position,
+            w.velocity,
+            [w.roll, w.yaw, w.pitch],
+            [w.roll_rate, w.yaw_rate, w.pitch_rate],
+        ];
+        let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate]);
+        let all = wheel.as_flattened().iter().chain(rails.as_flattened());
+        // Zero times anything that is not finite is not a number.
+        let sum: f64 = all.map(|value| 0.0 * value).sum();
+        if (sum + 0.0 * self.track_s + 0.0 * self.friction).is_nan() {
+            return Err(self.not_finite());
         }
         if self.friction < 0.0 {
             let allowed = "a finite number, at least 0";
             return Err(ContactError::bad_value("friction.coefficient", self.friction, allowed));
         }
         Ok(())
+    }
+
+    /// The error for the first input that is not finite.
+    #[cold]
+    fn not_finite(&self) -> ContactError {
+        let named = self.named().find(|(_, _, value)| !value.is_finite());
+        let (name, rail, value) = named.unwrap_or(("input", None, f64::NAN));
+        let name = rail.map_or(name.to_owned(), |k| format!("rail[{k}].{name}"));
+        ContactError::bad_value(name, value, "a finite number")
     }
 }

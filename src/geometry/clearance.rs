@@ -16,8 +16,6 @@ const SAMPLE: f64 = 1e-4;
 const MARGIN: f64 = 5e-6;
 /// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
 const LEVELS: usize = 9;
-/// Cells that are looked at together.
-const BLOCK: usize = 16;
 /// Cells beyond either end of the rail that any level can reach.
 const PADDING: usize = 1 << (LEVELS - 1);
 
@@ -104,11 +102,11 @@ impl Clearance {
             self.chord * yaw.abs() + extent_y * (yaw * yaw + roll * roll) + extent_z * roll.abs();
         // One cell more, because the two grids do not meet.
         let reach = sideways / CELL + 1.0;
-        let Some(top) = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach) else {
+        let Some(level) = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach) else {
             ranges.push([f64::MIN, f64::MAX]);
             return;
         };
-        let top = &self.tops[top];
+        let top = &self.tops[level];
         let y = marker[1] - self.nominal_radius * roll.sin();
         let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
         // Far beside the rail; this also keeps the conversion below exact.
@@ -117,41 +115,19 @@ impl Clearance {
         }
         let offset = offset as isize;
         let low = marker[2] + self.nominal_radius + self.drop(roll);
-        let first = usize::try_from(-offset).unwrap_or(0);
-        let last = (top.len() as isize - offset).clamp(0, self.lows.len() as isize) as usize;
+        // The cells of `top` that the rail reaches at this level.
+        let rail = [PADDING - (1 << level), top.len() - PADDING + (1 << level)];
+        let within = |cell: usize| (cell as isize - offset).clamp(0, self.lows.len() as isize);
+        let [first, last] = rail.map(|cell| within(cell) as usize);
         if first >= last {
             return;
         }
         let tops = &top[(first as isize + offset) as usize..];
-        for (block, (lows, tops)) in
-            self.lows[first..last].chunks(BLOCK).zip(tops.chunks(BLOCK)).enumerate()
-        {
-            // Nearly all blocks are clear: the whole block is looked at before its cells.
-            let mut overlap = f64::NEG_INFINITY;
-            for (cell, top) in lows.iter().zip(tops) {
-                let own = cell - top;
-                overlap = if own > overlap { own } else { overlap };
+        for (i, (cell, top)) in self.lows[first..last].iter().zip(tops).enumerate() {
+            if cell + low < *top {
+                continue;
             }
-            if overlap + low >= 0.0 {
-                let start = first + block * BLOCK;
-                self.add_ranges(
-                    start,
-                    lows.iter().zip(tops).map(|(cell, top)| cell - top + low >= 0.0),
-                    ranges,
-                );
-            }
-        }
-    }
-
-    /// Adds the stretches of the cells from `start` on that are told to touch.
-    fn add_ranges(
-        &self,
-        start: usize,
-        touching: impl Iterator<Item = bool>,
-        ranges: &mut Vec<[f64; 2]>,
-    ) {
-        for (i, _) in touching.enumerate().filter(|(_, touches)| *touches) {
-            let span = self.spans[start + i];
+            let span = self.spans[first + i];
             let is_full = ranges.len() == ranges.capacity();
             match ranges.last_mut() {
                 Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),

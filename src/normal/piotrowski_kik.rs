@@ -45,6 +45,7 @@ pub fn solve(
         }
         let first = strips.y.len();
         let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
+        let outermost_span = half * problem.rule.weights[0];
         let mut deepest: f64 = 0.0;
         for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
             let u = middle + half * node;
@@ -67,7 +68,9 @@ pub fn solve(
             &strips.width[first..],
             longest,
         );
-        let (left, right) = (separation.at(edge.left).y, separation.at(edge.right).y);
+        // From the outermost strips, a few micrometres away, the edges are reached along the tangent.
+        let [left, right] = [(edge.left, first), (edge.right, first + count - 1)]
+            .map(|(u, j)| strips.y[j] + (u - strips.u[j]) * strips.width[j] / outermost_span);
         displacement_integral += singular_influence(left, right, longest);
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
         for probe in probes.iter().filter(|p| p.u > edge.left && p.u < edge.right) {

@@ -53,23 +53,25 @@ fn edge<'a>(
     probes: impl Iterator<Item = &'a Probe>,
     level: f64,
 ) -> Option<f64> {
+    // The root of a separation is close to linear, as a separation is close to a parabola: a secant finds it at once.
+    let height = |f: f64| f.max(0.0).sqrt() - level.sqrt();
     let mut inside: Option<(f64, f64)> = None;
     for probe in probes {
         // The estimates are good to a few percent: only close to the level the separation itself decides.
-        let value = if (probe.f - level).abs() > ESTIMATE_MARGIN * level {
-            probe.f - level
+        let f = if (probe.f - level).abs() > ESTIMATE_MARGIN * level {
+            probe.f
         } else {
-            separation.at(probe.u).f - level
+            separation.at(probe.u).f
         };
-        if value < 0.0 {
-            inside = Some((probe.u, value));
+        if f < level {
+            inside = Some((probe.u, height(f)));
             continue;
         }
         let inside = inside?;
         // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
-        let outside = (probe.u, value.min(1.0));
+        let outside = (probe.u, height(f).min(1.0));
         return Some(bracketed(inside, outside, EDGE_BRACKET, |u| {
-            (separation.at(u).f - level).min(1.0)
+            height(separation.at(u).f).min(1.0)
         }));
     }
     inside.map(|(u, _)| u)
