@@ -61,16 +61,16 @@ mod tests {
     #[test]
     fn every_form_that_hosts_use_names_the_same_folder() {
         for uri in [
-            "file:///tmp/my fmu/resources",
-            "file:///tmp/my%20fmu/resources",
-            "file:///tmp/my%20fmu/resources/",
-            "file:////tmp/my%20fmu/resources",
-            "file:/tmp/my%20fmu/resources",
-            "file://localhost/tmp/my%20fmu/resources",
-            "FILE:///tmp/my%20fmu/resources",
-            "/tmp/my fmu/resources",
+            "file:///srv/my fmu/resources",
+            "file:///srv/my%20fmu/resources",
+            "file:///srv/my%20fmu/resources/",
+            "file:////srv/my%20fmu/resources",
+            "file:/srv/my%20fmu/resources",
+            "file://localhost/srv/my%20fmu/resources",
+            "FILE:///srv/my%20fmu/resources",
+            "/srv/my fmu/resources",
         ] {
-            assert_eq!(folder(uri), Some("/tmp/my fmu/resources".into()), "{uri}");
+            assert_eq!(folder(uri), Some("/srv/my fmu/resources".into()), "{uri}");
         }
     }
 
