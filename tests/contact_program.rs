@@ -5,14 +5,12 @@ mod tolerance;
 
 use std::fmt::Write;
 
+use common::planar::{STEEL, steel_case};
 use common::{column, quantiles, read_table};
-use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel};
-use wheelrail::material::Material;
+use wheelrail::element::parameters::Flexibilities;
 use wheelrail::normal::hertz;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
 use wheelrail::tangential::fastsim::TractionBound;
-
-const STEEL: Material = Material { young_modulus: 2.0992e11, poisson_ratio: 0.28 };
 
 /// Errors |ΔF|/(μ N) of FASTSIM on the 300 ellipses.
 fn ellipse_errors(bound: TractionBound, flexibilities: Flexibilities, count: usize) -> Vec<f64> {
@@ -27,24 +25,17 @@ fn ellipse_errors(bound: TractionBound, flexibilities: Flexibilities, count: usi
             let load = value(row, "normal_force_n");
             let (radius, separation) = hertzian_bodies(a, b, load);
             let result = solve(&PlanarCase {
-                separation: &separation,
-                radius,
                 indentation: Indentation::Load(load),
                 creepage: [
                     value(row, "creepage_longitudinal"),
                     value(row, "creepage_lateral"),
                     1e3 * value(row, "spin_per_mm"),
                 ],
-                friction: 0.3,
-                wheel_material: STEEL,
-                rail_material: STEEL,
-                normal_model: NormalModel::Hertz,
-                virtual_penetration: 0.55,
-                tangential_model: TangentialModel::Fastsim,
                 strips: count,
                 elements_along: count,
                 bound,
                 flexibilities,
+                ..steel_case(&separation, radius, 0.0)
             })
             .unwrap();
             let dx = result.fx / (0.3 * load) - value(row, "fx_over_mu_n");

@@ -74,7 +74,7 @@ impl Pair {
 fn search(pair: &mut Pair, pose: &WheelPose) {
     let line = ContactLine::new(&pair.wheel.curve, RADIUS, pose);
     pair.clearance.ranges(pose, &mut pair.ranges);
-    pair.search.search_within(&line, &pair.rail, &pair.ranges);
+    pair.search.search(&line, &pair.rail, &pair.ranges);
 }
 
 /// Signed distance of the line from the rail at steps of 20 µm; up to 0.4 mm where it is beyond a millimetre.

@@ -51,7 +51,7 @@ impl RailContact {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         self.clearance.ranges(&pose, &mut self.ranges);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        self.search.search_within(&line, &self.rail, &self.ranges);
+        self.search.search(&line, &self.rail, &self.ranges);
         !self.search.contacts.is_empty()
     }
 
@@ -82,7 +82,7 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let before = (self.search.evaluations, self.search.left_out);
-        self.search.search_within(&line, &self.rail, &self.ranges);
+        self.search.search(&line, &self.rail, &self.ranges);
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;

@@ -201,9 +201,7 @@ impl<'a> ContactLine<'a> {
     /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
     #[must_use]
     pub fn curvature(&self, s: f64) -> f64 {
-        let p = self.profile.at(s);
-        let speed = p.first[0].hypot(p.first[1]);
-        (p.first[1] * p.second[0] - p.first[0] * p.second[1]) / (speed * speed * speed)
+        -self.profile.at(s).curvature()
     }
 }
 

@@ -101,10 +101,8 @@ impl ContactSearch {
                 let share = (i as f64 / count as f64).clamp(0.001, 0.999);
                 let s = pair[0] + share * (pair[1] - pair[0]);
                 let p = wheel.at(s);
-                let speed = p.first[0].hypot(p.first[1]);
-                let hollow = (p.first[0] * p.second[1] - p.first[1] * p.second[0]) / speed.powi(3);
                 let bin = ((s - wheel.start()) / BIN) as usize;
-                concave[bin] = concave[bin].max(hollow);
+                concave[bin] = concave[bin].max(p.curvature());
                 stretch[bin] = stretch[bin].max(ContactLine::stretch_factor(&p));
             }
         }
@@ -121,13 +119,9 @@ impl ContactSearch {
         }
     }
 
-    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the whole line.
-    pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail) {
-        self.search_within(line, rail, &[line.range()]);
-    }
-
-    /// As [`search`](Self::search), from the given stretches of the line alone, which are in growing u and apart.
-    pub fn search_within(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
+    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the given stretches of the line, which are in
+    /// growing u and apart; `[line.range()]` stands for all of it.
+    pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
         self.contacts.clear();
         self.probes.clear();
         let [start, end] = line.range();
@@ -164,12 +158,12 @@ impl ContactSearch {
         let [start, end] = line.range();
         let per_factor = line.stretch_per_factor();
         let last = self.concavity.len() - 1;
-        let mut bin = (((from.u - start) / BIN) as usize).min(last);
-        let stretch = 1.0 + per_factor * self.stretch[bin];
+        let here = (((from.u - start) / BIN) as usize).min(last);
+        let stretch_over = |bin: usize| 1.0 + per_factor * self.stretch[bin];
         // The distance is 1-Lipschitz: go on until the line may have become as long as it.
-        let (mut u, mut left) = (from.u, STEP_SHARE * from.distance);
+        let (mut u, mut left, mut bin) = (from.u, STEP_SHARE * from.distance, here);
         loop {
-            let stretch = 1.0 + per_factor * self.stretch[bin];
+            let stretch = stretch_over(bin);
             let edge = start + (bin + 1) as f64 * BIN;
             if left < stretch * (edge - u) || bin == last {
                 u += left / stretch;
@@ -183,8 +177,7 @@ impl ContactSearch {
         // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond its centre without bound.
         let hollow = rail_concavity * from.distance;
         if !from.beyond_end && hollow < MOST_HOLLOW {
-            let bin = (((from.u - start) / BIN) as usize).min(last);
-            let concavity = self.concavity[bin] + rail_concavity / (1.0 - hollow);
+            let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);
             // d + slope·t - concavity·t²/2 vanishes no sooner than at:
             let root = (from.slope * from.slope + 2.0 * concavity * from.distance).sqrt();
             let bound = if from.slope < 0.0 {
@@ -193,8 +186,8 @@ impl ContactSearch {
                 (from.slope + root) / concavity.max(1e-3)
             };
             // The bounds hold to the end of the next bin.
-            let reach = start + (bin + 2) as f64 * BIN - from.u;
-            step = step.max(STEP_SHARE * bound.min(reach) / stretch);
+            let reach = start + (here + 2) as f64 * BIN - from.u;
+            step = step.max(STEP_SHARE * bound.min(reach) / stretch_over(here));
         }
         step.max(LEAST_STEP)
     }

@@ -26,6 +26,16 @@ pub struct CurvePoint {
     pub second: [f64; 2],
 }
 
+impl CurvePoint {
+    /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z, as a rail head does seen along
+    /// growing y [1/m].
+    #[must_use]
+    pub fn curvature(&self) -> f64 {
+        let speed = self.first[0].hypot(self.first[1]);
+        (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / speed.powi(3)
+    }
+}
+
 /// One cubic piece: coefficients of (y, z) in growing powers of `s - start`.
 #[derive(Clone, Copy, Debug)]
 struct Piece {

@@ -101,7 +101,7 @@ impl PlacedRail {
     /// Curvature at `s`, positive where the rail bulges [1/m].
     #[must_use]
     pub fn curvature(&self, s: f64) -> f64 {
-        -turning(&self.curve, s)
+        self.curve.at(s).curvature()
     }
 
     /// A parameter near the point of the rail nearest to `point`, for a search without a neighbour.
@@ -165,13 +165,6 @@ impl PlacedRail {
     }
 }
 
-/// Curvature of a rail's curve with the sign of a hollow: positive where it is concave seen from above [1/m].
-fn turning(curve: &Curve, s: f64) -> f64 {
-    let p = curve.at(s);
-    let speed = p.first[0].hypot(p.first[1]);
-    -(p.first[0] * p.second[1] - p.first[1] * p.second[0]) / (speed * speed * speed)
-}
-
 /// The point of least z, exact within its cubic piece.
 fn highest_point(curve: &Curve) -> [f64; 2] {
     let knots: Vec<f64> = curve.knots().collect();
@@ -219,6 +212,6 @@ fn greatest_concavity(curve: &Curve) -> f64 {
     knots
         .windows(2)
         .flat_map(|k| [0.001, 0.25, 0.5, 0.75, 0.999].map(|share| k[0] + share * (k[1] - k[0])))
-        .map(|s| turning(curve, s))
+        .map(|s| -curve.at(s).curvature())
         .fold(0.0, f64::max)
 }

@@ -1,6 +1,8 @@
 //! What can be asked on the command line.
 
-use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
 
 use crate::{evaluate, patch, simulate};
 
@@ -22,6 +24,17 @@ pub enum Command {
     Simulate(Box<simulate::Arguments>),
     Evaluate(evaluate::Arguments),
     Patch(patch::Arguments),
+}
+
+/// Where the commands on tables read and write; its help is shown with theirs.
+#[derive(Args, Debug)]
+pub struct TableFiles {
+    /// Table of cases, CSV
+    #[arg(value_name = "CASES.csv")]
+    pub cases: PathBuf,
+    /// File for the results, CSV; without it standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 #[cfg(test)]

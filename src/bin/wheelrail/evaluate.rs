@@ -8,13 +8,14 @@ use wheelrail::element::{Element, Parameters};
 use wheelrail::error::ContactError;
 use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
 
+use crate::args::TableFiles;
 use crate::cases::{Cases, Row};
 use crate::output;
 
 /// Evaluate the contact element for every row of a table
 ///
 /// The header of CASES names inputs and parameters of the FMU, such as wheel.y, wheel.z, side or normal.model; what
-/// is left out, or an empty cell, keeps its start value (see the table of variables in the README). Enumerations are
+/// is left out, or an empty cell, keeps its start value (docs/fmi.md lists them). Enumerations are
 /// given by the names of their items, profile files relative to CASES. The result has one row for each case and one
 /// column for every output and calculated parameter. Lines that begin with # are comments.
 // The text is shown as it stands by --help.
@@ -22,12 +23,9 @@ use crate::output;
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
-    /// Table of cases, CSV
-    #[arg(value_name = "CASES.csv")]
-    pub cases: PathBuf,
-    /// File for the results, CSV; without it standard output
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    /// Where the cases come from and the results go.
+    #[command(flatten)]
+    pub files: TableFiles,
 }
 
 /// Evaluates all rows.
@@ -35,14 +33,14 @@ pub struct Arguments {
 /// # Errors
 /// With row and column: an unknown name, a value or profile that is refused. Rows before it are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let cases = Cases::read(&arguments.cases)?;
+    let cases = Cases::read(&arguments.files.cases)?;
     let columns: Vec<&Variable> =
         cases.columns().map(|name| settable(&cases, name)).collect::<Result<_>>()?;
     let computed: Vec<&Variable> = VARIABLES
         .iter()
         .filter(|v| matches!(v.causality, Causality::Output | Causality::CalculatedParameter))
         .collect();
-    let path = arguments.output.as_deref();
+    let path = arguments.files.output.as_deref();
     let mut table = output::table(path)?;
     let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;

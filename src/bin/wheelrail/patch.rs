@@ -11,6 +11,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use wheelrail::planar::{PlanarCase, PlanarResult, solve};
 
+use crate::args::TableFiles;
 use crate::cases::Cases;
 use crate::output;
 
@@ -59,12 +60,9 @@ const REPEATS: usize = 5;
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
-    /// Table of cases, CSV
-    #[arg(value_name = "CASES.csv")]
-    pub cases: PathBuf,
-    /// File for the results, CSV; without it standard output
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    /// Where the cases come from and the results go.
+    #[command(flatten)]
+    pub files: TableFiles,
 }
 
 /// Solves all rows.
@@ -72,9 +70,9 @@ pub struct Arguments {
 /// # Errors
 /// With row and column: an unknown column, a missing file, a value that is refused. Rows before it are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let cases = Cases::read(&arguments.cases)?;
+    let cases = Cases::read(&arguments.files.cases)?;
     columns::check(&cases)?;
-    let path = arguments.output.as_deref();
+    let path = arguments.files.output.as_deref();
     let mut table = output::table(path)?;
     let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;
