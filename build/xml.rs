@@ -29,6 +29,8 @@ pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> R
                 ("modelIdentifier", identifier),
                 ("canHandleVariableCommunicationStepSize", "true"),
                 ("canNotUseMemoryManagementFunctions", "true"),
+                ("canGetAndSetFMUstate", "true"),
+                ("canSerializeFMUstate", "true"),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

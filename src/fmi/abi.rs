@@ -7,11 +7,13 @@
 #![allow(non_snake_case, clippy::missing_safety_doc)]
 
 mod arguments;
+mod derivatives;
 mod life;
 mod states;
 mod step;
 mod values;
 
+pub use derivatives::*;
 pub use life::*;
 pub use states::*;
 pub use step::*;

@@ -81,6 +81,12 @@ pub enum FmiError {
     /// A function behind a capability flag that is not set.
     #[error("not supported: modelDescription.xml does not set {0}")]
     NotSupported(&'static str),
+    /// A state that was freed, or is another instance's.
+    #[error("argument {0} is no state of this instance: it was freed, or belongs to another one")]
+    UnknownState(&'static str),
+    /// Bytes that are no state.
+    #[error("argument serializedState {0}")]
+    BadBytes(String),
     /// A resource location that cannot be used.
     #[error(
         "fmuResourceLocation \"{0}\" is not a file: URI; profiles are looked for in the working directory only"

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use super::error::FmiError;
 use super::logger::{Category, Logger};
+use super::slots::Slots;
+use super::snapshot::Snapshot;
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
 use crate::element::{Element, Input};
 use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
@@ -25,10 +27,12 @@ pub enum State {
 }
 
 /// Time span announced by `fmi2SetupExperiment`.
-#[derive(Clone, Copy, Debug)]
-struct Experiment {
-    start: f64,
-    stop: Option<f64>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Experiment {
+    /// Start time [s].
+    pub start: f64,
+    /// Stop time, if there is one [s].
+    pub stop: Option<f64>,
 }
 
 /// What an `fmi2Component` stands for.
@@ -36,19 +40,21 @@ struct Experiment {
 pub struct Instance {
     /// Place in the life cycle.
     pub state: State,
-    values: Values,
-    profile_folders: Vec<PathBuf>,
-    element: Option<Element>,
+    pub(super) values: Values,
+    pub(super) profile_folders: Vec<PathBuf>,
+    pub(super) element: Option<Element>,
     /// Parameters were set since the element was made from them.
-    parameters_changed: bool,
+    pub(super) parameters_changed: bool,
     /// The input for which the nominal height was found.
-    nominal_input: Option<Input>,
+    pub(super) nominal_input: Option<Input>,
     /// Inputs were set, or the element made, since the outputs were evaluated.
-    outputs_stale: bool,
-    experiment: Option<Experiment>,
-    time: f64,
+    pub(super) outputs_stale: bool,
+    pub(super) experiment: Option<Experiment>,
+    pub(super) time: f64,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
+    /// States handed out and not freed yet.
+    pub snapshots: Slots<Snapshot>,
 }
 
 impl Instance {
@@ -65,12 +71,19 @@ impl Instance {
             experiment: None,
             time: 0.0,
             handed_out: Vec::new(),
+            snapshots: Slots::new(),
         }
     }
 
-    /// Back to what it was after instantiation.
+    /// Back to what it was after instantiation; states handed out stay good.
     pub fn reset(&mut self) {
-        *self = Self::new(std::mem::take(&mut self.profile_folders));
+        let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
+        *self = Self { snapshots, ..Self::new(std::mem::take(&mut self.profile_folders)) };
+    }
+
+    /// Whether there is an element of the parameters as they are.
+    pub(super) fn is_prepared(&self) -> bool {
+        self.element.is_some() && !self.parameters_changed
     }
 
     /// Takes over the time span; `stop` if it is defined.
@@ -253,7 +266,7 @@ impl Instance {
     /// height is wanted.
     fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
-        if self.element.is_none() || self.parameters_changed || moved {
+        if !self.is_prepared() || moved {
             let (parameters, input) = (&self.values.parameters, &self.values.input);
             let element = Element::new(parameters, input, &self.profile_folders)?;
             self.values.nominal_wheel_z = element.nominal_wheel_z();

@@ -41,8 +41,8 @@ class Description(unittest.TestCase):
         claims = self.model.coSimulation
         self.assertTrue(claims.canHandleVariableCommunicationStepSize)
         self.assertTrue(claims.canNotUseMemoryManagementFunctions)
-        self.assertFalse(claims.canGetAndSetFMUstate)
-        self.assertFalse(claims.canSerializeFMUstate)
+        self.assertTrue(claims.canGetAndSetFMUstate)
+        self.assertTrue(claims.canSerializeFMUstate)
         self.assertFalse(claims.providesDirectionalDerivative)
         self.assertFalse(claims.canInterpolateInputs)
         self.assertFalse(claims.maxOutputDerivativeOrder)
@@ -148,6 +148,20 @@ class Instances(unittest.TestCase):
         unit.ready()
         self.assertEqual(unit.get("wheel.z"), -0.46)
         self.assertEqual(self.run_steps(unit, 2e-4), first)
+
+    def test_steps_taken_back_are_repeated_bit_for_bit(self):
+        unit = self.unit().ready()
+        self.run_steps(unit, 1e-4)
+        state = unit.slave.getFMUState()
+        first = self.run_steps(unit, 2e-4)
+        unit.slave.setFMUState(state)
+        self.assertEqual(unit.get("wheel.y"), 0.75 + 1e-4 * 19)
+        self.assertEqual(self.run_steps(unit, 2e-4), first)
+        written = unit.slave.serializeFMUState(state)
+        unit.slave.freeFMUState(state)
+        other = self.unit(name="other").ready()
+        other.slave.setFMUState(other.slave.deSerializeFMUState(written))
+        self.assertEqual(self.run_steps(other, 2e-4), first)
 
     def test_wrong_use_is_an_error_with_a_message(self):
         unit = self.unit(name="front left")
