@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! tag, format, GUID                 what it is, and of which variables
-//! life, prepared, evaluated         one byte each
+//! purpose, life, prepared, evaluated
+//!                                   one byte each
 //! fallbacks, experiment, time
 //! nominal height
 //! inputs and parameters             in the order of the variables
@@ -12,7 +13,7 @@
 //! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs.
 
 use super::error::FmiError;
-use super::instance::{Experiment, State};
+use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{Outputs, Snapshot};
 use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
 
@@ -20,8 +21,14 @@ const TAG: &[u8] = b"wheelrail state";
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
 const FORMAT: u32 = 1;
 
-const STATES: [State; 4] =
-    [State::Instantiated, State::Initialization, State::Stepping, State::Terminated];
+const STATES: [State; 6] = [
+    State::Instantiated,
+    State::Initialization,
+    State::Stepping,
+    State::EventMode,
+    State::ContinuousTime,
+    State::Terminated,
+];
 
 /// The bytes of a state.
 pub fn write(snapshot: &Snapshot) -> Vec<u8> {
@@ -31,7 +38,8 @@ pub fn write(snapshot: &Snapshot) -> Vec<u8> {
     // A closed instance is not asked for its state.
     let life = STATES.iter().position(|s| *s == snapshot.state).unwrap_or_default();
     let evaluated = snapshot.outputs != Outputs::Stale;
-    bytes.extend([life as u8, u8::from(snapshot.prepared), u8::from(evaluated)]);
+    let stepped = snapshot.purpose == Purpose::CoSimulation;
+    bytes.extend([u8::from(stepped), life as u8, u8::from(snapshot.prepared), u8::from(evaluated)]);
     bytes.extend(snapshot.fallbacks.to_le_bytes());
     let stop = snapshot.experiment.and_then(|e| e.stop);
     bytes.extend([u8::from(snapshot.experiment.is_some()), u8::from(stop.is_some())]);
@@ -124,8 +132,13 @@ impl<'a> Reader<'a> {
 
     /// Everything after the head; every value is one that could have been set.
     fn snapshot(&mut self) -> Option<Snapshot> {
+        let purpose = if self.boolean()? { Purpose::CoSimulation } else { Purpose::ModelExchange };
         let [life] = self.array()?;
         let state = *STATES.get(usize::from(life))?;
+        let of_the_other = match purpose {
+            Purpose::ModelExchange => state == State::Stepping,
+            Purpose::CoSimulation => matches!(state, State::EventMode | State::ContinuousTime),
+        };
         let (prepared, evaluated) = (self.boolean()?, self.boolean()?);
         let fallbacks = u64::from_le_bytes(self.array()?);
         let (planned, stops) = (self.boolean()?, self.boolean()?);
@@ -135,7 +148,8 @@ impl<'a> Reader<'a> {
             return None;
         }
         // An element is there from the end of initialization on.
-        if matches!(state, State::Stepping | State::Terminated) && !prepared {
+        let early = matches!(state, State::Instantiated | State::Initialization);
+        if of_the_other || !(early || prepared) {
             return None;
         }
         let mut values = Values { nominal_wheel_z, ..Values::default() };
@@ -151,6 +165,7 @@ impl<'a> Reader<'a> {
             values.set(variable, value).ok()?;
         }
         Some(Snapshot {
+            purpose,
             state,
             prepared,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
@@ -168,7 +183,7 @@ mod tests {
     use crate::fmi::instance::Instance;
 
     fn saved() -> Snapshot {
-        let mut instance = Instance::new(Vec::new());
+        let mut instance = Instance::new(Purpose::CoSimulation, Vec::new());
         instance.setup_experiment(0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization().unwrap();

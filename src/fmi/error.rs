@@ -72,8 +72,8 @@ pub enum FmiError {
         /// That of the library.
         own: &'static str,
     },
-    /// Model exchange, which there is not.
-    #[error("fmuType {0} is not co-simulation (1), the only type there is")]
+    /// A type of unit that FMI does not know.
+    #[error("fmuType {0} is neither model exchange (0) nor co-simulation (1)")]
     WrongFmuType(i32),
     /// An instance without a name.
     #[error("argument instanceName is empty")]

@@ -11,15 +11,28 @@ use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
 use crate::element::{Element, Input};
 use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
 
-/// Where in its life an instance is (FMI 2.0, 4.2.4).
+/// What an instance is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The host integrates and asks for forces at any time.
+    ModelExchange,
+    /// The host steps.
+    CoSimulation,
+}
+
+/// Where in its life an instance is (FMI 2.0, 3.2.3 and 4.2.4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// Before initialization.
     Instantiated,
     /// Between entering and leaving initialization mode.
     Initialization,
-    /// After initialization; steps are complete when `fmi2DoStep` returns.
+    /// After initialization for co-simulation; steps are complete when `fmi2DoStep` returns.
     Stepping,
+    /// At an event of model exchange, the first one after initialization.
+    EventMode,
+    /// Between the events of model exchange.
+    ContinuousTime,
     /// After `fmi2Terminate`: outputs can still be read.
     Terminated,
     /// After a panic: can only be freed.
@@ -38,6 +51,8 @@ pub struct Experiment {
 /// What an `fmi2Component` stands for.
 #[derive(Debug)]
 pub struct Instance {
+    /// What it is made for.
+    pub purpose: Purpose,
     /// Place in the life cycle.
     pub state: State,
     pub(super) values: Values,
@@ -59,8 +74,9 @@ pub struct Instance {
 
 impl Instance {
     /// An instance with start values; profiles are looked for in the folders, in order.
-    pub fn new(profile_folders: Vec<PathBuf>) -> Self {
+    pub fn new(purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
         Self {
+            purpose,
             state: State::Instantiated,
             values: Values::default(),
             profile_folders,
@@ -78,7 +94,10 @@ impl Instance {
     /// Back to what it was after instantiation; states handed out stay good.
     pub fn reset(&mut self) {
         let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
-        *self = Self { snapshots, ..Self::new(std::mem::take(&mut self.profile_folders)) };
+        *self = Self {
+            snapshots,
+            ..Self::new(self.purpose, std::mem::take(&mut self.profile_folders))
+        };
     }
 
     /// Whether there is an element of the parameters as they are.
@@ -112,7 +131,10 @@ impl Instance {
     /// Makes the element from the parameters; if one of them is at fault, the mode is not left.
     pub fn exit_initialization(&mut self) -> Result<(), FmiError> {
         self.prepare_element(true)?;
-        self.state = State::Stepping;
+        self.state = match self.purpose {
+            Purpose::ModelExchange => State::EventMode,
+            Purpose::CoSimulation => State::Stepping,
+        };
         Ok(())
     }
 
@@ -137,6 +159,15 @@ impl Instance {
             return Err(FmiError::AfterStop { time, stop });
         }
         self.time = time + step;
+        Ok(())
+    }
+
+    /// Sets the time of model exchange.
+    pub fn set_time(&mut self, time: f64) -> Result<(), FmiError> {
+        if !time.is_finite() {
+            return Err(bad_argument("time", time, "a finite number"));
+        }
+        self.time = time;
         Ok(())
     }
 
@@ -219,7 +250,7 @@ impl Instance {
         references: &[ValueReference],
         value: impl Fn(usize) -> Value<'a>,
     ) -> Result<Status, FmiError> {
-        let fixed = self.state == State::Stepping;
+        let fixed = !matches!(self.state, State::Instantiated | State::Initialization);
         for (i, &reference) in references.iter().enumerate() {
             let variable = VARIABLES.get(reference as usize);
             let accepted = variable.is_some_and(|v| {

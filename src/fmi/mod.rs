@@ -1,4 +1,4 @@
-//! The element behind the C interface of FMI 2.0 for co-simulation.
+//! The element behind the C interface of FMI 2.0 for co-simulation and model exchange.
 //!
 //! ```text
 //! abi        the exported functions: raw pointers in, one guarded call each

@@ -1,7 +1,7 @@
 //! The state of an instance as `fmi2GetFMUstate` keeps it.
 
 use super::error::FmiError;
-use super::instance::{Experiment, Instance, State};
+use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::Element;
 use crate::variables::Values;
@@ -11,6 +11,8 @@ use crate::variables::Values;
 /// The element itself is not kept: it follows from the parameters.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
+    /// What the instance was made for.
+    pub purpose: Purpose,
     /// Place in the life cycle.
     pub state: State,
     /// Whether an element stood for these parameters.
@@ -60,6 +62,14 @@ impl Instance {
 
     /// Keeps a state that was read from bytes, in place of that of `key` unless it is null; gives its key.
     pub fn put(&mut self, key: Key, snapshot: Snapshot) -> Result<Key, FmiError> {
+        if snapshot.purpose != self.purpose {
+            let (from, own) = match self.purpose {
+                Purpose::ModelExchange => ("co-simulation", "model exchange"),
+                Purpose::CoSimulation => ("model exchange", "co-simulation"),
+            };
+            let problem = format!("is of an instance for {from}, this one is for {own}");
+            return Err(FmiError::BadBytes(problem));
+        }
         if key.is_null() {
             return hand_out(&mut self.snapshots, snapshot);
         }
@@ -82,6 +92,7 @@ impl Instance {
 
     fn snapshot(&self) -> Snapshot {
         Snapshot {
+            purpose: self.purpose,
             state: self.state,
             prepared: self.is_prepared(),
             outputs: if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated },
