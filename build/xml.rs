@@ -38,6 +38,7 @@ pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> R
             .with_attributes([
                 ("modelIdentifier", identifier),
                 ("canHandleVariableCommunicationStepSize", "true"),
+                ("canInterpolateInputs", "true"),
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),

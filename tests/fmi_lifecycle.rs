@@ -318,7 +318,6 @@ fn what_is_not_supported_says_so() {
             fmi2GetDirectionalDerivative(c, no_references, 0, no_references, 0, null(), null_mut()),
             "providesDirectionalDerivative",
         ),
-        (fmi2SetRealInputDerivatives(c, no_references, 0, null(), null()), "canInterpolateInputs"),
         (
             fmi2GetRealOutputDerivatives(c, no_references, 0, null(), null_mut()),
             "maxOutputDerivativeOrder",

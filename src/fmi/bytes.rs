@@ -7,12 +7,14 @@
 //! fallbacks, experiment, time
 //! nominal height
 //! inputs and parameters             in the order of the variables
+//! derivatives of inputs             their number, then reference, three numbers each
 //! checksum                          CRC-32 of all before
 //! ```
 //!
 //! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs.
 
 use super::error::FmiError;
+use super::extrapolation::{Extrapolation, ORDERS};
 use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{Outputs, Snapshot};
 use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
@@ -58,6 +60,11 @@ pub fn write(snapshot: &Snapshot) -> Vec<u8> {
             Value::Boolean(value) => bytes.push(u8::from(value)),
             Value::Text(value) => text(&mut bytes, value),
         }
+    }
+    bytes.extend((snapshot.extrapolation.iter().len() as u32).to_le_bytes());
+    for (reference, derivatives) in snapshot.extrapolation.iter() {
+        bytes.extend(reference.to_le_bytes());
+        bytes.extend(derivatives.iter().flat_map(|d| d.to_le_bytes()));
     }
     let checksum = crc32fast::hash(&bytes);
     bytes.extend(checksum.to_le_bytes());
@@ -164,12 +171,20 @@ impl<'a> Reader<'a> {
             };
             values.set(variable, value).ok()?;
         }
+        let mut extrapolation = Extrapolation::new();
+        for _ in 0..u32::from_le_bytes(self.array()?) {
+            let reference = u32::from_le_bytes(self.array()?);
+            for order in 1..=ORDERS {
+                extrapolation.set(&[reference], &[order as i32], &[self.real()?]).ok()?;
+            }
+        }
         Some(Snapshot {
             purpose,
             state,
             prepared,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
             values,
+            extrapolation,
             fallbacks,
             experiment: planned.then_some(Experiment { start, stop: stops.then_some(stop) }),
             time,

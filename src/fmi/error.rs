@@ -38,6 +38,19 @@ pub enum FmiError {
         /// Its type in the words of FMI.
         kind: &'static str,
     },
+    /// A derivative of what is no continuous input.
+    #[error("{0} is no input: only inputs have time derivatives")]
+    NoInput(&'static str),
+    /// A derivative that is not a number.
+    #[error("derivative {order} of {name} = {value} is not admitted: a finite number")]
+    BadDerivative {
+        /// The input.
+        name: &'static str,
+        /// Order of the derivative.
+        order: i32,
+        /// Its value.
+        value: f64,
+    },
     /// A parameter set after initialization.
     #[error("{0} is fixed after initialization: call fmi2Reset to change it")]
     Fixed(&'static str),

@@ -63,7 +63,7 @@ calls! {
     SERIALIZE "fmi2SerializeFMUstate" ALIVE;
     DESERIALIZE "fmi2DeSerializeFMUstate" ALIVE;
     DIRECTIONAL_DERIVATIVE "fmi2GetDirectionalDerivative" READABLE;
-    SET_INPUT_DERIVATIVES "fmi2SetRealInputDerivatives" SETTABLE;
+    SET_INPUT_DERIVATIVES "fmi2SetRealInputDerivatives" INSTANTIATED | INITIALIZATION | STEPPING;
     GET_OUTPUT_DERIVATIVES "fmi2GetRealOutputDerivatives" STEPPING | TERMINATED;
     ENTER_EVENT_MODE "fmi2EnterEventMode" EVENT | CONTINUOUS;
     NEW_DISCRETE_STATES "fmi2NewDiscreteStates" EVENT;

@@ -4,6 +4,7 @@ use std::ffi::{CString, c_char};
 use std::path::PathBuf;
 
 use super::error::FmiError;
+use super::extrapolation::Extrapolation;
 use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
@@ -66,6 +67,8 @@ pub struct Instance {
     pub(super) outputs_stale: bool,
     pub(super) experiment: Option<Experiment>,
     pub(super) time: f64,
+    /// Time derivatives of the inputs over the next step.
+    pub(super) extrapolation: Extrapolation,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -86,6 +89,7 @@ impl Instance {
             outputs_stale: true,
             experiment: None,
             time: 0.0,
+            extrapolation: Extrapolation::new(),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -138,7 +142,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Moves the time; forces depend on the inputs alone.
+    /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.
     ///
     /// A host that counts in floating point may start its last step just before the stop time and end
     /// after it; a step that starts beyond it by more than a thousandth of the step is refused.
@@ -158,8 +162,20 @@ impl Instance {
         {
             return Err(FmiError::AfterStop { time, stop });
         }
+        self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
+        self.extrapolation.clear();
         self.time = time + step;
         Ok(())
+    }
+
+    /// Sets time derivatives of inputs for the next step; all or, if one is refused, none.
+    pub fn set_input_derivatives(
+        &mut self,
+        references: &[ValueReference],
+        orders: &[i32],
+        values: &[f64],
+    ) -> Result<(), FmiError> {
+        self.extrapolation.set(references, orders, values)
     }
 
     /// Sets the time of model exchange.

@@ -6,6 +6,7 @@
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
 //! instance   one element with its variables and its place in the life cycle
+//! extrapolation   inputs that go on with their time derivatives
 //! snapshot   what is remembered of it by `fmi2GetFMUstate`
 //! bytes      the same as bytes
 //! logger     messages to the host
@@ -25,6 +26,7 @@
 pub mod abi;
 mod bytes;
 mod error;
+mod extrapolation;
 mod guard;
 mod handle;
 mod instance;

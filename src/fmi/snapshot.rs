@@ -1,6 +1,7 @@
 //! The state of an instance as `fmi2GetFMUstate` keeps it.
 
 use super::error::FmiError;
+use super::extrapolation::Extrapolation;
 use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::Element;
@@ -21,6 +22,8 @@ pub struct Snapshot {
     pub outputs: Outputs,
     /// Parameters, inputs, outputs and the nominal height.
     pub values: Values,
+    /// Time derivatives of the inputs over the next step.
+    pub extrapolation: Extrapolation,
     /// Contacts and zones that found no room, so far.
     pub fallbacks: u64,
     /// Time span of the experiment.
@@ -97,6 +100,7 @@ impl Instance {
             prepared: self.is_prepared(),
             outputs: if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated },
             values: self.values.clone(),
+            extrapolation: self.extrapolation.clone(),
             fallbacks: self.element.as_ref().map_or(0, Element::fallbacks),
             experiment: self.experiment,
             time: self.time,
@@ -109,6 +113,7 @@ impl Instance {
             return;
         }
         copy_what_moves(&self.values, &mut old.values);
+        old.extrapolation.copy_from(&self.extrapolation);
         old.state = self.state;
         old.prepared = self.is_prepared();
         old.outputs = if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated };
@@ -128,6 +133,7 @@ impl Instance {
         } else {
             self.values.clone_from(&saved.values);
         }
+        self.extrapolation.copy_from(&saved.extrapolation);
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
         self.nominal_input = None;

@@ -49,7 +49,7 @@ class Description(unittest.TestCase):
         self.assertTrue(claims.canGetAndSetFMUstate)
         self.assertTrue(claims.canSerializeFMUstate)
         self.assertFalse(claims.providesDirectionalDerivative)
-        self.assertFalse(claims.canInterpolateInputs)
+        self.assertTrue(claims.canInterpolateInputs)
         self.assertFalse(claims.maxOutputDerivativeOrder)
         self.assertFalse(claims.needsExecutionTool)
         self.assertFalse(claims.canBeInstantiatedOnlyOncePerProcess)

@@ -1,7 +1,8 @@
-//! Derivatives, which are not supported yet.
+//! Derivatives: of inputs over time; others are not supported yet.
 
 use std::ffi::c_int;
 
+use super::arguments::array;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
 use crate::fmi::types::{Component, Status, ValueReference};
@@ -22,17 +23,26 @@ pub extern "C" fn fmi2GetDirectionalDerivative(
     })
 }
 
-/// `fmi2SetRealInputDerivatives`: not supported yet.
+/// `fmi2SetRealInputDerivatives`: all values or, if one is refused, none; good for the next step.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetRealInputDerivatives(
+pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     component: Component,
-    _references: *const ValueReference,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *const f64,
+    references: *const ValueReference,
+    count: usize,
+    orders: *const c_int,
+    values: *const f64,
 ) -> Status {
-    guard(component, Call::SET_INPUT_DERIVATIVES, |_, _| {
-        Err(FmiError::NotSupported("canInterpolateInputs"))
+    guard(component, Call::SET_INPUT_DERIVATIVES, |instance, _| {
+        // SAFETY: FMI 2.0, 4.2.1: all arrays hold `nvr` elements.
+        let (references, orders, values) = unsafe {
+            (
+                array("vr", references, count)?,
+                array("order", orders, count)?,
+                array("value", values, count)?,
+            )
+        };
+        instance.set_input_derivatives(references, orders, values)?;
+        Ok(Status::Ok)
     })
 }
 
