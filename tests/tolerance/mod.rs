@@ -120,3 +120,6 @@ pub const ROUGHNESS: f64 = 5e-8;
 
 /// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
 pub const CLOSING_SPEED: f64 = 1e-6;
+
+/// CONTACT's row of docs/frames.md, relative: a check of signs; the other rail (60E1 instead of the benchmark's) moves spin by some per cent.
+pub const FRAMES_SHARE: f64 = 0.15;
