@@ -6,7 +6,7 @@ use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
-use crate::normal::{NormalModel, Strips};
+use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
 /// Most loaded zones of one contact frame.
@@ -19,6 +19,8 @@ pub struct Models {
     pub normal: NormalModel,
     /// Virtual over true penetration [-].
     pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
     /// Contact damping at the reference stiffness [N s/m].
     pub damping: f64,
     /// Tangential contact model with its settings.
@@ -50,6 +52,7 @@ impl Models {
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
+            shape_fit: parameters.shape_fit,
             damping: parameters.damping,
             tangential: Tangential::new(
                 parameters.tangential_model,

@@ -120,3 +120,14 @@ pub const ROUGHNESS: f64 = 5e-8;
 
 /// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
 pub const CLOSING_SPEED: f64 = 1e-6;
+
+/// Printed results of the normal problem in table 1 of Piotrowski and Kik, printed to three or four digits.
+pub const PAPER_TABLE_1: f64 = 5e-3;
+
+/// Ratio of length to width of the corrected area of a Hertzian pair: the width is that of a quadrature.
+pub const CORRECTED_RATIO: f64 = 1e-3;
+
+/// Greatest pressure and normal force of the corrected area against Hertz at the same approach, a/b 0.1 to 10: the correction halves
+/// the error of the pressure (0.195 without) and pays with that of the force (0.049 without).
+pub const CORRECTED_PRESSURE: f64 = 0.105;
+pub const CORRECTED_FORCE: f64 = 0.116;
