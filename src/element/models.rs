@@ -1,7 +1,8 @@
 //! The contact models of an element and their scratch memory.
 
+use super::curved_zone::CurvedZone;
 use super::output::Patch;
-use super::parameters::Parameters;
+use super::parameters::{CreepageModel, Parameters};
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
@@ -25,6 +26,10 @@ pub struct Models {
     pub damping: f64,
     /// Tangential contact model with its settings.
     pub tangential: Tangential,
+    /// How creepage varies over a zone.
+    pub creepage: CreepageModel,
+    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved patch.
+    pub curved_zone: CurvedZone,
     /// Floor of the speed that creepages refer to [m/s].
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
@@ -60,6 +65,8 @@ impl Models {
                 parameters.bound,
                 parameters.elements_along,
             ),
+            creepage: parameters.creepage_model,
+            curved_zone: CurvedZone::with_capacity(parameters.strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             rule: GaussLegendre::new(parameters.strips),

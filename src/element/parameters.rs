@@ -18,9 +18,13 @@ pub enum Side {
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
+    /// Longitudinal creepage from the rolling radius only: no lateral creepage, no spin.
+    Kinematic,
     /// One triple of creepages for each patch.
     #[default]
     Flat,
+    /// For each strip that of its own place and tangent plane (Piotrowski and Kik 2008, section 4).
+    Curved,
 }
 
 /// Wheel: profile, size and material.

@@ -131,3 +131,15 @@ pub const CORRECTED_RATIO: f64 = 1e-3;
 /// the error of the pressure (0.195 without) and pays with that of the force (0.049 without).
 pub const CORRECTED_PRESSURE: f64 = 0.105;
 pub const CORRECTED_FORCE: f64 = 0.116;
+
+/// Linear theory against FASTSIM with friction 1e9 and 200 elements along: middle rule, 1/(2 n²).
+pub const LINEAR_LIMIT: f64 = 1e-4;
+
+/// Forces and moments of a cone with flat and with curved creepage, over the force: the same sums in another order.
+pub const CONE_FLAT_AND_CURVED: f64 = 1e-9;
+
+/// Frictional power against the power of the tractions on both bodies, over force times speed: sums in another order.
+pub const POWER_BALANCE: f64 = 1e-12;
+
+/// Power that tractions may feed into the bodies, over what friction could turn into heat.
+pub const POWER_FED: f64 = 0.0;
