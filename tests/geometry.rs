@@ -45,9 +45,13 @@ impl Pair {
         let rail = load(rail_name, ProfileKind::Rail).unwrap();
         let mut parameters = Parameters::default();
         parameters.rails[0].inclination = inclination;
-        let element =
-            Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail.clone())])
-                .unwrap();
+        let element = Element::with_profiles(
+            &parameters,
+            &Input::default(),
+            &wheel,
+            &[Some(rail.clone()), None],
+        )
+        .unwrap();
         let placed = PlacedRail::by_gauge(&rail.curve, inclination, 1.435, 0.014).unwrap();
         Self {
             name: format!("{wheel_name} on {rail_name}"),
