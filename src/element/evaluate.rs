@@ -118,6 +118,23 @@ impl Element {
         self.work
     }
 
+    /// Contacts and zones that found no room so far: the only thing an element remembers.
+    #[must_use]
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
+    }
+
+    /// Goes back to an earlier count of [`fallbacks`](Self::fallbacks).
+    pub fn set_fallbacks(&mut self, fallbacks: u64) {
+        self.fallbacks = fallbacks;
+    }
+
+    /// The count as it is reported in [`Output::fallback_count`].
+    #[must_use]
+    pub fn fallback_count(&self) -> i32 {
+        i32::try_from(self.fallbacks).unwrap_or(i32::MAX)
+    }
+
     /// Evaluates the forces; allocates nothing.
     ///
     /// # Errors
@@ -142,7 +159,7 @@ impl Element {
             *slot = *patch;
         }
         output.patch_count = patches.len() as i32;
-        output.fallback_count = i32::try_from(self.fallbacks).unwrap_or(i32::MAX);
+        output.fallback_count = self.fallback_count();
         if mirrored {
             *output = output.mirrored();
         }
