@@ -93,9 +93,13 @@ fn every_action_on_wheel_and_rails_has_its_reaction() {
     let mut both = 0;
     for _ in 0..200 {
         let mut input = random_input(&mut element, &mut random);
-        let second = &mut input.rails[1];
-        (second.y, second.z) = (random.about(1e-3), random.about(1e-4));
-        (second.roll, second.vz) = (random.about(0.01), random.about(0.01));
+        let stock = input.rails[0];
+        let tongue = &mut input.rails[1];
+        *tongue = stock;
+        tongue.y += random.about(2e-4);
+        tongue.z += random.about(3e-5);
+        tongue.roll += random.about(1e-3);
+        tongue.vz = random.about(0.01);
         let input = pressed(&mut element, &input, 1e-4);
         let output = evaluate(&mut element, &input);
         let mut force = output.wheel.force;
