@@ -146,3 +146,15 @@ pub const POWER_BALANCE: f64 = 1e-12;
 
 /// Power that tractions may feed into the bodies, over what friction could turn into heat.
 pub const POWER_FED: f64 = 0.0;
+
+/// Rim of a flange back against the innermost points of the turned wheel: place along x, which is flat there, and across, at yaw of 2
+/// mrad and more: up to 12 µm inside at 0.2 mrad, where the line changes smoothly from one end of the chord to the other [m].
+pub const RIM_AHEAD: f64 = 1e-3;
+pub const RIM_LATERAL: f64 = 2e-6;
+
+/// Change of the lateral force and of the yaw moment on a wheel that a check rail holds with 20 kN, per microradian of yaw: half a
+/// chord of 60 mm at a contact stiffness of 1e9 N/m is 60 N, a point that moves 0.3 mm under 20 kN is 6 N m [N, N m].
+pub const CHECK_RAIL_STEP: [f64; 2] = [120.0, 20.0];
+
+/// Forces of two rails in one place, one of them placed by its gauge face: a root to 1e-15 m, over a penetration of 60 µm.
+pub const SAME_PLACE: f64 = 1e-9;
