@@ -158,3 +158,10 @@ pub const CHECK_RAIL_STEP: [f64; 2] = [120.0, 20.0];
 
 /// Forces of two rails in one place, one of them placed by its gauge face: a root to 1e-15 m, over a penetration of 60 µm.
 pub const SAME_PLACE: f64 = 1e-9;
+
+/// Wheels at 3 and 6 degrees against brute force: depth, and place along x of the load's centroid against the deepest point [m].
+pub const YAWED_DEPTH: f64 = 1e-12;
+pub const YAWED_PLACE: f64 = 1e-4;
+
+/// Curvature along the rail of a yawed wheel against its surface, relative.
+pub const SECTION_CURVATURE: f64 = 4e-3;

@@ -73,7 +73,7 @@ impl<'a> ContactLine<'a> {
             beyond_below = beyond(below.clamp(start, end));
         }
         let below = below.clamp(start, end);
-        let edge_s = if beyond_below > 0.0 && above != below {
+        let edge_s = if beyond_below > 0.0 && (above - below).abs() > 0.0 {
             bracketed((above, beyond(above)), (below, beyond_below), RIM_BRACKET, beyond)
         } else {
             below
