@@ -62,6 +62,8 @@ fn models(c: &mut Criterion) {
     evaluate(c, "piotrowski_kik+none", &normal_only);
     let hertz = Parameters { normal_model: NormalModel::Hertz, ..default.clone() };
     evaluate(c, "hertz+fastsim_30x30", &hertz);
+    let fastrip = Parameters { tangential_model: TangentialModel::Fastrip, ..default.clone() };
+    evaluate(c, "piotrowski_kik+fastrip_30x30", &fastrip);
     let coarse = Parameters { strips: 12, elements_along: 12, ..default };
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
