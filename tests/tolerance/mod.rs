@@ -143,3 +143,9 @@ pub const POWER_BALANCE: f64 = 1e-12;
 
 /// Power that tractions may feed into the bodies, over what friction could turn into heat.
 pub const POWER_FED: f64 = 0.0;
+
+/// Vertical force on the rails against the given load, as a share of it, and the last digit of the height times the stiffness [N].
+pub const CARRIED_LOAD: [f64; 2] = [1e-10, 1e-6];
+
+/// Second differences of the height under a given load over lateral steps of 1 µm [m]: what the curvature of the profiles leaves.
+pub const HEIGHT_ROUGHNESS: f64 = 1e-11;
