@@ -42,6 +42,16 @@ struct Trial {
     force: f64,
 }
 
+/// The search for the height; `input` and `output` are those of the last trial.
+struct Search<'a> {
+    element: &'a mut Element,
+    input: &'a mut Input,
+    output: &'a mut Output,
+    load: f64,
+    /// Contacts and zones that found no room at the last trial.
+    left_out: u64,
+}
+
 impl Element {
     /// Puts the wheel of `input` (right side) at the height at which the rails carry its load and leaves the forces there; returns
     /// how many fallbacks that took.
@@ -51,106 +61,17 @@ impl Element {
         // The given height must not matter, not even in the last digit.
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);
-        if load <= 0.0 || !clear.is_finite() {
-            let touching = if clear.is_finite() { self.first_touch(input) } else { None };
-            input.wheel.position[2] = touching.unwrap_or(own_height);
-            self.models.patches.clear();
-            *output = Output::default();
-            return u64::from(load > 0.0);
-        }
-        let mut left_out = 0;
-        let mut try_height = |element: &mut Self, input: &mut Input, z: f64| {
-            input.wheel.position[2] = z;
-            left_out = element.forces(input, output);
-            Trial { z, force: -output.wheel.force[2] }
-        };
-        // Down to the first height that carries the load.
-        let mut step = (load / STIFFNESS).powf(2.0 / 3.0).clamp(FIRST_STEP[0], FIRST_STEP[1]);
-        let mut above = try_height(self, input, clear);
-        for _ in 0..MOST_STEPS {
-            // The bounds are meant to be clear; a rail that rolls far may make them wrong.
-            if above.force < load {
-                break;
-            }
-            above = try_height(self, input, above.z - step);
-            step = (2.0 * step).min(LONGEST_STEP);
-        }
-        let mut best = above;
-        let mut below = None;
-        for _ in 0..MOST_STEPS {
-            let trial = try_height(self, input, above.z + step);
-            if trial.force > best.force {
-                best = trial;
-            }
-            if trial.force >= load {
-                below = Some(trial)
-            } else {
-                above = trial
-            }
-            step = (2.0 * step).min(LONGEST_STEP);
-        }
-        let mut found = below.unwrap_or(best);
-        if below.is_some() && above.force < load {
-            let is_met = |trial: Trial| (trial.force - load).abs() <= ACCURACY * load;
-            let mut trial = found;
-            for _ in 0..GUESSES {
-                let Some(z) = self.power_law_height(load, trial) else { break };
-                if !(z > above.z && z < found.z) || is_met(found) {
-                    break;
-                }
-                trial = try_height(self, input, z);
-                if trial.force >= load {
-                    found = trial
-                } else {
-                    above = trial
-                }
-                if is_met(trial) {
-                    found = trial;
-                    break;
-                }
-            }
-            if !is_met(found) {
-                let straight = |force: f64| {
-                    let share = force / load;
-                    share.signum() * share.abs().powf(2.0 / 3.0) - 1.0
-                };
-                let ends = [above, found].map(|end| (end.z, straight(end.force)));
-                bracketed(ends[0], ends[1], f64::EPSILON * self.nominal_radius, |z| {
-                    let trial = try_height(self, input, z);
-                    if trial.force >= load && trial.z < found.z {
-                        found = trial;
-                    }
-                    if is_met(trial) {
-                        found = trial;
-                        return 0.0;
-                    }
-                    straight(trial.force)
-                });
+        if load > 0.0 && clear.is_finite() {
+            let mut search = Search { element: self, input, output, load, left_out: 0 };
+            if let Some(fallbacks) = search.run(clear) {
+                return fallbacks;
             }
         }
-        if found.force <= 0.0 {
-            // Beside the rails after all.
-            input.wheel.position[2] = own_height;
-            self.models.patches.clear();
-            *output = Output::default();
-            return 1;
-        }
-        if input.wheel.position[2].to_bits() != found.z.to_bits() {
-            found = try_height(self, input, found.z);
-        }
-        let is_missed = (found.force - load).abs() > MISSED[0] * load + MISSED[1];
-        left_out + u64::from(is_missed)
-    }
-
-    /// The height at which the contact of the heaviest patch would carry all of `load` if force grew as penetration^(3/2), after an
-    /// evaluation at `trial`.
-    fn power_law_height(&self, load: f64, trial: Trial) -> Option<f64> {
-        let patches = self.models.patches.iter();
-        let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
-        let cosine = patch.contact_angle.cos();
-        let growth = (load / trial.force).powf(2.0 / 3.0) - 1.0;
-        let z = trial.z + patch.penetration / cosine * growth;
-        (trial.force > 0.0 && cosine > 0.1).then_some(z)
+        let touching = if load <= 0.0 { self.first_touch(input) } else { None };
+        input.wheel.position[2] = touching.unwrap_or(own_height);
+        self.models.patches.clear();
+        *output = Output::default();
+        u64::from(load > 0.0)
     }
 
     /// A height of the marker a little above first touch with any rail; infinite beside all of them [m].
@@ -158,5 +79,105 @@ impl Element {
         (self.rails.iter().enumerate())
             .filter_map(|(k, rail)| Some(rail.as_ref()?.height_near_touch(k, input)))
             .fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Search<'_> {
+    /// Searches from the height `clear`; returns the number of fallbacks, or nothing where no rail carries anything.
+    fn run(&mut self, clear: f64) -> Option<u64> {
+        let [above, mut found] = self.bracket(clear);
+        if above.force < self.load && found.force >= self.load {
+            found = self.refine(above, found);
+        }
+        if found.force <= 0.0 {
+            return None;
+        }
+        if self.input.wheel.position[2].to_bits() != found.z.to_bits() {
+            found = self.at(found.z);
+        }
+        let is_missed = (found.force - self.load).abs() > MISSED[0] * self.load + MISSED[1];
+        Some(self.left_out + u64::from(is_missed))
+    }
+
+    fn at(&mut self, z: f64) -> Trial {
+        self.input.wheel.position[2] = z;
+        self.left_out = self.element.forces(self.input, self.output);
+        Trial { z, force: -self.output.wheel.force[2] }
+    }
+
+    fn is_met(&self, trial: Trial) -> bool {
+        (trial.force - self.load).abs() <= ACCURACY * self.load
+    }
+
+    /// The last height on the way down that does not carry the load, and the first one that does; where none does, that of the
+    /// greatest force.
+    fn bracket(&mut self, clear: f64) -> [Trial; 2] {
+        let mut step = (self.load / STIFFNESS).powf(2.0 / 3.0).clamp(FIRST_STEP[0], FIRST_STEP[1]);
+        let mut above = self.at(clear);
+        for _ in 0..MOST_STEPS {
+            // The bounds are meant to be clear; a rail that rolls far may make them wrong.
+            if above.force < self.load {
+                break;
+            }
+            above = self.at(above.z - step);
+            step = (2.0 * step).min(LONGEST_STEP);
+        }
+        let mut best = above;
+        for _ in 0..MOST_STEPS {
+            let trial = self.at(above.z + step);
+            if trial.force >= self.load {
+                return [above, trial];
+            }
+            if trial.force > best.force {
+                best = trial;
+            }
+            above = trial;
+            step = (2.0 * step).min(LONGEST_STEP);
+        }
+        [above, best]
+    }
+
+    /// The height between `above`, which does not carry the load, and `below`, which does.
+    fn refine(&mut self, mut above: Trial, mut below: Trial) -> Trial {
+        if self.is_met(below) {
+            return below;
+        }
+        let mut last = below;
+        for _ in 0..GUESSES {
+            let guess = self.power_law_height(last).filter(|&z| z > above.z && z < below.z);
+            let Some(z) = guess else { break };
+            last = self.at(z);
+            if self.is_met(last) {
+                return last;
+            }
+            if last.force >= self.load { below = last } else { above = last }
+        }
+        let load = self.load;
+        let straight = |force: f64| {
+            let share = force / load;
+            share.signum() * share.abs().powf(2.0 / 3.0) - 1.0
+        };
+        let [first, second] = [above, below].map(|end| (end.z, straight(end.force)));
+        let resolution = f64::EPSILON * self.element.nominal_radius;
+        bracketed(first, second, resolution, |z| {
+            let trial = self.at(z);
+            let is_met = self.is_met(trial);
+            if is_met || (trial.force >= load && trial.z < below.z) {
+                below = trial;
+            }
+            if is_met { 0.0 } else { straight(trial.force) }
+        });
+        below
+    }
+
+    /// The height at which the contact of the heaviest patch would carry the whole load if force grew as penetration^(3/2), after
+    /// an evaluation at `trial`.
+    fn power_law_height(&self, trial: Trial) -> Option<f64> {
+        let patches = self.element.models.patches.iter();
+        let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;
+        let cosine = patch.contact_angle.cos();
+        let growth = (self.load / trial.force).powf(2.0 / 3.0) - 1.0;
+        let z = trial.z + patch.penetration / cosine * growth;
+        (trial.force > 0.0 && cosine > 0.1).then_some(z)
     }
 }
