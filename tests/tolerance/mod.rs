@@ -36,8 +36,8 @@ pub const SIMILARITY: f64 = 1e-9;
 /// The same beyond, a/b 0.03 to 0.05 and 20 to 33, where the fits are carried into asymptotes that are themselves a few per cent off.
 pub const KALKER_ENDS: [f64; 3] = [2.2e-2, 1.6e-2, 2.1e-2];
 
-/// Prescribed vertical load of the Manchester benchmark: bisection to rounding of the height.
-pub const PRESCRIBED_LOAD: f64 = 1e-6;
+/// Prescribed vertical load of the Manchester benchmark.
+pub const PRESCRIBED_LOAD: f64 = 1e-10;
 
 /// Manchester benchmark against CONTACT, 42 contacts: medians, and every contact but the listed ones. Contact position [mm] and
 /// angle [degrees]: CONTACT reports a weighted centre of the patch.
