@@ -15,6 +15,16 @@ pub enum Side {
     Left,
 }
 
+/// What is given of the vertical motion of the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VerticalMode {
+    /// The height of the wheel; forces follow from the penetration.
+    #[default]
+    Penetration,
+    /// The vertical force that the rails carry; the height is found.
+    Load,
+}
+
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
@@ -82,6 +92,8 @@ pub struct Parameters {
     pub gauge_depth: f64,
     /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
     pub profile_smoothing: f64,
+    /// What is given of the vertical motion.
+    pub vertical_mode: VerticalMode,
     /// Normal contact model.
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
@@ -130,6 +142,7 @@ impl Default for Parameters {
             gauge: 1.435,
             gauge_depth: 0.014,
             profile_smoothing: 0.004,
+            vertical_mode: VerticalMode::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
