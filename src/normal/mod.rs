@@ -6,6 +6,7 @@
 pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
+pub mod uneven;
 mod zones;
 
 pub use zones::Edge;
