@@ -1,7 +1,7 @@
 //! What is fixed once an element is initialised.
 
 use crate::error::ContactError;
-pub use crate::normal::NormalModel;
+pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::{Flexibilities, TangentialModel};
 
@@ -18,9 +18,13 @@ pub enum Side {
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
+    /// Longitudinal creepage from the rolling radius only: no lateral creepage, no spin.
+    Kinematic,
     /// One triple of creepages for each patch.
     #[default]
     Flat,
+    /// For each strip that of its own place and tangent plane (Piotrowski and Kik 2008, section 4).
+    Curved,
 }
 
 /// Wheel: profile, size and material.
@@ -82,6 +86,8 @@ pub struct Parameters {
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
     pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
     /// Strips across each loaded zone, 4 to 200.
     pub strips: usize,
     /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
@@ -126,6 +132,7 @@ impl Default for Parameters {
             profile_smoothing: 0.004,
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
+            shape_fit: ShapeFit::default(),
             strips: 30,
             damping: 1e5,
             creepage_model: CreepageModel::default(),

@@ -140,4 +140,8 @@ impl Separation for LineSeparation<'_> {
         let lift = lifting.deviations.lift(at.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
     }
+
+    fn along(&mut self, u: f64) -> f64 {
+        self.line.at(u).x
+    }
 }
