@@ -115,6 +115,12 @@ impl<'a> ContactLine<'a> {
         Self { deviations: Some(deviations), ..self }
     }
 
+    /// Radius of the running circle [m].
+    #[must_use]
+    pub fn nominal_radius(&self) -> f64 {
+        self.nominal_radius
+    }
+
     /// Range of the parameter of the line, which is that of the profile [m].
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
