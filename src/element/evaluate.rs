@@ -6,6 +6,7 @@ use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{RAILS, RailPlace, Side, VerticalMode};
 use super::rail_contact::RailContact;
+use super::uneven::deviations;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
@@ -67,7 +68,7 @@ impl Element {
                 rails[k] = Some(load(&parameter, &rail.profile, ProfileKind::Rail)?);
             }
         }
-        Self::with_profiles(parameters, start, &wheel, &rails)
+        Self::build(parameters, start, &wheel, &rails, profile_folders)
     }
 
     /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail that is not there.
@@ -81,6 +82,17 @@ impl Element {
         rails: &[Option<Profile>; RAILS],
     ) -> Result<Self, ContactError> {
         parameters.check()?;
+        Self::build(parameters, start, wheel, rails, &[])
+    }
+
+    /// The element of checked `parameters`; `folders` is where files of deviations are looked for.
+    fn build(
+        parameters: &Parameters,
+        start: &Input,
+        wheel: &Profile,
+        rails: &[Option<Profile>; RAILS],
+        folders: &[PathBuf],
+    ) -> Result<Self, ContactError> {
         start.check()?;
         let radius = parameters.wheel.nominal_radius;
         let [least, greatest] = wheel.bounds().z;
@@ -92,8 +104,9 @@ impl Element {
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
-            contacts[k] =
-                Some(RailContact::new(wheel, parameters, placed(k, profile, parameters)?));
+            let deviations = deviations(parameters, k, folders)?;
+            let placed = placed(k, profile, parameters)?;
+            contacts[k] = Some(RailContact::new(wheel, parameters, placed, deviations));
         }
         let mut element = Self {
             side: parameters.side,

@@ -4,7 +4,7 @@ use super::values::Values;
 use super::{Causality, Enumeration, Item, Kind, Value, Variable};
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
-    CreepageModel, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
+    CreepageModel, FlatShape, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
     TractionBound, VerticalMode,
 };
 
