@@ -9,7 +9,6 @@ mod packaged;
 mod python;
 mod tolerance;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;

@@ -7,6 +7,7 @@ pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
+pub mod uneven;
 mod zones;
 
 pub use shape_correction::ShapeFit;
