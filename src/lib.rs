@@ -81,6 +81,7 @@
 //! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output
+//! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
 //! ```
@@ -90,6 +91,7 @@
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
 //! dependencies. As a library: `default-features = false`.
 
+pub mod conicity;
 pub mod element;
 pub mod error;
 pub mod fmi;

@@ -174,3 +174,14 @@ pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// FaStrip on the 300 ellipses, 20x20, blended: mean, 95 % and worst error over the friction limit. CONTACT's own FaStrip on 22x22: 0.017, 0.048, 0.067.
 pub const FASTRIP_ELLIPSES: [f64; 3] = [0.0125, 0.04, 0.062];
+
+/// Equivalent conicity of the reference cases of EN 15302, share of that standard's tolerance: 0.015 at worst, which is
+/// the third digit of the expected figures, but for E5 (920 and 918 mm), where it is an eighth.
+pub const EN_15302: f64 = 0.13;
+
+/// Rolling radius differences of cones and arcs against closed forms [m]: contact points are looked at 0.1 nm deep.
+pub const ROLLING_RADIUS: f64 = 1e-8;
+
+/// Conicity of a cone at 3 mm; conicity of arcs at 3 mm against the formula for small amplitudes.
+pub const CONE_CONICITY: f64 = 1e-5;
+pub const ARC_CONICITY: f64 = 0.01;

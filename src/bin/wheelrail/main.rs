@@ -2,6 +2,7 @@
 
 mod args;
 mod cases;
+mod conicity;
 mod evaluate;
 mod figures;
 mod importer;
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Patch(arguments) => patch::run(&arguments),
+        Command::Conicity(arguments) => conicity::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
