@@ -90,6 +90,7 @@
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
 //! dependencies. As a library: `default-features = false`.
 
+pub mod boundary_element;
 pub mod element;
 pub mod error;
 pub mod fmi;
