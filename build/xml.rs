@@ -21,14 +21,27 @@ pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> R
         ("license", &model.license),
         ("generationTool", &tool),
         ("variableNamingConvention", "structured"),
+        ("numberOfEventIndicators", "0"),
     ]);
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
+        w.create_element("ModelExchange")
+            .with_attributes([
+                ("modelIdentifier", identifier),
+                ("completedIntegratorStepNotNeeded", "true"),
+                ("canNotUseMemoryManagementFunctions", "true"),
+                ("canGetAndSetFMUstate", "true"),
+                ("canSerializeFMUstate", "true"),
+            ])
+            .write_empty()?;
         w.create_element("CoSimulation")
             .with_attributes([
                 ("modelIdentifier", identifier),
                 ("canHandleVariableCommunicationStepSize", "true"),
+                ("canInterpolateInputs", "true"),
                 ("canNotUseMemoryManagementFunctions", "true"),
+                ("canGetAndSetFMUstate", "true"),
+                ("canSerializeFMUstate", "true"),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

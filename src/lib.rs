@@ -82,7 +82,7 @@
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output
 //! variables   everything above by name, from modelDescription/variables.toml
-//! fmi         the C interface of FMI 2.0 for co-simulation
+//! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
 //! ```
 //!
 //! # Features

@@ -117,7 +117,7 @@ fn an_instance_that_is_refused_is_explained() {
     for (arguments, words) in [
         (Arguments { guid: Some(c"{1-2-3}".into()), ..default() }, "the GUID is \"{1-2-3}\""),
         (Arguments { guid: None, ..default() }, "argument fmuGUID is null"),
-        (Arguments { fmu_type: 0, ..default() }, "fmuType 0 is not co-simulation"),
+        (Arguments { fmu_type: 2, ..default() }, "fmuType 2 is neither"),
         (Arguments { name: None, ..default() }, "instanceName is empty"),
         (Arguments { name: Some(c"".into()), ..default() }, "instanceName is empty"),
         (Arguments { location: Some(c"file:///\xff".into()), ..default() }, "not UTF-8"),

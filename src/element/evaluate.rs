@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, Side};
+use super::parameters::{RAILS, RailPlace, Side};
 use super::rail_contact::RailContact;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
@@ -90,20 +90,8 @@ impl Element {
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
-            let placed = PlacedRail::by_gauge(
-                &profile.curve,
-                parameters.rails[k].inclination,
-                parameters.gauge,
-                parameters.gauge_depth,
-            )
-            .map_err(|_| ContactError::Profile {
-                name: format!("rail[{}].profile", k + 1),
-                problem: ProfileError::NoGaugeFace {
-                    name: profile.name.clone(),
-                    depth_mm: 1e3 * parameters.gauge_depth,
-                },
-            })?;
-            contacts[k] = Some(RailContact::new(wheel, parameters, placed));
+            contacts[k] =
+                Some(RailContact::new(wheel, parameters, placed(k, profile, parameters)?));
         }
         let mut element = Self {
             side: parameters.side,
@@ -130,6 +118,23 @@ impl Element {
         self.work
     }
 
+    /// Contacts and zones that found no room so far: the only thing an element remembers.
+    #[must_use]
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
+    }
+
+    /// Goes back to an earlier count of [`fallbacks`](Self::fallbacks).
+    pub fn set_fallbacks(&mut self, fallbacks: u64) {
+        self.fallbacks = fallbacks;
+    }
+
+    /// The count as it is reported in [`Output::fallback_count`].
+    #[must_use]
+    pub fn fallback_count(&self) -> i32 {
+        i32::try_from(self.fallbacks).unwrap_or(i32::MAX)
+    }
+
     /// Evaluates the forces; allocates nothing.
     ///
     /// # Errors
@@ -154,7 +159,7 @@ impl Element {
             *slot = *patch;
         }
         output.patch_count = patches.len() as i32;
-        output.fallback_count = i32::try_from(self.fallbacks).unwrap_or(i32::MAX);
+        output.fallback_count = self.fallback_count();
         if mirrored {
             *output = output.mirrored();
         }
@@ -188,6 +193,29 @@ impl Element {
         }
         touching
     }
+}
+
+/// Rail number `k` where the parameters put it: the first one by gauge, the second one by the place of its marker.
+fn placed(
+    k: usize,
+    profile: &Profile,
+    parameters: &Parameters,
+) -> Result<PlacedRail, ContactError> {
+    let (curve, inclination) = (&profile.curve, parameters.rails[k].inclination);
+    if k > 0 {
+        let RailPlace { position: [y, z], mirrored } = parameters.second_rail;
+        let y = if parameters.side == Side::Left { -y } else { y };
+        return Ok(PlacedRail::at_marker(curve, inclination, [y, z], mirrored));
+    }
+    PlacedRail::by_gauge(curve, inclination, parameters.gauge, parameters.gauge_depth).map_err(
+        |_| ContactError::Profile {
+            name: format!("rail[{}].profile", k + 1),
+            problem: ProfileError::NoGaugeFace {
+                name: profile.name.clone(),
+                depth_mm: 1e3 * parameters.gauge_depth,
+            },
+        },
+    )
 }
 
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].

@@ -1,4 +1,4 @@
-//! The functions that FMI 2.0 asks of a co-simulation unit, as the library exports them.
+//! The functions that FMI 2.0 asks of a unit for co-simulation and model exchange, as the library exports them.
 //!
 //! Arguments are as in the standard; raw pointers become slices and texts here and nowhere else. What
 //! is not supported yet is exported, explains itself to the logger and answers `fmi2Error`.
@@ -7,12 +7,16 @@
 #![allow(non_snake_case, clippy::missing_safety_doc)]
 
 mod arguments;
+mod derivatives;
 mod life;
+mod model_exchange;
 mod states;
 mod step;
 mod values;
 
+pub use derivatives::*;
 pub use life::*;
+pub use model_exchange::*;
 pub use states::*;
 pub use step::*;
 pub use values::*;

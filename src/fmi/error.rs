@@ -38,6 +38,19 @@ pub enum FmiError {
         /// Its type in the words of FMI.
         kind: &'static str,
     },
+    /// A derivative of what is no continuous input.
+    #[error("{0} is no input: only inputs have time derivatives")]
+    NoInput(&'static str),
+    /// A derivative that is not a number.
+    #[error("derivative {order} of {name} = {value} is not admitted: a finite number")]
+    BadDerivative {
+        /// The input.
+        name: &'static str,
+        /// Order of the derivative.
+        order: i32,
+        /// Its value.
+        value: f64,
+    },
     /// A parameter set after initialization.
     #[error("{0} is fixed after initialization: call fmi2Reset to change it")]
     Fixed(&'static str),
@@ -72,8 +85,8 @@ pub enum FmiError {
         /// That of the library.
         own: &'static str,
     },
-    /// Model exchange, which there is not.
-    #[error("fmuType {0} is not co-simulation (1), the only type there is")]
+    /// A type of unit that FMI does not know.
+    #[error("fmuType {0} is neither model exchange (0) nor co-simulation (1)")]
     WrongFmuType(i32),
     /// An instance without a name.
     #[error("argument instanceName is empty")]
@@ -81,6 +94,12 @@ pub enum FmiError {
     /// A function behind a capability flag that is not set.
     #[error("not supported: modelDescription.xml does not set {0}")]
     NotSupported(&'static str),
+    /// A state that was freed, or is another instance's.
+    #[error("argument {0} is no state of this instance: it was freed, or belongs to another one")]
+    UnknownState(&'static str),
+    /// Bytes that are no state.
+    #[error("argument serializedState {0}")]
+    BadBytes(String),
     /// A resource location that cannot be used.
     #[error(
         "fmuResourceLocation \"{0}\" is not a file: URI; profiles are looked for in the working directory only"

@@ -8,10 +8,10 @@ use std::sync::{Mutex, TryLockError};
 
 use super::error::FmiError;
 use super::handle::{self, Entry};
-use super::instance::{Instance, State};
+use super::instance::{Instance, Purpose, State};
 use super::location;
 use super::logger::{Category, Logger};
-use super::types::{CO_SIMULATION, Component, Status};
+use super::types::{CO_SIMULATION, Component, MODEL_EXCHANGE, Status};
 use crate::variables::GUID;
 
 /// A function of the interface and the states in which FMI allows it.
@@ -24,10 +24,13 @@ pub struct Call {
 const INSTANTIATED: u8 = State::Instantiated.bit();
 const INITIALIZATION: u8 = State::Initialization.bit();
 const STEPPING: u8 = State::Stepping.bit();
+const EVENT: u8 = State::EventMode.bit();
+const CONTINUOUS: u8 = State::ContinuousTime.bit();
 const TERMINATED: u8 = State::Terminated.bit();
-const ALIVE: u8 = INSTANTIATED | INITIALIZATION | STEPPING | TERMINATED;
-const READABLE: u8 = INITIALIZATION | STEPPING | TERMINATED;
-const SETTABLE: u8 = INSTANTIATED | INITIALIZATION | STEPPING;
+const RUNNING: u8 = STEPPING | EVENT | CONTINUOUS;
+const ALIVE: u8 = INSTANTIATED | INITIALIZATION | RUNNING | TERMINATED;
+const READABLE: u8 = INITIALIZATION | RUNNING | TERMINATED;
+const SETTABLE: u8 = INSTANTIATED | INITIALIZATION | RUNNING;
 
 macro_rules! calls {
     ($($constant:ident $name:literal $allowed:expr;)*) => {
@@ -37,13 +40,13 @@ macro_rules! calls {
     };
 }
 
-// FMI 2.0, 4.2.4: the state machine of co-simulation and its table of calls.
+// FMI 2.0, 3.2.3 and 4.2.4: the state machines of model exchange and co-simulation and their tables of calls.
 calls! {
     SET_DEBUG_LOGGING "fmi2SetDebugLogging" ALIVE;
     SETUP_EXPERIMENT "fmi2SetupExperiment" INSTANTIATED;
     ENTER_INITIALIZATION "fmi2EnterInitializationMode" INSTANTIATED;
     EXIT_INITIALIZATION "fmi2ExitInitializationMode" INITIALIZATION;
-    TERMINATE "fmi2Terminate" STEPPING;
+    TERMINATE "fmi2Terminate" RUNNING;
     RESET "fmi2Reset" ALIVE;
     GET_REAL "fmi2GetReal" READABLE;
     GET_INTEGER "fmi2GetInteger" READABLE;
@@ -60,8 +63,18 @@ calls! {
     SERIALIZE "fmi2SerializeFMUstate" ALIVE;
     DESERIALIZE "fmi2DeSerializeFMUstate" ALIVE;
     DIRECTIONAL_DERIVATIVE "fmi2GetDirectionalDerivative" READABLE;
-    SET_INPUT_DERIVATIVES "fmi2SetRealInputDerivatives" SETTABLE;
+    SET_INPUT_DERIVATIVES "fmi2SetRealInputDerivatives" INSTANTIATED | INITIALIZATION | STEPPING;
     GET_OUTPUT_DERIVATIVES "fmi2GetRealOutputDerivatives" STEPPING | TERMINATED;
+    ENTER_EVENT_MODE "fmi2EnterEventMode" EVENT | CONTINUOUS;
+    NEW_DISCRETE_STATES "fmi2NewDiscreteStates" EVENT;
+    ENTER_CONTINUOUS_TIME_MODE "fmi2EnterContinuousTimeMode" EVENT;
+    COMPLETED_INTEGRATOR_STEP "fmi2CompletedIntegratorStep" CONTINUOUS;
+    SET_TIME "fmi2SetTime" EVENT | CONTINUOUS;
+    SET_CONTINUOUS_STATES "fmi2SetContinuousStates" CONTINUOUS;
+    GET_DERIVATIVES "fmi2GetDerivatives" EVENT | CONTINUOUS | TERMINATED;
+    GET_EVENT_INDICATORS "fmi2GetEventIndicators" INITIALIZATION | EVENT | CONTINUOUS | TERMINATED;
+    GET_CONTINUOUS_STATES "fmi2GetContinuousStates" INITIALIZATION | EVENT | CONTINUOUS | TERMINATED;
+    GET_NOMINALS "fmi2GetNominalsOfContinuousStates" INITIALIZATION | EVENT | CONTINUOUS | TERMINATED;
     DO_STEP "fmi2DoStep" STEPPING;
     CANCEL_STEP "fmi2CancelStep" 0;
     GET_STATUS "fmi2GetStatus" STEPPING | TERMINATED;
@@ -125,10 +138,10 @@ pub struct Request<'a> {
 /// Makes an instance and puts it into the table; null, with a message, if that is not possible.
 pub fn instantiate(request: Request, logger: Logger) -> Component {
     const NAME: &str = "fmi2Instantiate";
-    catch_unwind(AssertUnwindSafe(|| match profile_folders(request, &logger) {
-        Ok(folders) => {
+    catch_unwind(AssertUnwindSafe(|| match examine(request, &logger) {
+        Ok((purpose, folders)) => {
             logger.log(Status::Ok, Category::Events, NAME);
-            let instance = Mutex::new(Instance::new(folders));
+            let instance = Mutex::new(Instance::new(purpose, folders));
             handle::insert(Entry { logger, instance }).unwrap_or(null_mut())
         }
         Err(error) => {
@@ -139,14 +152,16 @@ pub fn instantiate(request: Request, logger: Logger) -> Component {
     .unwrap_or(null_mut())
 }
 
-/// Where profiles are looked for: in the resources, then in the working directory.
-fn profile_folders(request: Request, logger: &Logger) -> Result<Vec<PathBuf>, FmiError> {
+/// What the instance is for, and where profiles are looked for: in the resources, then in the working directory.
+fn examine(request: Request, logger: &Logger) -> Result<(Purpose, Vec<PathBuf>), FmiError> {
     if request.instance_name.is_empty() {
         return Err(FmiError::NoName);
     }
-    if request.fmu_type != CO_SIMULATION {
-        return Err(FmiError::WrongFmuType(request.fmu_type));
-    }
+    let purpose = match request.fmu_type {
+        MODEL_EXCHANGE => Purpose::ModelExchange,
+        CO_SIMULATION => Purpose::CoSimulation,
+        other => return Err(FmiError::WrongFmuType(other)),
+    };
     let given = request.guid?;
     if given != GUID {
         return Err(FmiError::WrongGuid { given: given.into(), own: GUID });
@@ -160,7 +175,7 @@ fn profile_folders(request: Request, logger: &Logger) -> Result<Vec<PathBuf>, Fm
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let folders = resources.map(|folder| folder.join("profiles")).into_iter();
-    Ok(folders.chain([working_directory]).collect())
+    Ok((purpose, folders.chain([working_directory]).collect()))
 }
 
 /// Takes the instance out of the table; freed, forged and null handles do nothing.
@@ -185,6 +200,8 @@ impl State {
             Self::Instantiated => "before initialization",
             Self::Initialization => "in initialization mode",
             Self::Stepping => "after initialization",
+            Self::EventMode => "in event mode",
+            Self::ContinuousTime => "in continuous-time mode",
             Self::Terminated => "after fmi2Terminate",
             Self::Closed => "after an internal fault",
         };
@@ -192,7 +209,19 @@ impl State {
             _ if call.allowed == 0 => "no step is ever pending",
             Self::Instantiated => "call fmi2SetupExperiment and fmi2EnterInitializationMode first",
             Self::Initialization => "call fmi2ExitInitializationMode first",
-            Self::Stepping | Self::Terminated => "call fmi2Reset to start again",
+            Self::EventMode | Self::ContinuousTime if call.allowed & STEPPING != 0 => {
+                "the instance is for model exchange, the call for co-simulation"
+            }
+            Self::Stepping if call.allowed & (EVENT | CONTINUOUS) != 0 => {
+                "the instance is for co-simulation, the call for model exchange"
+            }
+            Self::EventMode if call.allowed & CONTINUOUS != 0 => {
+                "call fmi2EnterContinuousTimeMode first"
+            }
+            Self::ContinuousTime if call.allowed & EVENT != 0 => "call fmi2EnterEventMode first",
+            Self::Stepping | Self::EventMode | Self::ContinuousTime | Self::Terminated => {
+                "call fmi2Reset to start again"
+            }
             Self::Closed => "free the instance",
         };
         FmiError::WrongState { state, remedy }

@@ -4,20 +4,36 @@ use std::ffi::{CString, c_char};
 use std::path::PathBuf;
 
 use super::error::FmiError;
+use super::extrapolation::Extrapolation;
 use super::logger::{Category, Logger};
+use super::slots::Slots;
+use super::snapshot::Snapshot;
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
 use crate::element::{Element, Input};
 use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
 
-/// Where in its life an instance is (FMI 2.0, 4.2.4).
+/// What an instance is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The host integrates and asks for forces at any time.
+    ModelExchange,
+    /// The host steps.
+    CoSimulation,
+}
+
+/// Where in its life an instance is (FMI 2.0, 3.2.3 and 4.2.4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// Before initialization.
     Instantiated,
     /// Between entering and leaving initialization mode.
     Initialization,
-    /// After initialization; steps are complete when `fmi2DoStep` returns.
+    /// After initialization for co-simulation; steps are complete when `fmi2DoStep` returns.
     Stepping,
+    /// At an event of model exchange, the first one after initialization.
+    EventMode,
+    /// Between the events of model exchange.
+    ContinuousTime,
     /// After `fmi2Terminate`: outputs can still be read.
     Terminated,
     /// After a panic: can only be freed.
@@ -25,36 +41,45 @@ pub enum State {
 }
 
 /// Time span announced by `fmi2SetupExperiment`.
-#[derive(Clone, Copy, Debug)]
-struct Experiment {
-    start: f64,
-    stop: Option<f64>,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Experiment {
+    /// Start time [s].
+    pub start: f64,
+    /// Stop time, if there is one [s].
+    pub stop: Option<f64>,
 }
 
 /// What an `fmi2Component` stands for.
 #[derive(Debug)]
 pub struct Instance {
+    /// What it is made for.
+    pub purpose: Purpose,
     /// Place in the life cycle.
     pub state: State,
-    values: Values,
-    profile_folders: Vec<PathBuf>,
-    element: Option<Element>,
+    pub(super) values: Values,
+    pub(super) profile_folders: Vec<PathBuf>,
+    pub(super) element: Option<Element>,
     /// Parameters were set since the element was made from them.
-    parameters_changed: bool,
+    pub(super) parameters_changed: bool,
     /// The input for which the nominal height was found.
-    nominal_input: Option<Input>,
+    pub(super) nominal_input: Option<Input>,
     /// Inputs were set, or the element made, since the outputs were evaluated.
-    outputs_stale: bool,
-    experiment: Option<Experiment>,
-    time: f64,
+    pub(super) outputs_stale: bool,
+    pub(super) experiment: Option<Experiment>,
+    pub(super) time: f64,
+    /// Time derivatives of the inputs over the next step.
+    pub(super) extrapolation: Extrapolation,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
+    /// States handed out and not freed yet.
+    pub snapshots: Slots<Snapshot>,
 }
 
 impl Instance {
     /// An instance with start values; profiles are looked for in the folders, in order.
-    pub fn new(profile_folders: Vec<PathBuf>) -> Self {
+    pub fn new(purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
         Self {
+            purpose,
             state: State::Instantiated,
             values: Values::default(),
             profile_folders,
@@ -64,13 +89,24 @@ impl Instance {
             outputs_stale: true,
             experiment: None,
             time: 0.0,
+            extrapolation: Extrapolation::new(),
             handed_out: Vec::new(),
+            snapshots: Slots::new(),
         }
     }
 
-    /// Back to what it was after instantiation.
+    /// Back to what it was after instantiation; states handed out stay good.
     pub fn reset(&mut self) {
-        *self = Self::new(std::mem::take(&mut self.profile_folders));
+        let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
+        *self = Self {
+            snapshots,
+            ..Self::new(self.purpose, std::mem::take(&mut self.profile_folders))
+        };
+    }
+
+    /// Whether there is an element of the parameters as they are.
+    pub(super) fn is_prepared(&self) -> bool {
+        self.element.is_some() && !self.parameters_changed
     }
 
     /// Takes over the time span; `stop` if it is defined.
@@ -99,11 +135,14 @@ impl Instance {
     /// Makes the element from the parameters; if one of them is at fault, the mode is not left.
     pub fn exit_initialization(&mut self) -> Result<(), FmiError> {
         self.prepare_element(true)?;
-        self.state = State::Stepping;
+        self.state = match self.purpose {
+            Purpose::ModelExchange => State::EventMode,
+            Purpose::CoSimulation => State::Stepping,
+        };
         Ok(())
     }
 
-    /// Moves the time; forces depend on the inputs alone.
+    /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.
     ///
     /// A host that counts in floating point may start its last step just before the stop time and end
     /// after it; a step that starts beyond it by more than a thousandth of the step is refused.
@@ -123,7 +162,28 @@ impl Instance {
         {
             return Err(FmiError::AfterStop { time, stop });
         }
+        self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
+        self.extrapolation.clear();
         self.time = time + step;
+        Ok(())
+    }
+
+    /// Sets time derivatives of inputs for the next step; all or, if one is refused, none.
+    pub fn set_input_derivatives(
+        &mut self,
+        references: &[ValueReference],
+        orders: &[i32],
+        values: &[f64],
+    ) -> Result<(), FmiError> {
+        self.extrapolation.set(references, orders, values)
+    }
+
+    /// Sets the time of model exchange.
+    pub fn set_time(&mut self, time: f64) -> Result<(), FmiError> {
+        if !time.is_finite() {
+            return Err(bad_argument("time", time, "a finite number"));
+        }
+        self.time = time;
         Ok(())
     }
 
@@ -206,7 +266,7 @@ impl Instance {
         references: &[ValueReference],
         value: impl Fn(usize) -> Value<'a>,
     ) -> Result<Status, FmiError> {
-        let fixed = self.state == State::Stepping;
+        let fixed = !matches!(self.state, State::Instantiated | State::Initialization);
         for (i, &reference) in references.iter().enumerate() {
             let variable = VARIABLES.get(reference as usize);
             let accepted = variable.is_some_and(|v| {
@@ -253,7 +313,7 @@ impl Instance {
     /// height is wanted.
     fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
-        if self.element.is_none() || self.parameters_changed || moved {
+        if !self.is_prepared() || moved {
             let (parameters, input) = (&self.values.parameters, &self.values.input);
             let element = Element::new(parameters, input, &self.profile_folders)?;
             self.values.nominal_wheel_z = element.nominal_wheel_z();

@@ -19,6 +19,8 @@ pub type Text = *const c_char;
 pub const FALSE: Boolean = 0;
 /// `fmi2True`.
 pub const TRUE: Boolean = 1;
+/// `fmi2ModelExchange` of `fmi2Type`.
+pub const MODEL_EXCHANGE: c_int = 0;
 /// `fmi2CoSimulation` of `fmi2Type`.
 pub const CO_SIMULATION: c_int = 1;
 
@@ -57,6 +59,24 @@ pub struct CallbackFunctions {
     pub step_finished: Option<unsafe extern "C" fn(ComponentEnvironment, Status)>,
     /// Handed to the logger as it is.
     pub component_environment: ComponentEnvironment,
+}
+
+/// `fmi2EventInfo`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EventInfo {
+    /// Whether the event goes on.
+    pub new_discrete_states_needed: Boolean,
+    /// Whether the simulation is to end.
+    pub terminate_simulation: Boolean,
+    /// Never: there are no continuous states.
+    pub nominals_of_continuous_states_changed: Boolean,
+    /// Never: there are no continuous states.
+    pub values_of_continuous_states_changed: Boolean,
+    /// Whether the next event has a time.
+    pub next_event_time_defined: Boolean,
+    /// Its time [s].
+    pub next_event_time: f64,
 }
 
 /// `fmi2StatusKind`, as numbers: a host may pass any.

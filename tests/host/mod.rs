@@ -9,8 +9,8 @@ use std::sync::Mutex;
 
 use wheelrail::fmi::abi::*;
 use wheelrail::fmi::types::{
-    CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, Status, TRUE, Text,
-    ValueReference,
+    CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
+    TRUE, Text, ValueReference,
 };
 use wheelrail::variables::{GUID, find};
 
@@ -136,6 +136,16 @@ impl Host {
     /// A host with an instance that is ready to step.
     pub fn stepping() -> Box<Self> {
         let host = Self::initializing();
+        assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+        host
+    }
+
+    /// A host with an instance for model exchange, initialized.
+    pub fn in_event_mode() -> Box<Self> {
+        let arguments = Arguments { fmu_type: MODEL_EXCHANGE, ..Arguments::default() };
+        let host = Self::instantiate(&arguments);
+        assert_eq!(fmi2SetupExperiment(host.component, FALSE, 0.0, 0.5, FALSE, 0.0), Status::Ok);
+        assert_eq!(fmi2EnterInitializationMode(host.component), Status::Ok);
         assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
         host
     }

@@ -1,115 +1,95 @@
-//! States and derivatives, which are not supported yet.
+//! Saved states, in memory and as bytes.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::c_char;
+use std::ptr::null_mut;
 
-use super::arguments::array;
+use super::arguments::{array, array_mut, write};
+use crate::fmi::bytes;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::types::{Component, FmuState, Status, ValueReference};
+use crate::fmi::types::{Component, FmuState, Status};
 
-/// `fmi2GetFMUstate`: not supported yet.
+/// `fmi2GetFMUstate`: a new state where null is handed over; another one of this instance is written over.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetFMUstate(component: Component, _state: *mut FmuState) -> Status {
-    guard(component, Call::GET_FMU_STATE, |_, _| {
-        Err(FmiError::NotSupported("canGetAndSetFMUstate"))
+pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuState) -> Status {
+    guard(component, Call::GET_FMU_STATE, |instance, _| {
+        // SAFETY: FMI 2.0, 2.1.8: the argument points to a state pointer of the host.
+        let target = unsafe { array_mut("FMUstate", state, 1)? };
+        target[0] = instance.save(target[0])?;
+        Ok(Status::Ok)
     })
 }
 
-/// `fmi2SetFMUstate`: not supported yet.
+/// `fmi2SetFMUstate`.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetFMUstate(component: Component, _state: FmuState) -> Status {
-    guard(component, Call::SET_FMU_STATE, |_, _| {
-        Err(FmiError::NotSupported("canGetAndSetFMUstate"))
+pub extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) -> Status {
+    guard(component, Call::SET_FMU_STATE, |instance, _| {
+        instance.load(state)?;
+        Ok(Status::Ok)
     })
 }
 
-/// `fmi2FreeFMUstate`: there are no states to free; null does nothing.
+/// `fmi2FreeFMUstate`: the host's pointer is null afterwards; null does nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuState) -> Status {
-    guard(component, Call::FREE_FMU_STATE, |_, _| {
+    guard(component, Call::FREE_FMU_STATE, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.8: the argument points to a state pointer of the host.
-        let held = unsafe { array("FMUstate", state, usize::from(!state.is_null()))? };
-        if held.iter().all(|state| state.is_null()) {
-            return Ok(Status::Ok);
+        let target = unsafe { array_mut("FMUstate", state, usize::from(!state.is_null()))? };
+        if let Some(held) = target.first_mut().filter(|held| !held.is_null()) {
+            instance.snapshots.remove(*held).ok_or(FmiError::UnknownState("FMUstate"))?;
+            *held = null_mut();
         }
-        Err(FmiError::NotSupported("canGetAndSetFMUstate"))
+        Ok(Status::Ok)
     })
 }
 
-/// `fmi2SerializedFMUstateSize`: not supported yet.
+/// `fmi2SerializedFMUstateSize`.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SerializedFMUstateSize(
+pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     component: Component,
-    _state: FmuState,
-    _size: *mut usize,
+    state: FmuState,
+    size: *mut usize,
 ) -> Status {
-    guard(component, Call::SERIALIZED_SIZE, |_, _| {
-        Err(FmiError::NotSupported("canSerializeFMUstate"))
+    guard(component, Call::SERIALIZED_SIZE, |instance, _| {
+        let count = bytes::write(instance.saved(state)?).len();
+        // SAFETY: FMI 2.0, 2.1.8: the argument points to one size.
+        unsafe { write("size", size, count) }
     })
 }
 
-/// `fmi2SerializeFMUstate`: not supported yet.
+/// `fmi2SerializeFMUstate`: into at least as many bytes as `fmi2SerializedFMUstateSize` asks for.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SerializeFMUstate(
+pub unsafe extern "C" fn fmi2SerializeFMUstate(
     component: Component,
-    _state: FmuState,
-    _bytes: *mut c_char,
-    _size: usize,
+    state: FmuState,
+    target: *mut c_char,
+    size: usize,
 ) -> Status {
-    guard(component, Call::SERIALIZE, |_, _| Err(FmiError::NotSupported("canSerializeFMUstate")))
-}
-
-/// `fmi2DeSerializeFMUstate`: not supported yet.
-#[unsafe(no_mangle)]
-pub extern "C" fn fmi2DeSerializeFMUstate(
-    component: Component,
-    _bytes: *const c_char,
-    _size: usize,
-    _state: *mut FmuState,
-) -> Status {
-    guard(component, Call::DESERIALIZE, |_, _| Err(FmiError::NotSupported("canSerializeFMUstate")))
-}
-
-/// `fmi2GetDirectionalDerivative`: not supported yet.
-#[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetDirectionalDerivative(
-    component: Component,
-    _unknowns: *const ValueReference,
-    _unknown_count: usize,
-    _knowns: *const ValueReference,
-    _known_count: usize,
-    _seed: *const f64,
-    _sensitivity: *mut f64,
-) -> Status {
-    guard(component, Call::DIRECTIONAL_DERIVATIVE, |_, _| {
-        Err(FmiError::NotSupported("providesDirectionalDerivative"))
+    guard(component, Call::SERIALIZE, |instance, _| {
+        let bytes = bytes::write(instance.saved(state)?);
+        // SAFETY: FMI 2.0, 2.1.8: `serializedState` holds `size` bytes.
+        let target = unsafe { array_mut("serializedState", target.cast::<u8>(), size)? };
+        let allowed = "at least what fmi2SerializedFMUstateSize gives";
+        let error = FmiError::BadArgument { name: "size", value: size as f64, allowed };
+        target.get_mut(..bytes.len()).ok_or(error)?.copy_from_slice(&bytes);
+        Ok(Status::Ok)
     })
 }
 
-/// `fmi2SetRealInputDerivatives`: not supported yet.
+/// `fmi2DeSerializeFMUstate`: a state of any instance of this unit, in this process or another.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetRealInputDerivatives(
+pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     component: Component,
-    _references: *const ValueReference,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *const f64,
+    bytes: *const c_char,
+    size: usize,
+    state: *mut FmuState,
 ) -> Status {
-    guard(component, Call::SET_INPUT_DERIVATIVES, |_, _| {
-        Err(FmiError::NotSupported("canInterpolateInputs"))
-    })
-}
-
-/// `fmi2GetRealOutputDerivatives`: not supported yet.
-#[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetRealOutputDerivatives(
-    component: Component,
-    _references: *const ValueReference,
-    _count: usize,
-    _orders: *const c_int,
-    _values: *mut f64,
-) -> Status {
-    guard(component, Call::GET_OUTPUT_DERIVATIVES, |_, _| {
-        Err(FmiError::NotSupported("maxOutputDerivativeOrder"))
+    guard(component, Call::DESERIALIZE, |instance, _| {
+        // SAFETY: FMI 2.0, 2.1.8: `serializedState` holds `size` bytes, the other points to a state pointer.
+        let (bytes, target) = unsafe {
+            (array("serializedState", bytes.cast::<u8>(), size)?, array_mut("FMUstate", state, 1)?)
+        };
+        target[0] = instance.put(target[0], bytes::read(bytes)?)?;
+        Ok(Status::Ok)
     })
 }

@@ -1,0 +1,258 @@
+//! A saved state as bytes: versioned, and checked when it is read.
+//!
+//! ```text
+//! tag, format, GUID                 what it is, and of which variables
+//! purpose, life, prepared, evaluated
+//!                                   one byte each
+//! fallbacks, experiment, time
+//! nominal height
+//! inputs and parameters             in the order of the variables
+//! derivatives of inputs             their number, then reference, three numbers each
+//! checksum                          CRC-32 of all before
+//! ```
+//!
+//! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs.
+
+use super::error::FmiError;
+use super::extrapolation::{Extrapolation, ORDERS};
+use super::instance::{Experiment, Purpose, State};
+use super::snapshot::{Outputs, Snapshot};
+use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
+
+const TAG: &[u8] = b"wheelrail state";
+/// To be counted up when the layout changes; a change of variables shows in the GUID.
+const FORMAT: u32 = 1;
+
+const STATES: [State; 6] = [
+    State::Instantiated,
+    State::Initialization,
+    State::Stepping,
+    State::EventMode,
+    State::ContinuousTime,
+    State::Terminated,
+];
+
+/// The bytes of a state.
+pub fn write(snapshot: &Snapshot) -> Vec<u8> {
+    let mut bytes = TAG.to_vec();
+    bytes.extend(FORMAT.to_le_bytes());
+    text(&mut bytes, GUID);
+    // A closed instance is not asked for its state.
+    let life = STATES.iter().position(|s| *s == snapshot.state).unwrap_or_default();
+    let evaluated = snapshot.outputs != Outputs::Stale;
+    let stepped = snapshot.purpose == Purpose::CoSimulation;
+    bytes.extend([u8::from(stepped), life as u8, u8::from(snapshot.prepared), u8::from(evaluated)]);
+    bytes.extend(snapshot.fallbacks.to_le_bytes());
+    let stop = snapshot.experiment.and_then(|e| e.stop);
+    bytes.extend([u8::from(snapshot.experiment.is_some()), u8::from(stop.is_some())]);
+    for number in [
+        snapshot.experiment.map_or(0.0, |e| e.start),
+        stop.unwrap_or_default(),
+        snapshot.time,
+        snapshot.values.nominal_wheel_z,
+    ] {
+        bytes.extend(number.to_le_bytes());
+    }
+    for variable in VARIABLES.iter().filter(|v| v.is_settable()) {
+        match snapshot.values.get(variable) {
+            Value::Real(value) => bytes.extend(value.to_le_bytes()),
+            Value::Integer(value) => bytes.extend(value.to_le_bytes()),
+            Value::Boolean(value) => bytes.push(u8::from(value)),
+            Value::Text(value) => text(&mut bytes, value),
+        }
+    }
+    bytes.extend((snapshot.extrapolation.iter().len() as u32).to_le_bytes());
+    for (reference, derivatives) in snapshot.extrapolation.iter() {
+        bytes.extend(reference.to_le_bytes());
+        bytes.extend(derivatives.iter().flat_map(|d| d.to_le_bytes()));
+    }
+    let checksum = crc32fast::hash(&bytes);
+    bytes.extend(checksum.to_le_bytes());
+    bytes
+}
+
+fn text(bytes: &mut Vec<u8>, text: &str) {
+    bytes.extend((text.len() as u32).to_le_bytes());
+    bytes.extend(text.as_bytes());
+}
+
+/// The state of bytes.
+///
+/// # Errors
+/// Bytes that are damaged, no state at all, or of another version of the unit.
+pub fn read(bytes: &[u8]) -> Result<Snapshot, FmiError> {
+    let bad = |problem: &str| FmiError::BadBytes(problem.into());
+    let damaged = || bad("is damaged: fewer or other bytes than fmi2SerializeFMUstate has written");
+    let Some(rest) = bytes.strip_prefix(TAG) else {
+        return Err(bad(
+            "is no state of this unit: it does not begin as fmi2SerializeFMUstate writes it",
+        ));
+    };
+    // Before the checksum: what is not known cannot be told from damage.
+    let mut head = Reader(rest);
+    let format = u32::from_le_bytes(head.array().ok_or_else(damaged)?);
+    if format != FORMAT {
+        return Err(FmiError::BadBytes(format!("is of format {format}, this unit reads {FORMAT}")));
+    }
+    let (body, checksum) = bytes.split_last_chunk().ok_or_else(damaged)?;
+    if crc32fast::hash(body) != u32::from_le_bytes(*checksum) {
+        return Err(damaged());
+    }
+    let body = body.get(bytes.len() - head.0.len()..).ok_or_else(damaged)?;
+    let mut reader = Reader(body);
+    let guid = reader.text().ok_or_else(damaged)?;
+    if guid != GUID {
+        let problem = format!("is of a unit with GUID \"{guid}\", this one has \"{GUID}\"");
+        return Err(FmiError::BadBytes(problem));
+    }
+    reader.snapshot().filter(|_| reader.0.is_empty()).ok_or_else(damaged)
+}
+
+/// What is left to be read.
+struct Reader<'a>(&'a [u8]);
+
+impl<'a> Reader<'a> {
+    fn array<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let (first, rest) = self.0.split_first_chunk()?;
+        self.0 = rest;
+        Some(*first)
+    }
+
+    fn real(&mut self) -> Option<f64> {
+        self.array().map(f64::from_le_bytes)
+    }
+
+    fn boolean(&mut self) -> Option<bool> {
+        match self.array()? {
+            [0] => Some(false),
+            [1] => Some(true),
+            _ => None,
+        }
+    }
+
+    fn text(&mut self) -> Option<&'a str> {
+        let length = u32::from_le_bytes(self.array()?) as usize;
+        let (text, rest) = self.0.split_at_checked(length)?;
+        self.0 = rest;
+        std::str::from_utf8(text).ok()
+    }
+
+    /// Everything after the head; every value is one that could have been set.
+    fn snapshot(&mut self) -> Option<Snapshot> {
+        let purpose = if self.boolean()? { Purpose::CoSimulation } else { Purpose::ModelExchange };
+        let [life] = self.array()?;
+        let state = *STATES.get(usize::from(life))?;
+        let of_the_other = match purpose {
+            Purpose::ModelExchange => state == State::Stepping,
+            Purpose::CoSimulation => matches!(state, State::EventMode | State::ContinuousTime),
+        };
+        let (prepared, evaluated) = (self.boolean()?, self.boolean()?);
+        let fallbacks = u64::from_le_bytes(self.array()?);
+        let (planned, stops) = (self.boolean()?, self.boolean()?);
+        let [start, stop, time, nominal_wheel_z] =
+            [self.real()?, self.real()?, self.real()?, self.real()?];
+        if ![start, stop, time, nominal_wheel_z].iter().all(|number| number.is_finite()) {
+            return None;
+        }
+        // An element is there from the end of initialization on.
+        let early = matches!(state, State::Instantiated | State::Initialization);
+        if of_the_other || !(early || prepared) {
+            return None;
+        }
+        let mut values = Values { nominal_wheel_z, ..Values::default() };
+        for variable in VARIABLES.iter().filter(|v| v.is_settable()) {
+            let value = match variable.kind {
+                Kind::Real => Value::Real(self.real()?),
+                Kind::Integer | Kind::Enumeration(_) => {
+                    Value::Integer(i32::from_le_bytes(self.array()?))
+                }
+                Kind::Boolean => Value::Boolean(self.boolean()?),
+                Kind::Text => Value::Text(self.text()?),
+            };
+            values.set(variable, value).ok()?;
+        }
+        let mut extrapolation = Extrapolation::new();
+        for _ in 0..u32::from_le_bytes(self.array()?) {
+            let reference = u32::from_le_bytes(self.array()?);
+            for order in 1..=ORDERS {
+                extrapolation.set(&[reference], &[order as i32], &[self.real()?]).ok()?;
+            }
+        }
+        Some(Snapshot {
+            purpose,
+            state,
+            prepared,
+            outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
+            values,
+            extrapolation,
+            fallbacks,
+            experiment: planned.then_some(Experiment { start, stop: stops.then_some(stop) }),
+            time,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi::instance::Instance;
+
+    fn saved() -> Snapshot {
+        let mut instance = Instance::new(Purpose::CoSimulation, Vec::new());
+        instance.setup_experiment(0.5, Some(2.0)).unwrap();
+        instance.enter_initialization().unwrap();
+        instance.exit_initialization().unwrap();
+        instance.step(0.5, 0.25).unwrap();
+        let key = instance.save(std::ptr::null_mut()).unwrap();
+        instance.saved(key).unwrap().clone()
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let state = saved();
+        let read = read(&write(&state)).unwrap();
+        assert_eq!(read.values, state.values);
+        assert_eq!((read.state, read.experiment), (state.state, state.experiment));
+        assert_eq!(read.time.to_bits(), 0.75_f64.to_bits());
+    }
+
+    #[test]
+    fn every_damaged_byte_and_every_cut_is_found() {
+        let bytes = write(&saved());
+        for i in 0..bytes.len() {
+            assert!(read(&bytes[..i]).is_err(), "cut after {i}");
+            for bit in 0..8 {
+                let mut damaged = bytes.clone();
+                damaged[i] ^= 1 << bit;
+                assert!(read(&damaged).is_err(), "bit {bit} of byte {i}");
+            }
+        }
+        let longer = [&*bytes, &[0]].concat();
+        assert!(read(&longer).is_err());
+    }
+
+    #[test]
+    fn bytes_with_a_good_checksum_and_bad_values_are_refused() {
+        let mut state = saved();
+        state.values.input.friction = -1.0;
+        assert!(read(&write(&state)).unwrap_err().to_string().contains("damaged"));
+        state = saved();
+        state.time = f64::NAN;
+        assert!(read(&write(&state)).is_err());
+    }
+
+    #[test]
+    fn the_message_tells_foreign_from_old_bytes() {
+        let bytes = write(&saved());
+        assert!(read(b"something else").unwrap_err().to_string().contains("no state"));
+        let mut other = bytes.clone();
+        other[TAG.len()] = 9;
+        assert!(read(&other).unwrap_err().to_string().contains("format 9"));
+        let mut other = bytes;
+        other[TAG.len() + 8] ^= 1;
+        let end = other.len() - 4;
+        let checksum = crc32fast::hash(&other[..end]);
+        other[end..].copy_from_slice(&checksum.to_le_bytes());
+        assert!(read(&other).unwrap_err().to_string().contains("GUID"));
+    }
+}
