@@ -74,6 +74,7 @@
 //! math        elliptic integrals, quadrature, roots, splines, lists of fixed room: no railway words
 //! geometry    profiles, placed wheel and rail, contact line, contact search, separation
 //! material    elastic constants
+//! boundary_element  pressure and tractions of the half-space on rectangular elements
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage

@@ -52,6 +52,8 @@ pub struct PlanarCase<'a> {
     pub strips: usize,
     /// Elements along each strip.
     pub elements_along: usize,
+    /// Boundary elements along and across the contact.
+    pub elements: [usize; 2],
     /// Shape of the traction bound.
     pub bound: TractionBound,
     /// How the flexibilities enter.
@@ -111,6 +113,7 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
                 contact_u: line.contact,
                 lateral_curvature: line.curve.at(line.contact).second[1],
                 rule: &rule,
+                elements: case.elements,
             };
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
@@ -132,7 +135,9 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
         Indentation::Load(_) => {}
     }
     let contact_y = line.contact;
-    Ok(PlanarResult { fallback: left_out > 0, ..summarise(case, &material, &strips, contact_y) })
+    let mut result = summarise(case, &material, &strips, contact_y);
+    result.fallback |= left_out > 0;
+    Ok(result)
 }
 
 /// The approach from first touch at which `press` gives `load`; where the load jumps past it, the place of the jump.
@@ -161,8 +166,13 @@ fn summarise(
     contact_y: f64,
 ) -> PlanarResult {
     let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
-    let tangential =
-        Tangential::new(case.tangential_model, case.flexibilities, case.bound, case.elements_along);
+    let tangential = Tangential::new(
+        case.tangential_model,
+        case.flexibilities,
+        case.bound,
+        case.elements_along,
+        case.elements,
+    );
     let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
     for zone in strips.zones.iter() {
         result.normal_force += zone.load;
@@ -181,6 +191,7 @@ fn summarise(
             load_factor: 1.0,
         };
         let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
+        result.fallback |= force.fell_back;
         result.fx += force.longitudinal;
         result.fy += force.lateral;
         result.mz += force.spin_moment - y * force.longitudinal;
@@ -250,7 +261,11 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
         case.elements_along as f64,
         counts.contains(&case.elements_along),
         "4 to 200",
-    )
+    )?;
+    for (name, count) in ["elements_along", "elements_across"].into_iter().zip(case.elements) {
+        require(name, count as f64, counts.contains(&count), "4 to 200")?;
+    }
+    Ok(())
 }
 
 /// The separation as a cubic spline, with y as parameter.

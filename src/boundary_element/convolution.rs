@@ -203,7 +203,7 @@ mod tests {
                 .enumerate()
                 .map(|(k, p)| p * influence.at(i - (k % along) as isize, j - (k / along) as isize))
                 .sum();
-            assert_relative_eq!(*found, expected, epsilon = 1e-12 * size);
+            assert_relative_eq!(*found, expected, epsilon = 1e-13 * size, max_relative = 1e-12);
         }
     }
 

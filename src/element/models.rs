@@ -34,6 +34,8 @@ pub struct Models {
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
     pub material: MaterialPair,
+    /// Boundary elements along and across a contact.
+    pub elements: [usize; 2],
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
@@ -64,11 +66,13 @@ impl Models {
                 parameters.flexibilities,
                 parameters.bound,
                 parameters.elements_along,
+                parameters.normal_elements,
             ),
             creepage: parameters.creepage_model,
             curved_zone: CurvedZone::with_capacity(parameters.strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
+            elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
             strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),

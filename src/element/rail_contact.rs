@@ -64,7 +64,8 @@ impl RailContact {
             - pose.marker[1].abs() * frame.roll.abs()
     }
 
-    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room.
+    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a
+    /// simpler model.
     pub fn evaluate(
         &mut self,
         k: usize,
@@ -98,6 +99,7 @@ impl RailContact {
                 contact_u: contact.u,
                 lateral_curvature: line.curvature(contact.u) + self.rail.curvature(contact.rail_s),
                 rule: &models.rule,
+                elements: models.elements,
             };
             left_out += normal::solve(
                 models.normal,
@@ -109,7 +111,7 @@ impl RailContact {
                 &mut models.strips,
             ) as u64;
             let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
-            forces.add(&mut separation, models, output, work);
+            left_out += forces.add(&mut separation, models, output, work);
         }
         left_out
     }

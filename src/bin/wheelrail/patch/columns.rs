@@ -146,6 +146,7 @@ impl Case {
             tangential_model: parameters.tangential_model,
             strips: parameters.strips,
             elements_along: parameters.elements_along,
+            elements: parameters.normal_elements,
             bound: parameters.bound,
             flexibilities: parameters.flexibilities,
         }
