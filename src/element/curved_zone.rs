@@ -14,7 +14,7 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::creepage::{Creepage, RelativeMotion};
+use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::material::MaterialPair;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
@@ -38,15 +38,10 @@ pub struct Tractions {
 
 impl Tractions {
     /// Those of a flat zone with one creepage.
-    pub fn flat(
-        force: &CreepForce,
-        creepage: &Creepage,
-        lateral: Vector3<f64>,
-        normal: Vector3<f64>,
-    ) -> Self {
+    pub fn flat(force: &CreepForce, creepage: &Creepage, axes: &ContactAxes) -> Self {
         Self {
-            force: Vector3::x() * force.longitudinal + lateral * force.lateral,
-            moment: normal * force.spin_moment,
+            force: axes.longitudinal * force.longitudinal + axes.lateral * force.lateral,
+            moment: axes.normal * force.spin_moment,
             dissipation: -(force.longitudinal * creepage.longitudinal
                 + force.lateral * creepage.lateral
                 + force.spin_moment * creepage.spin),
@@ -93,7 +88,8 @@ impl CurvedZone {
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
             let normal = Vector3::x().cross(&tangent);
-            let creepage = motion.creepage(point, tangent, normal, reference_speed);
+            let axes = ContactAxes::along_track(tangent, normal);
+            let creepage = motion.creepage(point, &axes, reference_speed);
             let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
             load += weight;
             mean.longitudinal += weight * creepage.longitudinal;

@@ -2,11 +2,12 @@
 
 use super::curved_zone::CurvedZone;
 use super::output::Patch;
-use super::parameters::{CreepageModel, Parameters};
+use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
+use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
@@ -36,6 +37,8 @@ pub struct Models {
     pub material: MaterialPair,
     /// Boundary elements along and across a contact.
     pub elements: [usize; 2],
+    /// Scratch memory of contacts on uneven rails or wheels, if there are any.
+    pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
@@ -56,11 +59,17 @@ impl Models {
             young_modulus: parameters.rail_young_modulus,
             poisson_ratio: parameters.rail_poisson_ratio,
         };
+        // Patches of uneven bodies split along the track too.
+        let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
             shape_fit: parameters.shape_fit,
-            damping: parameters.damping,
+            damping: match parameters.vertical_mode {
+                VerticalMode::Penetration => parameters.damping,
+                // A given load is that of a wheel at rest on its rails.
+                VerticalMode::Load => 0.0,
+            },
             tangential: Tangential::new(
                 parameters.tangential_model,
                 parameters.flexibilities,
@@ -74,8 +83,9 @@ impl Models {
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
-            strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
-            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
+            uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
+            strips: Strips::with_capacity(zones, parameters.strips),
+            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What is fixed once an element is initialised.
 
+pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
+pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::{Flexibilities, TangentialModel};
@@ -13,6 +15,16 @@ pub enum Side {
     Right,
     /// Negative y: computed as the mirror image of the right side.
     Left,
+}
+
+/// What is given of the vertical motion of the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VerticalMode {
+    /// The height of the wheel; forces follow from the penetration.
+    #[default]
+    Penetration,
+    /// The vertical force that the rails carry; the height is found.
+    Load,
 }
 
 /// How creepage varies over a patch.
@@ -38,6 +50,10 @@ pub struct WheelParameters {
     pub young_modulus: f64,
     /// Poisson's ratio, 0 to 0.5 [-].
     pub poisson_ratio: f64,
+    /// Deviation from a circle.
+    pub out_of_round: OutOfRound,
+    /// A flat.
+    pub flat: WheelFlat,
 }
 
 /// One rail: profile and how it stands.
@@ -49,6 +65,8 @@ pub struct RailParameters {
     pub enabled: bool,
     /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025 [-].
     pub inclination: f64,
+    /// Corrugation.
+    pub corrugation: Corrugation,
 }
 
 /// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
@@ -82,6 +100,8 @@ pub struct Parameters {
     pub gauge_depth: f64,
     /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
     pub profile_smoothing: f64,
+    /// What is given of the vertical motion.
+    pub vertical_mode: VerticalMode,
     /// Normal contact model.
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
@@ -120,11 +140,14 @@ impl Default for Parameters {
                 nominal_radius: 0.46,
                 young_modulus: 2.1e11,
                 poisson_ratio: 0.28,
+                out_of_round: OutOfRound::default(),
+                flat: WheelFlat::default(),
             },
             rails: [true, false].map(|enabled| RailParameters {
                 profile: "60E1".into(),
                 enabled,
                 inclination: 0.025,
+                corrugation: Corrugation::default(),
             }),
             second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
@@ -132,6 +155,7 @@ impl Default for Parameters {
             gauge: 1.435,
             gauge_depth: 0.014,
             profile_smoothing: 0.004,
+            vertical_mode: VerticalMode::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
@@ -204,6 +228,6 @@ impl Parameters {
         ] {
             require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
         }
-        Ok(())
+        self.check_deviations()
     }
 }

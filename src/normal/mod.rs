@@ -8,6 +8,7 @@ pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
+pub mod uneven;
 mod zones;
 
 pub use boundary_element::ElementPressure;

@@ -1,6 +1,7 @@
 //! Tangential contact: creep forces of loaded zones.
 
 pub mod boundary_element;
+pub mod fastrip;
 pub mod fastsim;
 pub mod flexibility;
 pub mod kalker_coefficients;
@@ -11,6 +12,7 @@ pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 use boundary_element::LoadedElements;
+use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use flexibility::ZoneFlexibility;
 use rigid_slip::{FlatSlip, RigidSlip};
@@ -25,6 +27,8 @@ pub enum TangentialModel {
     /// Kalker's march through the strips of the true patch.
     #[default]
     Fastsim,
+    /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
+    Fastrip,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
 }
@@ -129,6 +133,7 @@ pub struct Tangential {
     flexibilities: Flexibilities,
     fastsim: Fastsim,
     elements: [usize; 2],
+    fastrip: Fastrip,
 }
 
 impl Tangential {
@@ -142,7 +147,13 @@ impl Tangential {
         elements_along: usize,
         elements: [usize; 2],
     ) -> Self {
-        Self { model, flexibilities, fastsim: Fastsim::new(elements_along, bound), elements }
+        Self {
+            model,
+            flexibilities,
+            fastsim: Fastsim::new(elements_along, bound),
+            fastrip: Fastrip::new(elements_along),
+            elements,
+        }
     }
 
     /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
@@ -186,6 +197,7 @@ impl Tangential {
             return None;
         }
         let mut flexibility = ZoneFlexibility::new(zone, strips, material);
+        let three = flexibility;
         if is_bounded && self.flexibilities == Flexibilities::Blended {
             flexibility = flexibility.blended(&slip.mean(), limit);
         }
@@ -199,8 +211,8 @@ impl Tangential {
             if share <= 0.0 {
                 continue;
             }
+            let friction = friction * load_factor;
             if let Some(elements) = &elements {
-                let friction = friction * load_factor;
                 let tractions = elements.tractions(strips, material, slip, rolling, friction);
                 if tractions.converged {
                     let add = |j, force: StripForce| each(j, force.times(share));
@@ -209,15 +221,29 @@ impl Tangential {
                 }
                 outcome = Outcome::FellBack;
             }
-            if is_bounded {
-                let friction = friction * load_factor;
-                let add = |j, force: StripForce| each(j, force.times(share));
-                self.fastsim.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
-            } else {
-                // Damping that takes load away takes creep force away, so that a lost contact has none.
-                let share = share * load_factor.min(1.0);
-                let add = |j, force: StripForce| each(j, force.times(share));
-                linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+            // Damping that takes load away takes creep force away, so that a lost contact has none.
+            let share = if is_bounded { share } else { share * load_factor.min(1.0) };
+            let add = |j, force: StripForce| each(j, force.times(share));
+            match self.model {
+                TangentialModel::None => {}
+                TangentialModel::Linear => {
+                    linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+                }
+                TangentialModel::Fastsim | TangentialModel::BoundaryElement => {
+                    let march = &self.fastsim;
+                    march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
+                }
+                TangentialModel::Fastrip => self.fastrip.strip_forces(
+                    zone,
+                    strips,
+                    &three,
+                    &flexibility,
+                    slip,
+                    rolling,
+                    friction,
+                    material.poisson_ratio,
+                    add,
+                ),
             }
         }
         Some(outcome)
