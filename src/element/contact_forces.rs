@@ -177,7 +177,7 @@ impl ContactForces<'_> {
     }
 
     /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
-    fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
+    pub(super) fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x

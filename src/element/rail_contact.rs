@@ -2,6 +2,7 @@
 
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
+use super::flattened::FlatContact;
 use super::input::Input;
 use super::models::Models;
 use super::output::Output;
@@ -94,6 +95,23 @@ impl RailContact {
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+    }
+
+    /// The contacts with rail number `k` for `input` (right side), laid flat.
+    pub fn flattened(&mut self, k: usize, input: &Input, minimum_speed: f64) -> Vec<FlatContact> {
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let pose = frame.pose(&input.wheel);
+        self.find_ranges(input, &pose);
+        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line = with(line, self.deviations.as_ref());
+        self.search.search(&line, &self.rail, &self.ranges);
+        let contacts = self.search.contacts.iter().map(|&contact| {
+            let mut separation = LineSeparation::new(&line, &self.rail, contact);
+            let radius = line.wheel_point(contact.u).section_radius;
+            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
+            forces.flattened(&mut separation, radius, minimum_speed)
+        });
+        contacts.collect()
     }
 
     /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a

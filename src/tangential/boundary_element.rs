@@ -158,6 +158,11 @@ impl LoadedElements {
         }
     }
 
+    /// The strip nearest to each row, for rows that are loaded.
+    pub fn nearest_strips(&self) -> impl Iterator<Item = Option<usize>> {
+        self.rows.iter().map(|row| row.as_ref().map(Row::nearest))
+    }
+
     /// Hands the force of each row of `zone` on the wheel to `each`, as one of the nearest strip.
     pub fn strip_forces(
         &self,
@@ -170,7 +175,7 @@ impl LoadedElements {
         let area = grid.element_area();
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
-            let strip = row.strips[usize::from(row.share > 0.5)];
+            let strip = row.nearest();
             if strip < zone.first || strip >= zone.first + zone.count {
                 continue;
             }
@@ -190,6 +195,10 @@ impl LoadedElements {
 }
 
 impl Row {
+    fn nearest(&self) -> usize {
+        self.strips[usize::from(self.share > 0.5)]
+    }
+
     fn mix(&self, of: impl Fn(usize) -> f64) -> f64 {
         (1.0 - self.share) * of(self.strips[0]) + self.share * of(self.strips[1])
     }

@@ -3,6 +3,7 @@
 pub mod boundary_element;
 pub mod fastrip;
 pub mod fastsim;
+pub mod field;
 pub mod flexibility;
 pub mod kalker_coefficients;
 pub mod linear;

@@ -1,5 +1,6 @@
 //! Figures of a run, as SVG; and the look they share.
 
+pub mod contact;
 pub mod motion;
 pub mod patches;
 
