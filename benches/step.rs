@@ -26,6 +26,8 @@ const SCENES: [Scene; 5] = [
 
 fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
     let mut input = Input::default();
+    // On the front of a corrugation, and beside a flat.
+    input.track_s = 0.008;
     input.wheel.position[1] += scene.shift;
     input.wheel.yaw = scene.yaw;
     input.wheel.velocity = [20.0, 0.0, 0.0];
@@ -66,5 +68,24 @@ fn models(c: &mut Criterion) {
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
 
-criterion_group!(benches, models);
+/// What options cost that are off by default.
+fn options(c: &mut Criterion) {
+    let even = Parameters::default();
+    let mut second = even.clone();
+    second.rails[1].enabled = true;
+    let mut corrugated = even.clone();
+    corrugated.rails[0].corrugation.amplitude = 4e-5;
+    let mut out_of_round = even.clone();
+    (out_of_round.wheel.out_of_round.amplitude, out_of_round.wheel.out_of_round.order) = (2e-4, 7);
+    let mut flat = even.clone();
+    (flat.wheel.flat.length, flat.wheel.flat.angle) = (0.05, 0.02);
+    let hertz = Parameters { normal_model: NormalModel::Hertz, ..corrugated.clone() };
+    evaluate(c, "second_rail_out_of_reach", &second);
+    evaluate(c, "corrugated_rail", &corrugated);
+    evaluate(c, "corrugated_rail+hertz", &hertz);
+    evaluate(c, "out_of_round_wheel", &out_of_round);
+    evaluate(c, "wheel_flat", &flat);
+}
+
+criterion_group!(benches, models, options);
 criterion_main!(benches);
