@@ -14,7 +14,6 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::separation::Separation;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion, kinematic_creepage, rolling_speed};
 use crate::normal::damping;
 use crate::tangential::RollingState;
@@ -33,6 +32,8 @@ pub struct ContactForces<'a> {
     pub rail: &'a PlacedRail,
     /// The contact.
     pub contact: Contact,
+    /// Slopes of rail and wheel along the track in the contact [-].
+    pub slopes: [f64; 2],
 }
 
 impl ContactForces<'_> {
@@ -56,18 +57,19 @@ impl ContactForces<'_> {
         );
         let lifting = separation.lifting();
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch_x = if lifting.is_some() {
-            separation.at(self.contact.u).x
+        let load = models.strips.load();
+        // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
+        let touch_x = if lifting.is_some() && load > 0.0 {
+            models.strips.zones.iter().map(|zone| zone.load * zone.x).sum::<f64>() / load
         } else {
             self.line.even_at(self.contact.u).x
         };
         let touch = self.track_point(touch_x, 0.0, self.contact.penetration);
-        let load = models.strips.load();
         let [forward, ..] = wheel.velocity;
         let closing_speed = motion.closing_velocity(touch).dot(&even_axes.normal)
             + lifting.map_or(0.0, |lifting| {
                 let radius = self.line.nominal_radius();
-                closing_speed(&lifting, touch_x, forward, wheel.pitch_rate, radius)
+                closing_speed(&lifting, self.slopes, forward, wheel.pitch_rate, radius)
             });
         let damped =
             damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
@@ -79,8 +81,9 @@ impl ContactForces<'_> {
             }
             work.zones += 1;
             let at = self.line.even_at(zone.u);
-            let surface = lifting
-                .map_or(ZoneSurface::EVEN, |lifting| ZoneSurface::new(&lifting, at.x, &zone));
+            let surface = lifting.map_or(ZoneSurface::EVEN, |lifting| {
+                ZoneSurface::new(&lifting, &self.line, &zone, &models.strips)
+            });
             let axes = even_axes.leaning(surface.lean);
             let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
             let axis = self.contact.normal();

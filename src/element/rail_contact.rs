@@ -132,16 +132,22 @@ impl RailContact {
             };
             let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
             let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
+            let mut slopes = [0.0; 2];
             let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
-                uneven.solve(
+                let no_room = uneven.solve(
                     &problem,
                     models.virtual_penetration,
                     &mut separation,
                     lifting,
                     probes,
                     &mut models.strips,
-                )
+                );
+                slopes = uneven.slopes;
+                no_room
             } else {
+                if let Some(lifting) = &lifting {
+                    slopes = lifting.deviations.slopes(separation.at(contact.u).x);
+                }
                 normal::solve(
                     models.normal,
                     models.virtual_penetration,
@@ -153,7 +159,7 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
+            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
             forces.add(&mut separation, models, output, work);
         }
         left_out
