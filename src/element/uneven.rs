@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use super::parameters::{NormalModel, Parameters};
 use crate::element::parameters::CreepageModel;
 use crate::error::ContactError;
-use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
@@ -211,19 +210,25 @@ impl ZoneSurface {
     /// That of an even wheel on an even rail.
     pub const EVEN: Self = Self { depth: 0.0, radius: 0.0, lean: 0.0 };
 
-    /// The surface at the centroid of load of `zone`, for a wheel with that contact line.
+    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to which the strip with a parameter
+    /// belongs [m].
     ///
     /// The normal force follows the rail's surface where the rail alone could push along the track: on an even rail it has no part
     /// along x, and on a round wheel it has no moment about the axle. Both are exact for frictionless bodies. A round wheel
     /// on a corrugated rail leans as its own radius at the centroid does.
     #[must_use]
-    pub fn new(lifting: &Lifting, line: &ContactLine, zone: &Zone, strips: &Strips) -> Self {
+    pub fn new(
+        lifting: &Lifting,
+        zone: &Zone,
+        strips: &Strips,
+        centre: impl Fn(f64) -> f64,
+    ) -> Self {
         let Lifting { deviations, radius, share } = *lifting;
         // Strips of a yawed wheel each have their own place on the line.
         let (mut ahead, mut load) = (0.0, 0.0);
         for j in zone.first..zone.first + zone.count {
             let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
-            ahead += weight * (strips.x[j] - line.even_at(strips.u[j]).x);
+            ahead += weight * (strips.x[j] - centre(strips.u[j]));
             load += weight;
         }
         let to = if load > 0.0 { ahead / load } else { 0.0 };

@@ -179,8 +179,8 @@ impl UnevenStrips {
                     let (root, slopes) = overlap.root(x);
                     let part = weight * side * root;
                     stretch.load += part;
-                    for k in 0..2 {
-                        sums.slopes[k] += across.width * part * slopes[k];
+                    for (sum, slope) in sums.slopes.iter_mut().zip(slopes) {
+                        *sum += across.width * part * slope;
                     }
                     stretch.peak = stretch.peak.max(root);
                     let along = x - first_touch;
