@@ -74,6 +74,7 @@
 //! math        elliptic integrals, quadrature, roots, splines, lists of fixed room: no railway words
 //! geometry    profiles, placed wheel and rail, contact line, contact search, separation
 //! material    elastic constants
+//! boundary_element  pressure and tractions of the half-space on rectangular elements
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage
@@ -91,6 +92,7 @@
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
 //! dependencies. As a library: `default-features = false`.
 
+pub mod boundary_element;
 pub mod conicity;
 pub mod element;
 pub mod error;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{conicity, evaluate, patch, simulate};
+use crate::{compare, conicity, evaluate, patch, plot, simulate};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -25,6 +25,8 @@ pub enum Command {
     Evaluate(evaluate::Arguments),
     Patch(patch::Arguments),
     Conicity(conicity::Arguments),
+    Compare(compare::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Where the commands on tables read and write; its help is shown with theirs.

@@ -1,13 +1,16 @@
 //! The command line of the wheel-rail contact element.
 
 mod args;
+mod batch;
 mod cases;
+mod compare;
 mod conicity;
 mod evaluate;
 mod figures;
 mod importer;
 mod output;
 mod patch;
+mod plot;
 mod simulate;
 mod wheelset;
 
@@ -24,6 +27,8 @@ fn main() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Patch(arguments) => patch::run(&arguments),
         Command::Conicity(arguments) => conicity::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
