@@ -14,7 +14,9 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::placed_rail::PlacedRail;
-use crate::kinematics::creepage::{ContactAxes, RelativeMotion, kinematic_creepage, rolling_speed};
+use crate::kinematics::creepage::{
+    ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
+};
 use crate::normal::{NormalModel, Strips, Zone, damping};
 use crate::tangential::RollingState;
 
@@ -34,6 +36,18 @@ pub struct ContactForces<'a> {
     pub contact: Contact,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
+}
+
+/// A loaded zone and how it rolls.
+struct ZoneRolling {
+    zone: Zone,
+    /// Centroid of its load, x from the wheel marker [m].
+    position: Vector3<f64>,
+    axes: ContactAxes,
+    rolling_radius: f64,
+    speed: RollingSpeed,
+    /// Normal force with damping over that without [-].
+    load_factor: f64,
 }
 
 impl ContactForces<'_> {
@@ -82,39 +96,8 @@ impl ContactForces<'_> {
                 rolling_radius,
                 models.minimum_speed,
             );
-            let slip = match models.creepage {
-                CreepageModel::Flat => motion.creepage(position, &axes, speed.reference),
-                CreepageModel::Kinematic => kinematic_creepage(
-                    wheel.velocity[0],
-                    wheel.pitch_rate,
-                    rolling_radius,
-                    speed.reference,
-                ),
-                CreepageModel::Curved => {
-                    let place = |u, x| self.surface(u, x);
-                    models.curved_zone.place(&zone, &models.strips, &motion, speed.reference, place)
-                }
-            };
-            let state = RollingState {
-                creepage: slip,
-                forward_share: speed.forward_share,
-                friction: self.input.friction,
-                load_factor,
-            };
-            let tractions = if models.creepage == CreepageModel::Curved {
-                models.curved_zone.tractions(
-                    &zone,
-                    &models.strips,
-                    &models.tangential,
-                    &models.material,
-                    &state,
-                    position,
-                )
-            } else {
-                let force =
-                    models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
-                force.map(|force| Tractions::flat(&force, &slip, &axes))
-            };
+            let rolling = ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor };
+            let (slip, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
             fallbacks += u64::from(tractions.fell_back);
@@ -150,6 +133,44 @@ impl ContactForces<'_> {
             });
         }
         fallbacks
+    }
+
+    /// Creepage of a zone, and its tractions on the wheel where there are any.
+    fn tractions(
+        &self,
+        motion: &RelativeMotion,
+        models: &mut Models,
+        rolling: &ZoneRolling,
+    ) -> (Creepage, Option<Tractions>) {
+        let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor } = rolling;
+        let wheel = &self.input.wheel;
+        let Models { curved_zone, strips, tangential, material, .. } = models;
+        let creepage = match models.creepage {
+            CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
+            CreepageModel::Kinematic => kinematic_creepage(
+                wheel.velocity[0],
+                wheel.pitch_rate,
+                *rolling_radius,
+                speed.reference,
+            ),
+            CreepageModel::Curved => {
+                let place = |u, x| self.surface(u, x);
+                curved_zone.place(zone, strips, motion, speed.reference, place)
+            }
+        };
+        let state = RollingState {
+            creepage,
+            forward_share: speed.forward_share,
+            friction: self.input.friction,
+            load_factor: *load_factor,
+        };
+        let tractions = if models.creepage == CreepageModel::Curved {
+            curved_zone.tractions(zone, strips, tangential, material, &state, *position)
+        } else {
+            let force = tangential.creep_force(zone, strips, material, &state);
+            force.map(|force| Tractions::flat(&force, &creepage, axes))
+        };
+        (creepage, tractions)
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
