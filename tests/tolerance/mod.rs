@@ -174,3 +174,38 @@ pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// FaStrip on the 300 ellipses, 20x20, blended: mean, 95 % and worst error over the friction limit. CONTACT's own FaStrip on 22x22: 0.017, 0.048, 0.067.
 pub const FASTRIP_ELLIPSES: [f64; 3] = [0.0125, 0.04, 0.062];
+
+/// Boundary elements 60x60 against Hertz: load, greatest pressure, area. The greatest pressure is that of an element.
+pub const BOUNDARY_HERTZ: [f64; 3] = [1e-3, 1e-3, 0.01];
+
+/// Boundary elements 60x60 against CONTACT on its finest grids, worst of one-region profiles: load, greatest pressure, area. One pressure
+/// has its peak at the rail's jump of curvature, narrower than an element: 0.31 %.
+pub const BOUNDARY_NORMAL_ONE_REGION: [f64; 3] = [0.003, 0.0035, 0.012];
+/// The same with two regions on one plane.
+pub const BOUNDARY_NORMAL_TWO_REGIONS: [f64; 3] = [0.015, 0.015, 0.015];
+
+/// Boundary elements 22x22 and finer against extrapolated results of CONTACT on 300 ellipses, mean and worst, share of the friction limit: the
+/// reference is known to 0.003 in the mean.
+pub const BOUNDARY_ELLIPSES: [f64; 2] = [0.003, 0.01];
+
+/// Boundary elements 40x40 against CONTACT with 40 elements across on real profiles, mean and worst, share of the friction limit. The
+/// reference is known to 0.002 in the mean, 0.011 at worst: against 80 elements across the errors are less than half.
+pub const BOUNDARY_PROFILES: [f64; 2] = [0.005, 0.016];
+/// The same against 80 elements across.
+pub const BOUNDARY_PROFILES_FINE: [f64; 2] = [0.002, 0.008];
+/// 24x24 against 80 across, for debug builds.
+pub const BOUNDARY_PROFILES_COARSE: [f64; 2] = [0.006, 0.015];
+
+/// Kalker's coefficients by full adhesion, extrapolated from two grids: the outline of an ellipse in squares is not smooth.
+pub const BOUNDARY_KALKER: f64 = 0.01;
+
+/// Carter's force at 128 elements along, share of the friction limit, and least observed order.
+pub const BOUNDARY_CARTER: f64 = 0.002;
+pub const BOUNDARY_CARTER_ORDER: f64 = 0.8;
+
+/// Cattaneo's force at 48x48 elements, share of the friction limit, and least observed order.
+pub const BOUNDARY_CATTANEO: f64 = 0.003;
+pub const BOUNDARY_CATTANEO_ORDER: f64 = 0.8;
+
+/// Boundary elements on the pressure of Hertz spread over a grid against those on their own pressure, share of the friction limit.
+pub const BOUNDARY_SPREAD: f64 = 0.01;

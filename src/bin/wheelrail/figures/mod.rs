@@ -1,6 +1,7 @@
 //! Figures of a run, as SVG; and the look they share.
 
 pub mod contact;
+pub mod errors;
 pub mod motion;
 pub mod patches;
 
