@@ -82,6 +82,7 @@
 //! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output
+//! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
 //! ```
@@ -92,6 +93,7 @@
 //! dependencies. As a library: `default-features = false`.
 
 pub mod boundary_element;
+pub mod conicity;
 pub mod element;
 pub mod error;
 pub mod fmi;

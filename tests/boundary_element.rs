@@ -252,6 +252,11 @@ fn kalker_coefficients(a_over_b: f64, counts: [usize; 2]) -> [f64; 3] {
         };
         [solve([1.0, 0.0, 0.0])[0], solve([0.0, 1.0, 0.0])[1], solve([0.0, 0.0, spin])[1]]
     };
+    if std::env::var("KDBG").is_ok() {
+        for n in [12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80] {
+            println!("K {a_over_b} {n} {:?}", at(n));
+        }
+    }
     let (coarse, fine) = (at(counts[0]), at(counts[1]));
     let ratio = counts[0] as f64 / counts[1] as f64;
     // The error is of the first order in the size of the elements.

@@ -94,7 +94,8 @@ impl RailContact {
     /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
+        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel)) - highest
     }
 
     /// The contacts with rail number `k` for `input` (right side), laid flat.
@@ -108,7 +109,8 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let radius = line.wheel_point(contact.u).section_radius;
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
+            let slopes = [0.0; 2];
+            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
             forces.flattened(&mut separation, radius, minimum_speed)
         });
         contacts.collect()
@@ -159,16 +161,22 @@ impl RailContact {
             };
             let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
             let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
+            let mut slopes = [0.0; 2];
             let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
-                uneven.solve(
+                let no_room = uneven.solve(
                     &problem,
                     models.virtual_penetration,
                     &mut separation,
                     lifting,
                     probes,
                     &mut models.strips,
-                )
+                );
+                slopes = uneven.slopes;
+                no_room
             } else {
+                if let Some(lifting) = &lifting {
+                    slopes = lifting.deviations.slopes(separation.at(contact.u).x);
+                }
                 normal::solve(
                     models.normal,
                     models.virtual_penetration,
@@ -180,7 +188,7 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
+            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
             left_out += forces.add(&mut separation, models, output, work);
         }
         left_out

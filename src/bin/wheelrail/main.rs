@@ -4,6 +4,7 @@ mod args;
 mod batch;
 mod cases;
 mod compare;
+mod conicity;
 mod evaluate;
 mod figures;
 mod importer;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Patch(arguments) => patch::run(&arguments),
+        Command::Conicity(arguments) => conicity::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
     };

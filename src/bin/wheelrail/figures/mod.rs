@@ -1,5 +1,6 @@
 //! Figures of a run, as SVG; and the look they share.
 
+pub mod conicity;
 pub mod contact;
 pub mod errors;
 pub mod motion;
