@@ -17,6 +17,7 @@ use wheelrail::boundary_element::pressure::PressureSolver;
 use wheelrail::boundary_element::rolling::steady_rolling;
 use wheelrail::boundary_element::shift::shift;
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::math::elliptic::complete;
 use wheelrail::planar::{PlanarCase, fields, solve};
@@ -66,16 +67,17 @@ fn separation_of(case: &str) -> Vec<[f64; 2]> {
 }
 
 /// Greatest errors of load, pressure and area at 60x60 of the cases with `regions` patches, every so many.
-fn normal_errors(every: usize, regions: f64) -> [[f64; 2]; 3] {
+fn normal_errors(every: usize, regions: usize) -> [[f64; 2]; 3] {
     let table = read_table("contact_25_1/planar_normal.csv");
     let mut errors: [Vec<f64>; 3] = Default::default();
-    let rows = table.rows.iter().filter(|row| value(&table, row, "regions") == regions);
+    let rows =
+        table.rows.iter().filter(|row| row[column(&table, "regions")] == regions.to_string());
     for row in rows.step_by(every) {
         let v = |name: &str| value(&table, row, name);
         let points = separation_of(&row[0]);
         let case = boundary_case(&points, 1e-3 * v("radius_mm"), 1e-3 * v("approach_mm"), 60);
         let found = solve(&case).unwrap();
-        assert_eq!(found.patches as f64, regions);
+        assert_eq!(found.patches, regions);
         assert!(!found.fallback);
         errors[0].push((found.normal_force / v("normal_force_n") - 1.0).abs());
         errors[1].push((1e-6 * found.max_pressure / v("max_pressure_mpa") - 1.0).abs());
@@ -84,16 +86,16 @@ fn normal_errors(every: usize, regions: f64) -> [[f64; 2]; 3] {
     errors.map(median_and_worst)
 }
 
-fn check_normal(every: usize) {
-    let one = normal_errors(every, 1.0);
-    let two = normal_errors(every, 2.0);
+fn check_normal(every: usize, name: &str) {
+    let one = normal_errors(every, 1);
+    let two = normal_errors(every, 2);
     let mut report = String::from("regions,quantity,median,worst\n");
     for (regions, errors) in [(1, one), (2, two)] {
         for (name, [median, worst]) in ["load", "pressure", "area"].iter().zip(errors) {
             writeln!(report, "{regions},{name},{median:.5},{worst:.5}").unwrap();
         }
     }
-    common::write_report("boundary_normal.csv", &report);
+    common::write_report(name, &report);
     for (errors, bounds) in [
         (one, tolerance::BOUNDARY_NORMAL_ONE_REGION),
         (two, tolerance::BOUNDARY_NORMAL_TWO_REGIONS),
@@ -106,13 +108,13 @@ fn check_normal(every: usize) {
 
 #[test]
 fn profiles_are_pressed_together_as_by_contact() {
-    check_normal(4);
+    check_normal(4, "boundary_normal_some.csv");
 }
 
 #[test]
 #[ignore = "the whole set: seconds in release builds"]
 fn all_profiles_are_pressed_together_as_by_contact() {
-    check_normal(1);
+    check_normal(1, "boundary_normal.csv");
 }
 
 /// The Hertzian pressure of an ellipse under `load` on a grid 1.1 times as large, by boundary elements.
@@ -229,21 +231,26 @@ fn all_profiles_roll_as_by_contact() {
     common::write_report("boundary_profiles.csv", &report);
 }
 
-/// Kalker's c11, c22 and c23 = -c32 by full adhesion, extrapolated from two grids.
-fn kalker_coefficients(a_over_b: f64, counts: [usize; 2]) -> [f64; 3] {
+/// Kalker's c11, c22 and c23 = -c32 by full adhesion: the straight line through the results of several grids of about `counts` elements
+/// along and across, continued to elements without size.
+fn kalker_coefficients(a_over_b: f64, counts: &[usize]) -> [f64; 3] {
     let (a, b) = (5e-3 * a_over_b.sqrt(), 5e-3 / a_over_b.sqrt());
     let material = Material { young_modulus: 2.5, poisson_ratio: 0.25 };
     let pair = MaterialPair::new(material, material);
-    let (area, shear) = (a * b, pair.shear_modulus);
+    let shear = pair.shear_modulus;
     let at = |count: usize| {
-        let margin = 1.0 + 1.0 / count as f64;
-        let x = [-a * margin, a * margin];
-        let grid = Grid::over(x, [-b * margin, b * margin], count + 1, count + 1);
+        // Elements less slender than the ellipse.
+        let stretch = a_over_b.powf(0.25);
+        let elements = [count as f64 * stretch, count as f64 / stretch].map(|n| n.round() as usize);
+        let grid = Grid::over([-a, a], [-b, b], elements[0], elements[1]);
         // Friction beyond all bounds.
         let bound = grid.sample(|x, y| {
             let inside = (x / a).powi(2) + (y / b).powi(2) < 1.0;
             if inside { 100.0 } else { 0.0 }
         });
+        // Squares have another area than the ellipse: the coefficients are those of one with theirs.
+        let count = bound.iter().filter(|&&g| g > 0.0).count();
+        let area = count as f64 * grid.element_area() / PI;
         let spin = 1.0 / area.sqrt();
         let solve = |creepage| {
             let found = steady_rolling(&grid, &pair, &bound, &rigid_slip(&grid, creepage));
@@ -252,20 +259,22 @@ fn kalker_coefficients(a_over_b: f64, counts: [usize; 2]) -> [f64; 3] {
         };
         [solve([1.0, 0.0, 0.0])[0], solve([0.0, 1.0, 0.0])[1], solve([0.0, 0.0, spin])[1]]
     };
-    if std::env::var("KDBG").is_ok() {
-        for n in [12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80] {
-            println!("K {a_over_b} {n} {:?}", at(n));
-        }
-    }
-    let (coarse, fine) = (at(counts[0]), at(counts[1]));
-    let ratio = counts[0] as f64 / counts[1] as f64;
-    // The error is of the first order in the size of the elements.
-    [0, 1, 2].map(|c| (fine[c] - ratio * coarse[c]) / (1.0 - ratio))
+    let sizes: Vec<f64> = counts.iter().map(|&count| 1.0 / count as f64).collect();
+    let found: Vec<[f64; 3]> = counts.iter().map(|&count| at(count)).collect();
+    let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / counts.len() as f64;
+    let size = mean(&mut sizes.iter().copied());
+    let spread = mean(&mut sizes.iter().map(|h| (h - size).powi(2)));
+    [0, 1, 2].map(|c| {
+        let value = mean(&mut found.iter().map(|f| f[c]));
+        let moment = mean(&mut sizes.iter().zip(&found).map(|(h, f)| (h - size) * (f[c] - value)));
+        value - moment / spread * size
+    })
 }
 
-fn check_kalker(ratios: &[f64], counts: [usize; 2]) {
+fn check_kalker(ratios: &[f64], counts: &[usize], name: &str) {
     let table = read_table("kalker_coefficients.csv");
     let mut report = String::from("a_over_b,c11,c22,c23\n");
+    let mut worst = 0.0f64;
     for &ratio in ratios {
         let found = kalker_coefficients(ratio, counts);
         let row = table.rows.iter().find(|row| {
@@ -276,20 +285,22 @@ fn check_kalker(ratios: &[f64], counts: [usize; 2]) {
         let errors =
             [0, 1, 2].map(|c| found[c] / value(&table, row, ["c11", "c22", "c23"][c]) - 1.0);
         writeln!(report, "{ratio},{:.4},{:.4},{:.4}", errors[0], errors[1], errors[2]).unwrap();
-        assert!(errors.iter().all(|e| e.abs() <= tolerance::BOUNDARY_KALKER), "{report}");
+        worst = errors.iter().fold(worst, |worst, e| worst.max(e.abs()));
     }
-    common::write_report("boundary_kalker.csv", &report);
+    assert!(worst <= tolerance::BOUNDARY_KALKER, "{report}");
+    common::write_report(name, &report);
 }
 
 #[test]
 fn small_creepages_give_kalkers_coefficients() {
-    check_kalker(&[1.0], [12, 24]);
+    check_kalker(&[1.0], &[12, 14, 16, 18, 20, 22, 24], "boundary_kalker_round.csv");
 }
 
 #[test]
 #[ignore = "the whole set: a minute in release builds"]
 fn small_creepages_give_kalkers_coefficients_from_slender_to_wide() {
-    check_kalker(&[0.2, 0.5, 1.0, 2.0, 5.0], [30, 60]);
+    let counts = [24, 27, 30, 34, 38, 42, 46, 50, 54, 60];
+    check_kalker(&[0.2, 0.5, 1.0, 2.0, 5.0], &counts, "boundary_kalker.csv");
 }
 
 /// Carter: an endless cylinder of half width `a` = 1 with Hertzian pressure; share of the friction limit at creepage `share` of that
@@ -443,4 +454,59 @@ fn tractions_on_the_pressure_of_other_models_have_its_load() {
     // Gross sliding has the load of the model.
     let slides = solve(&PlanarCase { creepage: [0.1, 0.0, 0.0], ..hertz }).unwrap();
     approx::assert_relative_eq!(slides.fx, -limit, max_relative = 1e-6);
+}
+
+#[test]
+fn the_element_takes_boundary_elements() {
+    let coarse = Parameters { normal_elements: [14, 14], ..Parameters::default() };
+    let exact = Parameters {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: TangentialModel::BoundaryElement,
+        ..coarse.clone()
+    };
+    let mixed = Parameters { normal_model: NormalModel::PiotrowskiKik, ..exact.clone() };
+    let mut input = Input::default();
+    input.wheel.position[1] -= 3e-3;
+    input.wheel.yaw = 4e-3;
+    input.wheel.velocity[0] = 20.0;
+    input.wheel.pitch_rate = -20.0 / 0.46;
+    let mut element = Element::new(&exact, &input, &[]).unwrap();
+    input.wheel.position[2] = element.nominal_wheel_z() + 8e-5;
+    let solve = |parameters: &Parameters, input: &Input| {
+        let mut output = Output::default();
+        Element::new(parameters, input, &[]).unwrap().evaluate(input, &mut output).unwrap();
+        assert_eq!((output.fallback_count, output.patch_count), (0, 1));
+        output
+    };
+    let (fast, found, spread) =
+        (solve(&coarse, &input), solve(&exact, &input), solve(&mixed, &input));
+    let load = found.patches[0].normal_force;
+    assert!((fast.patches[0].normal_force / load - 1.0).abs() < tolerance::BOUNDARY_ELEMENT_LOAD);
+    for (output, bound) in [(&fast, 2.0), (&spread, 1.0)] {
+        for c in 0..2 {
+            let missed = output.patches[0].creep_force[c] - found.patches[0].creep_force[c];
+            assert!(missed.abs() <= bound * tolerance::BOUNDARY_ELEMENT_CREEP * 0.3 * load);
+        }
+    }
+    // Lifted, and the same again afterwards: nothing is remembered.
+    let mut first = Output::default();
+    element.evaluate(&input, &mut first).unwrap();
+    let mut lifted = input;
+    lifted.wheel.position[2] -= 1e-2;
+    let mut output = Output::default();
+    element.evaluate(&lifted, &mut output).unwrap();
+    assert_eq!(output.patch_count, 0);
+    element.evaluate(&input, &mut output).unwrap();
+    assert_eq!(output, first);
+    // Backwards it is the mirror image across the track.
+    let mut back = input;
+    back.wheel.velocity[0] *= -1.0;
+    back.wheel.pitch_rate *= -1.0;
+    back.wheel.yaw *= -1.0;
+    let found_back = solve(&exact, &back);
+    let [x, y] = found.patches[0].creep_force;
+    let [back_x, back_y] = found_back.patches[0].creep_force;
+    for missed in [x + back_x, y - back_y] {
+        assert!(missed.abs() <= tolerance::BOUNDARY_BACKWARDS * 0.3 * load, "{missed}");
+    }
 }

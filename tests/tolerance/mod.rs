@@ -258,3 +258,11 @@ pub const UNEVEN_CREEP_JUMP: f64 = 1e-3;
 
 /// Waves from files of points, every 0.5 mm and half degree, against the waves themselves.
 pub const DEVIATION_FILES: f64 = 1e-3;
+
+/// A tread patch by Piotrowski-Kik and FASTSIM against 14x14 boundary elements at the same height: load, and creep force as share of the friction
+/// limit (twice that for FASTSIM).
+pub const BOUNDARY_ELEMENT_LOAD: f64 = 0.1;
+pub const BOUNDARY_ELEMENT_CREEP: f64 = 0.05;
+
+/// Running backwards with boundary elements: the contact search passes through other roundings, and sweeps end within 1e-4 of the tractions.
+pub const BOUNDARY_BACKWARDS: f64 = 1e-3;

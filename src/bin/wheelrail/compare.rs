@@ -219,9 +219,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let text = summary.text();
     if path.is_some() {
-        print!("{text}")
+        print!("{text}");
     } else {
-        eprint!("{text}")
+        eprint!("{text}");
     }
     Ok(std::io::stdout().flush()?)
 }

@@ -212,7 +212,7 @@ fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
     for side in sides {
         for (zone, field) in side.fields.iter().enumerate() {
             for (k, &pressure) in field.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-                table.write_record(&field_row(&side.name, zone, field, k, pressure))?;
+                table.write_record(field_row(&side.name, zone, field, k, pressure))?;
             }
         }
     }

@@ -159,7 +159,6 @@ impl Figure {
             .build_cartesian_2d(y, x)?;
         mesh(&mut chart, "y [mm]", "x, rolling up [mm]")?;
         for field in &side.fields {
-            let grid = &field.grid;
             let colour = |k: usize| {
                 let [px, py] = field.traction[k];
                 match quantity {
