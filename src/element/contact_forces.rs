@@ -53,10 +53,7 @@ impl ContactForces<'_> {
         let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
-        let even_axes = ContactAxes::along_track(
-            self.frame.direction(self.contact.tangent),
-            self.frame.direction(self.contact.normal()),
-        );
+        let even_axes = self.axes();
         let lifting = separation.lifting();
         let load = models.strips.load();
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
@@ -150,6 +147,14 @@ impl ContactForces<'_> {
             });
         }
         fallbacks
+    }
+
+    /// The axes of the contact frame in the track frame.
+    pub(super) fn axes(&self) -> ContactAxes {
+        ContactAxes::along_track(
+            self.frame.direction(self.contact.tangent),
+            self.frame.direction(self.contact.normal()),
+        )
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
