@@ -1,0 +1,45 @@
+//! Strips that all satisfy the contact condition.
+//!
+//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one point, the displacement of the half-space
+//! meets the overlap of the bodies on every strip, and its curvature along x that of the wheel. With q the pressure and a the half length
+//! of a strip, κ = q/a varies slowly over a lobe (it is constant on an ellipse, and E*/(2R) wherever a strip is much shorter than the
+//! patch is wide), so that a = q/κ with few terms for κ ends the patch where its pressure ends:
+//!
+//! ```text
+//! p(x, y) = κ(y) sqrt(a(y)² - (x - x_0(y))²),   κ = E*/(2R) exp(Σ_l κ_l P_l(t))
+//! u_n(y_i) = overlap(y_i),   Σ_i ω_i P_l(t_i) (R ∂²u_n/∂x² + 1) = 0,   q ~ sqrt of the distance at free edges
+//! ```
+//!
+//! Unknowns are q at the Gauss-Legendre nodes of each lobe, its two edges and κ_l; Newton's method with derivatives in closed form. Lobes are
+//! coupled through the half-space, the displacement at a strip being taken along its own normal.
+
+mod cell;
+mod influence;
+mod rule;
+mod solver;
+mod system;
+
+pub use solver::{StripSolver, Work};
+
+/// What is to be known about one place of the contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinePlace {
+    /// Coordinate across, along the surface [m].
+    pub y: f64,
+    /// Derivative of `y` by the parameter of the line, > 0 [-].
+    pub dy: f64,
+    /// Overlap of the undeformed bodies along their common normal, negative where they are apart [m].
+    pub overlap: f64,
+    /// Place along the track [m].
+    pub x: f64,
+    /// Angle of the normal about x [rad].
+    pub angle: f64,
+    /// Radius of the normal section of the wheel along x, > 0 [m].
+    pub radius: f64,
+}
+
+/// The overlap of two bodies along their contact line.
+pub trait Line {
+    /// At parameter `u` [m].
+    fn place(&mut self, u: f64) -> LinePlace;
+}

@@ -1,0 +1,111 @@
+//! The nodes of a lobe, -1 to 1 between its edges, and what goes with them.
+
+use super::cell::TERMS;
+use super::influence::logarithm_corrections;
+use crate::math::quadrature::GaussLegendre;
+
+/// Quadrature, extrapolation and differentiation on the nodes of a lobe.
+#[derive(Clone, Debug)]
+pub struct LobeRule {
+    /// Gauss-Legendre nodes and weights.
+    pub gauss: GaussLegendre,
+    /// Terms of the shape, as many as the nodes carry.
+    pub terms: usize,
+    /// See [`logarithm_corrections`].
+    pub corrections: Vec<f64>,
+    /// Values of the outermost node from the next three.
+    pub extrapolation: [f64; 3],
+    /// Legendre polynomials at the nodes.
+    pub legendre: Vec<Vec<f64>>,
+    /// Weights of the curvature equations, those of the load of an ellipse; they sum to one.
+    pub moment_weights: Vec<f64>,
+    /// How far a node travels with the left and the right edge.
+    pub travel: [Vec<f64>; 2],
+    /// Derivative at node i from the values at nodes j, rows i.
+    pub derivative: Vec<f64>,
+}
+
+impl LobeRule {
+    /// A rule of `count` ≥ 4 nodes.
+    #[must_use]
+    pub fn new(count: usize) -> Self {
+        let gauss = GaussLegendre::new(count);
+        let t = &gauss.nodes;
+        let terms = TERMS.min(count - 3);
+        let legendre: Vec<Vec<f64>> = (0..terms)
+            .map(|l| {
+                t.iter()
+                    .map(|&x| match l {
+                        0 => 1.0,
+                        1 => x,
+                        2 => 1.5 * x * x - 0.5,
+                        _ => (2.5 * x * x - 1.5) * x,
+                    })
+                    .collect()
+            })
+            .collect();
+        let near = [t[1], t[2], t[3]];
+        let extrapolation = std::array::from_fn(|k| {
+            (0..3).filter(|&l| l != k).map(|l| (t[0] - near[l]) / (near[k] - near[l])).product()
+        });
+        let moment_weights =
+            t.iter().zip(&gauss.weights).map(|(t, w)| 0.75 * w * (1.0 - t * t)).collect();
+        let travel = [
+            t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
+            t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
+        ];
+        Self {
+            terms,
+            corrections: logarithm_corrections(&gauss),
+            extrapolation,
+            legendre,
+            moment_weights,
+            travel,
+            derivative: differentiation(&gauss),
+            gauss,
+        }
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.gauss.nodes.len()
+    }
+}
+
+/// Differentiation matrix on Gauss-Legendre nodes from barycentric weights (-1)^i sqrt((1 - t²) w).
+fn differentiation(gauss: &GaussLegendre) -> Vec<f64> {
+    let (t, n) = (&gauss.nodes, gauss.nodes.len());
+    let weight = |i: usize| {
+        let size = ((1.0 - t[i] * t[i]) * gauss.weights[i]).sqrt();
+        if i % 2 == 0 { size } else { -size }
+    };
+    let mut matrix = vec![0.0; n * n];
+    for i in 0..n {
+        for j in (0..n).filter(|&j| j != i) {
+            let entry = weight(j) / weight(i) / (t[i] - t[j]);
+            matrix[i * n + j] = entry;
+            matrix[i * n + i] -= entry;
+        }
+    }
+    matrix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cubics_are_differentiated_and_parabolas_extrapolated() {
+        let rule = LobeRule::new(7);
+        let t = &rule.gauss.nodes;
+        for i in 0..7 {
+            let slope: f64 = (0..7).map(|j| rule.derivative[i * 7 + j] * t[j].powi(3)).sum();
+            approx::assert_relative_eq!(slope, 3.0 * t[i] * t[i], epsilon = 1e-12);
+        }
+        let outer: f64 = (0..3).map(|k| rule.extrapolation[k] * t[k + 1] * t[k + 1]).sum();
+        approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
+        let sum: f64 = rule.moment_weights.iter().sum();
+        approx::assert_relative_eq!(sum, 1.0, max_relative = 1e-12);
+    }
+}

@@ -1,0 +1,482 @@
+//! Newton's method on the lobes, and which cells have one.
+
+use std::f64::consts::PI;
+
+use super::cell::{self, Cell, TERMS};
+use super::influence::Integrals;
+use super::rule::LobeRule;
+use super::system::{Assembly, Lobe, Matrices, Nodes};
+use super::{Line, LinePlace};
+use crate::geometry::separation::Probe;
+use crate::math::linear_system;
+use crate::math::room::Room;
+use crate::normal::hertz;
+use crate::normal::{Strips, Zone};
+
+/// Most lobes at once; what has no room is left to its neighbour.
+const MOST_LOBES: usize = 6;
+/// Most Newton steps for one set of lobes, and most changes of that set.
+const MOST_STEPS: usize = 60;
+const MOST_CHANGES: usize = 16;
+/// Last Newton step, relative: convergence is quadratic but for small terms, so that what is left is far less.
+const LAST_STEP: f64 = 1e-9;
+/// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
+const MOST_EDGE_STEP: f64 = 0.2;
+const MOST_DROP: f64 = 0.7;
+/// Greatest change of a shape term in one step.
+const MOST_SHAPE_STEP: f64 = 0.6;
+
+/// Work of one solver since it was made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Problems solved.
+    pub solved: u64,
+    /// Newton steps.
+    pub steps: u64,
+    /// Problems that did not converge.
+    pub failed: u64,
+}
+
+/// Solver with its tables and scratch memory; it keeps no result.
+#[derive(Clone, Debug)]
+pub struct StripSolver {
+    rule: LobeRule,
+    integrals: Integrals,
+    cells: Room<Cell>,
+    lobes: Room<Lobe>,
+    nodes: Nodes,
+    matrices: Matrices,
+    /// Work so far.
+    pub work: Work,
+}
+
+impl StripSolver {
+    /// A solver with `strips` ≥ 4 strips for each lobe.
+    #[must_use]
+    pub fn new(strips: usize) -> Self {
+        let rule = LobeRule::new(strips);
+        let nodes = strips * MOST_LOBES;
+        let unknowns = (strips + 2 + rule.terms) * MOST_LOBES;
+        Self {
+            rule,
+            integrals: Integrals::new(),
+            cells: Room::new(64),
+            lobes: Room::new(MOST_LOBES),
+            nodes: Nodes::with_capacity(nodes),
+            matrices: Matrices::new(nodes, unknowns),
+            work: Work::default(),
+        }
+    }
+
+    /// Fills `strips` with the loaded zones of `line`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
+    ///
+    /// Returns false where no solution was found; `strips` is then as before.
+    pub fn solve(
+        &mut self,
+        line: &mut impl Line,
+        probes: &[Probe],
+        level: f64,
+        contact_modulus: f64,
+        strips: &mut Strips,
+    ) -> bool {
+        cell::fill(probes, level, 0.05, &mut self.cells);
+        self.work.solved += 1;
+        if self.settle(line) {
+            self.emit(line, contact_modulus, strips);
+            return true;
+        }
+        self.work.failed += 1;
+        false
+    }
+
+    /// Finds the lobes of all cells.
+    fn settle(&mut self, line: &mut impl Line) -> bool {
+        self.begin(line);
+        for _ in 0..MOST_CHANGES {
+            if !self.lobes.is_empty() && !self.newton(line) {
+                // A cell that lost its lobe on the way: go on without.
+                if !self.drop_marked() {
+                    return false;
+                }
+                continue;
+            }
+            if !self.revise(line) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Starts a lobe in every cell that is deep enough beside its neighbours.
+    fn begin(&mut self, line: &mut impl Line) {
+        self.lobes.clear();
+        for i in 0..self.cells.len() {
+            let depth = self.cells[i].deepest[1];
+            let beside = |k: usize, joined: bool| if joined { self.cells[k].deepest[1] } else { 0.0 };
+            let before = if i > 0 { beside(i - 1, self.cells[i - 1].joined) } else { 0.0 };
+            let after = if self.cells[i].joined && i + 1 < self.cells.len() {
+                self.cells[i + 1].deepest[1]
+            } else {
+                0.0
+            };
+            if depth > 0.4 * before.max(after) {
+                self.start_lobe(line, i, depth);
+            }
+        }
+        self.gather();
+    }
+
+    /// A first guess for the lobe of cell `i` from the ellipse of the approach `depth` [m] at its deepest place.
+    fn start_lobe(&mut self, line: &mut impl Line, i: usize, depth: f64) {
+        if self.cells.iter().filter(|c| c.active).count() >= MOST_LOBES {
+            return;
+        }
+        let cell = &mut self.cells[i];
+        let place = line.place(cell.deepest[0]);
+        let width = (cell.half[1] - cell.half[0]) * place.dy;
+        let along = 0.5 / place.radius;
+        // Curvature of the parabola as wide at half of the depth; what is shallower is narrower.
+        let across = (2.0 * cell.deepest[1] / (width * width)).clamp(1e-4 * along, 1e6 * along);
+        let ellipse = hertz::ellipse(along, across, depth, 1.0);
+        let stretch = 2.0 * ellipse.semi_axis_across / width;
+        let middle = cell.deepest[0];
+        let end = |side: usize| {
+            (middle + stretch * (cell.half[side] - middle)).clamp(cell.bounds[0], cell.bounds[1])
+        };
+        cell.edges = [end(0), end(1)];
+        cell.active = true;
+        cell.pinned = [false; 2];
+        cell.start_width = cell.edges[1] - cell.edges[0];
+        cell.shape = [0.0; TERMS];
+        // q/(π E*) = a e^κ0/(2 π R)
+        let greatest = ellipse.max_pressure / PI;
+        cell.shape[0] = (greatest * 2.0 * PI * place.radius / ellipse.semi_axis_along).ln();
+        cell.start_ratio = greatest;
+    }
+
+    /// Lays the nodes of all active cells out anew; ratios of lobes that stay are kept.
+    fn gather(&mut self) {
+        let n = self.rule.count();
+        let mut kept = std::mem::take(&mut self.nodes.spare);
+        kept.clear();
+        for i in 0..self.cells.len() {
+            if !self.cells[i].active {
+                continue;
+            }
+            let old = self.lobes.iter().find(|l| l.cell == i && self.cells[i].start_ratio <= 0.0);
+            match old {
+                Some(old) => {
+                    kept.extend_from_slice(&self.nodes.ratio[old.first..old.first + n]);
+                }
+                None => {
+                    let ratio = self.cells[i].start_ratio;
+                    kept.extend(std::iter::repeat_n(ratio, n));
+                }
+            }
+        }
+        self.lobes.clear();
+        for i in 0..self.cells.len() {
+            if self.cells[i].active {
+                self.cells[i].start_ratio = 0.0;
+                let first = self.lobes.len() * n;
+                self.lobes.push(Lobe { cell: i, first, edge_y: [0.0; 2], edge_dy: [0.0; 2] });
+            }
+        }
+        std::mem::swap(&mut self.nodes.ratio, &mut kept);
+        self.nodes.spare = kept;
+        self.nodes.resize(self.lobes.len() * n);
+    }
+
+    /// Geometry and pressure at all nodes for the present unknowns; whether any strips are shifted against each other.
+    fn place_nodes(&mut self, line: &mut impl Line) -> bool {
+        let n = self.rule.count();
+        let mut skewed = false;
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first, .. } = self.lobes[number];
+            let cell = self.cells[cell];
+            let [left, right] = cell.edges;
+            let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+            for side in 0..2 {
+                let place = line.place(cell.edges[side]);
+                self.lobes[number].edge_y[side] = place.y;
+                self.lobes[number].edge_dy[side] = place.dy;
+            }
+            let nodes = &mut self.nodes;
+            for t in 0..n {
+                let (i, abscissa) = (first + t, self.rule.gauss.nodes[t]);
+                let u = middle + half * abscissa;
+                let LinePlace { y, dy, overlap, x, angle, radius } = line.place(u);
+                nodes.u[i] = u;
+                nodes.y[i] = y;
+                nodes.dy[i] = dy;
+                nodes.x[i] = x;
+                let (sin, cos) = angle.sin_cos();
+                nodes.normal[i] = [cos, sin];
+                nodes.overlap[i] = overlap;
+                nodes.radius[i] = radius;
+                nodes.width[i] = half * self.rule.gauss.weights[t] * dy;
+                nodes.lobe[i] = number;
+                let free = |pinned: bool, distance: f64| if pinned { 1.0 } else { distance.sqrt() };
+                nodes.edge_shape[i] =
+                    free(cell.pinned[0], 1.0 + abscissa) * free(cell.pinned[1], 1.0 - abscissa);
+                let exponent: f64 =
+                    (0..self.rule.terms).map(|l| cell.shape[l] * self.rule.legendre[l][t]).sum();
+                nodes.pressure[i] = nodes.ratio[i].max(0.0) * nodes.edge_shape[i];
+                let per_pressure = 2.0 * PI * radius * (-exponent).exp();
+                nodes.half_length[i] = (nodes.pressure[i] * per_pressure).max(1e-12 * half);
+                skewed |= (x - nodes.x[0]).abs() > 0.0;
+            }
+            for t in 0..n {
+                let i = first + t;
+                let row = &self.rule.derivative[t * n..(t + 1) * n];
+                let slope = |values: &[f64]| -> f64 {
+                    row.iter().zip(values).map(|(d, v)| d * v).sum::<f64>() / half
+                };
+                nodes.overlap_slope[i] = slope(&nodes.overlap[first..first + n]);
+                let slant = slope(&nodes.x[first..first + n]) / nodes.dy[i];
+                nodes.slant[i] = (1.0 + slant * slant).sqrt();
+            }
+        }
+        skewed
+    }
+
+    /// Newton's method for the present lobes; false where it does not converge.
+    fn newton(&mut self, line: &mut impl Line) -> bool {
+        let n = self.rule.count();
+        let block = n + 2 + self.rule.terms;
+        let depth =
+            self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
+        for _ in 0..MOST_STEPS {
+            self.work.steps += 1;
+            let skewed = self.place_nodes(line);
+            let unknowns = self.lobes.len() * block;
+            let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            if !(scale > 0.0) {
+                return false;
+            }
+            let assembly = Assembly {
+                rule: &self.rule,
+                integrals: &self.integrals,
+                cells: &self.cells,
+                lobes: &self.lobes,
+                nodes: &self.nodes,
+                skewed,
+                depth,
+                scale,
+            };
+            assembly.influences(&mut self.matrices);
+            assembly.assemble(&mut self.matrices);
+            let Matrices { newton, right, .. } = &mut self.matrices;
+            if !linear_system::solve(newton, unknowns, &mut right[..unknowns]) {
+                return false;
+            }
+            let (share, change) = self.step_share(scale);
+            self.advance(share);
+            if share >= 1.0 && change < LAST_STEP {
+                self.place_nodes(line);
+                return true;
+            }
+            if self.mark_vanishing() {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// Share of the Newton step that is safe, and the greatest relative change of it.
+    fn step_share(&self, scale: f64) -> (f64, f64) {
+        let n = self.rule.count();
+        let block = n + 2 + self.rule.terms;
+        let (mut share, mut change) = (1.0f64, 0.0f64);
+        for (number, lobe) in self.lobes.iter().enumerate() {
+            let step = &self.matrices.right[number * block..(number + 1) * block];
+            let cell = &self.cells[lobe.cell];
+            let width = cell.edges[1] - cell.edges[0];
+            for t in 0..n {
+                let ratio = self.nodes.ratio[lobe.first + t];
+                change = change.max(step[t].abs() / scale);
+                if ratio > 0.0 && step[t] < 0.0 {
+                    share = share.min(MOST_DROP * ratio / -step[t]);
+                }
+            }
+            for side in 0..2 {
+                let moved = step[n + side].abs() / width;
+                change = change.max(moved);
+                share = share.min(MOST_EDGE_STEP / moved);
+            }
+            for s in &step[n + 2..] {
+                change = change.max(s.abs());
+                share = share.min(MOST_SHAPE_STEP / s.abs());
+            }
+        }
+        (share, change)
+    }
+
+    /// Takes `share` of the Newton step; edges that come to a ridge stay there.
+    fn advance(&mut self, share: f64) {
+        let n = self.rule.count();
+        let block = n + 2 + self.rule.terms;
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first, .. } = self.lobes[number];
+            let step = &self.matrices.right[number * block..(number + 1) * block];
+            let cell = &mut self.cells[cell];
+            for t in 0..n {
+                self.nodes.ratio[first + t] += share * step[t];
+            }
+            for l in 0..self.rule.terms {
+                cell.shape[l] += share * step[n + 2 + l];
+            }
+            for side in 0..2 {
+                if cell.pinned[side] {
+                    continue;
+                }
+                let edge = cell.edges[side] + share * step[n + side];
+                let beyond = if side == 0 { edge <= cell.bounds[0] } else { edge >= cell.bounds[1] };
+                cell.edges[side] = edge;
+                if beyond {
+                    cell.edges[side] = cell.bounds[side];
+                    cell.pinned[side] = true;
+                    for t in 0..n {
+                        let a = self.rule.gauss.nodes[t];
+                        let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
+                        self.nodes.ratio[first + t] *= distance.sqrt();
+                    }
+                }
+            }
+        }
+    }
+
+    /// Marks lobes that shrink to nothing; whether there is one.
+    fn mark_vanishing(&mut self) -> bool {
+        let mut found = false;
+        for lobe in self.lobes.iter() {
+            let cell = &mut self.cells[lobe.cell];
+            if cell.edges[1] - cell.edges[0] < 1e-3 * cell.start_width {
+                cell.vanishing = true;
+                found = true;
+            }
+        }
+        found
+    }
+
+    /// Gives up the lobes that vanish, or else the one with the least load that has others beside it; whether there was one.
+    fn drop_marked(&mut self) -> bool {
+        let mut dropped = false;
+        for cell in self.cells.iter_mut().filter(|c| c.active && c.vanishing) {
+            (cell.active, cell.vanishing) = (false, false);
+            cell.dropped += 1;
+            dropped = true;
+        }
+        if dropped {
+            self.gather();
+        }
+        dropped
+    }
+
+    /// Looks at a converged set of lobes: ends that left their ridge, lobes without load, cells that overlap without one. Whether
+    /// anything changed.
+    fn revise(&mut self, line: &mut impl Line) -> bool {
+        let n = self.rule.count();
+        let mut changed = false;
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first, .. } = self.lobes[number];
+            let cell = &mut self.cells[cell];
+            let loaded = (0..n).any(|t| self.nodes.ratio[first + t] > 0.0);
+            if !loaded {
+                cell.active = false;
+                cell.dropped += 1;
+                changed = true;
+                continue;
+            }
+            for side in 0..2 {
+                let outermost = first + if side == 0 { 0 } else { n - 1 };
+                if cell.pinned[side] && self.nodes.ratio[outermost] <= 0.0 {
+                    cell.pinned[side] = false;
+                    let inwards = 0.1 * (cell.edges[1] - cell.edges[0]);
+                    cell.edges[side] += if side == 0 { inwards } else { -inwards };
+                    for t in 0..n {
+                        let a = self.rule.gauss.nodes[t];
+                        let distance: f64 = if side == 0 { 1.0 + a } else { 1.0 - a };
+                        let ratio = self.nodes.ratio[first + t].max(0.0);
+                        self.nodes.ratio[first + t] = ratio / distance.sqrt();
+                    }
+                    changed = true;
+                }
+            }
+        }
+        for i in 0..self.cells.len() {
+            if self.cells[i].active || self.cells[i].dropped > 2 {
+                continue;
+            }
+            let place = line.place(self.cells[i].deepest[0]);
+            let excess = place.overlap - self.displacement(&place);
+            if excess > 1e-6 * self.cells[i].deepest[1] {
+                self.start_lobe(line, i, excess);
+                changed |= self.cells[i].active;
+            }
+        }
+        if changed {
+            self.gather();
+        }
+        changed
+    }
+
+    /// Displacement of the half-space at a place outside all lobes [m].
+    fn displacement(&self, place: &LinePlace) -> f64 {
+        let mut sum = 0.0;
+        let nodes = &self.nodes;
+        let (sin, cos) = place.angle.sin_cos();
+        for j in 0..nodes.y.len() {
+            let cosine = (cos * nodes.normal[j][0] + sin * nodes.normal[j][1]).max(0.0);
+            let a = nodes.half_length[j];
+            let sigma = (place.y - nodes.y[j]).hypot(place.x - nodes.x[j]) / a;
+            let [_, _, d] = self.integrals.at(sigma.max(1e-6));
+            sum += nodes.width[j] * nodes.pressure[j] * cosine * d;
+        }
+        sum
+    }
+
+    /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
+    fn emit(&mut self, line: &mut impl Line, contact_modulus: f64, strips: &mut Strips) {
+        let n = self.rule.count();
+        let mut number = 0;
+        while number < self.lobes.len() {
+            let begin = number;
+            while number + 1 < self.lobes.len() {
+                let (here, next) = (self.lobes[number].cell, self.lobes[number + 1].cell);
+                let meets = next == here + 1
+                    && self.cells[here].joined
+                    && self.cells[here].pinned[1]
+                    && self.cells[next].pinned[0];
+                if !meets {
+                    break;
+                }
+                number += 1;
+            }
+            number += 1;
+            let count = (number - begin) * n;
+            if !strips.has_room_for(count) {
+                continue;
+            }
+            let mut zone = Zone { first: strips.y.len(), count, ..Zone::default() };
+            for lobe in &self.lobes[begin..number] {
+                for i in lobe.first..lobe.first + n {
+                    let nodes = &self.nodes;
+                    strips.y.push(nodes.y[i]);
+                    strips.width.push(nodes.width[i]);
+                    strips.x.push(nodes.x[i]);
+                    strips.half_length.push(nodes.half_length[i]);
+                    strips.pressure.push(PI * contact_modulus * nodes.pressure[i]);
+                    strips.u.push(nodes.u[i]);
+                    zone.length = zone.length.max(2.0 * nodes.half_length[i]);
+                    zone.max_pressure =
+                        zone.max_pressure.max(PI * contact_modulus * nodes.pressure[i]);
+                }
+            }
+            zone.width = self.lobes[number - 1].edge_y[1] - self.lobes[begin].edge_y[0];
+            strips.summarise(&mut zone);
+            strips.zones.push(zone);
+        }
+        let _ = line;
+    }
+}
