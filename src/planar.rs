@@ -10,7 +10,7 @@ use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
-use crate::normal::{self, NormalModel, NormalProblem, Strips};
+use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::{Creepage, Flexibilities, RollingState, Tangential, TangentialModel};
 
@@ -44,6 +44,8 @@ pub struct PlanarCase<'a> {
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 to 1 [-].
     pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
     /// Tangential contact model.
     pub tangential_model: TangentialModel,
     /// Strips across each zone.
@@ -112,7 +114,9 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
             };
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
-            left_out = normal::solve(model, epsilon, &problem, &mut line, &probes, &mut strips);
+            let fit = case.shape_fit;
+            left_out =
+                normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips);
             line.probes = probes;
         }
         strips.load()

@@ -10,14 +10,27 @@ use common::wheel::{
     the_patch,
 };
 use wheelrail::element::output::Wrench;
-use wheelrail::element::parameters::{Side, TangentialModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, Side, TangentialModel};
 use wheelrail::element::{Element, Input, Parameters};
+
+/// The default models, and curved creepage on the corrected contact area.
+fn both_descriptions() -> [Parameters; 2] {
+    let curved = Parameters {
+        normal_model: NormalModel::PiotrowskiKikCorrected,
+        creepage_model: CreepageModel::Curved,
+        ..Parameters::default()
+    };
+    [Parameters::default(), curved]
+}
 
 #[test]
 fn wheel_and_rail_push_each_other_with_opposite_wrenches() {
-    let parameters = Parameters::default();
-    let mut element = element(&parameters);
-    let marker = rail_marker(&parameters);
+    both_descriptions().iter().for_each(assert_opposite_wrenches);
+}
+
+fn assert_opposite_wrenches(parameters: &Parameters) {
+    let mut element = element(parameters);
+    let marker = rail_marker(parameters);
     let mut random = Random::new(3);
     let mut most_patches = 0;
     for _ in 0..300 {
@@ -150,8 +163,12 @@ fn a_driving_torque_balances_the_longitudinal_force_times_the_rolling_radius() {
 
 #[test]
 fn the_left_side_is_the_mirror_image_of_the_right_bit_for_bit() {
-    let left_parameters = Parameters { side: Side::Left, ..Parameters::default() };
-    let mut right = element(&Parameters::default());
+    both_descriptions().iter().for_each(assert_mirrored_sides);
+}
+
+fn assert_mirrored_sides(parameters: &Parameters) {
+    let left_parameters = Parameters { side: Side::Left, ..parameters.clone() };
+    let mut right = element(parameters);
     let mut left = Element::new(&left_parameters, &mirrored(&Input::default()), &[]).unwrap();
     assert_eq!(left.nominal_wheel_z().to_bits(), right.nominal_wheel_z().to_bits());
     let mut random = Random::new(5);
@@ -223,9 +240,12 @@ fn turned(input: &Input, marker: [f64; 3], angle: f64) -> Input {
 
 #[test]
 fn turning_wheel_and_rail_together_turns_their_forces_and_nothing_else() {
-    let parameters = Parameters::default();
-    let mut element = element(&parameters);
-    let marker = rail_marker(&parameters);
+    both_descriptions().iter().for_each(assert_turned);
+}
+
+fn assert_turned(parameters: &Parameters) {
+    let mut element = element(parameters);
+    let marker = rail_marker(parameters);
     let mut random = Random::new(10);
     for _ in 0..200 {
         let input = random_input(&mut element, &mut random);
@@ -250,7 +270,11 @@ fn turning_wheel_and_rail_together_turns_their_forces_and_nothing_else() {
 
 #[test]
 fn running_backwards_is_the_mirror_image_across_the_track() {
-    let mut element = element(&Parameters::default());
+    both_descriptions().iter().for_each(assert_mirrored_runs);
+}
+
+fn assert_mirrored_runs(parameters: &Parameters) {
+    let mut element = element(parameters);
     let mut random = Random::new(6);
     for _ in 0..200 {
         let input = random_input(&mut element, &mut random);

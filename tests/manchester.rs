@@ -187,7 +187,8 @@ fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them()
         let input = wheel_input(&table, row, side);
         let parameters = benchmark_parameters(side);
         let mut element =
-            Element::with_profiles(&parameters, &input, &wheel, &[Some(benchmark_rail())]).unwrap();
+            Element::with_profiles(&parameters, &input, &wheel, &[Some(benchmark_rail()), None])
+                .unwrap();
         let (found, expected) = (found(&mut element, input), expected(&table, row, side));
         let errors = errors(&found, &expected);
         write!(

@@ -5,7 +5,7 @@ mod common;
 
 use common::wheel::mirrored;
 use wheelrail::element::parameters::{
-    Flexibilities, NormalModel, Side, TangentialModel, TractionBound,
+    CreepageModel, Flexibilities, NormalModel, Side, TangentialModel, TractionBound,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -46,17 +46,31 @@ fn the_counter_counts() {
 
 #[test]
 fn a_thousand_evaluations_allocate_nothing_with_any_model() {
+    let plain = (CreepageModel::Flat, Flexibilities::Three);
     let variants = [
-        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim, Flexibilities::Three),
-        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim, Flexibilities::Blended),
-        (NormalModel::PiotrowskiKik, TangentialModel::None, Flexibilities::Three),
-        (NormalModel::Hertz, TangentialModel::Fastsim, Flexibilities::Three),
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim, plain),
+        (
+            NormalModel::PiotrowskiKik,
+            TangentialModel::Fastsim,
+            (CreepageModel::Curved, Flexibilities::Blended),
+        ),
+        (NormalModel::PiotrowskiKik, TangentialModel::None, plain),
+        (NormalModel::PiotrowskiKikCorrected, TangentialModel::Linear, plain),
+        (
+            NormalModel::PiotrowskiKik,
+            TangentialModel::Fastsim,
+            (CreepageModel::Kinematic, Flexibilities::Blended),
+        ),
+        (NormalModel::Hertz, TangentialModel::Fastsim, plain),
     ];
-    for (k, (normal_model, tangential_model, flexibilities)) in variants.into_iter().enumerate() {
+    for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
+        variants.into_iter().enumerate()
+    {
         let parameters = Parameters {
             side: if k == 1 { Side::Left } else { Side::Right },
             normal_model,
             tangential_model,
+            creepage_model,
             flexibilities,
             bound: if k == 1 { TractionBound::Elliptic } else { TractionBound::Parabolic },
             ..Parameters::default()

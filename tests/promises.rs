@@ -4,7 +4,7 @@ mod common;
 
 use common::random::Random;
 use common::wheel::{element, evaluate, pressed, random_input, rolling, the_patch};
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 #[test]
@@ -37,8 +37,13 @@ fn work_that_is_not_asked_for_is_not_done() {
 
 #[test]
 fn an_evaluation_depends_on_its_input_alone() {
-    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
-        let mut element = element(&Parameters { normal_model, ..Parameters::default() });
+    for (normal_model, creepage_model) in [
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat),
+        (NormalModel::PiotrowskiKikCorrected, CreepageModel::Curved),
+        (NormalModel::Hertz, CreepageModel::Curved),
+    ] {
+        let parameters = Parameters { normal_model, creepage_model, ..Parameters::default() };
+        let mut element = element(&parameters);
         let mut random = Random::new(8);
         let inputs: Vec<Input> = (0..60).map(|_| random_input(&mut element, &mut random)).collect();
         // The text of a number tells its bits, and the sign of a zero too.

@@ -1,7 +1,7 @@
 //! Forces stay finite for every finite input, however far from a wheel on a rail.
 
 use proptest::prelude::*;
-use wheelrail::element::parameters::NormalModel;
+use wheelrail::element::parameters::{CreepageModel, NormalModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A number of any size and sign, small ones as likely as large ones.
@@ -103,15 +103,19 @@ fn a_radius_that_does_not_go_with_the_profile_is_refused_by_name() {
     }
 }
 
-fn element(normal_model: NormalModel) -> Element {
-    let parameters = Parameters { normal_model, ..Parameters::default() };
+fn element(normal_model: NormalModel, creepage_model: CreepageModel) -> Element {
+    let parameters = Parameters { normal_model, creepage_model, ..Parameters::default() };
     Element::new(&parameters, &Input::default(), &[]).expect("built-in profiles")
 }
 
 #[test]
 fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
-    for model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
-        let shared = std::cell::RefCell::new(element(model));
+    for (normal, creepage) in [
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat),
+        (NormalModel::PiotrowskiKikCorrected, CreepageModel::Curved),
+        (NormalModel::Hertz, CreepageModel::Curved),
+    ] {
+        let shared = std::cell::RefCell::new(element(normal, creepage));
         proptest!(ProptestConfig::with_cases(4000), |(input in near_the_rail())| {
             check(&mut shared.borrow_mut(), &input)?;
         });

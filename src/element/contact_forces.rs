@@ -2,16 +2,18 @@
 
 use nalgebra::Vector3;
 
+use super::curved_zone::Tractions;
 use super::evaluate::Work;
 use super::input::{Input, WheelMotion};
 use super::models::Models;
 use super::output::{Output, Patch, Wrench};
+use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
+use crate::kinematics::creepage::{RelativeMotion, kinematic_creepage, rolling_speed};
 use crate::normal::damping;
 use crate::tangential::RollingState;
 
@@ -73,36 +75,56 @@ impl ContactForces<'_> {
                 wheel_point.rolling_radius,
                 models.minimum_speed,
             );
-            let creepage = motion.creepage(position, lateral, normal, speed.reference);
+            let slip = match models.creepage {
+                CreepageModel::Flat => motion.creepage(position, lateral, normal, speed.reference),
+                CreepageModel::Kinematic => kinematic_creepage(
+                    wheel.velocity[0],
+                    wheel.pitch_rate,
+                    wheel_point.rolling_radius,
+                    speed.reference,
+                ),
+                CreepageModel::Curved => {
+                    let place = |u, x| self.surface(u, x);
+                    models.curved_zone.place(&zone, &models.strips, &motion, speed.reference, place)
+                }
+            };
             let state = RollingState {
-                creepage,
+                creepage: slip,
                 forward_share: speed.forward_share,
                 friction: self.input.friction,
                 load_factor,
             };
-            let marched =
-                models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
-            work.marches += u64::from(marched.is_some());
-            let force = marched.unwrap_or_default();
+            let tractions = if models.creepage == CreepageModel::Curved {
+                models.curved_zone.tractions(
+                    &zone,
+                    &models.strips,
+                    &models.tangential,
+                    &models.material,
+                    &state,
+                    position,
+                )
+            } else {
+                let force =
+                    models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
+                force.map(|force| Tractions::flat(&force, &slip, lateral, normal))
+            };
+            work.marches += u64::from(tractions.is_some());
+            let tractions = tractions.unwrap_or_default();
             let normal_force = zone.load * load_factor;
-            let on_wheel =
-                Vector3::x() * force.longitudinal + lateral * force.lateral - normal * normal_force;
-            let spin_moment = normal * force.spin_moment;
-            add(&mut output.wheel, on_wheel, position - wheel_marker, spin_moment);
+            let on_wheel = tractions.force - normal * normal_force;
+            add(&mut output.wheel, on_wheel, position - wheel_marker, tractions.moment);
             let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
-            add(&mut output.rails[self.k], -on_wheel, arm, -spin_moment);
-            let dissipation = -(force.longitudinal * creepage.longitudinal
-                + force.lateral * creepage.lateral
-                + force.spin_moment * creepage.spin);
-            let frictional_power = (dissipation * speed.reference).max(0.0);
-            output.wear_number += dissipation.max(0.0);
+            add(&mut output.rails[self.k], -on_wheel, arm, -tractions.moment);
+            let dissipation = tractions.dissipation.max(0.0);
+            let frictional_power = dissipation * speed.reference;
+            output.wear_number += dissipation;
             output.frictional_power += frictional_power;
             models.patches.push(Patch {
                 rail: self.k as i32 + 1,
                 normal_force,
-                creep_force: [force.longitudinal, force.lateral],
-                spin_moment: force.spin_moment,
+                creep_force: [tractions.force.x, tractions.force.dot(&lateral)],
+                spin_moment: tractions.moment.dot(&normal),
                 contact_angle: self.contact.angle() + self.frame.roll,
                 position: position.into(),
                 wheel_y: wheel_point.y,
@@ -113,11 +135,19 @@ impl ContactForces<'_> {
                 length: zone.length,
                 width: zone.width,
                 area: zone.area,
-                creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
-                slip_share: (force.slip_area / zone.area).min(1.0),
+                creepage: [slip.longitudinal, slip.lateral, slip.spin],
+                slip_share: (tractions.slip_area / zone.area).min(1.0),
                 frictional_power,
             });
         }
+    }
+
+    /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in
+    /// the track frame.
+    fn surface(&self, u: f64, x: f64) -> [Vector3<f64>; 2] {
+        let at = self.line.at(u);
+        let point = self.frame.marker + self.frame.direction(at.point) + Vector3::x() * x;
+        [point, self.frame.direction(at.tangent).normalize()]
     }
 
     /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, Side};
+use super::parameters::{RAILS, RailPlace, Side};
 use super::rail_contact::RailContact;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
@@ -90,20 +90,8 @@ impl Element {
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
-            let placed = PlacedRail::by_gauge(
-                &profile.curve,
-                parameters.rails[k].inclination,
-                parameters.gauge,
-                parameters.gauge_depth,
-            )
-            .map_err(|_| ContactError::Profile {
-                name: format!("rail[{}].profile", k + 1),
-                problem: ProfileError::NoGaugeFace {
-                    name: profile.name.clone(),
-                    depth_mm: 1e3 * parameters.gauge_depth,
-                },
-            })?;
-            contacts[k] = Some(RailContact::new(wheel, parameters, placed));
+            contacts[k] =
+                Some(RailContact::new(wheel, parameters, placed(k, profile, parameters)?));
         }
         let mut element = Self {
             side: parameters.side,
@@ -205,6 +193,29 @@ impl Element {
         }
         touching
     }
+}
+
+/// Rail number `k` where the parameters put it: the first one by gauge, the second one by the place of its marker.
+fn placed(
+    k: usize,
+    profile: &Profile,
+    parameters: &Parameters,
+) -> Result<PlacedRail, ContactError> {
+    let (curve, inclination) = (&profile.curve, parameters.rails[k].inclination);
+    if k > 0 {
+        let RailPlace { position: [y, z], mirrored } = parameters.second_rail;
+        let y = if parameters.side == Side::Left { -y } else { y };
+        return Ok(PlacedRail::at_marker(curve, inclination, [y, z], mirrored));
+    }
+    PlacedRail::by_gauge(curve, inclination, parameters.gauge, parameters.gauge_depth).map_err(
+        |_| ContactError::Profile {
+            name: format!("rail[{}].profile", k + 1),
+            problem: ProfileError::NoGaugeFace {
+                name: profile.name.clone(),
+                depth_mm: 1e3 * parameters.gauge_depth,
+            },
+        },
+    )
 }
 
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].

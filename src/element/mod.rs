@@ -1,6 +1,7 @@
 //! The contact element: one wheel and the rails under it.
 
 mod contact_forces;
+mod curved_zone;
 mod evaluate;
 pub mod input;
 mod models;

@@ -1,12 +1,13 @@
 //! The contact models of an element and their scratch memory.
 
+use super::curved_zone::CurvedZone;
 use super::output::Patch;
-use super::parameters::Parameters;
+use super::parameters::{CreepageModel, Parameters};
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
-use crate::normal::{NormalModel, Strips};
+use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
 /// Most loaded zones of one contact frame.
@@ -19,10 +20,16 @@ pub struct Models {
     pub normal: NormalModel,
     /// Virtual over true penetration [-].
     pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
     /// Contact damping at the reference stiffness [N s/m].
     pub damping: f64,
     /// Tangential contact model with its settings.
     pub tangential: Tangential,
+    /// How creepage varies over a zone.
+    pub creepage: CreepageModel,
+    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved patch.
+    pub curved_zone: CurvedZone,
     /// Floor of the speed that creepages refer to [m/s].
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
@@ -50,6 +57,7 @@ impl Models {
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
+            shape_fit: parameters.shape_fit,
             damping: parameters.damping,
             tangential: Tangential::new(
                 parameters.tangential_model,
@@ -57,6 +65,8 @@ impl Models {
                 parameters.bound,
                 parameters.elements_along,
             ),
+            creepage: parameters.creepage_model,
+            curved_zone: CurvedZone::with_capacity(parameters.strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             rule: GaussLegendre::new(parameters.strips),

@@ -1,7 +1,7 @@
 //! What is fixed once an element is initialised.
 
 use crate::error::ContactError;
-pub use crate::normal::NormalModel;
+pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::{Flexibilities, TangentialModel};
 
@@ -18,9 +18,13 @@ pub enum Side {
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
+    /// Longitudinal creepage from the rolling radius only: no lateral creepage, no spin.
+    Kinematic,
     /// One triple of creepages for each patch.
     #[default]
     Flat,
+    /// For each strip that of its own place and tangent plane (Piotrowski and Kik 2008, section 4).
+    Curved,
 }
 
 /// Wheel: profile, size and material.
@@ -47,6 +51,16 @@ pub struct RailParameters {
     pub inclination: f64,
 }
 
+/// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RailPlace {
+    /// Its marker, the highest point of its inclined head, in design position: y (negative for a left wheel, as that of the wheel)
+    /// and z in the track frame [m].
+    pub position: [f64; 2],
+    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on the field side.
+    pub mirrored: bool,
+}
+
 /// Everything fixed over a run; one field for each FMU parameter of design section 3.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -56,6 +70,8 @@ pub struct Parameters {
     pub wheel: WheelParameters,
     /// The rails, `rail[1]` first.
     pub rails: [RailParameters; RAILS],
+    /// Place of `rail[2]`; `rail[1]` is placed by gauge.
+    pub second_rail: RailPlace,
     /// Young's modulus of the rails, > 0 [Pa].
     pub rail_young_modulus: f64,
     /// Poisson's ratio of the rails, 0 to 0.5 [-].
@@ -70,6 +86,8 @@ pub struct Parameters {
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
     pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
     /// Strips across each loaded zone, 4 to 200.
     pub strips: usize,
     /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
@@ -89,7 +107,7 @@ pub struct Parameters {
 }
 
 /// Number of rails an element can carry.
-pub const RAILS: usize = 1;
+pub const RAILS: usize = 2;
 
 impl Default for Parameters {
     fn default() -> Self {
@@ -101,7 +119,12 @@ impl Default for Parameters {
                 young_modulus: 2.1e11,
                 poisson_ratio: 0.28,
             },
-            rails: [RailParameters { profile: "60E1".into(), enabled: true, inclination: 0.025 }],
+            rails: [true, false].map(|enabled| RailParameters {
+                profile: "60E1".into(),
+                enabled,
+                inclination: 0.025,
+            }),
+            second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
             rail_poisson_ratio: 0.28,
             gauge: 1.435,
@@ -109,6 +132,7 @@ impl Default for Parameters {
             profile_smoothing: 0.004,
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
+            shape_fit: ShapeFit::default(),
             strips: 30,
             damping: 1e5,
             creepage_model: CreepageModel::default(),
@@ -161,6 +185,10 @@ impl Parameters {
             let fits = rail.inclination.abs() <= 0.5;
             let name = format!("rail[{}].inclination", k + 1);
             require(name, rail.inclination, fits, "a tangent from -0.5 to 0.5, 1:40 is 0.025")?;
+        }
+        for (axis, value) in ["y", "z"].iter().zip(self.second_rail.position) {
+            let name = format!("rail[2].position.{axis}");
+            require(name, value, value.abs() <= 3.0, "a place in metres, -3 to 3")?;
         }
         let epsilon = self.virtual_penetration;
         let fits = epsilon > 0.0 && epsilon < 1.0;

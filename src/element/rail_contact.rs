@@ -102,6 +102,7 @@ impl RailContact {
             left_out += normal::solve(
                 models.normal,
                 models.virtual_penetration,
+                models.shape_fit,
                 &problem,
                 &mut separation,
                 &self.search.probes[contact.probes[0]..contact.probes[1]],

@@ -10,15 +10,22 @@
 //! ```
 //!
 //! This is the outline of the wheel as seen along the rail (Piotrowski and Kik 2008, figure 16). Its points lie ahead of or
-//! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss.
+//! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
+//! than 87 degrees, a flange back, touches with its rim: see [`rim`].
+
+mod rim;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 
-/// Below this cosine of the profile's slope (87 degrees) the outline is continued as if the slope were no steeper: there a
-/// yawed face touches with its rim, not with its outline.
+/// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
 const LEAST_SLOPE_COSINE: f64 = 0.05;
 /// Largest |sin α|: contact never comes near the height of the axle.
 const MOST_SINE: f64 = 0.9;
+/// Half length of the profile over which its curvature is averaged where it bends the section along x of a yawed wheel: profiles
+/// jump in curvature, and the force must not [m].
+const CURVATURE_REACH: f64 = 2e-3;
+/// Least curvature of the section along x over that of the straight wheel: in a flange root at large yaw the outline folds.
+const LEAST_SECTION_SHARE: f64 = 0.1;
 
 /// Where and how a wheel stands in the frame of a rail.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,7 +114,8 @@ impl<'a> ContactLine<'a> {
     #[must_use]
     pub fn at(&self, s: f64) -> LinePoint {
         let p = self.profile.at(s);
-        self.point(&p, &self.circle(&p))
+        let on = self.circle(&p);
+        if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) }
     }
 
     /// The point at parameter `s` [m] and the derivative of its (y, z).
@@ -116,6 +124,10 @@ impl<'a> ContactLine<'a> {
     pub fn with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
         let p = self.profile.at(s);
         let on = self.circle(&p);
+        if self.follows_rim(&p) {
+            let rim = self.rim(s, &p, &on);
+            return (rim.point(), rim.derivative());
+        }
         let [_, uy, uz] = self.axle;
         // d sin α/ds where neither bound is active.
         let turning = if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
@@ -184,18 +196,46 @@ impl<'a> ContactLine<'a> {
         2.0 * self.nominal_radius * self.lead * self.lead / least_cosine
     }
 
-    /// Profile point of parameter `s`: lateral coordinate, rolling radius [m] and the radius of the normal section along x,
-    /// r over the cosine of the profile's slope [m].
+    /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the normal section along x [m].
+    ///
+    /// ```text
+    /// 1/R = cos γ cos α c²/r + κ (u_x/cos γ)²/cos α
+    /// ```
+    ///
+    /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point ahead of the axle is one of
+    /// another circle of a yawed wheel. On a straight wheel R = r/cos γ.
     #[must_use]
     pub fn wheel_point(&self, s: f64) -> WheelPoint {
         let p = self.profile.at(s);
+        if self.follows_rim(&p) {
+            return self.rim(s, &p, &self.circle(&p)).wheel_point();
+        }
         let radius = self.nominal_radius + p.point[1];
-        let cosine = p.first[0] / p.first[0].hypot(p.first[1]);
+        let slope_cosine = (p.first[0] / p.first[0].hypot(p.first[1])).max(LEAST_SLOPE_COSINE);
+        let straight = slope_cosine / radius;
+        let section_curvature = if self.lead == 0.0 {
+            straight
+        } else {
+            let on = self.circle(&p);
+            let across = self.cosine * self.lead / slope_cosine;
+            let bent = straight * on.cosine * self.cosine * self.cosine
+                + self.mean_curvature(s) * across * across / on.cosine;
+            bent.max(LEAST_SECTION_SHARE * straight)
+        };
         WheelPoint {
             y: p.point[0],
             rolling_radius: radius,
-            section_radius: radius / cosine.max(LEAST_SLOPE_COSINE),
+            section_radius: 1.0 / section_curvature,
         }
+    }
+
+    /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side; positive where it bulges [1/m].
+    fn mean_curvature(&self, s: f64) -> f64 {
+        let [start, end] = self.range();
+        let (from, to) = ((s - CURVATURE_REACH).max(start), (s + CURVATURE_REACH).min(end));
+        let (a, b) = (self.profile.at(from).first, self.profile.at(to).first);
+        // The sine of the turn, which stays far below a right angle.
+        (a[1] * b[0] - a[0] * b[1]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]) * (to - from))
     }
 
     /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].

@@ -106,4 +106,8 @@ impl Separation for LineSeparation<'_> {
         let f = rail.map_or(f64::INFINITY, |[_, rail]| rail - depth + self.contact.penetration);
         SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }
     }
+
+    fn along(&mut self, u: f64) -> f64 {
+        self.line.at(u).x
+    }
 }

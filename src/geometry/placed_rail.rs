@@ -17,6 +17,8 @@ pub struct PlacedRail {
     inclination: [f64; 2],
     /// Highest point of the inclined profile, in the inclined profile frame [m].
     top: [f64; 2],
+    /// 1, or -1 where the profile is turned left to right after it was inclined.
+    hand: f64,
     /// Greatest concave curvature of the head, ≥ 0 [1/m].
     pub concavity: f64,
     /// Points (y, z) of the curve at equal steps of the parameter [m].
@@ -56,11 +58,20 @@ impl PlacedRail {
         gauge: f64,
         gauge_depth: f64,
     ) -> Result<Self, GaugeFaceMissing> {
+        let rail = Self::at_marker(curve, inclination, [0.0; 2], false);
+        let gauge_face = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
+        Ok(Self { marker: [0.5 * gauge - gauge_face, 0.0], ..rail })
+    }
+
+    /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail towards the track centre, then
+    /// `mirrored` left to right where asked for, so that its highest point lies at `marker` (y, z) of the track frame [m].
+    #[must_use]
+    pub fn at_marker(curve: &Curve, inclination: f64, marker: [f64; 2], mirrored: bool) -> Self {
         // Towards the track centre is a negative turn about x for a right rail.
         let angle = -inclination.atan();
         let (sine, cosine) = angle.sin_cos();
         let turn = |p: [f64; 2]| [p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine];
-        let knots: Vec<Knot> = curve
+        let mut knots: Vec<Knot> = curve
             .knots()
             .map(|s| {
                 let p = curve.at(s);
@@ -69,19 +80,24 @@ impl PlacedRail {
             .collect();
         let leaned = Curve::through(&knots);
         let top = highest_point(&leaned);
-        let moved: Vec<Knot> = knots
-            .iter()
-            .map(|k| Knot { point: [k.point[0] - top[0], k.point[1] - top[1]], ..*k })
-            .collect();
-        let curve = Curve::through(&moved);
-        let gauge_face = gauge_face(&curve, gauge_depth).ok_or(GaugeFaceMissing)?;
+        for knot in &mut knots {
+            knot.point = [knot.point[0] - top[0], knot.point[1] - top[1]];
+        }
+        if mirrored {
+            // The parameter changes its sign with y, so that the curve still runs to the field side.
+            knots.reverse();
+            for Knot { s, point, tangent } in &mut knots {
+                (*s, *point, *tangent) = (-*s, [-point[0], point[1]], [tangent[0], -tangent[1]]);
+            }
+        }
+        let curve = Curve::through(&knots);
         let concavity = greatest_concavity(&curve);
-        let marker = [0.5 * gauge - gauge_face, 0.0];
         let (start, length) = (curve.start(), curve.end() - curve.start());
         let coarse = (0..=COARSE_POINTS)
             .map(|i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
             .collect();
-        Ok(Self { curve, marker, inclination: [sine, cosine], top, concavity, coarse })
+        let hand = if mirrored { -1.0 } else { 1.0 };
+        Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse }
     }
 
     /// The curve in the frame of the rail marker [m].
@@ -95,7 +111,7 @@ impl PlacedRail {
     pub fn profile_y(&self, s: f64) -> f64 {
         let p = self.curve.at(s).point;
         let [sine, cosine] = self.inclination;
-        (p[0] + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
+        (self.hand * p[0] + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
     }
 
     /// Curvature at `s`, positive where the rail bulges [1/m].

@@ -19,6 +19,11 @@ pub struct SeparationPoint {
 pub trait Separation {
     /// The separation at parameter `u` [m].
     fn at(&mut self, u: f64) -> SeparationPoint;
+
+    /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
+    fn along(&mut self, u: f64) -> f64 {
+        self.at(u).x
+    }
 }
 
 /// A place at which the separation is known well enough to bracket the edges of loaded zones.

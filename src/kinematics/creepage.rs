@@ -27,6 +27,24 @@ impl Creepage {
 /// larger ones would overflow.
 const MOST_CREEPAGE: f64 = 1e6;
 
+/// The longitudinal creepage of a wheel with forward velocity `velocity` [m/s] and `pitch_rate` [rad/s] from its rolling radius [m]
+/// alone: (v_x + ω r)/V. Yaw, the turning of the wheel about other axes and the motion of the rail do not enter; there is no
+/// lateral creepage and no spin.
+#[must_use]
+pub fn kinematic_creepage(
+    velocity: f64,
+    pitch_rate: f64,
+    rolling_radius: f64,
+    reference_speed: f64,
+) -> Creepage {
+    let slip = velocity + pitch_rate * rolling_radius;
+    Creepage { longitudinal: bounded(slip / reference_speed), ..Creepage::default() }
+}
+
+fn bounded(creepage: f64) -> f64 {
+    creepage.clamp(-MOST_CREEPAGE, MOST_CREEPAGE)
+}
+
 /// The speed to which creepages refer, and the direction of rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingSpeed {
@@ -97,12 +115,11 @@ impl RelativeMotion {
     ) -> Creepage {
         let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
         let slip = wheel - self.rail_velocity_at(point);
-        let bounded =
-            |velocity: f64| (velocity / reference_speed).clamp(-MOST_CREEPAGE, MOST_CREEPAGE);
+        let spin = (self.wheel_rotation - self.rail_rotation).dot(&normal);
         Creepage {
-            longitudinal: bounded(slip.x),
-            lateral: bounded(slip.dot(&lateral)),
-            spin: bounded((self.wheel_rotation - self.rail_rotation).dot(&normal)),
+            longitudinal: bounded(slip.x / reference_speed),
+            lateral: bounded(slip.dot(&lateral) / reference_speed),
+            spin: bounded(spin / reference_speed),
         }
     }
 

@@ -45,7 +45,7 @@ pub fn ellipse(along: f64, across: f64, approach: f64, contact_modulus: f64) -> 
 ///
 /// Starts from the rational fit of Antoine, Visa, Sauvey and Abba (2006), 5e-6 off up to λ = 1e4, and corrects it by Newton
 /// steps in the logarithms.
-fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
+pub(super) fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
     let log_lambda = curvature_ratio.ln();
     let squared = (log_lambda / std::f64::consts::LN_10).powi(2);
     let polynomial =
@@ -101,7 +101,8 @@ pub fn solve(problem: &NormalProblem, separation: &mut impl Separation, strips: 
         strips.x.push(at.x);
         strips.half_length.push(found.semi_axis_along * chord);
         strips.pressure.push(found.max_pressure * chord);
-        strips.u.push(problem.contact_u);
+        // The contact line straight on from its contact point: the ellipse does not know more of it.
+        strips.u.push(problem.contact_u + found.semi_axis_across * node / at.dy);
     }
     strips.zones.push(Zone {
         first,

@@ -6,8 +6,10 @@
 pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
+pub mod shape_correction;
 mod zones;
 
+pub use shape_correction::ShapeFit;
 pub use zones::Edge;
 
 use crate::geometry::separation::{Probe, Separation};
@@ -22,6 +24,8 @@ pub enum NormalModel {
     /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
     #[default]
     PiotrowskiKik,
+    /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
+    PiotrowskiKikCorrected,
 }
 
 /// One loaded zone: a connected part of the contact area.
@@ -151,12 +155,14 @@ pub struct NormalProblem<'a> {
     pub rule: &'a GaussLegendre,
 }
 
-/// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is ε of Piotrowski and Kik.
+/// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is ε of Piotrowski and Kik,
+/// `shape_fit` the ratio that their corrected contact area gets.
 ///
 /// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room.
 pub fn solve(
     model: NormalModel,
     virtual_penetration: f64,
+    shape_fit: ShapeFit,
     problem: &NormalProblem,
     separation: &mut impl Separation,
     probes: &[Probe],
@@ -167,8 +173,9 @@ pub fn solve(
             hertz::solve(problem, separation, strips);
             0
         }
-        NormalModel::PiotrowskiKik => {
-            piotrowski_kik::solve(problem, virtual_penetration, separation, probes, strips)
+        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected => {
+            let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
+            piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
         }
     }
 }

@@ -12,31 +12,36 @@
 //! ```
 //!
 //! All zones with g > 0 belong to one half-space and to the one contact point at which the displacement meets the
-//! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel.
+//! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel. With a
+//! [`ShapeFit`] the area gets the ratio of length to width of a Hertzian ellipse before its pressure is found.
 
 use multiversion::multiversion;
 
+use super::shape_correction::{self, ShapeFit};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::logarithm::ln;
+use crate::math::quadrature::GaussLegendre;
 
-/// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1.
+/// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape` corrects the shape of the
+/// contact area where it is given.
 ///
 /// Returns the number of zones that found no room in `strips` (they are left out of the load).
 pub fn solve(
     problem: &NormalProblem,
     virtual_penetration: f64,
+    shape: Option<ShapeFit>,
     separation: &mut impl Separation,
     probes: &[Probe],
     strips: &mut Strips,
 ) -> usize {
     let depth = virtual_penetration * problem.approach;
-    let longest = (2.0 * problem.radius * depth).sqrt();
+    let mut longest = (2.0 * problem.radius * depth).sqrt();
     let mut left_out = 0;
     // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
-    let (mut load_integral, mut displacement_integral) = (0.0, 0.0);
+    let mut load_integral = 0.0;
     for_each_zone(separation, probes, depth, |separation, edge| {
         let count = problem.rule.nodes.len();
         if !strips.has_room_for(count) {
@@ -45,7 +50,6 @@ pub fn solve(
         }
         let first = strips.y.len();
         let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
-        let outermost_span = half * problem.rule.weights[0];
         let mut deepest: f64 = 0.0;
         for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
             let u = middle + half * node;
@@ -62,28 +66,30 @@ pub fn solve(
             strips.pressure.push(half_length);
             strips.u.push(u);
         }
-        displacement_integral += regular_influence(
-            &strips.half_length[first..],
-            &strips.y[first..],
-            &strips.width[first..],
-            longest,
-        );
-        // From the outermost strips, a few micrometres away, the edges are reached along the tangent.
-        let [left, right] = [(edge.left, first), (edge.right, first + count - 1)]
-            .map(|(u, j)| strips.y[j] + (u - strips.u[j]) * strips.width[j] / outermost_span);
-        displacement_integral += singular_influence(left, right, longest);
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
         for probe in probes.iter().filter(|p| p.u > edge.left && p.u < edge.right) {
             deepest = deepest.max(depth - probe.f).min(depth);
         }
-        strips.zones.push(Zone {
-            first,
-            count,
-            length: 2.0 * (2.0 * problem.radius * deepest).sqrt(),
-            width: right - left,
-            ..Zone::default()
-        });
+        let length = 2.0 * (2.0 * problem.radius * deepest).sqrt();
+        let zone = Zone { first, count, length, ..Zone::default() };
+        let [left, right] = edges(&zone, strips, problem.rule);
+        strips.zones.push(Zone { width: right - left, ..zone });
     });
+    if let Some(fit) = shape {
+        longest *= shape_correction::apply(fit, 2.0 * longest, problem.rule, separation, strips);
+    }
+    let mut displacement_integral = 0.0;
+    for zone in strips.zones.iter() {
+        let range = zone.first..zone.first + zone.count;
+        displacement_integral += regular_influence(
+            &strips.half_length[range.clone()],
+            &strips.y[range.clone()],
+            &strips.width[range],
+            longest,
+        );
+        let [left, right] = edges(zone, strips, problem.rule);
+        displacement_integral += singular_influence(left, right, longest);
+    }
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
         std::f64::consts::PI * problem.contact_modulus * problem.approach / displacement_integral
@@ -102,6 +108,15 @@ pub fn solve(
         strips.zones[i] = zone;
     }
     left_out
+}
+
+/// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are reached along the tangent.
+pub(super) fn edges(zone: &Zone, strips: &Strips, rule: &GaussLegendre) -> [f64; 2] {
+    let last = zone.count - 1;
+    [(0, -1.0), (last, 1.0)].map(|(i, end)| {
+        let j = zone.first + i;
+        strips.y[j] + strips.width[j] * (end - rule.nodes[i]) / rule.weights[i]
+    })
 }
 
 /// Sum over strips of width times the integrand of I2, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough

@@ -8,13 +8,16 @@
 //! dp_x/ds = -(ξ/L1 - y φ/L3),  dp_y/ds = -(η/L2 + x φ/L3),  |p| ≤ bound(x, y)
 //! ```
 //!
+//! or with a rigid slip of each strip of its own ([`RigidSlip`]).
+//!
 //! Each strip has its own elements of equal length, so that the result does not depend on a grid that the patch slides
 //! over. The bound of an element is its mean over the element: full sliding gives the friction limit to rounding.
 
 use multiversion::multiversion;
 
 use super::flexibility::ZoneFlexibility;
-use super::{CreepForce, Creepage, Rolling};
+use super::rigid_slip::RigidSlip;
+use super::{Rolling, StripForce};
 use crate::normal::{Strips, Zone};
 
 /// Shape of the traction bound along and across a zone.
@@ -63,20 +66,21 @@ impl Fastsim {
         Self { bound, profile, abscissae }
     }
 
-    /// Creep force of `zone` for the creepage at its centroid of load.
+    /// Hands the force of each strip of `zone` on the wheel to `each`.
     ///
     /// `friction` ≥ 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
     /// the elastic load.
-    #[must_use]
-    pub fn creep_force(
+    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
+    pub fn strip_forces(
         &self,
         zone: &Zone,
         strips: &Strips,
         flexibility: &ZoneFlexibility,
-        creepage: &Creepage,
+        slip: &impl RigidSlip,
         rolling: Rolling,
         friction: f64,
-    ) -> CreepForce {
+        mut each: impl FnMut(usize, StripForce),
+    ) {
         let range = zone.first..zone.first + zone.count;
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
@@ -87,45 +91,41 @@ impl Fastsim {
                 if moment > 0.0 { 0.75 * zone.load / moment } else { 0.0 }
             }
         };
-        let direction = match rolling {
-            Rolling::Forward => 1.0,
-            Rolling::Backward => -1.0,
-        };
-        let mut total = CreepForce::default();
+        let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
             let mut march = March::default();
             let lanes = (range.end - start).min(LANES);
-            let mut geometry = [[0.0; 4]; LANES];
-            for (lane, shape) in geometry.iter_mut().enumerate().take(lanes) {
+            let mut areas = [0.0; LANES];
+            for (lane, area) in areas.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
-                let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
                 let step = 2.0 * a / n;
-                march.step_x[lane] = -step
-                    * (creepage.longitudinal / flexibility.longitudinal
-                        - creepage.spin * y / flexibility.spin);
-                march.step_y[lane] = -step
-                    * (creepage.lateral / flexibility.lateral
-                        + creepage.spin * x / flexibility.spin);
-                march.step_y_per_abscissa[lane] =
-                    -step * direction * a * creepage.spin / flexibility.spin;
+                let growth = slip.growth(j, flexibility);
+                march.step_x[lane] = -step * growth.longitudinal;
+                march.step_y[lane] = -step * growth.lateral;
+                march.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
                 march.bound[lane] = friction
                     * match self.bound {
                         TractionBound::Elliptic => strips.pressure[j],
                         TractionBound::Parabolic => parabola * a * a,
                     };
-                *shape = [x, direction * a, y, strips.width[j] * step];
+                *area = strips.width[j] * step;
             }
             let sums = march_strips(&march, &self.profile, &self.abscissae);
-            for (lane, [x, a, y, area]) in geometry.into_iter().enumerate().take(lanes) {
-                total.longitudinal += area * sums.x[lane];
-                total.lateral += area * sums.y[lane];
-                total.spin_moment +=
-                    area * (x * sums.y[lane] + a * sums.y_abscissa[lane] - y * sums.x[lane]);
-                total.slip_area += area * sums.slipping[lane];
+            for (lane, area) in areas.into_iter().enumerate().take(lanes) {
+                let j = start + lane;
+                let arm = direction * strips.half_length[j];
+                each(
+                    j,
+                    StripForce {
+                        longitudinal: area * sums.x[lane],
+                        lateral: area * sums.y[lane],
+                        moment: area * arm * sums.y_abscissa[lane],
+                        slip_area: area * sums.slipping[lane],
+                    },
+                );
             }
         }
-        total
     }
 }
 

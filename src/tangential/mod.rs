@@ -3,18 +3,23 @@
 pub mod fastsim;
 pub mod flexibility;
 pub mod kalker_coefficients;
+pub mod linear;
+pub mod rigid_slip;
 
 pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 use fastsim::{Fastsim, TractionBound};
 use flexibility::ZoneFlexibility;
+use rigid_slip::{FlatSlip, RigidSlip};
 
 /// Tangential contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TangentialModel {
     /// No creep force.
     None,
+    /// Full adhesion without bound: the limit of FASTSIM for infinite friction.
+    Linear,
     /// Kalker's march through the strips of the true patch.
     #[default]
     Fastsim,
@@ -39,6 +44,40 @@ pub enum Rolling {
     Backward,
 }
 
+impl Rolling {
+    /// 1 when rolling forward, -1 when backward.
+    fn direction(self) -> f64 {
+        match self {
+            Self::Forward => 1.0,
+            Self::Backward => -1.0,
+        }
+    }
+}
+
+/// Force of one strip on the wheel, along x and along the strip's tangent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StripForce {
+    /// Longitudinal force [N].
+    pub longitudinal: f64,
+    /// Lateral force [N].
+    pub lateral: f64,
+    /// Moment about the normal through the strip's centre [N m].
+    pub moment: f64,
+    /// Area that slips [m²].
+    pub slip_area: f64,
+}
+
+impl StripForce {
+    fn times(self, share: f64) -> Self {
+        Self {
+            longitudinal: share * self.longitudinal,
+            lateral: share * self.lateral,
+            moment: share * self.moment,
+            slip_area: share * self.slip_area,
+        }
+    }
+}
+
 /// Creep force of one zone on the wheel, in the contact frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CreepForce {
@@ -50,6 +89,18 @@ pub struct CreepForce {
     pub spin_moment: f64,
     /// Area that slips [m²].
     pub slip_area: f64,
+}
+
+impl CreepForce {
+    /// Adds the force of strip `j` of `zone`, a flat one.
+    #[inline]
+    fn add(&mut self, zone: &Zone, strips: &Strips, j: usize, force: &StripForce) {
+        let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
+        self.longitudinal += force.longitudinal;
+        self.lateral += force.lateral;
+        self.spin_moment += x * force.lateral + force.moment - y * force.longitudinal;
+        self.slip_area += force.slip_area;
+    }
 }
 
 /// How a zone rolls and how much friction it has.
@@ -85,11 +136,8 @@ impl Tangential {
         Self { model, flexibilities, fastsim: Fastsim::new(elements_along, bound) }
     }
 
-    /// The creep force of a zone on the wheel; nothing where there is nothing to compute: no model, no friction, no load or no
-    /// creepage.
-    ///
-    /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
-    /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
+    /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
+    /// compute: no model, no friction, no load or no creepage.
     #[must_use]
     pub fn creep_force(
         &self,
@@ -98,33 +146,58 @@ impl Tangential {
         material: &MaterialPair,
         state: &RollingState,
     ) -> Option<CreepForce> {
-        let RollingState { creepage, forward_share, friction, load_factor } = *state;
+        let mut total = CreepForce::default();
+        let slip = FlatSlip { zone, strips, creepage: state.creepage };
+        (!state.creepage.is_zero()).then_some(())?;
+        self.strip_forces(zone, strips, material, &slip, state, |j, force| {
+            total.add(zone, strips, j, &force);
+        })
+        .then_some(total)
+    }
+
+    /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
+    /// come twice. Whether there was anything to compute. Of `state` the creepage is not used.
+    ///
+    /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
+    /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
+    pub fn strip_forces(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        material: &MaterialPair,
+        slip: &impl RigidSlip,
+        state: &RollingState,
+        mut each: impl FnMut(usize, StripForce),
+    ) -> bool {
+        let RollingState { forward_share, friction, load_factor, .. } = *state;
         let limit = friction * zone.load * load_factor;
-        if self.model == TangentialModel::None || limit <= 0.0 || creepage.is_zero() {
-            return None;
+        let is_bounded = self.model != TangentialModel::Linear;
+        let load = zone.load * load_factor;
+        if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
+            return false;
         }
         let mut flexibility = ZoneFlexibility::new(zone, strips, material);
-        if self.flexibilities == Flexibilities::Blended {
-            flexibility = flexibility.blended(&creepage, limit);
+        if is_bounded && self.flexibilities == Flexibilities::Blended {
+            flexibility = flexibility.blended(&slip.mean(), limit);
         }
-        let march = |rolling| {
-            let friction = friction * load_factor;
-            self.fastsim.creep_force(zone, strips, &flexibility, &creepage, rolling, friction)
-        };
         let backward_share = 1.0 - forward_share;
-        Some(if backward_share <= 0.0 {
-            march(Rolling::Forward)
-        } else if forward_share <= 0.0 {
-            march(Rolling::Backward)
-        } else {
-            let (forward, backward) = (march(Rolling::Forward), march(Rolling::Backward));
-            let mix = |f: f64, b: f64| forward_share * f + backward_share * b;
-            CreepForce {
-                longitudinal: mix(forward.longitudinal, backward.longitudinal),
-                lateral: mix(forward.lateral, backward.lateral),
-                spin_moment: mix(forward.spin_moment, backward.spin_moment),
-                slip_area: mix(forward.slip_area, backward.slip_area),
+        for (rolling, share) in
+            [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
+        {
+            if share <= 0.0 {
+                continue;
             }
-        })
+            if is_bounded {
+                let friction = friction * load_factor;
+                let add = |j, force: StripForce| each(j, force.times(share));
+                self.fastsim.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
+            } else {
+                // Damping that takes load away takes creep force away, so that a lost contact has none.
+                let share = share * load_factor.min(1.0);
+                let add = |j, force: StripForce| each(j, force.times(share));
+                linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+            }
+        }
+        true
     }
 }

@@ -1,6 +1,6 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
-use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel};
+use wheelrail::element::parameters::{Flexibilities, NormalModel, ShapeFit, TangentialModel};
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::tangential::fastsim::TractionBound;
@@ -71,6 +71,7 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         rail_material: STEEL,
         normal_model: NormalModel::Hertz,
         virtual_penetration: 0.55,
+        shape_fit: ShapeFit::Hertz,
         tangential_model: TangentialModel::Fastsim,
         strips: 20,
         elements_along: 20,

@@ -120,3 +120,48 @@ pub const ROUGHNESS: f64 = 5e-8;
 
 /// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
 pub const CLOSING_SPEED: f64 = 1e-6;
+
+/// CONTACT's row of docs/frames.md, relative: a check of signs; the other rail (60E1 instead of the benchmark's) moves spin by some per cent.
+pub const FRAMES_SHARE: f64 = 0.15;
+
+/// Printed results of the normal problem in table 1 of Piotrowski and Kik, printed to three or four digits.
+pub const PAPER_TABLE_1: f64 = 5e-3;
+
+/// Ratio of length to width of the corrected area of a Hertzian pair: the width is that of a quadrature.
+pub const CORRECTED_RATIO: f64 = 1e-3;
+
+/// Greatest pressure and normal force of the corrected area against Hertz at the same approach, a/b 0.1 to 10: the correction halves
+/// the error of the pressure (0.195 without) and pays with that of the force (0.049 without).
+pub const CORRECTED_PRESSURE: f64 = 0.105;
+pub const CORRECTED_FORCE: f64 = 0.116;
+
+/// Linear theory against FASTSIM with friction 1e9 and 200 elements along: middle rule, 1/(2 n²).
+pub const LINEAR_LIMIT: f64 = 1e-4;
+
+/// Forces and moments of a cone with flat and with curved creepage, over the force: the same sums in another order.
+pub const CONE_FLAT_AND_CURVED: f64 = 1e-9;
+
+/// Frictional power against the power of the tractions on both bodies, over force times speed: sums in another order.
+pub const POWER_BALANCE: f64 = 1e-12;
+
+/// Power that tractions may feed into the bodies, over what friction could turn into heat.
+pub const POWER_FED: f64 = 0.0;
+
+/// Rim of a flange back against the innermost points of the turned wheel: place along x, which is flat there, and across, at yaw of 2
+/// mrad and more: up to 12 µm inside at 0.2 mrad, where the line changes smoothly from one end of the chord to the other [m].
+pub const RIM_AHEAD: f64 = 1e-3;
+pub const RIM_LATERAL: f64 = 2e-6;
+
+/// Change of the lateral force and of the yaw moment on a wheel that a check rail holds with 20 kN, per microradian of yaw: half a
+/// chord of 60 mm at a contact stiffness of 1e9 N/m is 60 N, a point that moves 0.3 mm under 20 kN is 6 N m [N, N m].
+pub const CHECK_RAIL_STEP: [f64; 2] = [120.0, 20.0];
+
+/// Forces of two rails in one place, one of them placed by its gauge face: a root to 1e-15 m, over a penetration of 60 µm.
+pub const SAME_PLACE: f64 = 1e-9;
+
+/// Wheels at 3 and 6 degrees against brute force: depth, and place along x of the load's centroid against the deepest point [m].
+pub const YAWED_DEPTH: f64 = 1e-12;
+pub const YAWED_PLACE: f64 = 1e-4;
+
+/// Curvature along the rail of a yawed wheel against its surface, relative.
+pub const SECTION_CURVATURE: f64 = 4e-3;

@@ -12,7 +12,7 @@ use super::separation::number;
 use crate::cases::{Cases, Row};
 
 /// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
-const VARIABLE_COLUMNS: [(&str, &str, f64); 11] = [
+const VARIABLE_COLUMNS: [(&str, &str, f64); 12] = [
     ("friction", "friction.coefficient", 1.0),
     ("young_modulus_mpa", "wheel.young_modulus", 1e6),
     ("poisson_ratio", "wheel.poisson_ratio", 1.0),
@@ -20,6 +20,7 @@ const VARIABLE_COLUMNS: [(&str, &str, f64); 11] = [
     ("rail_poisson_ratio", "rail.poisson_ratio", 1.0),
     ("normal_model", "normal.model", 0.0),
     ("tangential_model", "tangential.model", 0.0),
+    ("shape_fit", "normal.shape_fit", 0.0),
     ("strips", "normal.strips", 0.0),
     ("elements_along", "tangential.elements_along", 0.0),
     ("bound", "tangential.bound", 0.0),
@@ -141,6 +142,7 @@ impl Case {
             },
             normal_model: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
+            shape_fit: parameters.shape_fit,
             tangential_model: parameters.tangential_model,
             strips: parameters.strips,
             elements_along: parameters.elements_along,

@@ -1,0 +1,189 @@
+//! A loaded zone as it lies on the curved surface of the wheel: creepages and tractions of its strips in their own tangent planes.
+//!
+//! Source: Piotrowski and Kik 2008, section 4, written for the general motion of both bodies. At the point P of the wheel's surface
+//! under the centre of a strip, with the tangent t and the normal n of the surface there, the relative velocity w of the two bodies
+//! gives the strip's own creepages
+//!
+//! ```text
+//! ξ = w_x / V,  η = w · t / V,  φ = (ω - ω_rail) · n / V        w_x = V ξ,  w_t = V (η + φ x) along the strip
+//! ```
+//!
+//! The printed special case is that of a wheel that does not yaw: ξ = 1 - Ω R(η)/V, φ = Ω sin γ/V in the signs used here.
+//! Tractions act along x and t at the place of the strip, so that the power they take from the two bodies is just -∫ traction · slip.
+//! Pressures stay those of the flat normal problem and act along the normal of the contact frame.
+
+use nalgebra::Vector3;
+
+use crate::kinematics::creepage::{Creepage, RelativeMotion};
+use crate::material::MaterialPair;
+use crate::math::room::Room;
+use crate::normal::{Strips, Zone};
+use crate::tangential::rigid_slip::StripSlip;
+use crate::tangential::{CreepForce, RollingState, Tangential};
+
+/// Resultant of the tractions of one zone on the wheel, in the track frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tractions {
+    /// Force [N].
+    pub force: Vector3<f64>,
+    /// Moment about the position of the patch [N m].
+    pub moment: Vector3<f64>,
+    /// Power turned into heat over the reference speed [J/m].
+    pub dissipation: f64,
+    /// Area that slips [m²].
+    pub slip_area: f64,
+}
+
+impl Tractions {
+    /// Those of a flat zone with one creepage.
+    pub fn flat(
+        force: &CreepForce,
+        creepage: &Creepage,
+        lateral: Vector3<f64>,
+        normal: Vector3<f64>,
+    ) -> Self {
+        Self {
+            force: Vector3::x() * force.longitudinal + lateral * force.lateral,
+            moment: normal * force.spin_moment,
+            dissipation: -(force.longitudinal * creepage.longitudinal
+                + force.lateral * creepage.lateral
+                + force.spin_moment * creepage.spin),
+            slip_area: force.slip_area,
+        }
+    }
+}
+
+/// The strips of a zone on the wheel's surface, in the track frame.
+#[derive(Clone, Debug)]
+pub struct CurvedZone {
+    /// Under the centre of each strip, x from the wheel marker [m].
+    points: Room<Vector3<f64>>,
+    tangents: Room<Vector3<f64>>,
+    creepages: Room<Creepage>,
+}
+
+impl CurvedZone {
+    /// Room for a zone of `strips` strips.
+    pub fn with_capacity(strips: usize) -> Self {
+        Self {
+            points: Room::new(strips),
+            tangents: Room::new(strips),
+            creepages: Room::new(strips),
+        }
+    }
+
+    /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted by load.
+    ///
+    /// `surface` gives point and tangent of the wheel at a parameter of the contact line and an x [m].
+    pub fn place(
+        &mut self,
+        zone: &Zone,
+        strips: &Strips,
+        motion: &RelativeMotion,
+        reference_speed: f64,
+        surface: impl Fn(f64, f64) -> [Vector3<f64>; 2],
+    ) -> Creepage {
+        self.points.clear();
+        self.tangents.clear();
+        self.creepages.clear();
+        let (mut mean, mut load) = (Creepage::default(), 0.0);
+        for j in zone.first..zone.first + zone.count {
+            let [point, tangent] = surface(strips.u[j], strips.x[j]);
+            let normal = Vector3::x().cross(&tangent);
+            let creepage = motion.creepage(point, tangent, normal, reference_speed);
+            let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+            load += weight;
+            mean.longitudinal += weight * creepage.longitudinal;
+            mean.lateral += weight * creepage.lateral;
+            mean.spin += weight * creepage.spin;
+            self.points.push(point);
+            self.tangents.push(tangent);
+            self.creepages.push(creepage);
+        }
+        Creepage {
+            longitudinal: mean.longitudinal / load,
+            lateral: mean.lateral / load,
+            spin: mean.spin / load,
+        }
+    }
+
+    /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is nothing to compute.
+    /// `state.creepage` is the mean creepage.
+    pub fn tractions(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        tangential: &Tangential,
+        material: &MaterialPair,
+        state: &RollingState,
+        position: Vector3<f64>,
+    ) -> Option<Tractions> {
+        let slip =
+            StripSlip { first: zone.first, creepages: &self.creepages, mean: state.creepage };
+        if self.creepages.iter().all(Creepage::is_zero) {
+            return None;
+        }
+        let mut total = Tractions::default();
+        let any = tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
+            let i = j - zone.first;
+            let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
+            let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
+            total.force += force;
+            total.moment += (self.points[i] - position).cross(&force)
+                + Vector3::x().cross(&tangent) * strip.moment;
+            total.dissipation -= strip.longitudinal * creepage.longitudinal
+                + strip.lateral * creepage.lateral
+                + strip.moment * creepage.spin;
+            total.slip_area += strip.slip_area;
+        });
+        any.then_some(total)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::motion::{RailMotion, WheelMotion};
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_wheel_that_does_not_yaw_has_the_rigid_slip_of_the_paper() {
+        let (speed, turning, sideways) = (20.0, 43.1, 0.07);
+        let (rolling_radius, angle): (f64, f64) = (0.461, -0.04);
+        let mut wheel = WheelMotion {
+            position: [0.0, 0.75, -0.46],
+            velocity: [speed, sideways, sideways * angle.tan()],
+            pitch_rate: -turning,
+            ..crate::element::Input::default().wheel
+        };
+        let rail = RailMotion::default();
+        let mut strips = Strips::with_capacity(1, 1);
+        let columns = [&mut strips.y, &mut strips.u, &mut strips.x];
+        for column in columns {
+            column.push(0.0);
+        }
+        for column in [&mut strips.width, &mut strips.half_length, &mut strips.pressure] {
+            column.push(1e-3);
+        }
+        let zone = Zone { first: 0, count: 1, ..Zone::default() };
+        let mut curved = CurvedZone::with_capacity(1);
+        let mut creepage = |wheel: &WheelMotion| {
+            let motion = RelativeMotion::new(wheel, &rail, Vector3::new(0.0, 0.76, 0.0));
+            curved.place(&zone, &strips, &motion, speed, |_, x| {
+                let point = Vector3::new(x, 0.755, wheel.position[2] + rolling_radius);
+                [point, Vector3::new(0.0, angle.cos(), angle.sin())]
+            })
+        };
+        let found = creepage(&wheel);
+        let expected = 1.0 - turning * rolling_radius / speed;
+        assert_relative_eq!(found.longitudinal, expected, max_relative = 1e-12);
+        // The wheel moves along the tangent: V_η/cos γ.
+        let expected = sideways / (speed * angle.cos());
+        assert_relative_eq!(found.lateral, expected, max_relative = 1e-12);
+        assert_relative_eq!(found.spin, turning * angle.sin() / speed, max_relative = 1e-12);
+        // Yaw turns the axle: the wheel rolls sideways.
+        wheel.yaw = 1e-3;
+        let along = wheel.yaw.sin() * turning * rolling_radius / (speed * angle.cos());
+        assert_relative_eq!(creepage(&wheel).lateral, expected - along, max_relative = 1e-3);
+    }
+}

@@ -1,0 +1,45 @@
+//! Linear theory on the true patch: full adhesion, no bound.
+//!
+//! Piotrowski and Kik 2008, eqs 19 to 22, integrated over the strips with one flexibility for each creepage. It is what FASTSIM
+//! gives as friction goes to infinity. **There is no saturation**: the force grows with the creepage without end, whatever the
+//! coefficient of friction is. It is for stability analyses around small creepages and for checks, not for wheels that
+//! slip: with half the linear force at the friction limit it is a fifth too large already.
+//!
+//! With t along x from the centre of a strip of half length a, forward rolling
+//!
+//! ```text
+//! p_x = -(a - t) A,  p_y = -((a - t) B + (a² - t²) C/2)           A, B, C: longitudinal, lateral, twist of the growth
+//! F_x = -2 a² A,  F_y = -2 a² B - (2/3) a³ C,  M = ∫ t p_y dt = (2/3) a³ B      for each width
+//! ```
+
+use super::flexibility::ZoneFlexibility;
+use super::rigid_slip::RigidSlip;
+use super::{Rolling, StripForce};
+use crate::normal::{Strips, Zone};
+
+/// Hands the force of each strip of `zone` to `each`.
+pub fn strip_forces(
+    zone: &Zone,
+    strips: &Strips,
+    flexibility: &ZoneFlexibility,
+    slip: &impl RigidSlip,
+    rolling: Rolling,
+    mut each: impl FnMut(usize, StripForce),
+) {
+    for j in zone.first..zone.first + zone.count {
+        let a = strips.half_length[j];
+        let growth = slip.growth(j, flexibility);
+        let square = 2.0 * strips.width[j] * a * a;
+        // Backwards the strip is the same seen in a mirror along x.
+        let cube = rolling.direction() * square * a / 3.0;
+        each(
+            j,
+            StripForce {
+                longitudinal: -square * growth.longitudinal,
+                lateral: -square * growth.lateral - cube * growth.twist,
+                moment: cube * growth.lateral,
+                slip_area: 0.0,
+            },
+        );
+    }
+}

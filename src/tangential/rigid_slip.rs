@@ -1,0 +1,88 @@
+//! Rigid slip of the strips of a zone: what makes tractions grow where the surfaces adhere.
+
+use super::Creepage;
+use super::flexibility::ZoneFlexibility;
+use crate::normal::{Strips, Zone};
+
+/// How fast the traction on the wheel grows along one strip, by the distance s from its leading edge, as long as it adheres:
+///
+/// ```text
+/// dp_x/ds = -longitudinal,  dp_y/ds = -(lateral + twist · t),  t along x from the strip's centre
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Growth {
+    /// [Pa/m].
+    pub longitudinal: f64,
+    /// At the centre of the strip [Pa/m].
+    pub lateral: f64,
+    /// [Pa/m²].
+    pub twist: f64,
+}
+
+/// Rigid slip over the reference speed on all strips of a zone.
+pub trait RigidSlip {
+    /// The creepage of the zone as a whole: its longitudinal and lateral part act through the flexibilities L1 and L2, what
+    /// the strips deviate from it and spin through L3.
+    fn mean(&self) -> Creepage;
+
+    /// Growth of the traction on strip `j`.
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth;
+}
+
+/// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η + φ x.
+#[derive(Clone, Copy, Debug)]
+pub struct FlatSlip<'a> {
+    /// The zone.
+    pub zone: &'a Zone,
+    /// Its strips, and maybe others.
+    pub strips: &'a Strips,
+    /// Creepage at the centroid of the load.
+    pub creepage: Creepage,
+}
+
+impl RigidSlip for FlatSlip<'_> {
+    fn mean(&self) -> Creepage {
+        self.creepage
+    }
+
+    #[inline]
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
+        Growth {
+            longitudinal: longitudinal / flexibility.longitudinal - spin * y / flexibility.spin,
+            lateral: lateral / flexibility.lateral + spin * x / flexibility.spin,
+            twist: spin / flexibility.spin,
+        }
+    }
+}
+
+/// A creepage of its own for each strip, at its centre and in its own tangent plane.
+#[derive(Clone, Copy, Debug)]
+pub struct StripSlip<'a> {
+    /// Index of the first strip of the zone.
+    pub first: usize,
+    /// Creepage of each of its strips.
+    pub creepages: &'a [Creepage],
+    /// Their mean, weighted by load.
+    pub mean: Creepage,
+}
+
+impl RigidSlip for StripSlip<'_> {
+    fn mean(&self) -> Creepage {
+        self.mean
+    }
+
+    #[inline]
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+        let own = &self.creepages[j - self.first];
+        let mean = &self.mean;
+        Growth {
+            longitudinal: mean.longitudinal / flexibility.longitudinal
+                + (own.longitudinal - mean.longitudinal) / flexibility.spin,
+            lateral: mean.lateral / flexibility.lateral
+                + (own.lateral - mean.lateral) / flexibility.spin,
+            twist: own.spin / flexibility.spin,
+        }
+    }
+}
