@@ -7,6 +7,7 @@ pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
+pub mod strips;
 mod zones;
 
 pub use shape_correction::ShapeFit;
@@ -26,6 +27,8 @@ pub enum NormalModel {
     PiotrowskiKik,
     /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
     PiotrowskiKikCorrected,
+    /// The contact condition on every strip, coupled through the half-space: see [`strips`].
+    Strips,
 }
 
 /// One loaded zone: a connected part of the contact area.
@@ -173,7 +176,10 @@ pub fn solve(
             hertz::solve(problem, separation, strips);
             0
         }
-        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected => {
+        // What a solver of strips falls back to.
+        NormalModel::PiotrowskiKik
+        | NormalModel::PiotrowskiKikCorrected
+        | NormalModel::Strips => {
             let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
             piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
         }

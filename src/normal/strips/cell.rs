@@ -19,8 +19,10 @@ pub struct Cell {
     pub joined: bool,
     /// Deepest place and overlap there [m].
     pub deepest: [f64; 2],
-    /// Half-overlap places left and right of it [m].
+    /// Places left and right of it where the overlap is half as much [m].
     pub half: [f64; 2],
+    /// Probes of its interval of overlap, first and last.
+    pub probes: [usize; 2],
     /// Whether a lobe is in it.
     pub active: bool,
     /// Whether the left and the right end of the lobe lie on the ridge.
@@ -31,8 +33,9 @@ pub struct Cell {
     pub shape: [f64; TERMS],
     /// Width with which the lobe began [m].
     pub start_width: f64,
-    /// Pressure ratio with which the lobe begins; zero once it has begun [-].
+    /// Greatest ratio of pressure with which the lobe begins, zero once it has begun [-], and overlap at which it then ends [m].
     pub start_ratio: f64,
+    pub start_level: f64,
     /// Whether the lobe has shrunk to nothing.
     pub vanishing: bool,
     /// How often it has been given up.
@@ -131,7 +134,8 @@ fn interval(
     }
     push(cells, [start, right], peak, false);
     for cell in &mut cells[begin..] {
-        cell.half = half_places(probes, level, cell, [first, last]);
+        cell.probes = [first, last];
+        cell.half = places(probes, level, cell, 0.5);
     }
     next
 }
@@ -141,10 +145,11 @@ fn peak_after(probes: &[Probe], level: f64, i: usize, last: usize, low: f64) -> 
     probes[i..=last].iter().map(|p| level - p.f).take_while(|&g| g > low).fold(0.0, f64::max)
 }
 
-/// Where the overlap is half of the deepest, left and right, from the probes; the bounds where it is nowhere so little.
-fn half_places(probes: &[Probe], level: f64, cell: &Cell, [first, last]: [usize; 2]) -> [f64; 2] {
+/// Where the overlap is `share` of the deepest, left and right, from the probes; the bounds where it is nowhere so little.
+pub fn places(probes: &[Probe], level: f64, cell: &Cell, share: f64) -> [f64; 2] {
     let [deepest, depth] = cell.deepest;
-    let wanted = 0.5 * depth;
+    let [first, last] = cell.probes;
+    let wanted = share * depth;
     let walk = |indices: &mut dyn Iterator<Item = usize>, bound: f64| {
         let mut inside = [deepest, depth];
         for i in indices {

@@ -21,6 +21,9 @@ mod system;
 
 pub use solver::{StripSolver, Work};
 
+use crate::geometry::separation::{Probe, Separation};
+use crate::normal::{NormalProblem, Strips};
+
 /// What is to be known about one place of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinePlace {
@@ -30,6 +33,8 @@ pub struct LinePlace {
     pub dy: f64,
     /// Overlap of the undeformed bodies along their common normal, negative where they are apart [m].
     pub overlap: f64,
+    /// Derivative of the overlap by the parameter of the line [-].
+    pub overlap_slope: f64,
     /// Place along the track [m].
     pub x: f64,
     /// Angle of the normal about x [rad].
@@ -42,4 +47,39 @@ pub struct LinePlace {
 pub trait Line {
     /// At parameter `u` [m].
     fn place(&mut self, u: f64) -> LinePlace;
+}
+
+/// The separation in one contact frame as a line: all normals are parallel.
+struct FrameLine<'a, S> {
+    separation: &'a mut S,
+    approach: f64,
+    radius: f64,
+}
+
+impl<S: Separation> Line for FrameLine<'_, S> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let (at, slope) = self.separation.with_slope(u);
+        LinePlace {
+            y: at.y,
+            dy: at.dy,
+            overlap: self.approach - at.f,
+            overlap_slope: -slope,
+            x: at.x,
+            angle: 0.0,
+            radius: self.radius,
+        }
+    }
+}
+
+/// Solves for the zones of one contact frame; false where no solution was found, `strips` is then as before.
+pub fn solve_in_frame(
+    solver: &mut StripSolver,
+    problem: &NormalProblem,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    strips: &mut Strips,
+) -> bool {
+    let (approach, radius) = (problem.approach, problem.radius);
+    let mut line = FrameLine { separation, approach, radius };
+    solver.solve(&mut line, probes, approach, problem.contact_modulus, strips)
 }

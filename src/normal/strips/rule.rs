@@ -7,14 +7,16 @@ use crate::math::quadrature::GaussLegendre;
 /// Quadrature, extrapolation and differentiation on the nodes of a lobe.
 #[derive(Clone, Debug)]
 pub struct LobeRule {
-    /// Gauss-Legendre nodes and weights.
-    pub gauss: GaussLegendre,
+    /// Nodes t = sin(π s/2) and weights: Gauss-Legendre in s, in which the root at an edge is smooth.
+    pub nodes: Vec<f64>,
+    /// Weights, with dt/ds in them.
+    pub weights: Vec<f64>,
     /// Terms of the shape, as many as the nodes carry.
     pub terms: usize,
     /// See [`logarithm_corrections`].
     pub corrections: Vec<f64>,
-    /// Values of the outermost node from the next three.
-    pub extrapolation: [f64; 3],
+    /// Values of the two outermost nodes from the next three.
+    pub extrapolation: [[f64; 3]; 2],
     /// Legendre polynomials at the nodes.
     pub legendre: Vec<Vec<f64>>,
     /// Weights of the curvature equations, those of the load of an ellipse; they sum to one.
@@ -26,11 +28,23 @@ pub struct LobeRule {
 }
 
 impl LobeRule {
-    /// A rule of `count` ≥ 4 nodes.
+    /// A rule of `count` ≥ 5 nodes.
     #[must_use]
     pub fn new(count: usize) -> Self {
         let gauss = GaussLegendre::new(count);
-        let t = &gauss.nodes;
+        let angle = |s: &f64| std::f64::consts::FRAC_PI_2 * s;
+        let rate: Vec<f64> =
+            gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
+        let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
+        let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
+        let mut corrections = logarithm_corrections(&gauss);
+        let mut derivative = differentiation(&gauss);
+        for i in 0..count {
+            for j in 0..count {
+                corrections[i * count + j] *= rate[j];
+                derivative[i * count + j] /= rate[i];
+            }
+        }
         let terms = TERMS.min(count - 3);
         let legendre: Vec<Vec<f64>> = (0..terms)
             .map(|l| {
@@ -44,32 +58,35 @@ impl LobeRule {
                     .collect()
             })
             .collect();
-        let near = [t[1], t[2], t[3]];
-        let extrapolation = std::array::from_fn(|k| {
-            (0..3).filter(|&l| l != k).map(|l| (t[0] - near[l]) / (near[k] - near[l])).product()
-        });
+        let near = [t[2], t[3], t[4]];
+        let lagrange = |x: f64, k: usize| -> f64 {
+            (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
+        };
+        let extrapolation =
+            [0, 1].map(|outer| std::array::from_fn(|k| lagrange(t[outer], k)));
         let moment_weights =
-            t.iter().zip(&gauss.weights).map(|(t, w)| 0.75 * w * (1.0 - t * t)).collect();
+            t.iter().zip(&weights).map(|(t, w)| 0.75 * w * (1.0 - t * t)).collect();
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
         Self {
             terms,
-            corrections: logarithm_corrections(&gauss),
+            corrections,
             extrapolation,
             legendre,
             moment_weights,
             travel,
-            derivative: differentiation(&gauss),
-            gauss,
+            derivative,
+            nodes: t,
+            weights,
         }
     }
 
     /// Number of nodes.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.gauss.nodes.len()
+        self.nodes.len()
     }
 }
 
@@ -97,15 +114,15 @@ mod tests {
 
     #[test]
     fn cubics_are_differentiated_and_parabolas_extrapolated() {
-        let rule = LobeRule::new(7);
-        let t = &rule.gauss.nodes;
-        for i in 0..7 {
-            let slope: f64 = (0..7).map(|j| rule.derivative[i * 7 + j] * t[j].powi(3)).sum();
-            approx::assert_relative_eq!(slope, 3.0 * t[i] * t[i], epsilon = 1e-12);
+        let rule = LobeRule::new(12);
+        let t = &rule.nodes;
+        for i in 0..12 {
+            let slope: f64 = (0..12).map(|j| rule.derivative[i * 12 + j] * t[j].powi(3)).sum();
+            approx::assert_relative_eq!(slope, 3.0 * t[i] * t[i], epsilon = 3e-2);
         }
-        let outer: f64 = (0..3).map(|k| rule.extrapolation[k] * t[k + 1] * t[k + 1]).sum();
+        let outer: f64 = (0..3).map(|k| rule.extrapolation[0][k] * t[k + 2] * t[k + 2]).sum();
         approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
         let sum: f64 = rule.moment_weights.iter().sum();
-        approx::assert_relative_eq!(sum, 1.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(sum, 1.0, max_relative = 1e-4);
     }
 }

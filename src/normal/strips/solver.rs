@@ -38,7 +38,7 @@ pub struct Work {
 }
 
 /// Solver with its tables and scratch memory; it keeps no result.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct StripSolver {
     rule: LobeRule,
     integrals: Integrals,
@@ -48,6 +48,13 @@ pub struct StripSolver {
     matrices: Matrices,
     /// Work so far.
     pub work: Work,
+}
+
+impl Clone for StripSolver {
+    /// A solver of its own with as much room; nothing else is kept from one problem to the next.
+    fn clone(&self) -> Self {
+        Self { work: self.work, ..Self::new(self.rule.count()) }
+    }
 }
 
 impl StripSolver {
@@ -81,7 +88,7 @@ impl StripSolver {
     ) -> bool {
         cell::fill(probes, level, 0.05, &mut self.cells);
         self.work.solved += 1;
-        if self.settle(line) {
+        if self.settle(line, (probes, level)) {
             self.emit(line, contact_modulus, strips);
             return true;
         }
@@ -90,8 +97,8 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells.
-    fn settle(&mut self, line: &mut impl Line) -> bool {
-        self.begin(line);
+    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
+        self.begin(line, overlap);
         for _ in 0..MOST_CHANGES {
             if !self.lobes.is_empty() && !self.newton(line) {
                 // A cell that lost its lobe on the way: go on without.
@@ -100,7 +107,7 @@ impl StripSolver {
                 }
                 continue;
             }
-            if !self.revise(line) {
+            if !self.revise(line, overlap) {
                 return true;
             }
         }
@@ -108,7 +115,7 @@ impl StripSolver {
     }
 
     /// Starts a lobe in every cell that is deep enough beside its neighbours.
-    fn begin(&mut self, line: &mut impl Line) {
+    fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) {
         self.lobes.clear();
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
@@ -120,14 +127,20 @@ impl StripSolver {
                 0.0
             };
             if depth > 0.4 * before.max(after) {
-                self.start_lobe(line, i, depth);
+                self.start_lobe(line, overlap, i, depth);
             }
         }
         self.gather();
     }
 
     /// A first guess for the lobe of cell `i` from the ellipse of the approach `depth` [m] at its deepest place.
-    fn start_lobe(&mut self, line: &mut impl Line, i: usize, depth: f64) {
+    fn start_lobe(
+        &mut self,
+        line: &mut impl Line,
+        (probes, level): (&[Probe], f64),
+        i: usize,
+        depth: f64,
+    ) {
         if self.cells.iter().filter(|c| c.active).count() >= MOST_LOBES {
             return;
         }
@@ -138,12 +151,15 @@ impl StripSolver {
         // Curvature of the parabola as wide at half of the depth; what is shallower is narrower.
         let across = (2.0 * cell.deepest[1] / (width * width)).clamp(1e-4 * along, 1e6 * along);
         let ellipse = hertz::ellipse(along, across, depth, 1.0);
-        let stretch = 2.0 * ellipse.semi_axis_across / width;
-        let middle = cell.deepest[0];
-        let end = |side: usize| {
-            (middle + stretch * (cell.half[side] - middle)).clamp(cell.bounds[0], cell.bounds[1])
-        };
-        cell.edges = [end(0), end(1)];
+        // The ellipse ends where the separation has used up this share of the approach.
+        let used = (across * ellipse.semi_axis_across * ellipse.semi_axis_across / depth).min(0.95);
+        let left = (1.0 - used * depth / cell.deepest[1]).clamp(0.05, 0.999_999);
+        let places = cell::places(probes, level, cell, left);
+        cell.edges = [
+            places[0].clamp(cell.bounds[0], cell.deepest[0]),
+            places[1].clamp(cell.deepest[0], cell.bounds[1]),
+        ];
+        cell.start_level = left * cell.deepest[1];
         cell.active = true;
         cell.pinned = [false; 2];
         cell.start_width = cell.edges[1] - cell.edges[0];
@@ -169,15 +185,13 @@ impl StripSolver {
                     kept.extend_from_slice(&self.nodes.ratio[old.first..old.first + n]);
                 }
                 None => {
-                    let ratio = self.cells[i].start_ratio;
-                    kept.extend(std::iter::repeat_n(ratio, n));
+                    kept.extend(std::iter::repeat_n(f64::NAN, n));
                 }
             }
         }
         self.lobes.clear();
         for i in 0..self.cells.len() {
             if self.cells[i].active {
-                self.cells[i].start_ratio = 0.0;
                 let first = self.lobes.len() * n;
                 self.lobes.push(Lobe { cell: i, first, edge_y: [0.0; 2], edge_dy: [0.0; 2] });
             }
@@ -203,9 +217,9 @@ impl StripSolver {
             }
             let nodes = &mut self.nodes;
             for t in 0..n {
-                let (i, abscissa) = (first + t, self.rule.gauss.nodes[t]);
+                let (i, abscissa) = (first + t, self.rule.nodes[t]);
                 let u = middle + half * abscissa;
-                let LinePlace { y, dy, overlap, x, angle, radius } = line.place(u);
+                let LinePlace { y, dy, overlap, overlap_slope, x, angle, radius } = line.place(u);
                 nodes.u[i] = u;
                 nodes.y[i] = y;
                 nodes.dy[i] = dy;
@@ -213,12 +227,18 @@ impl StripSolver {
                 let (sin, cos) = angle.sin_cos();
                 nodes.normal[i] = [cos, sin];
                 nodes.overlap[i] = overlap;
+                nodes.overlap_slope[i] = overlap_slope;
                 nodes.radius[i] = radius;
-                nodes.width[i] = half * self.rule.gauss.weights[t] * dy;
+                nodes.width[i] = half * self.rule.weights[t] * dy;
                 nodes.lobe[i] = number;
                 let free = |pinned: bool, distance: f64| if pinned { 1.0 } else { distance.sqrt() };
                 nodes.edge_shape[i] =
                     free(cell.pinned[0], 1.0 + abscissa) * free(cell.pinned[1], 1.0 - abscissa);
+                if cell.start_ratio > 0.0 {
+                    let span = cell.deepest[1] - cell.start_level;
+                    let share = ((overlap - cell.start_level) / span).clamp(0.01, 1.0);
+                    nodes.ratio[i] = cell.start_ratio * share.sqrt() / nodes.edge_shape[i].max(0.05);
+                }
                 let exponent: f64 =
                     (0..self.rule.terms).map(|l| cell.shape[l] * self.rule.legendre[l][t]).sum();
                 nodes.pressure[i] = nodes.ratio[i].max(0.0) * nodes.edge_shape[i];
@@ -226,13 +246,13 @@ impl StripSolver {
                 nodes.half_length[i] = (nodes.pressure[i] * per_pressure).max(1e-12 * half);
                 skewed |= (x - nodes.x[0]).abs() > 0.0;
             }
+            self.cells[self.lobes[number].cell].start_ratio = 0.0;
             for t in 0..n {
                 let i = first + t;
                 let row = &self.rule.derivative[t * n..(t + 1) * n];
                 let slope = |values: &[f64]| -> f64 {
                     row.iter().zip(values).map(|(d, v)| d * v).sum::<f64>() / half
                 };
-                nodes.overlap_slope[i] = slope(&nodes.overlap[first..first + n]);
                 let slant = slope(&nodes.x[first..first + n]) / nodes.dy[i];
                 nodes.slant[i] = (1.0 + slant * slant).sqrt();
             }
@@ -271,6 +291,9 @@ impl StripSolver {
                 return false;
             }
             let (share, change) = self.step_share(scale);
+            if std::env::var("DBG").is_ok() {
+                eprintln!("step share {share:.3} change {change:.2e} lobes {:?}", self.lobes.iter().map(|l| { let c=&self.cells[l.cell]; (l.cell, c.edges.map(|e| (1e6*e).round()/1e3), c.pinned, c.shape.map(|s| (1e3*s).round()/1e3)) }).collect::<Vec<_>>());
+            }
             self.advance(share);
             if share >= 1.0 && change < LAST_STEP {
                 self.place_nodes(line);
@@ -293,11 +316,7 @@ impl StripSolver {
             let cell = &self.cells[lobe.cell];
             let width = cell.edges[1] - cell.edges[0];
             for t in 0..n {
-                let ratio = self.nodes.ratio[lobe.first + t];
                 change = change.max(step[t].abs() / scale);
-                if ratio > 0.0 && step[t] < 0.0 {
-                    share = share.min(MOST_DROP * ratio / -step[t]);
-                }
             }
             for side in 0..2 {
                 let moved = step[n + side].abs() / width;
@@ -321,7 +340,10 @@ impl StripSolver {
             let step = &self.matrices.right[number * block..(number + 1) * block];
             let cell = &mut self.cells[cell];
             for t in 0..n {
-                self.nodes.ratio[first + t] += share * step[t];
+                let ratio = &mut self.nodes.ratio[first + t];
+                // A node is not emptied at once: its edge may be on the way.
+                let least = if *ratio > 0.0 { (1.0 - MOST_DROP) * *ratio } else { f64::NEG_INFINITY };
+                *ratio = (*ratio + share * step[t]).max(least);
             }
             for l in 0..self.rule.terms {
                 cell.shape[l] += share * step[n + 2 + l];
@@ -337,7 +359,7 @@ impl StripSolver {
                     cell.edges[side] = cell.bounds[side];
                     cell.pinned[side] = true;
                     for t in 0..n {
-                        let a = self.rule.gauss.nodes[t];
+                        let a = self.rule.nodes[t];
                         let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
                         self.nodes.ratio[first + t] *= distance.sqrt();
                     }
@@ -375,7 +397,7 @@ impl StripSolver {
 
     /// Looks at a converged set of lobes: ends that left their ridge, lobes without load, cells that overlap without one. Whether
     /// anything changed.
-    fn revise(&mut self, line: &mut impl Line) -> bool {
+    fn revise(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
         let n = self.rule.count();
         let mut changed = false;
         for number in 0..self.lobes.len() {
@@ -395,7 +417,7 @@ impl StripSolver {
                     let inwards = 0.1 * (cell.edges[1] - cell.edges[0]);
                     cell.edges[side] += if side == 0 { inwards } else { -inwards };
                     for t in 0..n {
-                        let a = self.rule.gauss.nodes[t];
+                        let a = self.rule.nodes[t];
                         let distance: f64 = if side == 0 { 1.0 + a } else { 1.0 - a };
                         let ratio = self.nodes.ratio[first + t].max(0.0);
                         self.nodes.ratio[first + t] = ratio / distance.sqrt();
@@ -411,7 +433,7 @@ impl StripSolver {
             let place = line.place(self.cells[i].deepest[0]);
             let excess = place.overlap - self.displacement(&place);
             if excess > 1e-6 * self.cells[i].deepest[1] {
-                self.start_lobe(line, i, excess);
+                self.start_lobe(line, overlap, i, excess);
                 changed |= self.cells[i].active;
             }
         }

@@ -423,11 +423,18 @@ impl Assembly<'_> {
                 continue;
             }
             let place = |k: usize| if side == 0 { k } else { n - 1 - k };
-            let coefficients = [1.0, -rule.extrapolation[0], -rule.extrapolation[1], -rule.extrapolation[2]];
-            for (k, c) in coefficients.iter().enumerate() {
-                let at = place(k);
-                m.newton[row * unknowns + begin + at] = c / self.scale;
-                m.right[row] -= c * nodes.ratio[first + at] / self.scale;
+            // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
+            // the condition of the second one finds the edge.
+            let outermost = begin + place(0);
+            m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
+            m.right[outermost] = 0.0;
+            for (k, row) in [row, outermost].into_iter().enumerate() {
+                let e = &rule.extrapolation[k];
+                for (c, from) in [(1.0, k), (-e[0], 2), (-e[1], 3), (-e[2], 4)] {
+                    let at = place(from);
+                    m.newton[row * unknowns + begin + at] = c / self.scale;
+                    m.right[row] -= c * nodes.ratio[first + at] / self.scale;
+                }
             }
         }
         for term in 1..rule.terms {
