@@ -145,7 +145,9 @@ impl ContactForces<'_> {
     /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in
     /// the track frame.
     fn surface(&self, u: f64, x: f64) -> [Vector3<f64>; 2] {
-        let at = self.line.at(u);
+        // A Hertzian ellipse can be wider than the wheel.
+        let [start, end] = self.line.range();
+        let at = self.line.at(u.clamp(start, end));
         let point = self.frame.marker + self.frame.direction(at.point) + Vector3::x() * x;
         [point, self.frame.direction(at.tangent).normalize()]
     }

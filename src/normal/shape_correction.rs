@@ -89,6 +89,9 @@ pub fn apply(
     shortening
 }
 
+/// Least derivative of y along the line that is believed in: zones some nanometres wide have no better one than rounding.
+const LEAST_SLOPE: f64 = 0.1;
+
 /// Moves the strips of a zone from y to y + (`stretch` - 1)(y + `offset`) and shortens them as much as they get wider.
 fn stretch_zone(
     index: usize,
@@ -105,7 +108,7 @@ fn stretch_zone(
         let j = first + i;
         let shift = (stretch - 1.0) * (strips.y[j] + offset);
         // Along the tangent: what is left is half the curvature times the square of the shift.
-        let dy = strips.width[j] / (half_range * rule.weights[i]);
+        let dy = (strips.width[j] / (half_range * rule.weights[i])).max(LEAST_SLOPE);
         strips.u[j] += shift / dy;
         strips.x[j] = separation.along(strips.u[j]);
         strips.y[j] += shift;
