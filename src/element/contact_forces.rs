@@ -31,6 +31,8 @@ pub struct ContactForces<'a> {
     pub rail: &'a PlacedRail,
     /// The contact.
     pub contact: Contact,
+    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
+    pub damped_with: Option<[f64; 2]>,
 }
 
 impl ContactForces<'_> {
@@ -52,10 +54,10 @@ impl ContactForces<'_> {
         let normal = self.frame.direction(self.contact.normal());
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
         let touch = self.track_point(self.line.at(self.contact.u).x, 0.0, self.contact.penetration);
-        let load = models.strips.load();
+        let [load, penetration] =
+            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let closing_speed = motion.closing_velocity(touch).dot(&normal);
-        let damped =
-            damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         let load_factor = if load > 0.0 { damped / load } else { 0.0 };
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];

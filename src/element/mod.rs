@@ -9,6 +9,7 @@ pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+mod strip_contact;
 
 pub use evaluate::{Element, Work};
 pub use input::Input;

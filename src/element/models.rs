@@ -7,6 +7,7 @@ use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
+use crate::normal::strips::StripSolver;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
@@ -38,6 +39,9 @@ pub struct Models {
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
     pub strips: Strips,
+    /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
+    pub strip_solver: Option<StripSolver>,
+    pub rail_strips: Strips,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch>,
 }
@@ -54,6 +58,7 @@ impl Models {
             young_modulus: parameters.rail_young_modulus,
             poisson_ratio: parameters.rail_poisson_ratio,
         };
+        let is_strips = parameters.normal_model == NormalModel::Strips;
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -71,6 +76,11 @@ impl Models {
             material: MaterialPair::new(wheel, rail),
             rule: GaussLegendre::new(parameters.strips),
             strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
+            strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
+            rail_strips: Strips::with_capacity(
+                if is_strips { MOST_ZONES } else { 0 },
+                parameters.strips,
+            ),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
         }
     }

@@ -7,12 +7,14 @@ use super::models::Models;
 use super::output::Output;
 use super::parameters::Parameters;
 use super::rail_frame::RailFrame;
+use super::strip_contact;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::Profile;
+use crate::geometry::separation::Probe;
 use crate::math::room::Room;
 use crate::normal::{self, NormalProblem};
 
@@ -26,6 +28,8 @@ pub struct RailContact {
     /// Stretches of the contact line that may touch.
     ranges: Room<[f64; 2]>,
     search: ContactSearch,
+    /// Distance of the contact line from the rail over all contacts.
+    probes: Room<Probe>,
 }
 
 /// Most stretches of a contact line that are searched apart from each other.
@@ -40,6 +44,7 @@ impl RailContact {
             clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
             ranges: Room::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
+            probes: Room::new(MOST_PROBES),
             wheel: wheel.clone(),
             nominal_radius,
             rail,
@@ -86,6 +91,27 @@ impl RailContact {
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;
+        let forces = |contact, damped_with| ContactForces {
+            k,
+            input,
+            frame,
+            line,
+            rail: &self.rail,
+            contact,
+            damped_with,
+        };
+        if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
+            if strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models) {
+                let whole = strip_contact::whole(models, &self.search);
+                for zone in 0..models.rail_strips.zones.len() {
+                    let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
+                    let mut separation = LineSeparation::new(&line, &self.rail, contact);
+                    forces(contact, Some(whole)).add(&mut separation, models, output, work);
+                }
+                return left_out;
+            }
+            left_out += 1;
+        }
         for index in 0..self.search.contacts.len() {
             let contact = self.search.contacts[index];
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
@@ -108,8 +134,7 @@ impl RailContact {
                 &self.search.probes[contact.probes[0]..contact.probes[1]],
                 &mut models.strips,
             ) as u64;
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact };
-            forces.add(&mut separation, models, output, work);
+            forces(contact, None).add(&mut separation, models, output, work);
         }
         left_out
     }

@@ -85,14 +85,9 @@ fn interval(
     cells: &mut Room<Cell>,
 ) -> f64 {
     let at = |i: usize| Extremum { u: probes[i].u, overlap: level - probes[i].f };
-    // Where f crosses the level between two probes, close enough for a bound: nothing is loaded there.
-    let crossing = |inside: usize, outside: usize| {
-        let (a, b) = (at(inside), at(outside));
-        let share = if b.overlap.is_finite() { a.overlap / (a.overlap - b.overlap) } else { 0.5 };
-        a.u + share * (b.u - a.u)
-    };
-    let left = if first > 0 { crossing(first, first - 1) } else { probes[first].u };
-    let right = if last + 1 < probes.len() { crossing(last, last + 1) } else { probes[last].u };
+    // Nothing is loaded where the bodies are apart: a bound a little beyond the crossing does no harm.
+    let left = probes[first.saturating_sub(1)].u;
+    let right = probes[(last + 1).min(probes.len() - 1)].u;
     let mut next = f64::INFINITY;
     let begin = cells.len();
     // Peaks and ridges in turn; a ridge is kept when both sides of it rise enough.
@@ -189,7 +184,7 @@ mod tests {
         let next = fill(&probes(|u| u * u), 4e-6, 0.1, &mut cells);
         assert!(next.is_infinite() && cells.len() == 1);
         let cell = cells[0];
-        approx::assert_relative_eq!(cell.bounds[1], 2e-3, max_relative = 1e-9);
+        assert!(cell.bounds[1] >= 2e-3 && cell.bounds[1] < 2.2e-3);
         approx::assert_relative_eq!(cell.half[0], -(2e-6f64.sqrt()), max_relative = 1e-3);
     }
 

@@ -37,8 +37,8 @@ pub struct LinePlace {
     pub overlap_slope: f64,
     /// Place along the track [m].
     pub x: f64,
-    /// Angle of the normal about x [rad].
-    pub angle: f64,
+    /// Unit tangent (y, z) of the surface across, which turns with the normal.
+    pub tangent: [f64; 2],
     /// Radius of the normal section of the wheel along x, > 0 [m].
     pub radius: f64,
 }
@@ -65,7 +65,7 @@ impl<S: Separation> Line for FrameLine<'_, S> {
             overlap: self.approach - at.f,
             overlap_slope: -slope,
             x: at.x,
-            angle: 0.0,
+            tangent: [1.0, 0.0],
             radius: self.radius,
         }
     }

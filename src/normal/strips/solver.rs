@@ -219,13 +219,12 @@ impl StripSolver {
             for t in 0..n {
                 let (i, abscissa) = (first + t, self.rule.nodes[t]);
                 let u = middle + half * abscissa;
-                let LinePlace { y, dy, overlap, overlap_slope, x, angle, radius } = line.place(u);
+                let LinePlace { y, dy, overlap, overlap_slope, x, tangent, radius } = line.place(u);
                 nodes.u[i] = u;
                 nodes.y[i] = y;
                 nodes.dy[i] = dy;
                 nodes.x[i] = x;
-                let (sin, cos) = angle.sin_cos();
-                nodes.normal[i] = [cos, sin];
+                nodes.tangent[i] = tangent;
                 nodes.overlap[i] = overlap;
                 nodes.overlap_slope[i] = overlap_slope;
                 nodes.radius[i] = radius;
@@ -447,9 +446,9 @@ impl StripSolver {
     fn displacement(&self, place: &LinePlace) -> f64 {
         let mut sum = 0.0;
         let nodes = &self.nodes;
-        let (sin, cos) = place.angle.sin_cos();
+        let [cos, sin] = place.tangent;
         for j in 0..nodes.y.len() {
-            let cosine = (cos * nodes.normal[j][0] + sin * nodes.normal[j][1]).max(0.0);
+            let cosine = (cos * nodes.tangent[j][0] + sin * nodes.tangent[j][1]).max(0.0);
             let a = nodes.half_length[j];
             let sigma = (place.y - nodes.y[j]).hypot(place.x - nodes.x[j]) / a;
             let [_, _, d] = self.integrals.at(sigma.max(1e-6));

@@ -25,8 +25,8 @@ pub struct Nodes {
     pub dy: Vec<f64>,
     /// Place along x [m].
     pub x: Vec<f64>,
-    /// Cosine and sine of the angle of the normal.
-    pub normal: Vec<[f64; 2]>,
+    /// Unit tangent across.
+    pub tangent: Vec<[f64; 2]>,
     /// Overlap and its derivative by u.
     pub overlap: Vec<f64>,
     pub overlap_slope: Vec<f64>,
@@ -59,7 +59,7 @@ impl Nodes {
             y: column(),
             dy: column(),
             x: column(),
-            normal: Vec::with_capacity(count),
+            tangent: Vec::with_capacity(count),
             overlap: column(),
             overlap_slope: column(),
             radius: column(),
@@ -93,7 +93,7 @@ impl Nodes {
         ] {
             column.resize(count, 0.0);
         }
-        self.normal.resize(count, [1.0, 0.0]);
+        self.tangent.resize(count, [1.0, 0.0]);
         self.lobe.resize(count, 0);
     }
 }
@@ -221,11 +221,11 @@ impl Assembly<'_> {
         let (own_d, own_slope) = (&m.own_d[pairs.clone()], &m.own_slope[pairs]);
         let (y, x, q_i, a_i) = (nodes.y[i], nodes.x[i], nodes.pressure[i], nodes.half_length[i]);
         let slant = nodes.slant[i];
-        let [cos_i, sin_i] = nodes.normal[i];
+        let [cos_i, sin_i] = nodes.tangent[i];
         let (mut u, mut curvature) = (0.0, 0.0);
         // All other strips.
         for j in 0..count {
-            let cosine = (cos_i * nodes.normal[j][0] + sin_i * nodes.normal[j][1]).max(0.0);
+            let cosine = (cos_i * nodes.tangent[j][0] + sin_i * nodes.tangent[j][1]).max(0.0);
             let w = nodes.width[j] * cosine;
             let (a, q) = (nodes.half_length[j], nodes.pressure[j]);
             let (dy, dx) = (y - nodes.y[j], x - nodes.x[j]);
