@@ -17,6 +17,9 @@ pub struct Cell {
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
+    /// Whether its bounds are ridges, and how often an edge came to them.
+    pub at_ridge: [bool; 2],
+    pub hits: [u8; 2],
     /// Deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Places left and right of it where the overlap is half as much [m].

@@ -18,11 +18,15 @@ const MOST_LOBES: usize = 6;
 /// Most Newton steps for one set of lobes, and most changes of that set.
 const MOST_STEPS: usize = 60;
 const MOST_CHANGES: usize = 16;
-/// Last Newton step, relative: convergence is quadratic but for small terms, so that what is left is far less.
-const LAST_STEP: f64 = 1e-9;
+/// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square.
+const LAST_STEP: f64 = 3e-6;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
+/// How often an edge may come to a ridge before it stays there: it may have been on the way to elsewhere.
+const MOST_HITS: u8 = 2;
+/// Starts: approach over the overlap, and share of the Newton step.
+const STARTS: [[f64; 2]; 3] = [[1.0, 1.0], [0.7, 0.6], [0.45, 0.4]];
 /// Greatest change of a shape term in one step.
 const MOST_SHAPE_STEP: f64 = 0.6;
 
@@ -46,6 +50,8 @@ pub struct StripSolver {
     lobes: Room<Lobe>,
     nodes: Nodes,
     matrices: Matrices,
+    /// Share of the Newton step that is taken far from the solution.
+    caution: f64,
     /// Work so far.
     pub work: Work,
 }
@@ -71,6 +77,7 @@ impl StripSolver {
             lobes: Room::new(MOST_LOBES),
             nodes: Nodes::with_capacity(nodes),
             matrices: Matrices::new(nodes, unknowns),
+            caution: 1.0,
             work: Work::default(),
         }
     }
@@ -86,19 +93,27 @@ impl StripSolver {
         contact_modulus: f64,
         strips: &mut Strips,
     ) -> bool {
-        cell::fill(probes, level, 0.05, &mut self.cells);
         self.work.solved += 1;
-        if self.settle(line, (probes, level)) {
-            self.emit(line, contact_modulus, strips);
-            return true;
+        for [approach, caution] in STARTS {
+            cell::fill(probes, level, 0.05, &mut self.cells);
+            self.caution = caution;
+            if self.settle(line, (probes, level), approach) {
+                self.emit(contact_modulus, strips);
+                return true;
+            }
         }
         self.work.failed += 1;
         false
     }
 
     /// Finds the lobes of all cells.
-    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
-        self.begin(line, overlap);
+    fn settle(
+        &mut self,
+        line: &mut impl Line,
+        overlap: (&[Probe], f64),
+        approach: f64,
+    ) -> bool {
+        self.begin(line, overlap, approach);
         for _ in 0..MOST_CHANGES {
             if !self.lobes.is_empty() && !self.newton(line) {
                 // A cell that lost its lobe on the way: go on without.
@@ -115,7 +130,7 @@ impl StripSolver {
     }
 
     /// Starts a lobe in every cell that is deep enough beside its neighbours.
-    fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) {
+    fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) {
         self.lobes.clear();
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
@@ -127,7 +142,14 @@ impl StripSolver {
                 0.0
             };
             if depth > 0.4 * before.max(after) {
-                self.start_lobe(line, overlap, i, depth);
+                self.start_lobe(line, overlap, i, approach * depth);
+            }
+        }
+        for i in 0..self.cells.len() {
+            let joined = self.cells[i].joined && i + 1 < self.cells.len();
+            self.cells[i].at_ridge[1] = joined;
+            if joined {
+                self.cells[i + 1].at_ridge[0] = true;
             }
         }
         self.gather();
@@ -290,10 +312,8 @@ impl StripSolver {
                 return false;
             }
             let (share, change) = self.step_share(scale);
-            if std::env::var("DBG").is_ok() {
-                eprintln!("step share {share:.3} change {change:.2e} lobes {:?}", self.lobes.iter().map(|l| { let c=&self.cells[l.cell]; (l.cell, c.edges.map(|e| (1e6*e).round()/1e3), c.pinned, c.shape.map(|s| (1e3*s).round()/1e3)) }).collect::<Vec<_>>());
-            }
-            self.advance(share);
+            let caution = if change < 0.03 { 1.0 } else { self.caution };
+            self.advance(share * caution, scale);
             if share >= 1.0 && change < LAST_STEP {
                 self.place_nodes(line);
                 return true;
@@ -331,7 +351,7 @@ impl StripSolver {
     }
 
     /// Takes `share` of the Newton step; edges that come to a ridge stay there.
-    fn advance(&mut self, share: f64) {
+    fn advance(&mut self, share: f64, scale: f64) {
         let n = self.rule.count();
         let block = n + 2 + self.rule.terms;
         for number in 0..self.lobes.len() {
@@ -342,7 +362,7 @@ impl StripSolver {
                 let ratio = &mut self.nodes.ratio[first + t];
                 // A node is not emptied at once: its edge may be on the way.
                 let least = if *ratio > 0.0 { (1.0 - MOST_DROP) * *ratio } else { f64::NEG_INFINITY };
-                *ratio = (*ratio + share * step[t]).max(least);
+                *ratio = (*ratio + share * step[t]).clamp(least, 3.0 * ratio.abs() + scale);
             }
             for l in 0..self.rule.terms {
                 cell.shape[l] += share * step[n + 2 + l];
@@ -352,7 +372,13 @@ impl StripSolver {
                     continue;
                 }
                 let edge = cell.edges[side] + share * step[n + side];
-                let beyond = if side == 0 { edge <= cell.bounds[0] } else { edge >= cell.bounds[1] };
+                let bound = cell.bounds[side];
+                let beyond = if side == 0 { edge <= bound } else { edge >= bound };
+                if beyond && !(cell.at_ridge[side] && cell.hits[side] >= MOST_HITS) {
+                    cell.edges[side] = 0.5 * (cell.edges[side] + bound);
+                    cell.hits[side] += 1;
+                    continue;
+                }
                 cell.edges[side] = edge;
                 if beyond {
                     cell.edges[side] = cell.bounds[side];
@@ -458,7 +484,7 @@ impl StripSolver {
     }
 
     /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
-    fn emit(&mut self, line: &mut impl Line, contact_modulus: f64, strips: &mut Strips) {
+    fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
         let n = self.rule.count();
         let mut number = 0;
         while number < self.lobes.len() {
@@ -498,6 +524,5 @@ impl StripSolver {
             strips.summarise(&mut zone);
             strips.zones.push(zone);
         }
-        let _ = line;
     }
 }
