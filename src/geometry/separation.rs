@@ -27,7 +27,6 @@ pub trait Separation {
         (self.at(u), (after - before) / (2.0 * step))
     }
 
-
     /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
     fn along(&mut self, u: f64) -> f64 {
         self.at(u).x

@@ -177,9 +177,7 @@ pub fn solve(
             0
         }
         // What a solver of strips falls back to.
-        NormalModel::PiotrowskiKik
-        | NormalModel::PiotrowskiKikCorrected
-        | NormalModel::Strips => {
+        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected | NormalModel::Strips => {
             let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
             piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
         }

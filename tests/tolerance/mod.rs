@@ -165,3 +165,13 @@ pub const YAWED_PLACE: f64 = 1e-4;
 
 /// Curvature along the rail of a yawed wheel against its surface, relative.
 pub const SECTION_CURVATURE: f64 = 4e-3;
+
+/// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
+/// worst.
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.1], [0.3, 1.5], [1.0, 2.0]];
+
+/// The same on the four cases of two regions, worst.
+pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.6, 1.5, 2.0];
+
+/// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
+pub const STRIPS_HERTZ: f64 = 2e-3;

@@ -30,6 +30,11 @@ pub struct Cell {
     pub active: bool,
     /// Whether the left and the right end of the lobe lie on the ridge.
     pub pinned: [bool; 2],
+    /// Whether they end there with the shape of a free edge, and how often one has left its ridge.
+    pub held: [bool; 2],
+    pub releases: u8,
+    /// Greatest ratio of pressure with which the lobe began [-].
+    pub begun_with: f64,
     /// Ends of the lobe [m].
     pub edges: [f64; 2],
     /// Logarithm of pressure over half length, in units of E*/(2R): Legendre coefficients.
@@ -54,12 +59,7 @@ struct Extremum {
 
 /// Fills `cells` from probes with the overlap `level` - f; ridges of a share of no more than `least_share` are passed over. Returns
 /// the next larger share of a ridge that is not, or infinity, so that the caller can walk through all layouts.
-pub fn fill(
-    probes: &[Probe],
-    level: f64,
-    least_share: f64,
-    cells: &mut Room<Cell>,
-) -> f64 {
+pub fn fill(probes: &[Probe], level: f64, least_share: f64, cells: &mut Room<Cell>) -> f64 {
     cells.clear();
     let mut next = f64::INFINITY;
     let mut first = 0;

@@ -33,16 +33,8 @@ pub fn straight(at: f64, y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64])
 
 /// As [`straight`], for points `x` along from the track origin and sources centred at `xs`.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-pub fn skewed(
-    at: [f64; 2],
-    xs: &[f64],
-    y: &[f64],
-    a: &[f64],
-    d: &mut [f64],
-    slope: &mut [f64],
-) {
-    for ((((x, y), a), d), slope) in
-        xs.iter().zip(y).zip(a).zip(d.iter_mut()).zip(slope.iter_mut())
+pub fn skewed(at: [f64; 2], xs: &[f64], y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64]) {
+    for ((((x, y), a), d), slope) in xs.iter().zip(y).zip(a).zip(d.iter_mut()).zip(slope.iter_mut())
     {
         let inverse = 1.0 / a;
         let (xi, sigma) = ((x - at[0]).abs() * inverse, (y - at[1]) * inverse);
@@ -132,10 +124,7 @@ impl Integrals {
         // Beyond the table only the logarithm grows: its slope carries on.
         let t = (place - cell).min(1.0);
         let beyond = TABLE_STEP * (place - cell - t);
-        let ([a, b], h) = (
-            [self.table[cell as usize], self.table[cell as usize + 1]],
-            TABLE_STEP,
-        );
+        let ([a, b], h) = ([self.table[cell as usize], self.table[cell as usize + 1]], TABLE_STEP);
         let cubic = |k: usize| {
             let (u, v) = (1.0 - t, t);
             u * u * (1.0 + 2.0 * v) * a[k]
@@ -154,11 +143,7 @@ impl Integrals {
 #[must_use]
 pub fn logarithm_corrections(rule: &GaussLegendre) -> Vec<f64> {
     let n = rule.nodes.len();
-    let legendre: Vec<Vec<f64>> = rule
-        .nodes
-        .iter()
-        .map(|&x| recursion(1.0, x, x, n))
-        .collect();
+    let legendre: Vec<Vec<f64>> = rule.nodes.iter().map(|&x| recursion(1.0, x, x, n)).collect();
     let mut corrections = vec![0.0; n * n];
     for (i, &x) in rule.nodes.iter().enumerate() {
         let q0 = 0.5 * ((1.0 + x) / (1.0 - x)).ln();
@@ -176,8 +161,7 @@ pub fn logarithm_corrections(rule: &GaussLegendre) -> Vec<f64> {
             }
             let product: f64 =
                 (0..n).map(|l| 0.5 * (2 * l + 1) as f64 * legendre[j][l] * moment(l)).sum();
-            corrections[i * n + j] =
-                rule.weights[j] * (product - (x - rule.nodes[j]).abs().ln());
+            corrections[i * n + j] = rule.weights[j] * (product - (x - rule.nodes[j]).abs().ln());
         }
     }
     corrections

@@ -19,8 +19,6 @@ pub struct LobeRule {
     pub extrapolation: [[f64; 3]; 2],
     /// Legendre polynomials at the nodes.
     pub legendre: Vec<Vec<f64>>,
-    /// Weights of the curvature equations, those of the load of an ellipse; they sum to one.
-    pub moment_weights: Vec<f64>,
     /// How far a node travels with the left and the right edge.
     pub travel: [Vec<f64>; 2],
     /// Derivative at node i from the values at nodes j, rows i.
@@ -62,25 +60,12 @@ impl LobeRule {
         let lagrange = |x: f64, k: usize| -> f64 {
             (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
         };
-        let extrapolation =
-            [0, 1].map(|outer| std::array::from_fn(|k| lagrange(t[outer], k)));
-        let moment_weights =
-            t.iter().zip(&weights).map(|(t, w)| 0.75 * w * (1.0 - t * t)).collect();
+        let extrapolation = [0, 1].map(|outer| std::array::from_fn(|k| lagrange(t[outer], k)));
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self {
-            terms,
-            corrections,
-            extrapolation,
-            legendre,
-            moment_weights,
-            travel,
-            derivative,
-            nodes: t,
-            weights,
-        }
+        Self { terms, corrections, extrapolation, legendre, travel, derivative, nodes: t, weights }
     }
 
     /// Number of nodes.
@@ -122,7 +107,5 @@ mod tests {
         }
         let outer: f64 = (0..3).map(|k| rule.extrapolation[0][k] * t[k + 2] * t[k + 2]).sum();
         approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
-        let sum: f64 = rule.moment_weights.iter().sum();
-        approx::assert_relative_eq!(sum, 1.0, max_relative = 1e-4);
     }
 }

@@ -15,6 +15,8 @@ use crate::normal::{Strips, Zone};
 
 /// Most lobes at once; what has no room is left to its neighbour.
 const MOST_LOBES: usize = 6;
+/// Overlap, over the deepest, from which a cell has a lobe from the start.
+const FIRST_LOBES: f64 = 0.4;
 /// Most Newton steps for one set of lobes, and most changes of that set.
 const MOST_STEPS: usize = 60;
 const MOST_CHANGES: usize = 16;
@@ -23,6 +25,11 @@ const LAST_STEP: f64 = 3e-6;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
+/// How often an end may leave its ridge.
+const MOST_RELEASES: u8 = 2;
+/// Share of the greatest ratio below which a node may be emptied, and a lobe with no more has vanished.
+const EMPTY: f64 = 1e-3;
+const VANISHED: f64 = 0.02;
 /// How often an edge may come to a ridge before it stays there: it may have been on the way to elsewhere.
 const MOST_HITS: u8 = 2;
 /// Starts: approach over the overlap, and share of the Newton step.
@@ -107,12 +114,7 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells.
-    fn settle(
-        &mut self,
-        line: &mut impl Line,
-        overlap: (&[Probe], f64),
-        approach: f64,
-    ) -> bool {
+    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) -> bool {
         self.begin(line, overlap, approach);
         for _ in 0..MOST_CHANGES {
             if !self.lobes.is_empty() && !self.newton(line) {
@@ -129,19 +131,13 @@ impl StripSolver {
         false
     }
 
-    /// Starts a lobe in every cell that is deep enough beside its neighbours.
+    /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
     fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) {
         self.lobes.clear();
+        let most = self.cells.iter().map(|c| c.deepest[1]).fold(0.0, f64::max);
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
-            let beside = |k: usize, joined: bool| if joined { self.cells[k].deepest[1] } else { 0.0 };
-            let before = if i > 0 { beside(i - 1, self.cells[i - 1].joined) } else { 0.0 };
-            let after = if self.cells[i].joined && i + 1 < self.cells.len() {
-                self.cells[i + 1].deepest[1]
-            } else {
-                0.0
-            };
-            if depth > 0.4 * before.max(after) {
+            if depth > FIRST_LOBES * most {
                 self.start_lobe(line, overlap, i, approach * depth);
             }
         }
@@ -190,6 +186,8 @@ impl StripSolver {
         let greatest = ellipse.max_pressure / PI;
         cell.shape[0] = (greatest * 2.0 * PI * place.radius / ellipse.semi_axis_along).ln();
         cell.start_ratio = greatest;
+        cell.begun_with = greatest;
+        (cell.hits, cell.held) = ([0; 2], [false; 2]);
     }
 
     /// Lays the nodes of all active cells out anew; ratios of lobes that stay are kept.
@@ -252,13 +250,15 @@ impl StripSolver {
                 nodes.radius[i] = radius;
                 nodes.width[i] = half * self.rule.weights[t] * dy;
                 nodes.lobe[i] = number;
-                let free = |pinned: bool, distance: f64| if pinned { 1.0 } else { distance.sqrt() };
-                nodes.edge_shape[i] =
-                    free(cell.pinned[0], 1.0 + abscissa) * free(cell.pinned[1], 1.0 - abscissa);
+                let shape = |side: usize, distance: f64| {
+                    if cell.pinned[side] && !cell.held[side] { 1.0 } else { distance.sqrt() }
+                };
+                nodes.edge_shape[i] = shape(0, 1.0 + abscissa) * shape(1, 1.0 - abscissa);
                 if cell.start_ratio > 0.0 {
                     let span = cell.deepest[1] - cell.start_level;
                     let share = ((overlap - cell.start_level) / span).clamp(0.01, 1.0);
-                    nodes.ratio[i] = cell.start_ratio * share.sqrt() / nodes.edge_shape[i].max(0.05);
+                    nodes.ratio[i] =
+                        cell.start_ratio * share.sqrt() / nodes.edge_shape[i].max(0.05);
                 }
                 let exponent: f64 =
                     (0..self.rule.terms).map(|l| cell.shape[l] * self.rule.legendre[l][t]).sum();
@@ -285,8 +285,7 @@ impl StripSolver {
     fn newton(&mut self, line: &mut impl Line) -> bool {
         let n = self.rule.count();
         let block = n + 2 + self.rule.terms;
-        let depth =
-            self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
+        let depth = self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
         for _ in 0..MOST_STEPS {
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
@@ -321,6 +320,7 @@ impl StripSolver {
             if self.mark_vanishing() {
                 return false;
             }
+            self.hold_empty_ends(scale);
         }
         false
     }
@@ -361,7 +361,8 @@ impl StripSolver {
             for t in 0..n {
                 let ratio = &mut self.nodes.ratio[first + t];
                 // A node is not emptied at once: its edge may be on the way.
-                let least = if *ratio > 0.0 { (1.0 - MOST_DROP) * *ratio } else { f64::NEG_INFINITY };
+                let least =
+                    if *ratio > EMPTY * scale { (1.0 - MOST_DROP) * *ratio } else { -scale };
                 *ratio = (*ratio + share * step[t]).clamp(least, 3.0 * ratio.abs() + scale);
             }
             for l in 0..self.rule.terms {
@@ -393,12 +394,40 @@ impl StripSolver {
         }
     }
 
+    /// Ends on a ridge whose pressure vanishes there: they keep their place with the shape of a free edge.
+    fn hold_empty_ends(&mut self, scale: f64) {
+        let n = self.rule.count();
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first, .. } = self.lobes[number];
+            let cell = &mut self.cells[cell];
+            for side in 0..2 {
+                let outermost = first + if side == 0 { 0 } else { n - 1 };
+                let empty = self.nodes.ratio[outermost] < EMPTY * scale;
+                if cell.pinned[side] && !cell.held[side] && empty {
+                    cell.held[side] = true;
+                    for t in 0..n {
+                        let a = self.rule.nodes[t];
+                        let distance: f64 = if side == 0 { 1.0 + a } else { 1.0 - a };
+                        let ratio = self.nodes.ratio[first + t].max(EMPTY * scale);
+                        // Close to the end the ratio follows the smooth one further in.
+                        self.nodes.ratio[first + t] = ratio / distance.max(0.05).sqrt();
+                    }
+                }
+            }
+        }
+    }
+
     /// Marks lobes that shrink to nothing; whether there is one.
     fn mark_vanishing(&mut self) -> bool {
+        let n = self.rule.count();
         let mut found = false;
         for lobe in self.lobes.iter() {
             let cell = &mut self.cells[lobe.cell];
-            if cell.edges[1] - cell.edges[0] < 1e-3 * cell.start_width {
+            let nodes = &self.nodes.ratio[lobe.first..lobe.first + n];
+            let most = nodes.iter().fold(0.0, |a: f64, b| a.max(*b));
+            if cell.edges[1] - cell.edges[0] < VANISHED * cell.start_width
+                || most < VANISHED * cell.begun_with
+            {
                 cell.vanishing = true;
                 found = true;
             }
@@ -436,17 +465,16 @@ impl StripSolver {
                 continue;
             }
             for side in 0..2 {
-                let outermost = first + if side == 0 { 0 } else { n - 1 };
-                if cell.pinned[side] && self.nodes.ratio[outermost] <= 0.0 {
-                    cell.pinned[side] = false;
-                    let inwards = 0.1 * (cell.edges[1] - cell.edges[0]);
+                // Too wide, the pressure falls below its smooth course towards the end.
+                let place = |k: usize| first + if side == 0 { k } else { n - 1 - k };
+                let e = &self.rule.extrapolation[0];
+                let smooth: f64 = (0..3).map(|k| e[k] * self.nodes.ratio[place(k + 2)]).sum();
+                let short = self.nodes.ratio[place(0)] < smooth - EMPTY * smooth.abs();
+                if cell.held[side] && short && cell.releases < MOST_RELEASES {
+                    (cell.pinned[side], cell.held[side]) = (false, false);
+                    (cell.hits[side], cell.releases) = (0, cell.releases + 1);
+                    let inwards = 0.03 * (cell.edges[1] - cell.edges[0]);
                     cell.edges[side] += if side == 0 { inwards } else { -inwards };
-                    for t in 0..n {
-                        let a = self.rule.nodes[t];
-                        let distance: f64 = if side == 0 { 1.0 + a } else { 1.0 - a };
-                        let ratio = self.nodes.ratio[first + t].max(0.0);
-                        self.nodes.ratio[first + t] = ratio / distance.sqrt();
-                    }
                     changed = true;
                 }
             }
@@ -483,6 +511,24 @@ impl StripSolver {
         sum
     }
 
+    /// Greatest pressure over π E* of the lobe that begins at node `first`: the vertex of the parabola of its square, exact on ellipses.
+    fn greatest_pressure(&self, first: usize) -> f64 {
+        let n = self.rule.count();
+        let q = &self.nodes.pressure[first..first + n];
+        let most = (0..n).fold(0, |best, t| if q[t] > q[best] { t } else { best });
+        if most == 0 || most == n - 1 {
+            return q[most];
+        }
+        let t = &self.rule.nodes[most - 1..=most + 1];
+        let square = [most - 1, most, most + 1].map(|k| q[k] * q[k]);
+        let (left, right) = (t[0] - t[1], t[2] - t[1]);
+        let slopes = [(square[0] - square[1]) / left, (square[2] - square[1]) / right];
+        let bend = (slopes[1] - slopes[0]) / (right - left);
+        let slope = slopes[0] - bend * left;
+        let vertex = if bend < 0.0 { (-0.5 * slope / bend).clamp(left, right) } else { 0.0 };
+        (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
+    }
+
     /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
     fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
         let n = self.rule.count();
@@ -516,9 +562,9 @@ impl StripSolver {
                     strips.pressure.push(PI * contact_modulus * nodes.pressure[i]);
                     strips.u.push(nodes.u[i]);
                     zone.length = zone.length.max(2.0 * nodes.half_length[i]);
-                    zone.max_pressure =
-                        zone.max_pressure.max(PI * contact_modulus * nodes.pressure[i]);
                 }
+                let greatest = PI * contact_modulus * self.greatest_pressure(lobe.first);
+                zone.max_pressure = zone.max_pressure.max(greatest);
             }
             zone.width = self.lobes[number - 1].edge_y[1] - self.lobes[begin].edge_y[0];
             strips.summarise(&mut zone);

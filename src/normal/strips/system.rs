@@ -319,13 +319,17 @@ impl Assembly<'_> {
             row_xa[i] -= q_i * inverse * (weighted + falling);
             edge_slope_x[side] = q_i * at / ((1.0 + sigma * sigma) * a_i * a_i);
         }
+        let load: f64 = (first..first + n)
+            .map(|j| nodes.width[j] * nodes.pressure[j] * nodes.half_length[j])
+            .sum();
         // Into the system.
         let block = self.unknowns_per_lobe();
         let loaded = nodes.ratio[i] > 0.0;
         let equation = lobe * block + t;
         let inverse_depth = 1.0 / self.depth;
         let radius = nodes.radius[i];
-        let share = if loaded { rule.moment_weights[t] } else { 0.0 };
+        let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
+        let error = radius * curvature - 1.0;
         m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
         if !loaded {
             // An unloaded node may lie apart: its ratio below zero is that distance.
@@ -334,7 +338,16 @@ impl Assembly<'_> {
         }
         for term in 0..rule.terms {
             let row = lobe * block + n + 2 + term;
-            m.right[row] -= share * rule.legendre[term][t] * (radius * curvature - 1.0);
+            let weight = share * rule.legendre[term][t];
+            m.right[row] -= weight * error;
+            // The weight is a load, q a.
+            if loaded {
+                m.newton[row * unknowns + equation] += weight * error * 2.0 / nodes.ratio[i];
+                for l in 0..rule.terms {
+                    m.newton[row * unknowns + lobe * block + n + 2 + l] -=
+                        weight * error * rule.legendre[l][t];
+                }
+            }
         }
         for (other, source) in self.lobes.iter().enumerate() {
             let column = other * block;
@@ -343,8 +356,7 @@ impl Assembly<'_> {
                 let j = source.first + k;
                 if nodes.ratio[j] > 0.0 {
                     let factor = nodes.edge_shape[j];
-                    m.newton[equation * unknowns + column + k] +=
-                        row_q[j] * factor * inverse_depth;
+                    m.newton[equation * unknowns + column + k] += row_q[j] * factor * inverse_depth;
                     for term in 0..rule.terms {
                         let row = lobe * block + n + 2 + term;
                         m.newton[row * unknowns + column + k] +=
@@ -400,8 +412,7 @@ impl Assembly<'_> {
                 m.newton[equation * unknowns + at] += by_u * inverse_depth;
                 for l in 0..rule.terms {
                     let row = lobe * block + n + 2 + l;
-                    m.newton[row * unknowns + at] +=
-                        share * rule.legendre[l][t] * radius * by_x;
+                    m.newton[row * unknowns + at] += share * rule.legendre[l][t] * radius * by_x;
                 }
             }
         }
@@ -418,8 +429,7 @@ impl Assembly<'_> {
         for side in 0..2 {
             let row = begin + n + side;
             if cell.pinned[side] {
-                m.newton[row * unknowns + begin + n + side] =
-                    1.0 / (cell.edges[1] - cell.edges[0]);
+                m.newton[row * unknowns + begin + n + side] = 1.0 / (cell.edges[1] - cell.edges[0]);
                 continue;
             }
             let place = |k: usize| if side == 0 { k } else { n - 1 - k };
