@@ -6,6 +6,7 @@
 
 use crate::geometry::separation::Probe;
 use crate::math::room::Room;
+use crate::math::root::bracketed;
 
 /// Terms of the shape of a cell.
 pub const TERMS: usize = 4;
@@ -22,8 +23,6 @@ pub struct Cell {
     pub hits: [u8; 2],
     /// Deepest place and overlap there [m].
     pub deepest: [f64; 2],
-    /// Places left and right of it where the overlap is half as much [m].
-    pub half: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
     /// Whether a lobe is in it.
@@ -133,7 +132,6 @@ fn interval(
     push(cells, [start, right], peak, false);
     for cell in &mut cells[begin..] {
         cell.probes = [first, last];
-        cell.half = places(probes, level, cell, 0.5);
     }
     next
 }
@@ -143,35 +141,40 @@ fn peak_after(probes: &[Probe], level: f64, i: usize, last: usize, low: f64) -> 
     probes[i..=last].iter().map(|p| level - p.f).take_while(|&g| g > low).fold(0.0, f64::max)
 }
 
-/// Where the overlap is `share` of the deepest, left and right, from the probes; the bounds where it is nowhere so little.
-pub fn places(probes: &[Probe], level: f64, cell: &Cell, share: f64) -> [f64; 2] {
+/// Where the overlap is `share` of the deepest, left and right, to a few per cent of the way; the bounds where it is nowhere so little.
+pub fn places(
+    probes: &[Probe],
+    level: f64,
+    cell: &Cell,
+    share: f64,
+    mut overlap: impl FnMut(f64) -> f64,
+) -> [f64; 2] {
     let [deepest, depth] = cell.deepest;
     let [first, last] = cell.probes;
-    let wanted = share * depth;
-    let walk = |indices: &mut dyn Iterator<Item = usize>, bound: f64| {
-        let mut inside = [deepest, depth];
+    // The root of the depth below the peak is close to linear.
+    let height = |g: f64| (depth - g.max(-depth)).max(0.0).sqrt() - ((1.0 - share) * depth).sqrt();
+    let mut walk = |indices: &mut dyn Iterator<Item = usize>, bound: f64| {
+        let mut inside = [deepest, height(depth)];
         for i in indices {
-            let here = [probes[i].u, (level - probes[i].f).max(-depth)];
-            if here[1] <= wanted {
-                // The root of the depth below the peak is close to linear.
-                let height = |g: f64| (depth - g).max(0.0).sqrt();
-                let (a, b, c) = (height(inside[1]), height(here[1]), height(wanted));
-                return inside[0] + (c - a) / (b - a) * (here[0] - inside[0]);
+            let here = [probes[i].u, height(level - probes[i].f)];
+            if here[1] >= 0.0 {
+                let tolerance = PLACE * (here[0] - inside[0]).abs();
+                let (a, b) = ((inside[0], inside[1]), (here[0], here[1]));
+                return bracketed(a, b, tolerance, |u| height(overlap(u)));
             }
             inside = here;
         }
         bound
     };
-    let beyond = |u: f64| u < cell.bounds[0] || u > cell.bounds[1];
     let from = first.saturating_sub(1);
     let to = (last + 1).min(probes.len() - 1);
     let left = walk(&mut (from..=to).rev().filter(|&i| probes[i].u < deepest), cell.bounds[0]);
     let right = walk(&mut (from..=to).filter(|&i| probes[i].u > deepest), cell.bounds[1]);
-    [
-        if beyond(left) { cell.bounds[0] } else { left },
-        if beyond(right) { cell.bounds[1] } else { right },
-    ]
+    [left.max(cell.bounds[0]), right.min(cell.bounds[1])]
 }
+
+/// Share of the distance between two probes to which a place is found.
+const PLACE: f64 = 0.02;
 
 #[cfg(test)]
 mod tests {
@@ -188,7 +191,8 @@ mod tests {
         assert!(next.is_infinite() && cells.len() == 1);
         let cell = cells[0];
         assert!(cell.bounds[1] >= 2e-3 && cell.bounds[1] < 2.2e-3);
-        approx::assert_relative_eq!(cell.half[0], -(2e-6f64.sqrt()), max_relative = 1e-3);
+        let half = places(&probes(|u| u * u), 4e-6, &cell, 0.5, |u| 4e-6 - u * u);
+        approx::assert_relative_eq!(half[0], -(2e-6f64.sqrt()), max_relative = 1e-2);
     }
 
     #[test]

@@ -25,6 +25,8 @@ const LAST_STEP: f64 = 3e-6;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
+/// Distance from a ridge, over the width, from which a lobe meets another that has come to it.
+const MEETING: f64 = 0.3;
 /// How often an end may leave its ridge.
 const MOST_RELEASES: u8 = 2;
 /// Share of the greatest ratio below which a node may be emptied, and a lobe with no more has vanished.
@@ -32,8 +34,17 @@ const EMPTY: f64 = 1e-3;
 const VANISHED: f64 = 0.02;
 /// How often an edge may come to a ridge before it stays there: it may have been on the way to elsewhere.
 const MOST_HITS: u8 = 2;
-/// Starts: approach over the overlap, and share of the Newton step.
-const STARTS: [[f64; 2]; 3] = [[1.0, 1.0], [0.7, 0.6], [0.45, 0.4]];
+/// Starts: approach over the overlap, share of the Newton step, and share from which a ridge counts; the last ones take lobes that
+/// are about to meet as one.
+const STARTS: [[f64; 3]; 5] = [
+    [1.0, 1.0, LEAST_SHARE],
+    [0.7, 0.6, LEAST_SHARE],
+    [0.45, 0.4, LEAST_SHARE],
+    [1.0, 0.7, 0.5],
+    [1.0, 0.5, 1.0],
+];
+/// Share from which a ridge counts.
+const LEAST_SHARE: f64 = 0.05;
 /// Greatest change of a shape term in one step.
 const MOST_SHAPE_STEP: f64 = 0.6;
 
@@ -101,8 +112,8 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         self.work.solved += 1;
-        for [approach, caution] in STARTS {
-            cell::fill(probes, level, 0.05, &mut self.cells);
+        for [approach, caution, least_share] in STARTS {
+            cell::fill(probes, level, least_share, &mut self.cells);
             self.caution = caution;
             if self.settle(line, (probes, level), approach) {
                 self.emit(contact_modulus, strips);
@@ -164,7 +175,9 @@ impl StripSolver {
         }
         let cell = &mut self.cells[i];
         let place = line.place(cell.deepest[0]);
-        let width = (cell.half[1] - cell.half[0]) * place.dy;
+        let mut overlap = |u: f64| line.place(u).overlap;
+        let half = cell::places(probes, level, cell, 0.5, &mut overlap);
+        let width = (half[1] - half[0]) * place.dy;
         let along = 0.5 / place.radius;
         // Curvature of the parabola as wide at half of the depth; what is shallower is narrower.
         let across = (2.0 * cell.deepest[1] / (width * width)).clamp(1e-4 * along, 1e6 * along);
@@ -172,7 +185,7 @@ impl StripSolver {
         // The ellipse ends where the separation has used up this share of the approach.
         let used = (across * ellipse.semi_axis_across * ellipse.semi_axis_across / depth).min(0.95);
         let left = (1.0 - used * depth / cell.deepest[1]).clamp(0.05, 0.999_999);
-        let places = cell::places(probes, level, cell, left);
+        let places = cell::places(probes, level, cell, left, &mut overlap);
         cell.edges = [
             places[0].clamp(cell.bounds[0], cell.deepest[0]),
             places[1].clamp(cell.deepest[0], cell.bounds[1]),
@@ -344,7 +357,6 @@ impl StripSolver {
             }
             for s in &step[n + 2..] {
                 change = change.max(s.abs());
-                share = share.min(MOST_SHAPE_STEP / s.abs());
             }
         }
         (share, change)
@@ -357,7 +369,6 @@ impl StripSolver {
         for number in 0..self.lobes.len() {
             let Lobe { cell, first, .. } = self.lobes[number];
             let step = &self.matrices.right[number * block..(number + 1) * block];
-            let cell = &mut self.cells[cell];
             for t in 0..n {
                 let ratio = &mut self.nodes.ratio[first + t];
                 // A node is not emptied at once: its edge may be on the way.
@@ -365,14 +376,17 @@ impl StripSolver {
                     if *ratio > EMPTY * scale { (1.0 - MOST_DROP) * *ratio } else { -scale };
                 *ratio = (*ratio + share * step[t]).clamp(least, 3.0 * ratio.abs() + scale);
             }
+            let moved = [share * step[n], share * step[n + 1]];
+            let cell = &mut self.cells[cell];
             for l in 0..self.rule.terms {
-                cell.shape[l] += share * step[n + 2 + l];
+                cell.shape[l] += (share * step[n + 2 + l]).clamp(-MOST_SHAPE_STEP, MOST_SHAPE_STEP);
             }
             for side in 0..2 {
+                let cell = &mut self.cells[self.lobes[number].cell];
                 if cell.pinned[side] {
                     continue;
                 }
-                let edge = cell.edges[side] + share * step[n + side];
+                let edge = cell.edges[side] + moved[side];
                 let bound = cell.bounds[side];
                 let beyond = if side == 0 { edge <= bound } else { edge >= bound };
                 if beyond && !(cell.at_ridge[side] && cell.hits[side] >= MOST_HITS) {
@@ -382,15 +396,34 @@ impl StripSolver {
                 }
                 cell.edges[side] = edge;
                 if beyond {
-                    cell.edges[side] = cell.bounds[side];
-                    cell.pinned[side] = true;
-                    for t in 0..n {
-                        let a = self.rule.nodes[t];
-                        let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
-                        self.nodes.ratio[first + t] *= distance.sqrt();
+                    self.pin(number, side);
+                    // The lobe on the other side meets it there.
+                    let other = if side == 0 { number.wrapping_sub(1) } else { number + 1 };
+                    let facing = self.cells[self.lobes[number].cell].bounds[side];
+                    if let Some(beside) = self.lobes.get(other) {
+                        let beside = &self.cells[beside.cell];
+                        let gap = (beside.edges[1 - side] - facing).abs();
+                        let near = gap < MEETING * (beside.edges[1] - beside.edges[0]);
+                        let same = (beside.bounds[1 - side] - facing).abs() <= 0.0;
+                        if same && near && !beside.pinned[1 - side] {
+                            self.pin(other, 1 - side);
+                        }
                     }
+                    break;
                 }
             }
+        }
+    }
+
+    /// Puts one end of a lobe on its ridge.
+    fn pin(&mut self, number: usize, side: usize) {
+        let Lobe { cell, first, .. } = self.lobes[number];
+        let cell = &mut self.cells[cell];
+        cell.edges[side] = cell.bounds[side];
+        cell.pinned[side] = true;
+        for (t, a) in self.rule.nodes.iter().enumerate() {
+            let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
+            self.nodes.ratio[first + t] *= distance.sqrt();
         }
     }
 

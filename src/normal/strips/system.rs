@@ -331,7 +331,11 @@ impl Assembly<'_> {
         let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
         let error = radius * curvature - 1.0;
         m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
-        if !loaded {
+        let finds_edge = [1, n - 2]
+            .iter()
+            .zip(self.cells[cell].pinned)
+            .any(|(&second, pinned)| t == second && !pinned);
+        if !loaded && !finds_edge {
             // An unloaded node may lie apart: its ratio below zero is that distance.
             m.right[equation] -= nodes.ratio[i] / self.scale;
             m.newton[equation * unknowns + equation] += 1.0 / self.scale;
