@@ -15,6 +15,7 @@
 
 mod cell;
 mod influence;
+mod pair_sums;
 mod rule;
 mod solver;
 mod system;

@@ -36,10 +36,11 @@ const VANISHED: f64 = 0.02;
 const MOST_HITS: u8 = 2;
 /// Starts: approach over the overlap, share of the Newton step, and share from which a ridge counts; the last ones take lobes that
 /// are about to meet as one.
-const STARTS: [[f64; 3]; 5] = [
+const STARTS: [[f64; 3]; 6] = [
     [1.0, 1.0, LEAST_SHARE],
     [0.7, 0.6, LEAST_SHARE],
     [0.45, 0.4, LEAST_SHARE],
+    [0.8, 0.5, 0.2],
     [1.0, 0.7, 0.5],
     [1.0, 0.5, 1.0],
 ];
@@ -94,7 +95,7 @@ impl StripSolver {
             cells: Room::new(64),
             lobes: Room::new(MOST_LOBES),
             nodes: Nodes::with_capacity(nodes),
-            matrices: Matrices::new(nodes, unknowns),
+            matrices: Matrices::new(strips, nodes, unknowns),
             caution: 1.0,
             work: Work::default(),
         }

@@ -12,7 +12,10 @@
 //! The curvature along x follows in the same way with D/(a² + Δy²) for D.
 
 use super::cell::{Cell, TERMS};
+use std::ops::Range;
+
 use super::influence::{Integrals, skewed, straight};
+use super::pair_sums::{self, OWN_COLUMNS, PAIR_COLUMNS, Point, Sources};
 use super::rule::LobeRule;
 
 /// Nodes of all lobes, as columns.
@@ -120,7 +123,10 @@ pub struct Matrices {
     pub own_d: Vec<f64>,
     pub own_slope: Vec<f64>,
     /// Scratch for one row.
-    row: [Vec<f64>; 4],
+    row: Vec<f64>,
+    pairs: [Vec<f64>; PAIR_COLUMNS],
+    own: [Vec<f64>; OWN_COLUMNS],
+    logarithm: Vec<f64>,
     /// The Newton matrix.
     pub newton: Vec<f64>,
     /// Its right side: residuals, then the step.
@@ -128,15 +134,18 @@ pub struct Matrices {
 }
 
 impl Matrices {
-    /// Room for `nodes` nodes and `unknowns` unknowns.
-    pub fn new(nodes: usize, unknowns: usize) -> Self {
+    /// Room for `nodes` nodes, `strips` a lobe, and `unknowns` unknowns.
+    pub fn new(strips: usize, nodes: usize, unknowns: usize) -> Self {
         let square = || vec![0.0; nodes * nodes];
         Self {
             d: square(),
             slope: square(),
             own_d: square(),
             own_slope: square(),
-            row: std::array::from_fn(|_| vec![0.0; nodes]),
+            row: vec![0.0; nodes],
+            pairs: std::array::from_fn(|_| vec![0.0; nodes]),
+            own: std::array::from_fn(|_| vec![0.0; strips]),
+            logarithm: vec![0.0; strips],
             newton: vec![0.0; unknowns * unknowns],
             right: vec![0.0; unknowns],
         }
@@ -177,7 +186,7 @@ impl Assembly<'_> {
             if self.skewed {
                 let at = [nodes.x[i], nodes.y[i]];
                 skewed(at, &nodes.x, &nodes.y, &nodes.half_length, d, slope);
-                let own = &mut m.row[0][..count];
+                let own = &mut m.row[..count];
                 own.fill(nodes.half_length[i] / nodes.slant[i]);
                 let (d, slope) = (&mut m.own_d[row.clone()], &mut m.own_slope[row]);
                 straight(nodes.y[i], &nodes.y, own, d, slope);
@@ -215,85 +224,66 @@ impl Assembly<'_> {
         let (n, count) = (rule.count(), nodes.y.len());
         let Lobe { first, edge_y, edge_dy, cell } = self.lobes[lobe];
         let i = first + t;
-        let [mut row_q, mut row_a, mut row_xq, mut row_xa] = std::mem::take(&mut m.row);
         let pairs = i * count..(i + 1) * count;
         let (d, slope) = (&m.d[pairs.clone()], &m.slope[pairs.clone()]);
         let (own_d, own_slope) = (&m.own_d[pairs.clone()], &m.own_slope[pairs]);
         let (y, x, q_i, a_i) = (nodes.y[i], nodes.x[i], nodes.pressure[i], nodes.half_length[i]);
         let slant = nodes.slant[i];
-        let [cos_i, sin_i] = nodes.tangent[i];
-        let (mut u, mut curvature) = (0.0, 0.0);
-        // All other strips.
-        for j in 0..count {
-            let cosine = (cos_i * nodes.tangent[j][0] + sin_i * nodes.tangent[j][1]).max(0.0);
-            let w = nodes.width[j] * cosine;
-            let (a, q) = (nodes.half_length[j], nodes.pressure[j]);
-            let (dy, dx) = (y - nodes.y[j], x - nodes.x[j]);
-            let (a2, dy2, dx2) = (a * a, dy * dy, dx * dx);
-            let sum = 1.0 / (a2 + dy2 + dx2);
-            let bend = (a2 + dy2 - 2.0 * dx2) * sum * sum;
-            u += w * q * d[j];
-            curvature += w * q * d[j] * bend;
-            row_q[j] = w * slope[j];
-            row_a[j] = w * q * (slope[j] - d[j]);
-            let turn = 2.0 * a2 * sum * sum * d[j];
-            row_xq[j] = w * (slope[j] * bend - turn);
-            row_xa[j] = w * q * ((slope[j] - d[j]) * bend - turn);
+        let at = Point {
+            y,
+            x,
+            tangent: nodes.tangent[i],
+            pressure: q_i,
+            own_length: a_i / slant,
+            straightness: 1.0 / (slant * slant),
+        };
+        let sources = |range: Range<usize>| Sources {
+            y: &nodes.y[range.clone()],
+            x: &nodes.x[range.clone()],
+            tangent: &nodes.tangent[range.clone()],
+            width: &nodes.width[range.clone()],
+            pressure: &nodes.pressure[range.clone()],
+            half_length: &nodes.half_length[range.clone()],
+            d: &d[range.clone()],
+            slope: &slope[range],
+        };
+        // All strips but the node's own.
+        pair_sums::pairs(&at, &sources(0..count), &mut m.pairs);
+        for column in &mut m.pairs {
+            column[i] = 0.0;
         }
-        // The node itself is not among them.
-        u -= nodes.width[i] * q_i * d[i];
-        curvature -= nodes.width[i] * q_i * d[i] / (a_i * a_i);
-        for row in [&mut row_q, &mut row_a, &mut row_xq, &mut row_xa] {
-            row[i] = 0.0;
-        }
+        let sum = |column: &[f64]| column.iter().sum::<f64>();
+        let mut u = sum(&m.pairs[0][..count]);
+        let mut curvature = sum(&m.pairs[1][..count]);
         // Singularity of its own lobe: taken out of the sum, integrated instead; derivatives by the scale of the lobe.
-        let (mut own_u, mut own_q, mut own_a) = (0.0, 0.0, 0.0);
-        let (mut own_x, mut own_xq, mut own_xa) = (0.0, 0.0, 0.0);
-        let (mut scaled_u, mut scaled_x) = (0.0, 0.0);
         let half = 0.5 * (self.cells[cell].edges[1] - self.cells[cell].edges[0]);
         let corrections = &rule.corrections[t * n..(t + 1) * n];
+        for (k, (weight, correction)) in m.logarithm.iter_mut().zip(corrections).enumerate() {
+            *weight = -2.0 * correction * half * nodes.dy[first + k];
+        }
+        let range = first..first + n;
+        let (near_d, near_slope) = (&own_d[range.clone()], &own_slope[range.clone()]);
+        pair_sums::own(&at, &sources(range), near_d, near_slope, &m.logarithm, &mut m.own);
+        for column in &mut m.own {
+            column[t] = 0.0;
+        }
+        let own: [f64; 8] = std::array::from_fn(|k| sum(&m.own[k][..n]));
+        let [own_u, own_q, own_a, own_x, own_xq, own_xa, scaled_u, scaled_x] = own;
+        // The logarithm of the pairs.
         for k in 0..n {
-            if k == t {
-                continue;
-            }
             let j = first + k;
-            let (w, q, a) = (nodes.width[j], nodes.pressure[j], nodes.half_length[j]);
-            let distance = y - nodes.y[j];
-            let square = distance * distance;
-            let (a2, own2) = (a * a, a_i * a_i / (slant * slant));
-            // Its own half length.
-            let sum = 1.0 / (own2 + square);
-            let scale2 = 1.0 / (slant * slant);
-            own_u += w * own_d[j];
-            own_q += w * own_slope[j];
-            own_a += w * (own_slope[j] - own_d[j]);
-            let bend = scale2 * sum;
-            let turn = 2.0 * own2 * bend * sum * own_d[j];
-            own_x += w * own_d[j] * bend;
-            own_xq += w * (own_slope[j] * bend - turn);
-            own_xa += w * ((own_slope[j] - own_d[j]) * bend - turn);
-            let own_drop = 2.0 * own_d[j] - own_slope[j];
-            scaled_u -= w * q_i * own_drop;
-            scaled_x -= w * q_i * (own_drop - 2.0 * own_d[j] * square * sum) * bend;
-            let pair_drop = 2.0 * d[j] - slope[j];
-            let pair_sum = 1.0 / (a2 + square);
-            scaled_u += w * q * pair_drop;
-            scaled_x += w * q * (pair_drop - 2.0 * d[j] * square * pair_sum) * pair_sum;
-            // The logarithm.
-            let c = -2.0 * corrections[k] * half * nodes.dy[j];
-            let (b, own_b) = (a2 * pair_sum, own2 * sum);
-            u += c * (q * b - q_i * own_b);
-            row_q[j] += c * b * (3.0 - 2.0 * b);
-            row_a[j] += c * q * b * (2.0 - 2.0 * b);
-            own_q += c * own_b * (3.0 - 2.0 * own_b);
-            own_a += c * own_b * (2.0 - 2.0 * own_b);
-            scaled_u += c * (q * b * (2.0 * b - 1.0) - q_i * own_b * (2.0 * own_b - 1.0));
-            let (e, own_e) = (b * pair_sum, own_b * sum * scale2);
-            curvature += c * (q * e - q_i * own_e);
-            row_xq[j] += c * e * (3.0 - 4.0 * b);
-            row_xa[j] += c * q * e * (2.0 - 4.0 * b);
-            own_xq += c * own_e * (3.0 - 4.0 * own_b);
-            own_xa += c * own_e * (2.0 - 4.0 * own_b);
+            let a2 = nodes.half_length[j] * nodes.half_length[j];
+            let share = a2 / (a2 + (y - nodes.y[j]) * (y - nodes.y[j]));
+            let weight = if k == t { 0.0 } else { m.logarithm[k] * nodes.pressure[j] * share };
+            u += weight;
+            curvature += weight * share / a2;
+        }
+        let [_, _, row_q, row_a, row_xq, row_xa] = &mut m.pairs;
+        for k in 0..n {
+            row_q[first + k] += m.own[8][k];
+            row_a[first + k] += m.own[9][k];
+            row_xq[first + k] += m.own[10][k];
+            row_xa[first + k] += m.own[11][k];
         }
         u -= q_i * own_u;
         curvature -= q_i * own_x;
@@ -420,7 +410,6 @@ impl Assembly<'_> {
                 }
             }
         }
-        m.row = [row_q, row_a, row_xq, row_xa];
     }
 
     /// Closure of the edges, or their place on the ridge, and the regularisation of the shape.
