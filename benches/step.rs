@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m], parameters.
@@ -32,6 +32,12 @@ fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
     input.wheel.pitch_rate = -20.0 / 0.46;
     let element = Element::new(parameters, &input, &[]).expect("built-in profiles");
     input.wheel.position[2] = element.nominal_wheel_z() + scene.depth;
+    // The load that goes with this height.
+    let given = Parameters { vertical_mode: VerticalMode::Penetration, ..parameters.clone() };
+    let mut output = Output::default();
+    let mut pressed = Element::new(&given, &input, &[]).expect("built-in profiles");
+    pressed.evaluate(&input, &mut output).expect("finite input");
+    input.wheel_load = -output.wheel.force[2];
     (element, input)
 }
 
@@ -47,6 +53,7 @@ fn evaluate(c: &mut Criterion, group: &str, parameters: &Parameters) {
             b.iter(|| {
                 step = -step;
                 input.wheel.position[2] += step;
+                input.wheel_load += 1e6 * step;
                 element.evaluate(black_box(&input), &mut output).expect("finite input");
                 black_box(output.wheel.force[2])
             });
@@ -62,9 +69,29 @@ fn models(c: &mut Criterion) {
     evaluate(c, "piotrowski_kik+none", &normal_only);
     let hertz = Parameters { normal_model: NormalModel::Hertz, ..default.clone() };
     evaluate(c, "hertz+fastsim_30x30", &hertz);
+    let fastrip = Parameters { tangential_model: TangentialModel::Fastrip, ..default.clone() };
+    evaluate(c, "piotrowski_kik+fastrip_30x30", &fastrip);
     let coarse = Parameters { strips: 12, elements_along: 12, ..default };
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
 
-criterion_group!(benches, models);
+/// One option at a time on top of the default models.
+fn options(c: &mut Criterion) {
+    let with = |change: fn(&mut Parameters)| {
+        let mut parameters = Parameters::default();
+        change(&mut parameters);
+        parameters
+    };
+    for (name, parameters) in [
+        ("corrected", with(|p| p.normal_model = NormalModel::PiotrowskiKikCorrected)),
+        ("kinematic", with(|p| p.creepage_model = CreepageModel::Kinematic)),
+        ("curved", with(|p| p.creepage_model = CreepageModel::Curved)),
+        ("linear", with(|p| p.tangential_model = TangentialModel::Linear)),
+        ("load", with(|p| p.vertical_mode = VerticalMode::Load)),
+    ] {
+        evaluate(c, &format!("option/{name}"), &parameters);
+    }
+}
+
+criterion_group!(benches, models, options);
 criterion_main!(benches);

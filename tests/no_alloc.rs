@@ -5,7 +5,7 @@ mod common;
 
 use common::wheel::mirrored;
 use wheelrail::element::parameters::{
-    CreepageModel, Flexibilities, NormalModel, Side, TangentialModel, TractionBound,
+    CreepageModel, Flexibilities, NormalModel, Side, TangentialModel, TractionBound, VerticalMode,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -16,6 +16,7 @@ const TWO_PATCHES_Z: f64 = -0.460_228;
 fn path(step: u32) -> Input {
     let t = f64::from(step);
     let mut input = Input::default();
+    input.wheel_load = 8e4 * (0.41 * t).sin();
     let wheel = &mut input.wheel;
     wheel.position[1] = 0.75 + 7e-3 * (0.037 * t).sin();
     wheel.position[2] = -0.46 + 3e-4 * (1.0 + (0.41 * t).sin());
@@ -62,6 +63,7 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
             (CreepageModel::Kinematic, Flexibilities::Blended),
         ),
         (NormalModel::Hertz, TangentialModel::Fastsim, plain),
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastrip, plain),
     ];
     for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
         variants.into_iter().enumerate()
@@ -72,6 +74,7 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
             tangential_model,
             creepage_model,
             flexibilities,
+            vertical_mode: if k == 4 { VerticalMode::Load } else { VerticalMode::Penetration },
             bound: if k == 1 { TractionBound::Elliptic } else { TractionBound::Parabolic },
             ..Parameters::default()
         };

@@ -9,11 +9,13 @@ use super::models::Models;
 use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
+use super::uneven::{ZoneSurface, closing_speed};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::kinematics::creepage::{RelativeMotion, kinematic_creepage, rolling_speed};
+use crate::geometry::separation::Separation;
+use crate::kinematics::creepage::{ContactAxes, RelativeMotion, kinematic_creepage, rolling_speed};
 use crate::normal::damping;
 use crate::tangential::RollingState;
 
@@ -36,27 +38,42 @@ pub struct ContactForces<'a> {
 }
 
 impl ContactForces<'_> {
-    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`.
+    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`; returns how many zones
+    /// fell back to a simpler tangential model.
     pub fn add(
         &self,
         separation: &mut LineSeparation,
         models: &mut Models,
         output: &mut Output,
         work: &mut Work,
-    ) {
+    ) -> u64 {
+        let mut fallbacks = 0;
         // All points have their x from the wheel marker, so that no result depends on the station by rounding.
         let [station, y, z] = self.input.wheel.position;
         let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
         let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
-        let lateral = self.frame.direction(self.contact.tangent);
-        let normal = self.frame.direction(self.contact.normal());
+        let even_axes = ContactAxes::along_track(
+            self.frame.direction(self.contact.tangent),
+            self.frame.direction(self.contact.normal()),
+        );
+        let lifting = separation.lifting();
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch = self.track_point(self.line.at(self.contact.u).x, 0.0, self.contact.penetration);
+        let touch_x = if lifting.is_some() {
+            separation.at(self.contact.u).x
+        } else {
+            self.line.even_at(self.contact.u).x
+        };
+        let touch = self.track_point(touch_x, 0.0, self.contact.penetration);
         let [load, penetration] =
             self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
-        let closing_speed = motion.closing_velocity(touch).dot(&normal);
+        let [forward, ..] = wheel.velocity;
+        let closing_speed = motion.closing_velocity(touch).dot(&even_axes.normal)
+            + lifting.map_or(0.0, |lifting| {
+                let radius = self.line.nominal_radius();
+                closing_speed(&lifting, touch_x, forward, wheel.pitch_rate, radius)
+            });
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         let load_factor = if load > 0.0 { damped / load } else { 0.0 };
         for index in 0..models.strips.zones.len() {
@@ -65,24 +82,28 @@ impl ContactForces<'_> {
                 continue;
             }
             work.zones += 1;
-            let at = self.line.at(zone.u);
+            let at = self.line.even_at(zone.u);
+            let surface = lifting
+                .map_or(ZoneSurface::EVEN, |lifting| ZoneSurface::new(&lifting, at.x, &zone));
+            let axes = even_axes.leaning(surface.lean);
             let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
             let axis = self.contact.normal();
-            let depth = to[0] * axis[0] + to[1] * axis[1];
+            let depth = to[0] * axis[0] + to[1] * axis[1] + surface.depth;
             let position = self.track_point(zone.x, zone.y, depth);
             let wheel_point = self.line.wheel_point(zone.u);
+            let rolling_radius = wheel_point.rolling_radius + surface.radius;
             let speed = rolling_speed(
                 wheel.velocity[0],
                 wheel.pitch_rate,
-                wheel_point.rolling_radius,
+                rolling_radius,
                 models.minimum_speed,
             );
             let slip = match models.creepage {
-                CreepageModel::Flat => motion.creepage(position, lateral, normal, speed.reference),
+                CreepageModel::Flat => motion.creepage(position, &axes, speed.reference),
                 CreepageModel::Kinematic => kinematic_creepage(
                     wheel.velocity[0],
                     wheel.pitch_rate,
-                    wheel_point.rolling_radius,
+                    rolling_radius,
                     speed.reference,
                 ),
                 CreepageModel::Curved => {
@@ -108,12 +129,13 @@ impl ContactForces<'_> {
             } else {
                 let force =
                     models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
-                force.map(|force| Tractions::flat(&force, &slip, lateral, normal))
+                force.map(|force| Tractions::flat(&force, &slip, &axes))
             };
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
+            fallbacks += u64::from(tractions.fell_back);
             let normal_force = zone.load * load_factor;
-            let on_wheel = tractions.force - normal * normal_force;
+            let on_wheel = tractions.force - axes.normal * normal_force;
             add(&mut output.wheel, on_wheel, position - wheel_marker, tractions.moment);
             let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
@@ -125,13 +147,14 @@ impl ContactForces<'_> {
             models.patches.push(Patch {
                 rail: self.k as i32 + 1,
                 normal_force,
-                creep_force: [tractions.force.x, tractions.force.dot(&lateral)],
-                spin_moment: tractions.moment.dot(&normal),
+                creep_force: [axes.longitudinal, axes.lateral]
+                    .map(|axis| tractions.force.dot(&axis)),
+                spin_moment: tractions.moment.dot(&axes.normal),
                 contact_angle: self.contact.angle() + self.frame.roll,
                 position: position.into(),
                 wheel_y: wheel_point.y,
                 rail_y: self.rail.profile_y(separation.rail_parameter(zone.u)),
-                rolling_radius: wheel_point.rolling_radius,
+                rolling_radius,
                 penetration: self.contact.penetration,
                 max_pressure: zone.max_pressure * load_factor,
                 length: zone.length,
@@ -142,6 +165,7 @@ impl ContactForces<'_> {
                 frictional_power,
             });
         }
+        fallbacks
     }
 
     /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in
@@ -155,7 +179,7 @@ impl ContactForces<'_> {
     }
 
     /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
-    fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
+    pub(super) fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x

@@ -14,12 +14,12 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::creepage::{Creepage, RelativeMotion};
+use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::material::MaterialPair;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, RollingState, Tangential};
+use crate::tangential::{CreepForce, Outcome, RollingState, Tangential};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,23 +32,21 @@ pub struct Tractions {
     pub dissipation: f64,
     /// Area that slips [m²].
     pub slip_area: f64,
+    /// Whether a simpler model took the place of one that did not converge.
+    pub fell_back: bool,
 }
 
 impl Tractions {
     /// Those of a flat zone with one creepage.
-    pub fn flat(
-        force: &CreepForce,
-        creepage: &Creepage,
-        lateral: Vector3<f64>,
-        normal: Vector3<f64>,
-    ) -> Self {
+    pub fn flat(force: &CreepForce, creepage: &Creepage, axes: &ContactAxes) -> Self {
         Self {
-            force: Vector3::x() * force.longitudinal + lateral * force.lateral,
-            moment: normal * force.spin_moment,
+            force: axes.longitudinal * force.longitudinal + axes.lateral * force.lateral,
+            moment: axes.normal * force.spin_moment,
             dissipation: -(force.longitudinal * creepage.longitudinal
                 + force.lateral * creepage.lateral
                 + force.spin_moment * creepage.spin),
             slip_area: force.slip_area,
+            fell_back: force.fell_back,
         }
     }
 }
@@ -90,7 +88,8 @@ impl CurvedZone {
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
             let normal = Vector3::x().cross(&tangent);
-            let creepage = motion.creepage(point, tangent, normal, reference_speed);
+            let axes = ContactAxes::along_track(tangent, normal);
+            let creepage = motion.creepage(point, &axes, reference_speed);
             let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
             load += weight;
             mean.longitudinal += weight * creepage.longitudinal;
@@ -124,19 +123,21 @@ impl CurvedZone {
             return None;
         }
         let mut total = Tractions::default();
-        let any = tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
-            let i = j - zone.first;
-            let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
-            let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
-            total.force += force;
-            total.moment += (self.points[i] - position).cross(&force)
-                + Vector3::x().cross(&tangent) * strip.moment;
-            total.dissipation -= strip.longitudinal * creepage.longitudinal
-                + strip.lateral * creepage.lateral
-                + strip.moment * creepage.spin;
-            total.slip_area += strip.slip_area;
-        });
-        any.then_some(total)
+        let outcome =
+            tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
+                let i = j - zone.first;
+                let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
+                let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
+                total.force += force;
+                total.moment += (self.points[i] - position).cross(&force)
+                    + Vector3::x().cross(&tangent) * strip.moment;
+                total.dissipation -= strip.longitudinal * creepage.longitudinal
+                    + strip.lateral * creepage.lateral
+                    + strip.moment * creepage.spin;
+                total.slip_area += strip.slip_area;
+            })?;
+        total.fell_back = outcome == Outcome::FellBack;
+        Some(total)
     }
 }
 

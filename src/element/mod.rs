@@ -3,6 +3,7 @@
 mod contact_forces;
 mod curved_zone;
 mod evaluate;
+mod flattened;
 pub mod input;
 mod models;
 pub mod output;
@@ -10,8 +11,11 @@ pub mod parameters;
 mod rail_contact;
 mod rail_frame;
 mod strip_contact;
+mod uneven;
+mod vertical_load;
 
 pub use evaluate::{Element, Work};
+pub use flattened::FlatContact;
 pub use input::Input;
 pub use output::Output;
 pub use parameters::Parameters;

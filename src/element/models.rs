@@ -2,12 +2,13 @@
 
 use super::curved_zone::CurvedZone;
 use super::output::Patch;
-use super::parameters::{CreepageModel, Parameters};
+use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
 use crate::normal::strips::StripSolver;
+use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
@@ -35,6 +36,10 @@ pub struct Models {
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
     pub material: MaterialPair,
+    /// Boundary elements along and across a contact.
+    pub elements: [usize; 2],
+    /// Scratch memory of contacts on uneven rails or wheels, if there are any.
+    pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
@@ -58,30 +63,43 @@ impl Models {
             young_modulus: parameters.rail_young_modulus,
             poisson_ratio: parameters.rail_poisson_ratio,
         };
-        let is_strips = parameters.normal_model == NormalModel::Strips;
+        // Patches of uneven bodies split along the track too; strips that all meet a wheel's circle are not for them.
+        let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
+        let is_strips = parameters.normal_model == NormalModel::Strips && !parameters.is_uneven();
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
             shape_fit: parameters.shape_fit,
-            damping: parameters.damping,
+            damping: match parameters.vertical_mode {
+                VerticalMode::Penetration => parameters.damping,
+                // A given load is that of a wheel at rest on its rails.
+                VerticalMode::Load => 0.0,
+            },
             tangential: Tangential::new(
                 parameters.tangential_model,
                 parameters.flexibilities,
                 parameters.bound,
                 parameters.elements_along,
+                parameters.normal_elements,
             ),
             creepage: parameters.creepage_model,
-            curved_zone: CurvedZone::with_capacity(parameters.strips),
+            curved_zone: CurvedZone::with_capacity(if is_strips {
+                MOST_ZONES * parameters.strips
+            } else {
+                parameters.strips
+            }),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
+            elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
-            strips: Strips::with_capacity(MOST_ZONES, parameters.strips),
+            uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
+            strips: Strips::with_capacity(zones, parameters.strips),
             strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
             rail_strips: Strips::with_capacity(
                 if is_strips { MOST_ZONES } else { 0 },
                 parameters.strips,
             ),
-            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * MOST_ZONES),
+            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What is fixed once an element is initialised.
 
+pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
+pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::{Flexibilities, TangentialModel};
@@ -13,6 +15,16 @@ pub enum Side {
     Right,
     /// Negative y: computed as the mirror image of the right side.
     Left,
+}
+
+/// What is given of the vertical motion of the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VerticalMode {
+    /// The height of the wheel; forces follow from the penetration.
+    #[default]
+    Penetration,
+    /// The vertical force that the rails carry; the height is found.
+    Load,
 }
 
 /// How creepage varies over a patch.
@@ -38,6 +50,10 @@ pub struct WheelParameters {
     pub young_modulus: f64,
     /// Poisson's ratio, 0 to 0.5 [-].
     pub poisson_ratio: f64,
+    /// Deviation from a circle.
+    pub out_of_round: OutOfRound,
+    /// A flat.
+    pub flat: WheelFlat,
 }
 
 /// One rail: profile and how it stands.
@@ -49,6 +65,8 @@ pub struct RailParameters {
     pub enabled: bool,
     /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025 [-].
     pub inclination: f64,
+    /// Corrugation.
+    pub corrugation: Corrugation,
 }
 
 /// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
@@ -82,6 +100,8 @@ pub struct Parameters {
     pub gauge_depth: f64,
     /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
     pub profile_smoothing: f64,
+    /// What is given of the vertical motion.
+    pub vertical_mode: VerticalMode,
     /// Normal contact model.
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
@@ -90,6 +110,8 @@ pub struct Parameters {
     pub shape_fit: ShapeFit,
     /// Strips across each loaded zone, 4 to 200.
     pub strips: usize,
+    /// Boundary elements along and across the extent of a contact, 4 to 200.
+    pub normal_elements: [usize; 2],
     /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
     pub damping: f64,
     /// How creepage varies over a patch.
@@ -118,11 +140,14 @@ impl Default for Parameters {
                 nominal_radius: 0.46,
                 young_modulus: 2.1e11,
                 poisson_ratio: 0.28,
+                out_of_round: OutOfRound::default(),
+                flat: WheelFlat::default(),
             },
             rails: [true, false].map(|enabled| RailParameters {
                 profile: "60E1".into(),
                 enabled,
                 inclination: 0.025,
+                corrugation: Corrugation::default(),
             }),
             second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
@@ -130,10 +155,12 @@ impl Default for Parameters {
             gauge: 1.435,
             gauge_depth: 0.014,
             profile_smoothing: 0.004,
+            vertical_mode: VerticalMode::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
             strips: 30,
+            normal_elements: [40, 40],
             damping: 1e5,
             creepage_model: CreepageModel::default(),
             minimum_speed: 1e-3,
@@ -193,11 +220,14 @@ impl Parameters {
         let epsilon = self.virtual_penetration;
         let fits = epsilon > 0.0 && epsilon < 1.0;
         require("normal.virtual_penetration".into(), epsilon, fits, "greater than 0, less than 1")?;
-        for (name, value) in
-            [("normal.strips", self.strips), ("tangential.elements_along", self.elements_along)]
-        {
+        for (name, value) in [
+            ("normal.strips", self.strips),
+            ("normal.elements_along", self.normal_elements[0]),
+            ("normal.elements_across", self.normal_elements[1]),
+            ("tangential.elements_along", self.elements_along),
+        ] {
             require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
         }
-        Ok(())
+        self.check_deviations()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
+use super::flattened::FlatContact;
 use super::input::Input;
 use super::models::Models;
 use super::output::Output;
@@ -9,14 +10,15 @@ use super::parameters::Parameters;
 use super::rail_frame::RailFrame;
 use super::strip_contact;
 use crate::geometry::clearance::Clearance;
-use crate::geometry::contact_line::ContactLine;
+use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
-use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::line_separation::{Lifting, LineSeparation};
+use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::Profile;
-use crate::geometry::separation::Probe;
+use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::normal::{self, NormalProblem};
+use crate::normal::{self, NormalModel, NormalProblem};
 
 /// One rail and what is prepared for its contact with the wheel.
 #[derive(Clone, Debug)]
@@ -30,6 +32,8 @@ pub struct RailContact {
     search: ContactSearch,
     /// Distance of the contact line from the rail over all contacts.
     probes: Room<Probe>,
+    /// Deviations of wheel and rail along the track, if there are any.
+    deviations: Option<Longitudinal>,
 }
 
 /// Most stretches of a contact line that are searched apart from each other.
@@ -38,7 +42,12 @@ const MOST_RANGES: usize = 32;
 impl RailContact {
     /// Prepares the contact of the wheel with profile `wheel` and a placed rail.
     #[must_use]
-    pub fn new(wheel: &Profile, parameters: &Parameters, rail: PlacedRail) -> Self {
+    pub fn new(
+        wheel: &Profile,
+        parameters: &Parameters,
+        rail: PlacedRail,
+        deviations: Option<Longitudinal>,
+    ) -> Self {
         let nominal_radius = parameters.wheel.nominal_radius;
         Self {
             clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
@@ -48,16 +57,30 @@ impl RailContact {
             wheel: wheel.clone(),
             nominal_radius,
             rail,
+            deviations,
         }
     }
 
     /// Whether any contact appears for `input` (right side) with rail number `k`.
     pub fn touches(&mut self, k: usize, input: &Input) -> bool {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
-        self.clearance.ranges(&pose, &mut self.ranges);
+        self.find_ranges(input, &pose);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line = with(line, self.deviations.as_ref());
         self.search.search(&line, &self.rail, &self.ranges);
         !self.search.contacts.is_empty()
+    }
+
+    /// Fills `ranges` with the stretches of the contact line that may touch, and places the deviations along the track.
+    fn find_ranges(&mut self, input: &Input, pose: &WheelPose) {
+        let mut lowest = *pose;
+        if let Some(deviations) = &mut self.deviations {
+            let station = input.track_s + input.wheel.position[0];
+            let ahead = (2.0 * self.nominal_radius + 0.1) * pose.yaw.abs();
+            deviations.place(station, input.wheel.pitch, ahead);
+            lowest.marker[2] += deviations.highest();
+        }
+        self.clearance.ranges(&lowest, &mut self.ranges);
     }
 
     /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of rail number `k` [m].
@@ -65,11 +88,39 @@ impl RailContact {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
         // A rolled rail turns the height about its marker.
+        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
         frame.marker.z + self.clearance.clear_height(pose.roll)
             - pose.marker[1].abs() * frame.roll.abs()
+            - highest
     }
 
-    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room.
+    /// A marker height a little above that of first touch for `input` (right side) with rail number `k`, by the bounds of
+    /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
+    pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+    }
+
+    /// The contacts with rail number `k` for `input` (right side), laid flat.
+    pub fn flattened(&mut self, k: usize, input: &Input, minimum_speed: f64) -> Vec<FlatContact> {
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let pose = frame.pose(&input.wheel);
+        self.find_ranges(input, &pose);
+        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line = with(line, self.deviations.as_ref());
+        self.search.search(&line, &self.rail, &self.ranges);
+        let contacts = self.search.contacts.iter().map(|&contact| {
+            let mut separation = LineSeparation::new(&line, &self.rail, contact);
+            let radius = line.wheel_point(contact.u).section_radius;
+            let rail = &self.rail;
+            let forces = ContactForces { k, input, frame, line, rail, contact, damped_with: None };
+            forces.flattened(&mut separation, radius, minimum_speed)
+        });
+        contacts.collect()
+    }
+
+    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a
+    /// simpler model.
     pub fn evaluate(
         &mut self,
         k: usize,
@@ -80,12 +131,13 @@ impl RailContact {
     ) -> u64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
-        self.clearance.ranges(&pose, &mut self.ranges);
+        self.find_ranges(input, &pose);
         if self.ranges.is_empty() {
             work.lifted += 1;
             return 0;
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line = with(line, self.deviations.as_ref());
         let before = (self.search.evaluations, self.search.left_out);
         self.search.search(&line, &self.rail, &self.ranges);
         work.searches += 1;
@@ -106,7 +158,8 @@ impl RailContact {
                 for zone in 0..models.rail_strips.zones.len() {
                     let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
                     let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                    forces(contact, Some(whole)).add(&mut separation, models, output, work);
+                    left_out +=
+                        forces(contact, Some(whole)).add(&mut separation, models, output, work);
                 }
                 return left_out;
             }
@@ -117,25 +170,61 @@ impl RailContact {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             self.search.refine_probes(&contact, &mut separation);
             models.strips.clear();
+            let even_radius = line.wheel_point(contact.u).section_radius;
+            let lifting = separation.lifting();
+            let radius = lifting.map_or(even_radius, |lifting| {
+                local_radius(even_radius, &lifting, separation.at(contact.u).x)
+            });
             let problem = NormalProblem {
                 approach: contact.penetration,
-                radius: line.wheel_point(contact.u).section_radius,
+                radius,
                 contact_modulus: models.material.contact_modulus,
                 contact_u: contact.u,
                 lateral_curvature: line.curvature(contact.u) + self.rail.curvature(contact.rail_s),
                 rule: &models.rule,
+                elements: models.elements,
             };
-            left_out += normal::solve(
-                models.normal,
-                models.virtual_penetration,
-                models.shape_fit,
-                &problem,
-                &mut separation,
-                &self.search.probes[contact.probes[0]..contact.probes[1]],
-                &mut models.strips,
-            ) as u64;
-            forces(contact, None).add(&mut separation, models, output, work);
+            let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
+            let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
+            let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
+                uneven.solve(
+                    &problem,
+                    models.virtual_penetration,
+                    &mut separation,
+                    lifting,
+                    probes,
+                    &mut models.strips,
+                )
+            } else {
+                normal::solve(
+                    models.normal,
+                    models.virtual_penetration,
+                    models.shape_fit,
+                    &problem,
+                    &mut separation,
+                    probes,
+                    &mut models.strips,
+                )
+            };
+            left_out += no_room as u64;
+            left_out += forces(contact, None).add(&mut separation, models, output, work);
         }
         left_out
     }
+}
+
+/// The line with deviations along the track, if there are any.
+fn with<'a>(line: ContactLine<'a>, deviations: Option<&'a Longitudinal>) -> ContactLine<'a> {
+    deviations.map_or(line, |deviations| line.with_deviations(deviations))
+}
+
+/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
+/// ellipse.
+const LEAST_CURVATURE_SHARE: f64 = 0.02;
+
+/// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose even section has `radius` [m].
+fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
+    let [_, _, curvature] = lifting.deviations.nearness(x);
+    let even = 1.0 / radius;
+    1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
 }

@@ -33,7 +33,7 @@ impl Line for LocalLine<'_> {
     fn place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
-        let (at, derivative) = self.line.with_derivative(u);
+        let (at, derivative) = self.line.even_with_derivative(u);
         let [near_u, near_s, rate] = self.near;
         // Far from the last place the guess may be anywhere.
         let guess = if (u - near_u).abs() < FAR {

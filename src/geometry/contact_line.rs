@@ -13,9 +13,11 @@
 //! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
 //! than 87 degrees, a flange back, touches with its rim: see [`rim`].
 
+mod lifted;
 mod rim;
 
 use crate::geometry::curve::{Curve, CurvePoint};
+use crate::geometry::longitudinal::Longitudinal;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
 const LEAST_SLOPE_COSINE: f64 = 0.05;
@@ -54,6 +56,8 @@ pub struct ContactLine<'a> {
     ahead: [f64; 2],
     /// (y, z) of e2, the direction down, across x and the axle.
     down: [f64; 2],
+    /// Deviations of wheel and rail along the track, where there are any.
+    deviations: Option<&'a Longitudinal>,
 }
 
 /// The point of a rolling circle that belongs to the line.
@@ -100,7 +104,21 @@ impl<'a> ContactLine<'a> {
             lead: axle[0] / cosine,
             ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
+            deviations: None,
         }
+    }
+
+    /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
+    /// are nearer to each other by their deviations.
+    #[must_use]
+    pub fn with_deviations(self, deviations: &'a Longitudinal) -> Self {
+        Self { deviations: Some(deviations), ..self }
+    }
+
+    /// Radius of the running circle [m].
+    #[must_use]
+    pub fn nominal_radius(&self) -> f64 {
+        self.nominal_radius
     }
 
     /// Range of the parameter of the line, which is that of the profile [m].
@@ -113,15 +131,25 @@ impl<'a> ContactLine<'a> {
     #[inline]
     #[must_use]
     pub fn at(&self, s: f64) -> LinePoint {
+        if let Some(deviations) = self.deviations {
+            return self.lifted(s, deviations);
+        }
+        self.even_at(s)
+    }
+
+    /// As [`at`](Self::at), without deviations along the track.
+    #[inline]
+    #[must_use]
+    pub fn even_at(&self, s: f64) -> LinePoint {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) }
     }
 
-    /// The point at parameter `s` [m] and the derivative of its (y, z).
+    /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
     #[inline]
     #[must_use]
-    pub fn with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
+    pub fn even_with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         if self.follows_rim(&p) {
@@ -129,12 +157,7 @@ impl<'a> ContactLine<'a> {
             return (rim.point(), rim.derivative());
         }
         let [_, uy, uz] = self.axle;
-        // d sin α/ds where neither bound is active.
-        let turning = if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
-            self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
-        } else {
-            0.0
-        };
+        let turning = self.turning(&p, &on);
         let sideways = on.radius * turning / on.cosine;
         let across = |i: usize, axle: f64| {
             p.first[0] * axle
@@ -142,6 +165,16 @@ impl<'a> ContactLine<'a> {
                 + sideways * (self.ahead[i] * on.cosine - self.down[i] * on.sine)
         };
         (self.point(&p, &on), [across(0, uy), across(1, uz)])
+    }
+
+    /// d sin α/ds where neither bound is active.
+    #[inline]
+    fn turning(&self, p: &CurvePoint, on: &OnCircle) -> f64 {
+        if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
+            self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
+        } else {
+            0.0
+        }
     }
 
     /// Where on its rolling circle the profile point `p` belongs to the line.
@@ -193,7 +226,8 @@ impl<'a> ContactLine<'a> {
     pub fn stretch_per_factor(&self) -> f64 {
         let least_cosine = (1.0 - MOST_SINE * MOST_SINE).sqrt();
         // No profile reaches beyond twice the nominal radius.
-        2.0 * self.nominal_radius * self.lead * self.lead / least_cosine
+        let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
+        even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))
     }
 
     /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the normal section along x [m].

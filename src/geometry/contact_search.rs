@@ -22,6 +22,8 @@ pub const MOST_CONTACTS: usize = 16;
 pub const MOST_PROBES: usize = 2048;
 /// Step inside an interval of penetration: waves of a profile that are shorter are not told apart [m].
 const INSIDE_STEP: f64 = 1.5e-3;
+/// The same where a yawed wheel also passes deviations along the track, faster than its own waves [m].
+const KINKED_STEP: f64 = 5e-4;
 /// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
 const LEAST_STEP: f64 = 5e-4;
 /// Length of the bins for which the concavity of the wheel is kept [m].
@@ -153,7 +155,7 @@ impl ContactSearch {
     /// How far the line may be followed without passing a penetration.
     fn step(&self, from: &Sample, line: &ContactLine, rail_concavity: f64) -> f64 {
         if from.distance <= 0.0 {
-            return INSIDE_STEP;
+            return if line.has_kinks() { KINKED_STEP } else { INSIDE_STEP };
         }
         let [start, end] = line.range();
         let per_factor = line.stretch_per_factor();
@@ -176,7 +178,7 @@ impl ContactSearch {
         let mut step = u.min(end) - from.u;
         // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond its centre without bound.
         let hollow = rail_concavity * from.distance;
-        if !from.beyond_end && hollow < MOST_HOLLOW {
+        if !from.beyond_end && hollow < MOST_HOLLOW && !line.has_kinks() {
             let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);
             // d + slope·t - concavity·t²/2 vanishes no sooner than at:
             let root = (from.slope * from.slope + 2.0 * concavity * from.distance).sqrt();

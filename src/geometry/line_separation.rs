@@ -5,6 +5,7 @@
 
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
+use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::{Separation, SeparationPoint};
 
@@ -14,9 +15,22 @@ pub struct LineSeparation<'a> {
     line: &'a ContactLine<'a>,
     rail: &'a PlacedRail,
     contact: Contact,
+    /// Radius of the wheel's circles and the share of a lift along the normal, where there are deviations along the track.
+    lifting: Option<Lifting<'a>>,
     /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the one by the other: the next
     /// point is near.
     near: [f64; 3],
+}
+
+/// Deviations along the track as the frame of a contact sees them.
+#[derive(Clone, Copy, Debug)]
+pub struct Lifting<'a> {
+    /// The deviations of both bodies.
+    pub deviations: &'a Longitudinal,
+    /// Radius r of the circles that the wheel shows the rail, so that r/share is that of the normal section [m].
+    pub radius: f64,
+    /// Component along the normal of a unit of lift, the cosine of the contact angle [-].
+    pub share: f64,
 }
 
 /// Cosine of the angle to the contact frame beyond which a line counts as ended.
@@ -30,7 +44,24 @@ impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
     #[must_use]
     pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: Contact) -> Self {
-        Self { line, rail, contact, near: [contact.rail_s, 0.0, 1.0] }
+        let lifting = line.deviations().map(|deviations| Lifting {
+            deviations,
+            radius: line.lifting_radius(contact.u),
+            share: line.lifting_share(contact.normal()),
+        });
+        Self { line, rail, contact, lifting, near: [contact.rail_s, 0.0, 1.0] }
+    }
+
+    /// How the bodies deviate along the track from even ones.
+    #[must_use]
+    pub fn lifting(&self) -> Option<Lifting<'a>> {
+        self.lifting
+    }
+
+    /// Place x_l of the even contact line at parameter `u`, from the wheel marker [m].
+    #[must_use]
+    pub fn centre(&self, u: f64) -> f64 {
+        self.line.even_at(u).x
     }
 
     /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal;
@@ -86,7 +117,7 @@ impl<'a> LineSeparation<'a> {
     /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
     #[must_use]
     pub fn rail_parameter(&mut self, u: f64) -> f64 {
-        let point = self.line.at(u).point;
+        let point = self.line.even_at(u).point;
         let [o, t] = [self.contact.origin, self.contact.tangent];
         let y = (point[0] - o[0]) * t[0] + (point[1] - o[1]) * t[1];
         self.opposite(y).map_or(self.contact.rail_s, |found| found[0])
@@ -96,7 +127,7 @@ impl<'a> LineSeparation<'a> {
 impl Separation for LineSeparation<'_> {
     #[inline]
     fn at(&mut self, u: f64) -> SeparationPoint {
-        let (at, derivative) = self.line.with_derivative(u);
+        let (at, derivative) = self.line.even_with_derivative(u);
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
         let y = to[0] * tangent[0] + to[1] * tangent[1];
@@ -104,7 +135,10 @@ impl Separation for LineSeparation<'_> {
         let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
         let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
         let f = rail.map_or(f64::INFINITY, |[_, rail]| rail - depth + self.contact.penetration);
-        SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }
+        let point = SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x };
+        let Some(lifting) = self.lifting else { return point };
+        let lift = lifting.deviations.lift(at.x, lifting.radius);
+        SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
     }
 
     fn along(&mut self, u: f64) -> f64 {

@@ -1,9 +1,11 @@
 //! Files: the only place that reads them, and the only one with millimetres in it.
 
+mod deviation_file;
 mod miniprof;
 mod profile_file;
 mod simpack;
 mod table;
 mod two_column;
 
+pub use deviation_file::{Deviations, load_deviations};
 pub use profile_file::load_profile;

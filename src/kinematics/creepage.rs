@@ -70,6 +70,39 @@ pub fn rolling_speed(
     RollingSpeed { reference, forward_share: (0.5 * (1.0 + contact / reference)).clamp(0.0, 1.0) }
 }
 
+/// Unit vectors of a contact in the track frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactAxes {
+    /// Along the track, or along its surface where a corrugated rail leans.
+    pub longitudinal: Vector3<f64>,
+    /// Across, in the contact plane, towards the field side.
+    pub lateral: Vector3<f64>,
+    /// Into the rail.
+    pub normal: Vector3<f64>,
+}
+
+impl ContactAxes {
+    /// The axes of a contact plane along the track with unit vectors `lateral` and `normal`.
+    #[must_use]
+    pub fn along_track(lateral: Vector3<f64>, normal: Vector3<f64>) -> Self {
+        Self { longitudinal: Vector3::x(), lateral, normal }
+    }
+
+    /// The same axes turned about the lateral one, so that the normal leans forward by an angle with that tangent.
+    #[must_use]
+    pub fn leaning(self, tangent: f64) -> Self {
+        if tangent == 0.0 {
+            return self;
+        }
+        let size = 1.0 / tangent.hypot(1.0);
+        Self {
+            longitudinal: (self.longitudinal - self.normal * tangent) * size,
+            normal: (self.normal + self.longitudinal * tangent) * size,
+            ..self
+        }
+    }
+}
+
 /// Velocities of wheel and rail at any point, in the track frame.
 #[derive(Clone, Copy, Debug)]
 pub struct RelativeMotion {
@@ -103,22 +136,20 @@ impl RelativeMotion {
         }
     }
 
-    /// Creepage at `point` [m] in the contact plane with unit vectors `lateral` and `normal` (into the rail), for the
-    /// reference speed [m/s].
+    /// Creepage at `point` [m] of a contact with the given axes, for the reference speed [m/s].
     #[must_use]
     pub fn creepage(
         &self,
         point: Vector3<f64>,
-        lateral: Vector3<f64>,
-        normal: Vector3<f64>,
+        axes: &ContactAxes,
         reference_speed: f64,
     ) -> Creepage {
         let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
         let slip = wheel - self.rail_velocity_at(point);
-        let spin = (self.wheel_rotation - self.rail_rotation).dot(&normal);
+        let spin = (self.wheel_rotation - self.rail_rotation).dot(&axes.normal);
         Creepage {
-            longitudinal: bounded(slip.x / reference_speed),
-            lateral: bounded(slip.dot(&lateral) / reference_speed),
+            longitudinal: bounded(slip.dot(&axes.longitudinal) / reference_speed),
+            lateral: bounded(slip.dot(&axes.lateral) / reference_speed),
             spin: bounded(spin / reference_speed),
         }
     }

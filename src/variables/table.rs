@@ -4,8 +4,8 @@ use super::values::Values;
 use super::{Causality, Enumeration, Item, Kind, Value, Variable};
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
-    CreepageModel, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
-    TractionBound,
+    CreepageModel, FlatShape, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
+    TractionBound, VerticalMode,
 };
 
 /// A field that is an integer or an enumeration outside.

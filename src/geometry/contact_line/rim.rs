@@ -140,6 +140,11 @@ impl Rim<'_> {
         self.along_height().map(|rate| rate * self.height_rate)
     }
 
+    /// Derivative of x with respect to the parameter of the line.
+    pub(super) fn advance(&self) -> f64 {
+        self.line.cosine * self.ahead_rate * self.height_rate
+    }
+
     /// The wheel at the rim.
     pub(super) fn wheel_point(&self) -> WheelPoint {
         let radius = self.line.nominal_radius + self.edge.point[1];

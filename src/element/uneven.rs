@@ -1,0 +1,257 @@
+//! Rails and wheels that are not even along the track: from parameters to deviations, and what they do to the place and the
+//! direction of a patch.
+
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use super::parameters::{NormalModel, Parameters};
+use crate::element::parameters::CreepageModel;
+use crate::error::ContactError;
+use crate::geometry::line_separation::Lifting;
+use crate::geometry::longitudinal::Longitudinal;
+use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
+use crate::io::{Deviations, load_deviations};
+use crate::normal::Zone;
+
+/// Corrugation of a rail: its height over the station, a cosine and what a file holds on top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corrugation {
+    /// Half the height from trough to crest, 0 for none [m].
+    pub amplitude: f64,
+    /// Wavelength, > 0 [m].
+    pub wavelength: f64,
+    /// Phase at station 0, where a wave of phase 0 has a crest [rad].
+    pub phase: f64,
+    /// File with the columns `station_m` and `height_mm`, up positive; empty for none.
+    pub file: String,
+}
+
+impl Default for Corrugation {
+    fn default() -> Self {
+        Self { amplitude: 0.0, wavelength: 0.033, phase: 0.0, file: String::new() }
+    }
+}
+
+/// Deviation of a wheel from a circle: one harmonic of its radius, and what a file holds on top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutOfRound {
+    /// Half the difference from least to greatest radius, 0 for none [m].
+    pub amplitude: f64,
+    /// Number of waves around the wheel, ≥ 1.
+    pub order: usize,
+    /// Phase of the wave at the point that is lowest at pitch 0 [rad].
+    pub phase: f64,
+    /// File with the columns `angle_deg` and `radius_mm`, the deviation of the radius; empty for none.
+    pub file: String,
+}
+
+impl Default for OutOfRound {
+    fn default() -> Self {
+        Self { amplitude: 0.0, order: 1, phase: 0.0, file: String::new() }
+    }
+}
+
+/// A flat of a wheel.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WheelFlat {
+    /// Length along the running circle, 0 for none [m].
+    pub length: f64,
+    /// Place of its middle: the angle by which the wheel has to roll forward from pitch 0 until it stands on it [rad].
+    pub angle: f64,
+    /// Greatest depth of a worn flat, 0 for L²/(16 R); that of a fresh one is L²/(8 R) [m].
+    pub depth: f64,
+    /// Fresh or worn.
+    pub shape: FlatShape,
+}
+
+impl Parameters {
+    /// Whether anything is uneven along the track.
+    #[must_use]
+    pub fn is_uneven(&self) -> bool {
+        let OutOfRound { amplitude, file, .. } = &self.wheel.out_of_round;
+        *amplitude != 0.0
+            || !file.is_empty()
+            || self.wheel.flat.length != 0.0
+            || self.rails.iter().any(|r| {
+                r.enabled && (r.corrugation.amplitude != 0.0 || !r.corrugation.file.is_empty())
+            })
+    }
+
+    /// Whether deviations along the track are in their range and go with the models.
+    pub(super) fn check_deviations(&self) -> Result<(), ContactError> {
+        let require = |name: String, value: f64, fits: bool, allowed: &'static str| {
+            if value.is_finite() && fits {
+                Ok(())
+            } else {
+                Err(ContactError::bad_value(name, value, allowed))
+            }
+        };
+        let steep = "such that waves are no steeper than 0.3";
+        let radius = self.wheel.nominal_radius;
+        let finite = "a finite number";
+        for (k, rail) in self.rails.iter().enumerate() {
+            let Corrugation { amplitude, wavelength, phase, .. } = rail.corrugation;
+            let name = |part: &str| format!("rail[{}].corrugation.{part}", k + 1);
+            require(name("amplitude"), amplitude, amplitude >= 0.0, "a finite number, at least 0")?;
+            let positive = "a finite number greater than 0";
+            require(name("wavelength"), wavelength, wavelength > 0.0, positive)?;
+            let slope = TAU * amplitude / wavelength;
+            require(name("wavelength"), wavelength, slope <= MOST_SLOPE, steep)?;
+            require(name("phase"), phase, true, finite)?;
+        }
+        let OutOfRound { amplitude, order, phase, .. } = self.wheel.out_of_round;
+        let name = |part: &str| format!("wheel.out_of_round.{part}");
+        require(name("amplitude"), amplitude, amplitude >= 0.0, "a finite number, at least 0")?;
+        require(name("order"), order as f64, (1..=200).contains(&order), "1 to 200")?;
+        let slope = amplitude * order as f64 / radius;
+        require(name("amplitude"), amplitude, slope <= MOST_SLOPE, steep)?;
+        require(name("phase"), phase, true, finite)?;
+        let WheelFlat { length, angle, depth, shape } = self.wheel.flat;
+        let name = |part: &str| format!("wheel.flat.{part}");
+        let fits = (0.0..=0.5 * radius).contains(&length);
+        require(name("length"), length, fits, "from 0 to half the nominal radius, in m")?;
+        require(name("angle"), angle, true, finite)?;
+        let fits = (0.0..=0.05 * length.max(1e-9)).contains(&depth);
+        require(name("depth"), depth, fits, "from 0 to a twentieth of its length, in m")?;
+        let fits = shape == FlatShape::Worn || depth == 0.0;
+        let chord = "0 for a fresh flat, which is as deep as a chord of its length";
+        require(name("depth"), depth, fits, chord)?;
+        if !self.is_uneven() {
+            return Ok(());
+        }
+        let refuse = |name: &str, value: &str, allowed: &str| {
+            let why = "with wheel.flat, wheel.out_of_round or rail[k].corrugation";
+            Err(ContactError::BadText {
+                name: name.into(),
+                value: value.into(),
+                allowed: format!("{why} it has to be {allowed}"),
+            })
+        };
+        if !matches!(self.normal_model, NormalModel::Hertz | NormalModel::PiotrowskiKik) {
+            let value = format!("{:?}", self.normal_model);
+            return refuse("normal.model", &value, "hertz or piotrowski_kik");
+        }
+        if self.creepage_model == CreepageModel::Curved {
+            return refuse("creepage.model", "Curved", "kinematic or flat");
+        }
+        Ok(())
+    }
+}
+
+/// Steepest waves that are admitted [-].
+const MOST_SLOPE: f64 = 0.3;
+
+/// The deviations of the wheel, if it has any.
+///
+/// # Errors
+/// A file that cannot be used.
+pub fn wheel_deviations(
+    parameters: &Parameters,
+    folders: &[PathBuf],
+) -> Result<Waviness, ContactError> {
+    let radius = parameters.wheel.nominal_radius;
+    let mut waviness = Waviness::new(Some(TAU * radius));
+    let OutOfRound { amplitude, order, phase, file } = &parameters.wheel.out_of_round;
+    if *amplitude > 0.0 {
+        let wavelength = TAU * radius / *order as f64;
+        waviness.add_harmonic(Harmonic { amplitude: *amplitude, wavelength, phase: *phase });
+    }
+    if !file.is_empty() {
+        let name = "wheel.out_of_round.file";
+        waviness.set_table(&load_deviations(name, file, Deviations::Wheel { radius }, folders)?);
+    }
+    let WheelFlat { length, angle, depth, shape } = parameters.wheel.flat;
+    if length > 0.0 {
+        let chord = Flat::chord_depth(length, radius);
+        let depth = match shape {
+            FlatShape::Worn if depth > 0.0 => depth,
+            FlatShape::Worn => 0.5 * chord,
+            FlatShape::Fresh => chord,
+        };
+        waviness.add_flat(Flat { length, middle: angle * radius, depth, shape });
+    }
+    Ok(waviness)
+}
+
+/// The deviations of rail number `k`, if it has any.
+///
+/// # Errors
+/// A file that cannot be used.
+pub fn rail_deviations(
+    parameters: &Parameters,
+    k: usize,
+    folders: &[PathBuf],
+) -> Result<Waviness, ContactError> {
+    let Corrugation { amplitude, wavelength, phase, file } = &parameters.rails[k].corrugation;
+    let mut waviness = Waviness::new(None);
+    if *amplitude > 0.0 {
+        let (amplitude, wavelength) = (*amplitude, *wavelength);
+        waviness.add_harmonic(Harmonic { amplitude, wavelength, phase: *phase });
+    }
+    if !file.is_empty() {
+        let name = format!("rail[{}].corrugation.file", k + 1);
+        waviness.set_table(&load_deviations(&name, file, Deviations::Rail, folders)?);
+    }
+    Ok(waviness)
+}
+
+/// Where the surface of an uneven wheel lies in a zone, and how it leans.
+#[derive(Clone, Copy, Debug)]
+pub struct ZoneSurface {
+    /// How much deeper along the normal than the even contact line the wheel is at the centroid of the load [m].
+    pub depth: f64,
+    /// Deviation of the radius there [m].
+    pub radius: f64,
+    /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
+    pub lean: f64,
+}
+
+impl ZoneSurface {
+    /// That of an even wheel on an even rail.
+    pub const EVEN: Self = Self { depth: 0.0, radius: 0.0, lean: 0.0 };
+
+    /// The surface at the centroid of load of `zone`, over the place `centre` of the even contact line.
+    ///
+    /// The normal force follows the rail's surface where the rail alone could push along the track: on an even rail it has no part
+    /// along x, and on a round wheel it has no moment about the axle. Both are exact for frictionless bodies. A round wheel
+    /// on a corrugated rail leans as its own radius at the centroid does.
+    #[must_use]
+    pub fn new(lifting: &Lifting, centre: f64, zone: &Zone) -> Self {
+        let Lifting { deviations, radius, share } = *lifting;
+        let to = zone.x - centre;
+        let [deviation, slope] = deviations.wheel_deviation(zone.x);
+        let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
+        let depth = share * (deviation - 0.5 * to * to / radius);
+        Self { depth, radius: deviation, lean }
+    }
+}
+
+/// Speed at which the surfaces close at the place `x` of first touch because the wheel moves on and turns on over their deviations:
+/// with the forward `velocity` [m/s] and the `pitch_rate` [rad/s] of a wheel of `nominal_radius` [m].
+#[must_use]
+pub fn closing_speed(
+    lifting: &Lifting,
+    x: f64,
+    velocity: f64,
+    pitch_rate: f64,
+    nominal_radius: f64,
+) -> f64 {
+    let Lifting { deviations, share, .. } = *lifting;
+    let [_, wheel_slope] = deviations.wheel_deviation(x);
+    share * (deviations.rail_slope(x) * velocity - wheel_slope * pitch_rate * nominal_radius)
+}
+
+/// Deviations of wheel and rail number `k` together, if there are any.
+///
+/// # Errors
+/// A file that cannot be used.
+pub fn deviations(
+    parameters: &Parameters,
+    k: usize,
+    folders: &[PathBuf],
+) -> Result<Option<Longitudinal>, ContactError> {
+    let radius = parameters.wheel.nominal_radius;
+    let wheel = wheel_deviations(parameters, folders)?;
+    let rail = rail_deviations(parameters, k, folders)?;
+    Ok(Longitudinal::new(wheel, rail, radius))
+}

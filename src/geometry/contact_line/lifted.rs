@@ -1,0 +1,80 @@
+//! The contact line where wheel and rail are not even along the track.
+
+use super::{ContactLine, LinePoint};
+use crate::geometry::longitudinal::Longitudinal;
+
+/// Least share of its parameter by which the line moves: at the fold of a line, where it stands, a slope over its length has no bound.
+const LEAST_SPEED: f64 = 0.05;
+/// Least share along the normal of a lift, at a face that stands upright.
+const LEAST_SHARE: f64 = 0.05;
+
+impl<'a> ContactLine<'a> {
+    /// Deviations of wheel and rail along the track, where there are any.
+    #[must_use]
+    pub fn deviations(&self) -> Option<&'a Longitudinal> {
+        self.deviations
+    }
+
+    /// Radius of the circles that the wheel shows the rail at parameter `s`: r, and of a yawed wheel what its section has [m].
+    #[must_use]
+    pub fn lifting_radius(&self, s: f64) -> f64 {
+        let wheel = self.wheel_point(s);
+        if self.lead == 0.0 {
+            return wheel.rolling_radius;
+        }
+        let tangent = self.even_at(s).tangent;
+        let length = tangent[0].hypot(tangent[1]);
+        let normal = [-tangent[1] / length, tangent[0] / length];
+        wheel.section_radius * self.lifting_share(normal)
+    }
+
+    /// Component along a contact normal (y, z) of a unit of lift [-].
+    #[must_use]
+    pub fn lifting_share(&self, normal: [f64; 2]) -> f64 {
+        (normal[0] * self.down[0] + normal[1] * self.down[1]).max(LEAST_SHARE)
+    }
+
+    /// Whether the line may have kinks: where a yawed wheel changes from one crest to the next.
+    #[must_use]
+    pub(crate) fn has_kinks(&self) -> bool {
+        self.deviations.is_some() && self.lead != 0.0
+    }
+
+    /// The point at parameter `s` [m], lowered by the lift; x is that of the even line.
+    #[cold]
+    pub(super) fn lifted(&self, s: f64, deviations: &Longitudinal) -> LinePoint {
+        let even = self.even_at(s);
+        let radius = self.lifting_radius(s);
+        let lift = deviations.lift(even.x, radius);
+        let point = [0, 1].map(|i| even.point[i] + lift.height * self.down[i]);
+        if self.lead == 0.0 {
+            return LinePoint { point, ..even };
+        }
+        // By how much the lift changes along the line, over the length of the tangent.
+        let (_, derivative) = self.even_with_derivative(s);
+        let tangent = even.tangent;
+        let squared = tangent[0] * tangent[0] + tangent[1] * tangent[1];
+        let speed = (derivative[0] * tangent[0] + derivative[1] * tangent[1]) / squared;
+        let speed = if speed.abs() < LEAST_SPEED { LEAST_SPEED.copysign(speed) } else { speed };
+        let rate = (lift.x - even.x) / radius * self.advance(s) / speed;
+        let tangent = [0, 1].map(|i| tangent[i] + rate * self.down[i]);
+        LinePoint { point, tangent, ..even }
+    }
+
+    /// Derivative of the even line's x with respect to its parameter.
+    fn advance(&self, s: f64) -> f64 {
+        let p = self.profile.at(s);
+        let on = self.circle(&p);
+        if self.follows_rim(&p) {
+            return self.rim(s, &p, &on).advance();
+        }
+        let turning = self.turning(&p, &on);
+        p.first[0] * self.axle[0] + self.cosine * (p.first[1] * on.sine + on.radius * turning)
+    }
+
+    /// How much longer than the even line the lifted one can be, over [`stretch_factor`](Self::stretch_factor) [m].
+    pub(super) fn lift_stretch(&self, deviations: &Longitudinal) -> f64 {
+        let steepest = deviations.reach() / (0.5 * self.nominal_radius);
+        2.0 * self.nominal_radius * self.lead.abs() * steepest
+    }
+}

@@ -1,0 +1,171 @@
+//! Deviations of a rail over its station or of a wheel over its angle, as two columns of text.
+//!
+//! Rail: `station_m`, `height_mm` up positive. Wheel: `angle_deg`, `radius_mm` the deviation of the radius; the angle by which
+//! the wheel has to roll forward from pitch 0 until it stands there, less than a revolution from first to last. Columns are
+//! separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may stand first.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::ContactError;
+use crate::io::table::{lines, numbers};
+
+/// Of which body a file of deviations is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Deviations {
+    /// A rail.
+    Rail,
+    /// A wheel of that nominal radius [m].
+    Wheel {
+        /// Nominal radius [m].
+        radius: f64,
+    },
+}
+
+/// Largest file that is read [bytes].
+const LARGEST_FILE: u64 = 64 << 20;
+/// Steepest deviations that are admitted [-].
+const MOST_SLOPE: f64 = 0.3;
+
+/// The points (coordinate, deviation) of the file that the parameter `parameter` names [m]: an absolute path or one that is looked
+/// for in `folders`; of a wheel the coordinate is the arc of its running circle.
+///
+/// # Errors
+/// The parameter, the file and what is wrong with it, with its line.
+pub fn load_deviations(
+    parameter: &str,
+    name: &str,
+    body: Deviations,
+    folders: &[PathBuf],
+) -> Result<Vec<[f64; 2]>, ContactError> {
+    let refuse = |allowed: String| ContactError::BadText {
+        name: parameter.into(),
+        value: name.into(),
+        allowed,
+    };
+    let path = Path::new(name);
+    let candidates: Vec<PathBuf> = if path.is_absolute() {
+        vec![path.into()]
+    } else {
+        folders.iter().map(|folder| folder.join(path)).collect()
+    };
+    let found = candidates.iter().find(|p| p.is_file()).ok_or_else(|| {
+        let looked: Vec<String> = candidates.iter().map(|c| c.display().to_string()).collect();
+        refuse(format!("a file that exists (looked for {})", looked.join(", ")))
+    })?;
+    let too_large = std::fs::metadata(found).is_ok_and(|about| about.len() > LARGEST_FILE);
+    if too_large {
+        return Err(refuse(format!("a file of up to {LARGEST_FILE} bytes")));
+    }
+    let bytes = std::fs::read(found).map_err(|e| refuse(format!("a readable file: {e}")))?;
+    let content = String::from_utf8_lossy(&bytes);
+    points(content.trim_start_matches('\u{feff}'), body).map_err(|what| refuse(what))
+}
+
+/// The points of a file.
+fn points(content: &str, body: Deviations) -> Result<Vec<[f64; 2]>, String> {
+    let (columns, scale) = match body {
+        Deviations::Rail => ("station_m height_mm", 1.0),
+        Deviations::Wheel { radius } => ("angle_deg radius_mm", radius.to_radians()),
+    };
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let mut heading = true;
+    for line in lines(content) {
+        let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
+        if text.is_empty() {
+            continue;
+        }
+        let number = line.number;
+        let Some(found) = numbers(text) else {
+            if std::mem::take(&mut heading) && points.is_empty() {
+                continue;
+            }
+            return Err(format!("numbers in the two columns {columns} (line {number})"));
+        };
+        let [first, second] = found[..] else {
+            return Err(format!("the two columns {columns} (line {number})"));
+        };
+        let point = [first * scale, 1e-3 * second];
+        if !point[0].is_finite() || !point[1].is_finite() {
+            return Err(format!("finite numbers (line {number})"));
+        }
+        if let Some(last) = points.last() {
+            let step = point[0] - last[0];
+            if step <= 1e-6 {
+                return Err(format!(
+                    "a first column that grows by a micrometre or more from line to line (line {number})"
+                ));
+            }
+            if (point[1] - last[1]).abs() > MOST_SLOPE * step {
+                return Err(format!("deviations no steeper than {MOST_SLOPE} (line {number})"));
+            }
+        }
+        points.push(point);
+    }
+    if points.len() < 4 {
+        return Err(format!("at least four points in the two columns {columns}"));
+    }
+    if let Deviations::Wheel { radius } = body {
+        let turn = std::f64::consts::TAU * radius;
+        let (first, last) = (points[0], points[points.len() - 1]);
+        let rest = turn - (last[0] - first[0]);
+        if rest < -1e-6 {
+            return Err("angles within one revolution".into());
+        }
+        if rest <= 1e-6 {
+            // The revolution is closed by its first point, said twice.
+            points.pop();
+        } else if (first[1] - last[1]).abs() > MOST_SLOPE * rest {
+            return Err(format!(
+                "deviations no steeper than {MOST_SLOPE} from last to first angle"
+            ));
+        }
+    }
+    Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_rail_has_stations_in_metres_and_heights_in_millimetres() {
+        let text = "station_m,height_mm\n# measured\n0,0.0\n0.01,0.05\n0.02,0\n0.03,-0.05\n";
+        let points = points(text, Deviations::Rail).unwrap();
+        assert_eq!(points.len(), 4);
+        assert_relative_eq!(points[1][0], 0.01);
+        assert_relative_eq!(points[1][1], 5e-5);
+    }
+
+    #[test]
+    fn a_wheel_has_angles_that_close_a_revolution() {
+        let wheel = Deviations::Wheel { radius: 0.5 };
+        let points = points("0 0\n90 0.1\n180 0\n270 -0.1\n360 0\n", wheel).unwrap();
+        assert_eq!(points.len(), 4);
+        assert_relative_eq!(points[2][0], std::f64::consts::PI * 0.5, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_line() {
+        let wheel = Deviations::Wheel { radius: 0.5 };
+        for (text, body, words) in [
+            ("0 0\n1 0\n1 0\n2 0\n", Deviations::Rail, "line 3"),
+            ("0 0\n0.01 9\n0.02 0\n1 0\n", Deviations::Rail, "no steeper than 0.3 (line 2)"),
+            ("0 0\n1 x\n", Deviations::Rail, "line 2"),
+            ("0 0 0\n", Deviations::Rail, "line 1"),
+            ("0 nan\n", Deviations::Rail, "finite"),
+            ("0 0\n1 0\n", Deviations::Rail, "four points"),
+            ("0 0\n90 0\n180 0\n400 0\n", wheel, "one revolution"),
+        ] {
+            let error = points(text, body).unwrap_err();
+            assert!(error.contains(words), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_is_refused_by_parameter_and_name() {
+        let error = load_deviations("rail[1].corrugation.file", "no.csv", Deviations::Rail, &[]);
+        let text = error.unwrap_err().to_string();
+        assert!(text.contains("rail[1].corrugation.file") && text.contains("no.csv"), "{text}");
+    }
+}

@@ -1,0 +1,330 @@
+//! Piotrowski and Kik's model where wheel or rail are not even along the track: corrugation, out-of-round wheels, flats.
+//!
+//! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a corrugated rail without further
+//! equations; these are theirs with the overlap g(x, y) of the real surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
+//! [`longitudinal`](crate::geometry::longitudinal), f(y) the separation less that by the lift, and c the cosine of the contact angle
+//!
+//! ```text
+//! g(x, y) = δ0 - f(y) - c (Q(x) - min Q),   p(x, y) = (p0 / sqrt(δ0)) sqrt(g(x, y)) where g > 0
+//! N = π E* δ I1 / I2,   I1 = ∬ sqrt(2 R g) dx dy,   I2 = ∬ sqrt(2 R g) / |(x, y) - (x_0, 0)| dx dy
+//! ```
+//!
+//! with x_0 the place of first touch. Where the bodies are even this is the model of
+//! [`piotrowski_kik`](super::piotrowski_kik). Where g > 0 on several stretches of a strip, each is a strip of its own,
+//! semi-elliptical with the load that the root of g gives it. Strips whose stretches meet along x form a zone.
+
+use std::f64::consts::PI;
+
+use super::zones::for_each_zone;
+use super::{NormalProblem, Strips, Zone};
+use crate::geometry::line_separation::{Lifting, LineSeparation};
+use crate::geometry::separation::{Probe, Separation};
+use crate::math::elliptic::first_minus_second_split;
+use crate::math::quadrature::GaussLegendre;
+use crate::math::room::Room;
+
+/// Most stretches of a strip.
+const MOST_STRETCHES: usize = 16;
+/// Points of the quadrature along a stretch, or to either side of the place of first touch.
+const POINTS: usize = 10;
+
+/// A stretch of a strip on which the bodies overlap.
+#[derive(Clone, Copy, Debug, Default)]
+struct Stretch {
+    /// Number of its strip within the zone of neighbouring strips.
+    strip: usize,
+    /// Both ends [m].
+    ends: [f64; 2],
+    /// ∫ sqrt(2 R g) dx [m²].
+    load: f64,
+    /// Greatest sqrt(2 R g) at the points of the quadrature [m].
+    peak: f64,
+    y: f64,
+    width: f64,
+    u: f64,
+    /// Number of the zone it belongs to.
+    group: usize,
+}
+
+/// Scratch memory and the quadrature along strips.
+#[derive(Clone, Debug)]
+pub struct UnevenStrips {
+    stretches: Room<Stretch>,
+    /// Nodes sin θ and weights cos θ dθ over a quarter turn, for functions that end like a root.
+    quarter: [[f64; 2]; POINTS],
+}
+
+impl UnevenStrips {
+    /// Room for zones of `strips` strips.
+    #[must_use]
+    pub fn new(strips: usize) -> Self {
+        let rule = GaussLegendre::new(POINTS);
+        let mut quarter = [[0.0; 2]; POINTS];
+        for (i, node) in quarter.iter_mut().enumerate() {
+            let angle = 0.25 * PI * (1.0 + rule.nodes[i]);
+            *node = [angle.sin(), 0.25 * PI * rule.weights[i] * angle.cos()];
+        }
+        Self { stretches: Room::new(strips * MOST_STRETCHES), quarter }
+    }
+
+    /// Fills the empty `strips` with the loaded zones of one contact frame; as
+    /// [`piotrowski_kik::solve`](super::piotrowski_kik::solve), for a separation with `lifting`.
+    pub fn solve(
+        &mut self,
+        problem: &NormalProblem,
+        virtual_penetration: f64,
+        separation: &mut LineSeparation,
+        lifting: &Lifting,
+        probes: &[Probe],
+        strips: &mut Strips,
+    ) -> usize {
+        let depth = virtual_penetration * problem.approach;
+        let longest = (2.0 * lifting.radius / lifting.share * depth).sqrt();
+        let first_touch = separation.at(problem.contact_u).x;
+        let mut left_out = 0;
+        // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
+        let mut sums = Sums { longest, ..Sums::default() };
+        for_each_zone(separation, probes, depth, |separation, edge| {
+            let count = problem.rule.nodes.len();
+            self.stretches.clear();
+            let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
+            let mut ends = [0.0; 2];
+            for (strip, (node, weight)) in
+                problem.rule.nodes.iter().zip(&problem.rule.weights).enumerate()
+            {
+                let u = middle + half * node;
+                let at = separation.at(u);
+                let width = half * weight * at.dy;
+                // From the outermost strips, a few micrometres away, the edges are reached along the tangent.
+                if strip == 0 {
+                    ends[0] = at.y + (edge.left - u) * at.dy;
+                }
+                if strip + 1 == count {
+                    ends[1] = at.y + (edge.right - u) * at.dy;
+                }
+                let across = Across { strip, y: at.y, width, u };
+                let overlap = Overlap::new(lifting, separation.centre(u), depth - at.f);
+                left_out += self.add_strip(&across, &overlap, first_touch, &mut sums);
+            }
+            sums.displacement += singular_influence(ends, longest);
+            let deepest = probes
+                .iter()
+                .filter(|p| p.u > edge.left && p.u < edge.right)
+                .min_by(|a, b| a.f.total_cmp(&b.f));
+            let peak = deepest.map(|probe| {
+                let at = separation.at(probe.u);
+                Overlap::new(lifting, separation.centre(probe.u), depth - at.f)
+            });
+            left_out += self.add_zones(ends, count, peak.as_ref(), strips);
+        });
+        let scale = if sums.displacement > 0.0 && sums.load > 0.0 {
+            PI * problem.contact_modulus * problem.approach / sums.displacement
+        } else {
+            left_out += strips.zones.len();
+            0.0
+        };
+        for pressure in strips.pressure.iter_mut() {
+            *pressure *= scale;
+        }
+        for i in 0..strips.zones.len() {
+            let mut zone = strips.zones[i];
+            zone.max_pressure *= scale;
+            strips.summarise(&mut zone);
+            strips.zones[i] = zone;
+        }
+        left_out
+    }
+
+    /// Adds all stretches of one strip; returns how many found no room.
+    fn add_strip(
+        &mut self,
+        across: &Across,
+        overlap: &Overlap,
+        first_touch: f64,
+        sums: &mut Sums,
+    ) -> usize {
+        let (mut left_out, mut count) = (0, 0);
+        let Self { stretches, quarter } = self;
+        overlap.stretches(|start, end| {
+            count += 1;
+            if count > MOST_STRETCHES || stretches.len() == stretches.capacity() {
+                left_out += 1;
+                return;
+            }
+            let ends = [start, end];
+            let inside = first_touch > start && first_touch < end;
+            let pivot = if inside { first_touch } else { 0.5 * (start + end) };
+            let mut stretch = Stretch {
+                strip: across.strip,
+                ends,
+                y: across.y,
+                width: across.width,
+                u: across.u,
+                ..Stretch::default()
+            };
+            let middle = overlap.root(pivot);
+            let y_squared = across.y * across.y;
+            let mut influence = 0.0;
+            for end in ends {
+                let side = (end - pivot).abs();
+                for [sine, weight] in *quarter {
+                    let x = pivot + sine * (end - pivot);
+                    let root = overlap.root(x);
+                    stretch.load += weight * side * root;
+                    stretch.peak = stretch.peak.max(root);
+                    let along = x - first_touch;
+                    let distance = (along * along + y_squared).sqrt();
+                    // Near the place of first touch the half ellipse of the same height is taken out and added in closed form.
+                    let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+                    let ellipse = if inside { middle * cosine } else { 0.0 };
+                    influence += weight * side * (root - ellipse) / distance.max(1e-12);
+                }
+                if inside && side > 0.0 {
+                    influence += 0.5 * middle / side * ellipse_influence(side, across.y);
+                }
+            }
+            sums.load += across.width * stretch.load;
+            sums.displacement += across.width * influence;
+            stretches.push(stretch);
+        });
+        // What `singular_influence` adds again.
+        let scaled = (across.y / sums.longest).powi(2).max(1e-24);
+        sums.displacement += across.width * sums.longest * scaled.ln();
+        left_out
+    }
+
+    /// Turns the stretches of neighbouring strips into zones: those that meet along x belong together.
+    fn add_zones(
+        &mut self,
+        ends: [f64; 2],
+        count: usize,
+        peak: Option<&Overlap>,
+        strips: &mut Strips,
+    ) -> usize {
+        let stretches = &mut self.stretches;
+        for i in 0..stretches.len() {
+            stretches[i].group = i;
+            for j in (0..i).rev() {
+                if stretches[j].strip + 1 < stretches[i].strip {
+                    break;
+                }
+                let ([a, b], [c, d]) = (stretches[i].ends, stretches[j].ends);
+                let meet = stretches[j].strip != stretches[i].strip && a < d && c < b;
+                let (own, other) = (stretches[i].group, stretches[j].group);
+                if meet && own != other {
+                    let (from, to) = (own.max(other), own.min(other));
+                    for stretch in stretches.iter_mut().take(i + 1).filter(|s| s.group == from) {
+                        stretch.group = to;
+                    }
+                }
+            }
+        }
+        let mut left_out = 0;
+        for group in 0..stretches.len() {
+            let members = || stretches.iter().filter(move |s| s.group == group);
+            let number = members().count();
+            if number == 0 {
+                continue;
+            }
+            if !strips.has_room_for(number) {
+                left_out += 1;
+                continue;
+            }
+            let mut zone = Zone { first: strips.y.len(), count: number, ..Zone::default() };
+            let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+            for s in members() {
+                let half_length = 0.5 * (s.ends[1] - s.ends[0]);
+                strips.y.push(s.y);
+                strips.width.push(s.width);
+                strips.x.push(0.5 * (s.ends[0] + s.ends[1]));
+                strips.half_length.push(half_length);
+                strips.pressure.push(s.load / (0.5 * PI * half_length));
+                strips.u.push(s.u);
+                zone.length = zone.length.max(2.0 * half_length);
+                zone.max_pressure = zone.max_pressure.max(s.peak);
+                left = left.min(if s.strip == 0 { ends[0] } else { s.y - 0.5 * s.width });
+                right = right.max(if s.strip + 1 == count { ends[1] } else { s.y + 0.5 * s.width });
+            }
+            zone.width = right - left;
+            // The strips straddle the deepest place, which is known.
+            if let Some(overlap) = peak {
+                let at = overlap.deepest;
+                overlap.stretches(|start, end| {
+                    let meets = members().any(|s| s.ends[0] < end && start < s.ends[1]);
+                    if meets {
+                        zone.length = zone.length.max(end - start);
+                        if (start..=end).contains(&at) {
+                            zone.max_pressure = zone.max_pressure.max(overlap.root(at));
+                        }
+                    }
+                });
+            }
+            strips.zones.push(zone);
+        }
+        left_out
+    }
+}
+
+/// Place and width of a strip.
+struct Across {
+    strip: usize,
+    y: f64,
+    width: f64,
+    u: f64,
+}
+
+/// Sums over the strips of a contact.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    load: f64,
+    displacement: f64,
+    longest: f64,
+}
+
+/// The overlap g along one strip.
+struct Overlap<'a> {
+    lifting: &'a Lifting<'a>,
+    centre: f64,
+    /// Value of Q up to which the bodies overlap [m].
+    level: f64,
+    /// Where the overlap is greatest [m].
+    deepest: f64,
+}
+
+impl<'a> Overlap<'a> {
+    /// The overlap with greatest value `depth` over a place `centre` of the contact line.
+    fn new(lifting: &'a Lifting<'a>, centre: f64, depth: f64) -> Self {
+        let lift = lifting.deviations.lift(centre, lifting.radius);
+        let level = depth.max(0.0) / lifting.share - lift.height;
+        Self { lifting, centre, level, deepest: lift.x }
+    }
+
+    fn stretches(&self, found: impl FnMut(f64, f64)) {
+        let Lifting { deviations, radius, .. } = *self.lifting;
+        deviations.stretches(self.centre, radius, self.level, found);
+    }
+
+    /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the circles.
+    fn root(&self, x: f64) -> f64 {
+        let Lifting { deviations, radius, .. } = *self.lifting;
+        deviations.depth_root(self.centre, radius, self.level, x)
+    }
+}
+
+/// ∫ sqrt(a² - t²)/sqrt(t² + y²) dt from -a to a = 2 s (K - E), s² = a² + y² [m].
+fn ellipse_influence(half_length: f64, y: f64) -> f64 {
+    let y_squared = (y * y).max(1e-24 * half_length * half_length);
+    let sum = half_length * half_length + y_squared;
+    let complement = y_squared / sum;
+    let (regular, logarithmic) = first_minus_second_split(complement);
+    2.0 * sum.sqrt() * (regular - complement.ln() * logarithmic)
+}
+
+/// -longest · ∫ ln(y²/longest²) dy between both ends.
+fn singular_influence([left, right]: [f64; 2], longest: f64) -> f64 {
+    let antiderivative = |y: f64| {
+        let t = y.abs() / longest;
+        if t > 0.0 { 2.0 * y * (t.ln() - 1.0) } else { 0.0 }
+    };
+    -longest * (antiderivative(right) - antiderivative(left))
+}
