@@ -6,8 +6,11 @@ mod tolerance;
 use std::fmt::Write;
 
 use common::planar::{parabola, steel_case, steel_modulus};
+use common::random::Random;
+use common::wheel::{evaluate, pressed, rolling};
 use common::{column, median_and_worst, read_table, value, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::{Element, Input, Parameters};
 use wheelrail::normal::hertz;
 use wheelrail::planar::{PlanarCase, PlanarResult, solve};
 
@@ -148,4 +151,77 @@ fn hertzian(ratio: f64) -> (f64, Vec<[f64; 2]>, hertz::Ellipse) {
     // Far enough to hold all of the overlap.
     let reach = (APPROACH / across).sqrt();
     (0.5 / along, parabola(across, reach), ellipse)
+}
+
+/// A wheel with `model` on its rail, without creep forces.
+fn wheel(model: NormalModel) -> Element {
+    let parameters = Parameters {
+        normal_model: model,
+        strips: 15,
+        tangential_model: TangentialModel::None,
+        ..Parameters::default()
+    };
+    Element::new(&parameters, &Input::default(), &[]).unwrap()
+}
+
+#[test]
+fn a_solution_is_found_wherever_a_wheel_may_stand() {
+    let mut element = wheel(NormalModel::Strips);
+    let mut random = Random::new(4);
+    let mut report = String::from("shift_mm,roll_mrad,yaw_mrad,depth_um\n");
+    let mut before = 0;
+    for _ in 0..POSES {
+        let mut input = rolling(random.within(-8e-3, 10e-3), 20.0);
+        (input.wheel.roll, input.wheel.yaw) = (random.about(5e-3), random.about(0.02));
+        let depth = random.within(2e-6, 1.2e-4);
+        let at = pressed(&mut element, &input, depth);
+        let output = evaluate(&mut element, &at);
+        if output.fallback_count > before {
+            let (shift, roll, yaw) =
+                (1e3 * (at.wheel.position[1] - 0.75), at.wheel.roll, at.wheel.yaw);
+            let (roll, yaw, depth) = (1e3 * roll, 1e3 * yaw, 1e6 * depth);
+            writeln!(report, "{shift:.3},{roll:.3},{yaw:.3},{depth:.2}").unwrap();
+        }
+        before = output.fallback_count;
+    }
+    println!("{before} fallbacks of {POSES}");
+    write_report("strips_fallbacks.csv", &report);
+    assert!(f64::from(before) <= tolerance::STRIPS_FALLBACKS * f64::from(POSES), "{report}");
+}
+
+/// Random poses of a wheel.
+const POSES: i32 = 1500;
+
+/// Greatest change of the normal force over one step of 0.1 µm beyond that of its neighbours, over the force, near `middle` [m].
+fn jump(model: NormalModel, middle: f64, depth: f64) -> f64 {
+    let mut element = wheel(model);
+    let mut start = rolling(middle, 20.0);
+    start = pressed(&mut element, &start, depth);
+    let loads: Vec<f64> = (-200..200)
+        .map(|i| {
+            let mut input = start;
+            input.wheel.position[1] += 1e-7 * f64::from(i);
+            let output = evaluate(&mut element, &input);
+            output.patches.iter().map(|p| p.normal_force).sum()
+        })
+        .collect();
+    let change = |i: usize| loads[i + 1] - loads[i];
+    (1..398)
+        .map(|i| (change(i) - 0.5 * (change(i - 1) + change(i + 1))).abs() / loads[i])
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn the_force_has_no_jump_where_the_deepest_place_changes() {
+    let mut report = String::from("model,y_mm,depth_um,jump\n");
+    for (middle, depth) in [(2.38e-4, 8e-5), (2.3e-4, 3e-5), (5.187e-3, 8e-5)] {
+        for model in [NormalModel::PiotrowskiKik, NormalModel::Strips] {
+            let found = jump(model, middle, depth);
+            writeln!(report, "{model:?},{},{},{found:e}", 1e3 * middle, 1e6 * depth).unwrap();
+            if model == NormalModel::Strips {
+                assert!(found <= tolerance::STRIPS_JUMP, "{report}");
+            }
+        }
+    }
+    write_report("strips_jumps.csv", &report);
 }

@@ -134,16 +134,17 @@ pub fn take_zone(
     }
     let resultant = tangent[0].hypot(tangent[1]);
     let center = zone.y;
+    // Normals that diverge carry less together.
+    let share = if sum > 0.0 { resultant / sum } else { 0.0 };
     for j in range {
         strips.y.push(all.y[j] - center);
         strips.width.push(all.width[j]);
         strips.x.push(all.x[j]);
         strips.half_length.push(all.half_length[j]);
-        strips.pressure.push(all.pressure[j]);
+        strips.pressure.push(share * all.pressure[j]);
         strips.u.push(all.u[j]);
     }
-    // Normals that diverge carry less together.
-    zone.load *= if sum > 0.0 { resultant / sum } else { 0.0 };
+    zone.load *= share;
     (zone.first, zone.y) = (0, 0.0);
     strips.zones.push(zone);
     Contact {

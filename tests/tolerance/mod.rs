@@ -179,6 +179,12 @@ pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.1], [0.3, 1.5], [1.0, 
 /// The same on the four cases of two regions, worst.
 pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.6, 1.5, 2.0];
 
+/// Random poses at which the strip model falls back to Piotrowski-Kik, share of all.
+pub const STRIPS_FALLBACKS: f64 = 2e-3;
+
+/// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
+pub const STRIPS_JUMP: f64 = 1e-6;
+
 /// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
 pub const STRIPS_HERTZ: f64 = 2e-3;
 

@@ -343,32 +343,40 @@ impl Assembly<'_> {
                 }
             }
         }
+        let weights: [f64; TERMS] =
+            std::array::from_fn(|l| rule.legendre.get(l).map_or(0.0, |p| share * p[t] * radius));
+        let Matrices { newton, pairs, own, .. } = m;
+        let [_, _, row_q, row_a, row_xq, row_xa] = pairs;
+        let [moved_q, moved_x, ..] = own;
+        let (moved_q, moved_x) = (&mut moved_q[..n], &mut moved_x[..n]);
         for (other, source) in self.lobes.iter().enumerate() {
             let column = other * block;
-            let mut shape = [[0.0; TERMS]; 2];
-            for k in 0..n {
-                let j = source.first + k;
-                if nodes.ratio[j] > 0.0 {
-                    let factor = nodes.edge_shape[j];
-                    m.newton[equation * unknowns + column + k] += row_q[j] * factor * inverse_depth;
-                    for term in 0..rule.terms {
-                        let row = lobe * block + n + 2 + term;
-                        m.newton[row * unknowns + column + k] +=
-                            share * rule.legendre[term][t] * radius * row_xq[j] * factor;
-                    }
-                    for term in 0..rule.terms {
-                        shape[0][term] -= rule.legendre[term][k] * row_a[j];
-                        shape[1][term] -= rule.legendre[term][k] * row_xa[j];
-                    }
+            let range = source.first..source.first + n;
+            // What is not loaded does not act.
+            for (k, j) in range.clone().enumerate() {
+                let factor = if nodes.ratio[j] > 0.0 { nodes.edge_shape[j] } else { 0.0 };
+                moved_q[k] = row_q[j] * factor * inverse_depth;
+                moved_x[k] = row_xq[j] * factor;
+            }
+            let at = equation * unknowns + column;
+            for (entry, value) in newton[at..at + n].iter_mut().zip(moved_q.iter()) {
+                *entry += value;
+            }
+            for (term, weight) in weights.iter().enumerate().take(rule.terms) {
+                let at = (lobe * block + n + 2 + term) * unknowns + column;
+                for (entry, value) in newton[at..at + n].iter_mut().zip(moved_x.iter()) {
+                    *entry += weight * value;
                 }
             }
-            for term in 0..rule.terms {
+            for (term, polynomial) in rule.legendre.iter().enumerate() {
+                let dot = |row: &[f64]| -> f64 {
+                    row[range.clone()].iter().zip(polynomial).map(|(a, p)| a * p).sum()
+                };
+                let (by_u, by_x) = (dot(row_a), dot(row_xa));
                 let at = column + n + 2 + term;
-                m.newton[equation * unknowns + at] += shape[0][term] * inverse_depth;
-                for l in 0..rule.terms {
-                    let row = lobe * block + n + 2 + l;
-                    m.newton[row * unknowns + at] +=
-                        share * rule.legendre[l][t] * radius * shape[1][term];
+                newton[equation * unknowns + at] -= by_u * inverse_depth;
+                for (l, weight) in weights.iter().enumerate().take(rule.terms) {
+                    newton[(lobe * block + n + 2 + l) * unknowns + at] -= weight * by_x;
                 }
             }
             // Edges of that lobe.
@@ -403,10 +411,10 @@ impl Assembly<'_> {
                     }
                 }
                 let at = column + n + side;
-                m.newton[equation * unknowns + at] += by_u * inverse_depth;
+                newton[equation * unknowns + at] += by_u * inverse_depth;
                 for l in 0..rule.terms {
                     let row = lobe * block + n + 2 + l;
-                    m.newton[row * unknowns + at] += share * rule.legendre[l][t] * radius * by_x;
+                    newton[row * unknowns + at] += share * rule.legendre[l][t] * radius * by_x;
                 }
             }
         }
