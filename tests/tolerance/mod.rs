@@ -173,14 +173,15 @@ pub const YAWED_PLACE: f64 = 1e-4;
 pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
-/// worst.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.1], [0.3, 1.5], [1.0, 2.0]];
+/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have just met and four terms for the shape are few; all others are
+/// within 1.1 %.
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 2.2], [0.3, 1.5], [1.0, 2.0]];
 
 /// The same on the four cases of two regions, worst.
-pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.6, 1.5, 2.0];
+pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.8, 1.5, 2.0];
 
 /// Random poses at which the strip model falls back to Piotrowski-Kik, share of all.
-pub const STRIPS_FALLBACKS: f64 = 2e-3;
+pub const STRIPS_FALLBACKS: f64 = 5e-3;
 
 /// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
 pub const STRIPS_JUMP: f64 = 1e-6;

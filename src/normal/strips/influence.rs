@@ -53,6 +53,8 @@ pub fn skewed(at: [f64; 2], xs: &[f64], y: &[f64], a: &[f64], d: &mut [f64], slo
 }
 
 /// D and d(a D)/da at ξ = 0 for σ².
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
 #[inline(always)]
 fn centred(squared: f64) -> (f64, f64) {
     let sum = 1.0 + squared;

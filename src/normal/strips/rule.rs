@@ -80,7 +80,7 @@ fn differentiation(gauss: &GaussLegendre) -> Vec<f64> {
     let (t, n) = (&gauss.nodes, gauss.nodes.len());
     let weight = |i: usize| {
         let size = ((1.0 - t[i] * t[i]) * gauss.weights[i]).sqrt();
-        if i % 2 == 0 { size } else { -size }
+        if i.is_multiple_of(2) { size } else { -size }
     };
     let mut matrix = vec![0.0; n * n];
     for i in 0..n {

@@ -36,13 +36,15 @@ const VANISHED: f64 = 0.02;
 const MOST_HITS: u8 = 2;
 /// Starts: approach over the overlap, share of the Newton step, and share from which a ridge counts; the last ones take lobes that
 /// are about to meet as one.
-const STARTS: [[f64; 3]; 6] = [
+const STARTS: [[f64; 3]; 8] = [
     [1.0, 1.0, LEAST_SHARE],
     [0.7, 0.6, LEAST_SHARE],
     [0.45, 0.4, LEAST_SHARE],
     [0.8, 0.5, 0.2],
     [1.0, 0.7, 0.5],
     [1.0, 0.5, 1.0],
+    [0.7, 0.3, 1.0],
+    [0.5, 0.2, 1.0],
 ];
 /// Share from which a ridge counts.
 const LEAST_SHARE: f64 = 0.05;
@@ -305,7 +307,7 @@ impl StripSolver {
             let skewed = self.place_nodes(line);
             let unknowns = self.lobes.len() * block;
             let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-            if !(scale > 0.0) {
+            if scale.is_nan() || scale <= 0.0 {
                 return false;
             }
             let assembly = Assembly {
@@ -348,8 +350,8 @@ impl StripSolver {
             let step = &self.matrices.right[number * block..(number + 1) * block];
             let cell = &self.cells[lobe.cell];
             let width = cell.edges[1] - cell.edges[0];
-            for t in 0..n {
-                change = change.max(step[t].abs() / scale);
+            for ratio in &step[..n] {
+                change = change.max(ratio.abs() / scale);
             }
             for side in 0..2 {
                 let moved = step[n + side].abs() / width;
@@ -370,24 +372,23 @@ impl StripSolver {
         for number in 0..self.lobes.len() {
             let Lobe { cell, first, .. } = self.lobes[number];
             let step = &self.matrices.right[number * block..(number + 1) * block];
-            for t in 0..n {
-                let ratio = &mut self.nodes.ratio[first + t];
+            for (ratio, step) in self.nodes.ratio[first..first + n].iter_mut().zip(step) {
                 // A node is not emptied at once: its edge may be on the way.
                 let least =
                     if *ratio > EMPTY * scale { (1.0 - MOST_DROP) * *ratio } else { -scale };
-                *ratio = (*ratio + share * step[t]).clamp(least, 3.0 * ratio.abs() + scale);
+                *ratio = (*ratio + share * step).clamp(least, 3.0 * ratio.abs() + scale);
             }
             let moved = [share * step[n], share * step[n + 1]];
             let cell = &mut self.cells[cell];
             for l in 0..self.rule.terms {
                 cell.shape[l] += (share * step[n + 2 + l]).clamp(-MOST_SHAPE_STEP, MOST_SHAPE_STEP);
             }
-            for side in 0..2 {
+            for (side, moved) in moved.into_iter().enumerate() {
                 let cell = &mut self.cells[self.lobes[number].cell];
                 if cell.pinned[side] {
                     continue;
                 }
-                let edge = cell.edges[side] + moved[side];
+                let edge = cell.edges[side] + moved;
                 let bound = cell.bounds[side];
                 let beyond = if side == 0 { edge <= bound } else { edge >= bound };
                 if beyond && !(cell.at_ridge[side] && cell.hits[side] >= MOST_HITS) {

@@ -219,6 +219,7 @@ impl Assembly<'_> {
     }
 
     /// Equation of one node and its share of the curvature equations of its lobe.
+    #[allow(clippy::too_many_lines)] // one formula and its derivatives, term by term
     fn node_row(&self, m: &mut Matrices, unknowns: usize, lobe: usize, t: usize) {
         let (nodes, rule) = (self.nodes, self.rule);
         let (n, count) = (rule.count(), nodes.y.len());
