@@ -61,6 +61,8 @@ fn every_subcommand_explains_itself() {
         &["evaluate", "-h"],
         &["patch", "-h"],
         &["conicity", "-h"],
+        &["compare", "-h"],
+        &["plot", "-h"],
     ] {
         let output = wheelrail(arguments);
         assert!(output.status.success());
@@ -288,4 +290,79 @@ fn a_reader_that_has_had_enough_is_no_error() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn compare_measures_wheels_and_planar_contacts() {
+    let (folder, path) = written(
+        "wheel.y,wheel.load,vertical.mode,wheel.vx,wheel.pitch_rate,normal.model,tangential.model,normal.elements_along,normal.elements_across\n\
+         0.747,50000,load,20,-43.4,piotrowski_kik,fastsim,12,12\n\
+         0.747,50000,load,20,-43.4,boundary_element,boundary_element,12,12\n",
+    );
+    let figure = folder.path().join("errors.svg");
+    let summary = folder.path().join("summary.csv");
+    let rows = success(&[
+        "compare",
+        &path,
+        "--figure",
+        figure.to_str().unwrap(),
+        "--summary",
+        summary.to_str().unwrap(),
+    ]);
+    assert_eq!(rows.len(), 2);
+    assert_eq!(rows[0]["wheel.y"], "0.747");
+    for row in &rows {
+        assert!((number(row, "reference_normal_force_n") / 5e4 - 1.0).abs() < 0.01);
+    }
+    assert!(number(&rows[0], "max_pressure_error_percent").abs() > 1.0);
+    for quantity in ["normal_force", "max_pressure", "area", "creep_force", "spin_moment"] {
+        let error = number(&rows[1], &format!("{quantity}_error_percent"));
+        assert!(error.abs() < 0.5, "{quantity} {error}");
+    }
+    assert!(std::fs::read_to_string(figure).unwrap().contains("Creep force"));
+    assert!(table(&std::fs::read(summary).unwrap()).len() >= 5);
+
+    std::fs::write(folder.path().join("f.csv"), parabola()).unwrap();
+    std::fs::write(
+        &path,
+        "separation,radius_mm,load_n,creepage_longitudinal,normal_model,elements_along,elements_across\n\
+         f.csv,460,50000,0.001,hertz,12,12\n",
+    )
+    .unwrap();
+    let rows = success(&["compare", &path]);
+    assert!(number(&rows[0], "max_pressure_error_percent").abs() < 2.0);
+    assert!(number(&rows[0], "reference_fx_n") < -1000.0);
+}
+
+fn parabola() -> String {
+    let points =
+        (-60..=60).map(|i| 0.25 * f64::from(i)).map(|y| format!("{y},{}\n", y * y / 600.0));
+    format!("y_mm,f_mm\n{}", points.collect::<String>())
+}
+
+#[test]
+fn plot_draws_a_wheel_and_a_planar_contact() {
+    let (folder, path) = written(
+        "wheel.y,wheel.z,wheel.vx,wheel.pitch_rate,normal.elements_along,normal.elements_across\n\
+         0.747,-0.4598,20,-43.4,12,12\n",
+    );
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (figure, fields) = (file("contact.svg"), file("fields.csv"));
+    let output = wheelrail(&["plot", &path, "-o", &figure, "--fields", &fields]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let drawn = std::fs::read_to_string(&figure).unwrap();
+    assert!(drawn.contains("S1002 on 60E1") && drawn.contains("boundary_element"));
+    assert!(drawn.matches("<rect").count() > 300);
+    let rows = table(&std::fs::read(&fields).unwrap());
+    let of = |models: &str| rows.iter().filter(|row| row["models"].starts_with(models)).count();
+    assert!(of("piotrowski_kik") > 80 && of("boundary_element") > 80);
+    assert!(rows.iter().any(|row| row["state"] == "slip"));
+
+    std::fs::write(folder.path().join("f.csv"), parabola()).unwrap();
+    std::fs::write(&path, "separation,radius_mm,approach_mm\nf.csv,460,0.05\n").unwrap();
+    assert!(wheelrail(&["plot", &path, "-o", &figure]).status.success());
+    let refused = wheelrail(&["plot", &path, "--row", "2"]);
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("has rows 1 to 1"));
+    let refused = wheelrail(&["plot", &path, "-o", "contact.txt"]);
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("ends in .svg"));
 }

@@ -36,6 +36,8 @@ pub struct ContactForces<'a> {
     pub contact: Contact,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
+    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
+    pub damped_with: Option<[f64; 2]>,
 }
 
 /// A loaded zone and how it rolls.
@@ -67,15 +69,12 @@ impl ContactForces<'_> {
         let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
-        let even_axes = ContactAxes::along_track(
-            self.frame.direction(self.contact.tangent),
-            self.frame.direction(self.contact.normal()),
-        );
+        let even_axes = self.axes();
         let lifting = separation.lifting();
-        let load = models.strips.load();
+        let [load, penetration] =
+            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let damped =
-            damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         let load_factor = if load > 0.0 { damped / load } else { 0.0 };
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
@@ -171,6 +170,14 @@ impl ContactForces<'_> {
             force.map(|force| Tractions::flat(&force, &creepage, axes))
         };
         (creepage, tractions)
+    }
+
+    /// The axes of the contact frame in the track frame.
+    pub(super) fn axes(&self) -> ContactAxes {
+        ContactAxes::along_track(
+            self.frame.direction(self.contact.tangent),
+            self.frame.direction(self.contact.normal()),
+        )
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
