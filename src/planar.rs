@@ -10,6 +10,7 @@ use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
+use crate::normal::strips::{StripSolver, solve_in_frame};
 use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::field::ContactField;
@@ -137,6 +138,8 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let mut strips = Strips::with_capacity(MOST_ZONES, case.strips);
+    let mut solver =
+        (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
     // `approach` counts from first touch.
     let mut press = |approach: f64| {
@@ -154,8 +157,15 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
             let fit = case.shape_fit;
-            left_out =
-                normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips);
+            let solved = solver.as_mut().is_some_and(|solver| {
+                solve_in_frame(solver, &problem, &mut line, &probes, &mut strips)
+            });
+            left_out = if solved {
+                0
+            } else {
+                usize::from(solver.is_some())
+                    + normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips)
+            };
             line.probes = probes;
         }
         strips.load()
@@ -371,5 +381,9 @@ impl Separation for PlanarLine {
     fn at(&mut self, u: f64) -> SeparationPoint {
         let f = self.curve.at(u).point[1] - self.least;
         SeparationPoint { y: u - self.contact, dy: 1.0, f, x: 0.0 }
+    }
+
+    fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
+        (self.at(u), self.curve.at(u).first[1])
     }
 }

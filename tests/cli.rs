@@ -60,6 +60,7 @@ fn every_subcommand_explains_itself() {
         &["simulate", "--help"],
         &["evaluate", "-h"],
         &["patch", "-h"],
+        &["conicity", "-h"],
         &["compare", "-h"],
         &["plot", "-h"],
     ] {
@@ -207,6 +208,65 @@ fn patch_complains_with_row_column_and_remedy() {
         model.contains("column \"normal_model\"") && model.contains("piotrowski_kik"),
         "{model}"
     );
+}
+
+#[test]
+fn evaluate_carries_a_given_load_with_the_models_it_is_asked_for() {
+    let (_folder, path) = written(
+        "vertical.mode,wheel.load,normal.model,normal.shape_fit,creepage.model,tangential.model,wheel.vx,wheel.pitch_rate\n\
+         load,50000,piotrowski_kik_corrected,paper,curved,linear,20,-43\n\
+         load,50000,piotrowski_kik,,kinematic,fastsim,20,-43\n",
+    );
+    for row in success(&["evaluate", &path]) {
+        assert!((number(&row, "wheel.force.z") + 5e4).abs() < 1e-3);
+        let depth = number(&row, "vertical.wheel_z") - number(&row, "nominal.wheel_z");
+        assert!((2e-5..2e-4).contains(&depth), "{depth}");
+    }
+}
+
+#[test]
+fn conicity_of_a_cone_is_its_angle_in_table_and_figure() {
+    let folder = TempDir::new().unwrap();
+    let figure = folder.path().join("conicity.svg");
+    let rows = success(&[
+        "conicity",
+        "--wheel-profile=conical:0.1",
+        "--rail-profile=arc:0.2",
+        "--inclination=0.05",
+        "--range=0.004",
+        "--step=0.0005",
+        "--set=track.gauge=1.432",
+        "--figure",
+        figure.to_str().unwrap(),
+    ]);
+    assert_eq!(rows.len(), 17);
+    for row in &rows {
+        let y = number(row, "y_mm");
+        assert!((number(row, "difference_mm") - 0.2 * y).abs() < 1e-5);
+        if y > 0.0 {
+            assert!((number(row, "conicity") - 0.1).abs() < 1e-5);
+        } else {
+            assert_eq!(row["conicity"], "");
+        }
+    }
+    let svg = std::fs::read_to_string(figure).unwrap();
+    assert!(svg.contains("equivalent conicity") && svg.contains("conical:0.1 on arc:0.2"));
+}
+
+#[test]
+fn conicity_complains_about_options_by_name() {
+    for (options, words) in [
+        (&["--step=0"][..], "--step 0 is not admitted"),
+        (&["--range=nan"], "--range NaN is not admitted"),
+        (&["--step=1e-9"], "--step 0.000000001 is not admitted"),
+        (&["--wheel-profile=nothing"], "nothing"),
+        (&["--set=wheel.y=0.7"], "--set wheel.y: only parameters"),
+        (&["--set=track.gouge=1"], "track.gauge"),
+        (&["--running-circles=3"], "the wheels stand beside the rails"),
+    ] {
+        let message = failure(&[&["conicity"], options].concat());
+        assert!(message.contains(words), "{message}");
+    }
 }
 
 #[test]

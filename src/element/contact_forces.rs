@@ -34,6 +34,8 @@ pub struct ContactForces<'a> {
     pub contact: Contact,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
+    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
+    pub damped_with: Option<[f64; 2]>,
 }
 
 impl ContactForces<'_> {
@@ -55,10 +57,10 @@ impl ContactForces<'_> {
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
         let even_axes = self.axes();
         let lifting = separation.lifting();
-        let load = models.strips.load();
+        let [load, penetration] =
+            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let damped =
-            damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         let load_factor = if load > 0.0 { damped / load } else { 0.0 };
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
