@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m], parameters.
@@ -34,6 +34,12 @@ fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
     input.wheel.pitch_rate = -20.0 / 0.46;
     let element = Element::new(parameters, &input, &[]).expect("built-in profiles");
     input.wheel.position[2] = element.nominal_wheel_z() + scene.depth;
+    // The load that goes with this height.
+    let given = Parameters { vertical_mode: VerticalMode::Penetration, ..parameters.clone() };
+    let mut output = Output::default();
+    let mut pressed = Element::new(&given, &input, &[]).expect("built-in profiles");
+    pressed.evaluate(&input, &mut output).expect("finite input");
+    input.wheel_load = -output.wheel.force[2];
     (element, input)
 }
 
@@ -49,6 +55,7 @@ fn evaluate(c: &mut Criterion, group: &str, parameters: &Parameters) {
             b.iter(|| {
                 step = -step;
                 input.wheel.position[2] += step;
+                input.wheel_load += 1e6 * step;
                 element.evaluate(black_box(&input), &mut output).expect("finite input");
                 black_box(output.wheel.force[2])
             });
@@ -64,27 +71,38 @@ fn models(c: &mut Criterion) {
     evaluate(c, "piotrowski_kik+none", &normal_only);
     let hertz = Parameters { normal_model: NormalModel::Hertz, ..default.clone() };
     evaluate(c, "hertz+fastsim_30x30", &hertz);
+    let fastrip = Parameters { tangential_model: TangentialModel::Fastrip, ..default.clone() };
+    evaluate(c, "piotrowski_kik+fastrip_30x30", &fastrip);
     let coarse = Parameters { strips: 12, elements_along: 12, ..default };
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
 
-/// What options cost that are off by default.
+/// One option at a time on top of the default models.
 fn options(c: &mut Criterion) {
-    let even = Parameters::default();
-    let mut second = even.clone();
-    second.rails[1].enabled = true;
-    let mut corrugated = even.clone();
-    corrugated.rails[0].corrugation.amplitude = 4e-5;
-    let mut out_of_round = even.clone();
-    (out_of_round.wheel.out_of_round.amplitude, out_of_round.wheel.out_of_round.order) = (2e-4, 7);
-    let mut flat = even.clone();
-    (flat.wheel.flat.length, flat.wheel.flat.angle) = (0.05, 0.02);
-    let hertz = Parameters { normal_model: NormalModel::Hertz, ..corrugated.clone() };
-    evaluate(c, "second_rail_out_of_reach", &second);
-    evaluate(c, "corrugated_rail", &corrugated);
-    evaluate(c, "corrugated_rail+hertz", &hertz);
-    evaluate(c, "out_of_round_wheel", &out_of_round);
-    evaluate(c, "wheel_flat", &flat);
+    let with = |change: fn(&mut Parameters)| {
+        let mut parameters = Parameters::default();
+        change(&mut parameters);
+        parameters
+    };
+    for (name, parameters) in [
+        ("corrected", with(|p| p.normal_model = NormalModel::PiotrowskiKikCorrected)),
+        ("kinematic", with(|p| p.creepage_model = CreepageModel::Kinematic)),
+        ("curved", with(|p| p.creepage_model = CreepageModel::Curved)),
+        ("linear", with(|p| p.tangential_model = TangentialModel::Linear)),
+        ("load", with(|p| p.vertical_mode = VerticalMode::Load)),
+        ("second_rail_out_of_reach", with(|p| p.rails[1].enabled = true)),
+        ("corrugated_rail", with(|p| p.rails[0].corrugation.amplitude = 4e-5)),
+        (
+            "corrugated_rail+hertz",
+            with(|p| {
+                p.rails[0].corrugation.amplitude = 4e-5;
+                p.normal_model = NormalModel::Hertz;
+            }),
+        ),
+        ("wheel_flat", with(|p| (p.wheel.flat.length, p.wheel.flat.angle) = (0.05, 0.02))),
+    ] {
+        evaluate(c, &format!("option/{name}"), &parameters);
+    }
 }
 
 criterion_group!(benches, models, options);

@@ -28,15 +28,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         let corrugation = &mut parameters.rails[0].corrugation;
         (corrugation.amplitude, corrugation.wavelength) = (amplitude, WAVELENGTH);
         let mut element = Element::new(&parameters, &Input::default(), &[])?;
-        for step in 0..=264 {
-            let mut input =
-                Input { track_s: 2.5e-4 * f64::from(step), friction: 0.4, ..Input::default() };
+        for step in 0..=99 {
+            let mut input = Input {
+                track_s: WAVELENGTH / 99.0 * f64::from(step),
+                friction: 0.4,
+                ..Input::default()
+            };
             input.wheel.position[1] = 0.7525;
             input.wheel.velocity[0] = SPEED;
             input.wheel.pitch_rate = -SPEED / 0.5;
             let mut output = Output::default();
             // What is left of creepage at the patch is taken out by the motion of the wheel.
-            for _ in 0..3 {
+            for _ in 0..2 {
                 press(&mut element, &mut input, &mut output)?;
                 let load: f64 = output.patches.iter().map(|p| p.normal_force).sum();
                 let mean = |k: usize| {
@@ -90,9 +93,8 @@ fn press(
     input: &mut Input,
     output: &mut Output,
 ) -> Result<(), Box<dyn Error>> {
-    let touching = element.touching_height(input);
-    let (mut low, mut high) = (touching, touching + 4e-4);
-    for _ in 0..40 {
+    let (mut low, mut high) = (-0.5005, -0.499);
+    for _ in 0..36 {
         input.wheel.position[2] = 0.5 * (low + high);
         element.evaluate(input, output)?;
         let load: f64 = output.patches.iter().map(|p| p.normal_force).sum();

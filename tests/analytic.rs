@@ -11,10 +11,17 @@ use wheelrail::element::parameters::{Flexibilities, NormalModel};
 use wheelrail::material::Material;
 use wheelrail::normal::hertz;
 use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
+use wheelrail::tangential::TangentialModel;
 use wheelrail::tangential::fastsim::TractionBound;
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
 
-const BOUNDS: [TractionBound; 2] = [TractionBound::Elliptic, TractionBound::Parabolic];
+/// A tangential model that knows friction and, for FASTSIM, the shape of its bound.
+type Method = (TangentialModel, TractionBound);
+const METHODS: [Method; 3] = [
+    (TangentialModel::Fastsim, TractionBound::Elliptic),
+    (TangentialModel::Fastsim, TractionBound::Parabolic),
+    (TangentialModel::Fastrip, TractionBound::Elliptic),
+];
 
 #[test]
 fn the_hertz_model_is_exact_from_wide_to_slender() {
@@ -100,16 +107,16 @@ fn piotrowski_kik_on_a_slender_ellipse_differs_from_hertz_as_published() {
 }
 
 /// Force of the ellipse of `row` for creepages so small that nothing slips, or as given.
-fn creep_force(row: &HertzRow, bound: TractionBound, creepage: [f64; 3]) -> PlanarResult {
+fn creep_force(row: &HertzRow, method: Method, creepage: [f64; 3]) -> PlanarResult {
     let separation = row.separation();
     let mut case = steel_case(&separation, 0.5 / row.along, row.approach);
     case.creepage = creepage;
-    case.bound = bound;
+    (case.tangential_model, case.bound) = method;
     solve(&case).unwrap()
 }
 
 #[test]
-fn the_linear_limit_of_fastsim_is_kalkers_theory() {
+fn the_linear_limit_is_kalkers_theory() {
     let shear_modulus = STEEL.shear_modulus();
     let mut worst: f64 = 0.0;
     for ratio in [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0] {
@@ -117,11 +124,11 @@ fn the_linear_limit_of_fastsim_is_kalkers_theory() {
         let c = kalker_coefficients(ratio, STEEL.poisson_ratio);
         let squared = row.semi_axes[0] * row.semi_axes[1];
         let small = 1e-9;
-        for bound in BOUNDS {
-            let along = creep_force(&row, bound, [small, 0.0, 0.0]).fx;
-            let across = creep_force(&row, bound, [0.0, small, 0.0]).fy;
+        for method in METHODS {
+            let along = creep_force(&row, method, [small, 0.0, 0.0]).fx;
+            let across = creep_force(&row, method, [0.0, small, 0.0]).fy;
             let spin = small / squared.sqrt();
-            let turned = creep_force(&row, bound, [0.0, 0.0, spin]);
+            let turned = creep_force(&row, method, [0.0, 0.0, spin]);
             for (name, found, exact) in [
                 ("c11", along, c.c11 * small),
                 ("c22", across, c.c22 * small),
@@ -130,7 +137,7 @@ fn the_linear_limit_of_fastsim_is_kalkers_theory() {
                 let error = found / (-shear_modulus * squared * exact) - 1.0;
                 worst = worst.max(error.abs());
                 let close = tolerance::FASTSIM_LINEAR;
-                assert!(error.abs() <= close, "{name} at a/b = {ratio}, {bound:?}: {error:e} off");
+                assert!(error.abs() <= close, "{name} at a/b = {ratio}, {method:?}: {error:e} off");
             }
             assert!(turned.fx.abs() < tolerance::ROUNDING * turned.fy.abs());
         }
@@ -143,10 +150,10 @@ fn full_sliding_gives_friction_times_normal_force_against_the_slip() {
     for ratio in [0.2, 1.0, 5.0] {
         let row = HertzRow::with_ratio(ratio);
         let limit = 0.3 * row.load;
-        for bound in BOUNDS {
+        for method in METHODS {
             for sign in [-1.0, 1.0] {
-                let along = creep_force(&row, bound, [sign * 10.0, 0.0, 0.0]);
-                let across = creep_force(&row, bound, [0.0, sign * 10.0, 0.0]);
+                let along = creep_force(&row, method, [sign * 10.0, 0.0, 0.0]);
+                let across = creep_force(&row, method, [0.0, sign * 10.0, 0.0]);
                 for (found, other) in [(along.fx, along.fy), (across.fy, across.fx)] {
                     assert_relative_eq!(
                         found,
@@ -181,7 +188,7 @@ fn creep_forces_oppose_the_slip_and_stay_below_the_limit() {
     for ratio in [0.2, 1.0, 5.0] {
         let row = HertzRow::with_ratio(ratio);
         let spin_scale = 1.0 / (row.semi_axes[0] * row.semi_axes[1]).sqrt();
-        for bound in BOUNDS {
+        for method in METHODS {
             for size in [1e-5, 1e-3, 3e-3, 1e-2] {
                 for step in 0..64 {
                     // Directions spread over the sphere of creepages.
@@ -190,9 +197,9 @@ fn creep_forces_oppose_the_slip_and_stay_below_the_limit() {
                     let flat = (1.0 - height * height).sqrt();
                     let creepage =
                         [size * flat * cosine, size * flat * sine, size * height * spin_scale];
-                    let f = creep_force(&row, bound, creepage);
+                    let f = creep_force(&row, method, creepage);
                     let power = f.fx * creepage[0] + f.fy * creepage[1] + f.mz * creepage[2];
-                    assert!(power < 0.0, "{power} at a/b = {ratio}, {creepage:?}, {bound:?}");
+                    assert!(power < 0.0, "{power} at a/b = {ratio}, {creepage:?}, {method:?}");
                     let most = 0.3 * f.normal_force * (1.0 + tolerance::ROUNDING);
                     assert!(f.fx.hypot(f.fy) <= most, "{f:?} at {creepage:?}");
                 }

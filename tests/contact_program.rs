@@ -10,10 +10,16 @@ use common::{column, quantiles, read_table};
 use wheelrail::element::parameters::Flexibilities;
 use wheelrail::normal::hertz;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
+use wheelrail::tangential::TangentialModel;
 use wheelrail::tangential::fastsim::TractionBound;
 
-/// Errors |ΔF|/(μ N) of FASTSIM on the 300 ellipses.
-fn ellipse_errors(bound: TractionBound, flexibilities: Flexibilities, count: usize) -> Vec<f64> {
+/// Errors |ΔF|/(μ N) of a tangential model on the 300 ellipses.
+fn ellipse_errors(
+    tangential_model: TangentialModel,
+    bound: TractionBound,
+    flexibilities: Flexibilities,
+    count: usize,
+) -> Vec<f64> {
     let table = read_table("contact_25_1/hertz_tangential.csv");
     let value =
         |row: &csv::StringRecord, name: &str| -> f64 { row[column(&table, name)].parse().unwrap() };
@@ -33,6 +39,7 @@ fn ellipse_errors(bound: TractionBound, flexibilities: Flexibilities, count: usi
                 ],
                 strips: count,
                 elements_along: count,
+                tangential_model,
                 bound,
                 flexibilities,
                 ..steel_case(&separation, radius, 0.0)
@@ -72,7 +79,12 @@ fn fastsim_is_within_its_known_error_on_three_hundred_ellipses() {
     for bound in [TractionBound::Elliptic, TractionBound::Parabolic] {
         for flexibilities in [Flexibilities::Three, Flexibilities::Blended] {
             for count in [10, 20, 30] {
-                let [mean, p95, worst] = quantiles(ellipse_errors(bound, flexibilities, count));
+                let [mean, p95, worst] = quantiles(ellipse_errors(
+                    TangentialModel::Fastsim,
+                    bound,
+                    flexibilities,
+                    count,
+                ));
                 writeln!(
                     report,
                     "{bound:?},{flexibilities:?},{count}x{count},{mean:.4},{p95:.4},{worst:.4}"
@@ -90,4 +102,30 @@ fn fastsim_is_within_its_known_error_on_three_hundred_ellipses() {
     let [mean, p95] = best.unwrap();
     let [most_mean, most_p95] = tolerance::FASTSIM_ELLIPSES;
     assert!(mean <= most_mean && p95 <= most_p95, "{report}");
+}
+
+#[test]
+fn fastrip_is_better_than_fastsim_on_three_hundred_ellipses() {
+    let mut report = String::from("flexibilities,elements,mean,p95,worst\n");
+    let mut best = None;
+    for flexibilities in [Flexibilities::Three, Flexibilities::Blended] {
+        for count in [10, 20, 30] {
+            let [mean, p95, worst] = quantiles(ellipse_errors(
+                TangentialModel::Fastrip,
+                TractionBound::Elliptic,
+                flexibilities,
+                count,
+            ));
+            writeln!(report, "{flexibilities:?},{count}x{count},{mean:.4},{p95:.4},{worst:.4}")
+                .unwrap();
+            if (flexibilities, count) == (Flexibilities::Blended, 20) {
+                best = Some([mean, p95, worst]);
+            }
+        }
+    }
+    common::write_report("fastrip_ellipses.csv", &report);
+    let best = best.unwrap();
+    for (found, most) in best.into_iter().zip(tolerance::FASTRIP_ELLIPSES) {
+        assert!(found <= most, "{report}");
+    }
 }

@@ -1,7 +1,7 @@
 //! Forces stay finite for every finite input, however far from a wheel on a rail.
 
 use proptest::prelude::*;
-use wheelrail::element::parameters::{CreepageModel, NormalModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A number of any size and sign, small ones as likely as large ones.
@@ -25,6 +25,7 @@ prop_compose! {
         rates in [around(0.0, 5.0), around(0.0, 5.0), around(0.0, 350.0)],
         rail in [around(0.0, 0.02), around(0.0, 0.02), around(0.0, 0.1)],
         friction in 0.0..2.0f64,
+        load in -1e4..3e5f64,
     ) -> Input {
         let mut input = Input::default();
         input.wheel.position = [0.0, y, z];
@@ -33,6 +34,7 @@ prop_compose! {
         [input.wheel.roll_rate, input.wheel.yaw_rate, input.wheel.pitch_rate] = rates;
         [input.rails[0].y, input.rails[0].z, input.rails[0].roll] = rail;
         input.friction = friction;
+        input.wheel_load = load;
         input
     }
 }
@@ -44,12 +46,14 @@ prop_compose! {
         angles in [any_size(), any_size(), any_size()],
         velocity in [any_size(), any_size(), any_size()],
         rail in [any_size(), any_size(), any_size()],
+        load in any_size(),
     ) -> Input {
         let mut input = Input::default();
         input.wheel.position = position;
         [input.wheel.roll, input.wheel.yaw, input.wheel.pitch_rate] = angles;
         input.wheel.velocity = velocity;
         [input.rails[0].y, input.rails[0].z, input.rails[0].roll] = rail;
+        input.wheel_load = load;
         input
     }
 }
@@ -90,7 +94,7 @@ fn without_a_rail_there_is_no_force_and_no_height_to_find() {
     assert!((element.nominal_wheel_z() - start.wheel.position[2]).abs() <= 0.0);
     let mut output = Output::default();
     element.evaluate(&start, &mut output).expect("finite input");
-    assert_eq!(output, Output::default());
+    assert_eq!(output, Output { wheel_z: start.wheel.position[2], ..Output::default() });
 }
 
 #[test]
@@ -103,19 +107,33 @@ fn a_radius_that_does_not_go_with_the_profile_is_refused_by_name() {
     }
 }
 
-fn element(normal_model: NormalModel, creepage_model: CreepageModel) -> Element {
-    let parameters = Parameters { normal_model, creepage_model, ..Parameters::default() };
+fn element(
+    normal_model: NormalModel,
+    creepage_model: CreepageModel,
+    tangential_model: TangentialModel,
+    vertical_mode: VerticalMode,
+) -> Element {
+    let parameters = Parameters {
+        normal_model,
+        creepage_model,
+        tangential_model,
+        vertical_mode,
+        ..Parameters::default()
+    };
     Element::new(&parameters, &Input::default(), &[]).expect("built-in profiles")
 }
 
 #[test]
 fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
-    for (normal, creepage) in [
-        (NormalModel::PiotrowskiKik, CreepageModel::Flat),
-        (NormalModel::PiotrowskiKikCorrected, CreepageModel::Curved),
-        (NormalModel::Hertz, CreepageModel::Curved),
+    let (fastsim, given) = (TangentialModel::Fastsim, VerticalMode::Penetration);
+    for (normal, creepage, tangential, vertical) in [
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat, fastsim, given),
+        (NormalModel::PiotrowskiKik, CreepageModel::Curved, TangentialModel::Fastrip, given),
+        (NormalModel::PiotrowskiKikCorrected, CreepageModel::Curved, fastsim, given),
+        (NormalModel::Hertz, CreepageModel::Curved, fastsim, given),
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat, fastsim, VerticalMode::Load),
     ] {
-        let shared = std::cell::RefCell::new(element(normal, creepage));
+        let shared = std::cell::RefCell::new(element(normal, creepage, tangential, vertical));
         proptest!(ProptestConfig::with_cases(4000), |(input in near_the_rail())| {
             check(&mut shared.borrow_mut(), &input)?;
         });

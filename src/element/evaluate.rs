@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, RailPlace, Side};
+use super::parameters::{RAILS, RailPlace, Side, VerticalMode};
 use super::rail_contact::RailContact;
 use super::uneven::deviations;
 use super::{Input, Output, Parameters};
@@ -36,8 +36,10 @@ pub struct Work {
 #[derive(Clone, Debug)]
 pub struct Element {
     side: Side,
-    models: Models,
-    rails: [Option<RailContact>; RAILS],
+    vertical_mode: VerticalMode,
+    pub(super) nominal_radius: f64,
+    pub(super) models: Models,
+    pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
     fallbacks: u64,
     work: Work,
@@ -108,6 +110,8 @@ impl Element {
         }
         let mut element = Self {
             side: parameters.side,
+            vertical_mode: parameters.vertical_mode,
+            nominal_radius: radius,
             models: Models::new(parameters),
             rails: contacts,
             nominal_wheel_z: start.wheel.position[2],
@@ -156,16 +160,13 @@ impl Element {
         input.check()?;
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
-        let input = if mirrored { input.mirrored() } else { *input };
+        let mut input = if mirrored { input.mirrored() } else { *input };
         // Nothing can fail from here on.
-        *output = Output::default();
-        self.models.patches.clear();
-        for (k, rail) in self.rails.iter_mut().enumerate() {
-            if let Some(rail) = rail {
-                let left_out = rail.evaluate(k, &input, &mut self.models, output, &mut self.work);
-                self.fallbacks += left_out;
-            }
-        }
+        self.fallbacks += match self.vertical_mode {
+            VerticalMode::Penetration => self.forces(&input, output),
+            VerticalMode::Load => self.carry_load(&mut input, output),
+        };
+        output.wheel_z = input.wheel.position[2];
         let patches = &mut self.models.patches;
         patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
         for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
@@ -179,15 +180,33 @@ impl Element {
         Ok(())
     }
 
+    /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or zones found no room.
+    pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
+        *output = Output::default();
+        self.models.patches.clear();
+        let mut left_out = 0;
+        for (k, rail) in self.rails.iter_mut().enumerate() {
+            if let Some(rail) = rail {
+                left_out += rail.evaluate(k, input, &mut self.models, output, &mut self.work);
+            }
+        }
+        left_out
+    }
+
     /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
     /// yaw of `start`; its own height where it stands beside the rails [m].
     pub fn touching_height(&mut self, start: &Input) -> f64 {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
+        self.first_touch(&input).unwrap_or(start.wheel.position[2])
+    }
+
+    /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.
+    pub(super) fn first_touch(&mut self, input: &Input) -> Option<f64> {
         let highest = (self.rails.iter().enumerate())
-            .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, &input)))
+            .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
             .fold(f64::INFINITY, f64::min);
         let mut touches = |z: f64| {
-            let mut at = input;
+            let mut at = *input;
             at.wheel.position[2] = z;
             (self.rails.iter_mut().enumerate())
                 .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
@@ -196,15 +215,13 @@ impl Element {
         // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
         let height = |step: usize| highest + step as f64 * DESCENT_STEP;
         let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
-        let Some(step) = found.filter(|_| highest.is_finite()) else {
-            return start.wheel.position[2];
-        };
+        let step = found.filter(|_| highest.is_finite())?;
         let (mut clear, mut touching) = (height(step - 1), height(step));
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (clear + touching);
             if touches(middle) { touching = middle } else { clear = middle }
         }
-        touching
+        Some(touching)
     }
 }
 

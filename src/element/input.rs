@@ -9,6 +9,9 @@ pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 pub struct Input {
     /// The wheel.
     pub wheel: WheelMotion,
+    /// Vertical force of the wheel on all rails together, down, if the load is given and not the height; a wheel with none or a
+    /// negative one is lifted [N].
+    pub wheel_load: f64,
     /// The rails, `rail[1]` first.
     pub rails: [RailMotion; RAILS],
     /// Station along the track [m].
@@ -31,6 +34,7 @@ impl Default for Input {
                 yaw_rate: 0.0,
                 pitch_rate: 0.0,
             },
+            wheel_load: 0.0,
             rails: [RailMotion::default(); RAILS],
             track_s: 0.0,
             friction: 0.3,
@@ -83,6 +87,7 @@ impl Input {
             ("wheel.roll_rate", w.roll_rate),
             ("wheel.yaw_rate", w.yaw_rate),
             ("wheel.pitch_rate", w.pitch_rate),
+            ("wheel.load", self.wheel_load),
             ("track.s", self.track_s),
             ("friction.coefficient", self.friction),
         ]
@@ -118,7 +123,7 @@ impl Input {
         let all = wheel.as_flattened().iter().chain(rails.as_flattened());
         // Zero times anything that is not finite is not a number.
         let sum: f64 = all.map(|value| 0.0 * value).sum();
-        if (sum + 0.0 * self.track_s + 0.0 * self.friction).is_nan() {
+        if (sum + 0.0 * self.track_s + 0.0 * self.friction + 0.0 * self.wheel_load).is_nan() {
             return Err(self.not_finite());
         }
         if self.friction < 0.0 {

@@ -10,6 +10,7 @@ pub mod parameters;
 mod rail_contact;
 mod rail_frame;
 mod uneven;
+mod vertical_load;
 
 pub use evaluate::{Element, Work};
 pub use input::Input;

@@ -2,7 +2,7 @@
 
 use super::curved_zone::CurvedZone;
 use super::output::Patch;
-use super::parameters::{CreepageModel, Parameters};
+use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
@@ -63,7 +63,11 @@ impl Models {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
             shape_fit: parameters.shape_fit,
-            damping: parameters.damping,
+            damping: match parameters.vertical_mode {
+                VerticalMode::Penetration => parameters.damping,
+                // A given load is that of a wheel at rest on its rails.
+                VerticalMode::Load => 0.0,
+            },
             tangential: Tangential::new(
                 parameters.tangential_model,
                 parameters.flexibilities,

@@ -60,6 +60,8 @@ pub struct Output {
     pub wheel: Wrench,
     /// On each rail, about the rail marker.
     pub rails: [Wrench; RAILS],
+    /// Height of the wheel marker: the one found if the load is given, else that of the input [m].
+    pub wheel_z: f64,
     /// Number of loaded zones found.
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.

@@ -17,6 +17,16 @@ pub enum Side {
     Left,
 }
 
+/// What is given of the vertical motion of the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VerticalMode {
+    /// The height of the wheel; forces follow from the penetration.
+    #[default]
+    Penetration,
+    /// The vertical force that the rails carry; the height is found.
+    Load,
+}
+
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CreepageModel {
@@ -90,6 +100,8 @@ pub struct Parameters {
     pub gauge_depth: f64,
     /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
     pub profile_smoothing: f64,
+    /// What is given of the vertical motion.
+    pub vertical_mode: VerticalMode,
     /// Normal contact model.
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
@@ -141,6 +153,7 @@ impl Default for Parameters {
             gauge: 1.435,
             gauge_depth: 0.014,
             profile_smoothing: 0.004,
+            vertical_mode: VerticalMode::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),

@@ -89,6 +89,13 @@ impl RailContact {
             - highest
     }
 
+    /// A marker height a little above that of first touch for `input` (right side) with rail number `k`, by the bounds of
+    /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
+    pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+    }
+
     /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room.
     pub fn evaluate(
         &mut self,

@@ -92,38 +92,27 @@ impl Clearance {
         self.rail_top - self.wheel_low - self.nominal_radius - self.drop(roll)
     }
 
+    /// Marker z above which no cell of the wheel touches at the place and attitude of `pose`, whose own z counts only where the rail
+    /// rolls; infinite beside the rail [m].
+    #[must_use]
+    pub fn height_near_touch(&self, pose: &WheelPose) -> f64 {
+        let Some((_, lows, tops)) = self.opposite_cells(pose) else {
+            return self.clear_height(pose.roll);
+        };
+        let least = lows.iter().zip(tops).map(|(low, top)| top - low).fold(f64::INFINITY, f64::min);
+        least - self.nominal_radius - self.drop(pose.roll)
+    }
+
     /// Fills `ranges` with the stretches of the contact line, as ranges of its parameter, that may touch the rail when the wheel
     /// stands at `pose`: none for a lifted wheel, everything where the angles are too large for a bound.
     pub fn ranges(&self, pose: &WheelPose, ranges: &mut Vec<[f64; 2]>) {
-        let WheelPose { marker, roll, yaw } = *pose;
         ranges.clear();
-        let [extent_y, extent_z] = self.wheel_extent;
-        let sideways =
-            self.chord * yaw.abs() + extent_y * (yaw * yaw + roll * roll) + extent_z * roll.abs();
-        // One cell more, because the two grids do not meet.
-        let reach = sideways / CELL + 1.0;
-        let Some(level) = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach) else {
+        let Some((first, lows, tops)) = self.opposite_cells(pose) else {
             ranges.push([f64::MIN, f64::MAX]);
             return;
         };
-        let top = &self.tops[level];
-        let y = marker[1] - self.nominal_radius * roll.sin();
-        let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
-        // Far beside the rail; this also keeps the conversion below exact.
-        if offset.abs() > 1e6 {
-            return;
-        }
-        let offset = offset as isize;
-        let low = marker[2] + self.nominal_radius + self.drop(roll);
-        // The cells of `top` that the rail reaches at this level.
-        let rail = [PADDING - (1 << level), top.len() - PADDING + (1 << level)];
-        let within = |cell: usize| (cell as isize - offset).clamp(0, self.lows.len() as isize);
-        let [first, last] = rail.map(|cell| within(cell) as usize);
-        if first >= last {
-            return;
-        }
-        let tops = &top[(first as isize + offset) as usize..];
-        for (i, (cell, top)) in self.lows[first..last].iter().zip(tops).enumerate() {
+        let low = pose.marker[2] + self.nominal_radius + self.drop(pose.roll);
+        for (i, (cell, top)) in lows.iter().zip(tops).enumerate() {
             if cell + low < *top {
                 continue;
             }
@@ -136,6 +125,36 @@ impl Clearance {
                 _ => ranges.push(span),
             }
         }
+    }
+
+    /// Number of the first cell of the wheel that the rail reaches at `pose`, the lows of it and of the cells after it, and the tops
+    /// of the rail opposite to them as far as roll and yaw can move points sideways; nothing where the angles are too large for
+    /// a bound.
+    fn opposite_cells(&self, pose: &WheelPose) -> Option<(usize, &[f64], &[f64])> {
+        let WheelPose { marker, roll, yaw } = *pose;
+        let [extent_y, extent_z] = self.wheel_extent;
+        let sideways =
+            self.chord * yaw.abs() + extent_y * (yaw * yaw + roll * roll) + extent_z * roll.abs();
+        // One cell more, because the two grids do not meet.
+        let reach = sideways / CELL + 1.0;
+        let level = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach)?;
+        let top = &self.tops[level];
+        let y = marker[1] - self.nominal_radius * roll.sin();
+        let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
+        // Far beside the rail; this also keeps the conversion below exact.
+        if offset.abs() > 1e6 {
+            return Some((0, &[], &[]));
+        }
+        let offset = offset as isize;
+        // The cells of `top` that the rail reaches at this level.
+        let rail = [PADDING - (1 << level), top.len() - PADDING + (1 << level)];
+        let within = |cell: usize| (cell as isize - offset).clamp(0, self.lows.len() as isize);
+        let [first, last] = rail.map(|cell| within(cell) as usize);
+        if first >= last {
+            return Some((0, &[], &[]));
+        }
+        let tops = &top[(first as isize + offset) as usize..];
+        Some((first, &self.lows[first..last], tops))
     }
 
     /// How far roll and what the tables leave open can lower a point of the wheel [m].

@@ -25,7 +25,7 @@ pub struct ZoneFlexibility {
     /// For spin, L3.
     pub spin: f64,
     /// Semi-axis a of the equivalent ellipse along rolling [m].
-    semi_axis_along: f64,
+    pub semi_axis_along: f64,
     /// G c² c11 and G c² c22: linear creep force over creepage [N].
     stiffness: [f64; 2],
 }

@@ -1,5 +1,6 @@
 //! Tangential contact: creep forces of loaded zones.
 
+pub mod fastrip;
 pub mod fastsim;
 pub mod flexibility;
 pub mod kalker_coefficients;
@@ -9,6 +10,7 @@ pub mod rigid_slip;
 pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
+use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use flexibility::ZoneFlexibility;
 use rigid_slip::{FlatSlip, RigidSlip};
@@ -23,6 +25,8 @@ pub enum TangentialModel {
     /// Kalker's march through the strips of the true patch.
     #[default]
     Fastsim,
+    /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
+    Fastrip,
 }
 
 /// How the three flexibilities of the simplified theory enter.
@@ -122,6 +126,7 @@ pub struct Tangential {
     model: TangentialModel,
     flexibilities: Flexibilities,
     fastsim: Fastsim,
+    fastrip: Fastrip,
 }
 
 impl Tangential {
@@ -133,7 +138,12 @@ impl Tangential {
         bound: TractionBound,
         elements_along: usize,
     ) -> Self {
-        Self { model, flexibilities, fastsim: Fastsim::new(elements_along, bound) }
+        Self {
+            model,
+            flexibilities,
+            fastsim: Fastsim::new(elements_along, bound),
+            fastrip: Fastrip::new(elements_along),
+        }
     }
 
     /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
@@ -177,6 +187,7 @@ impl Tangential {
             return false;
         }
         let mut flexibility = ZoneFlexibility::new(zone, strips, material);
+        let three = flexibility;
         if is_bounded && self.flexibilities == Flexibilities::Blended {
             flexibility = flexibility.blended(&slip.mean(), limit);
         }
@@ -187,15 +198,30 @@ impl Tangential {
             if share <= 0.0 {
                 continue;
             }
-            if is_bounded {
-                let friction = friction * load_factor;
-                let add = |j, force: StripForce| each(j, force.times(share));
-                self.fastsim.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
-            } else {
-                // Damping that takes load away takes creep force away, so that a lost contact has none.
-                let share = share * load_factor.min(1.0);
-                let add = |j, force: StripForce| each(j, force.times(share));
-                linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+            let friction = friction * load_factor;
+            // Damping that takes load away takes creep force away, so that a lost contact has none.
+            let share = if is_bounded { share } else { share * load_factor.min(1.0) };
+            let add = |j, force: StripForce| each(j, force.times(share));
+            match self.model {
+                TangentialModel::None => {}
+                TangentialModel::Linear => {
+                    linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+                }
+                TangentialModel::Fastsim => {
+                    let march = &self.fastsim;
+                    march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
+                }
+                TangentialModel::Fastrip => self.fastrip.strip_forces(
+                    zone,
+                    strips,
+                    &three,
+                    &flexibility,
+                    slip,
+                    rolling,
+                    friction,
+                    material.poisson_ratio,
+                    add,
+                ),
             }
         }
         true
