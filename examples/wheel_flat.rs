@@ -44,18 +44,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         impacts.push(Series::line(name, peaks));
     }
     if let Some(path) = std::env::args().nth(1) {
-        let chart = |title, x, series| Chart {
+        let chart = |title, x, legend_below, series| Chart {
             title,
             x,
             y: "contact force [kN]",
             downwards: false,
+            legend_below,
             height: 300,
             series,
         };
         let title = "Greatest force on a flat of 50 mm, static load 87 kN";
-        let first = chart(title, "speed [km/h]", impacts);
+        let first = chart(title, "speed [km/h]", true, impacts);
         let title = "Force around the flat";
-        let second = chart(title, "rolled distance from the middle of the flat [mm]", histories);
+        let second =
+            chart(title, "rolled distance from the middle of the flat [mm]", false, histories);
         chart::save(path, &[first, second])?;
     }
     Ok(())
