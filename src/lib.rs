@@ -74,6 +74,7 @@
 //! math        elliptic integrals, quadrature, roots, splines, lists of fixed room: no railway words
 //! geometry    profiles, placed wheel and rail, contact line, contact search, separation
 //! material    elastic constants
+//! boundary_element  pressure and tractions of the half-space on rectangular elements
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage
@@ -81,6 +82,7 @@
 //! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output
+//! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
 //! ```
@@ -90,6 +92,8 @@
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
 //! dependencies. As a library: `default-features = false`.
 
+pub mod boundary_element;
+pub mod conicity;
 pub mod element;
 pub mod error;
 pub mod fmi;

@@ -12,6 +12,7 @@ use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
+use crate::tangential::field::ContactField;
 use crate::tangential::{Creepage, Flexibilities, RollingState, Tangential, TangentialModel};
 
 /// How deep the bodies are pressed together.
@@ -52,6 +53,8 @@ pub struct PlanarCase<'a> {
     pub strips: usize,
     /// Elements along each strip.
     pub elements_along: usize,
+    /// Boundary elements along and across the contact.
+    pub elements: [usize; 2],
     /// Shape of the traction bound.
     pub bound: TractionBound,
     /// How the flexibilities enter.
@@ -94,6 +97,41 @@ const MOST_ZONES: usize = 64;
 /// # Errors
 /// A value of the case that is not admitted, or a load that no approach up to 20 mm carries.
 pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
+    let pressed = press_together(case)?;
+    let mut result = summarise(case, &pressed.material, &pressed.strips, pressed.contact_y);
+    result.fallback |= pressed.left_out > 0;
+    Ok(result)
+}
+
+/// Pressure and tractions element by element on the wheel, one field for each zone, or for all of them where the normal model has boundary
+/// elements; y from the origin of the separation. See [`ContactField`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn fields(case: &PlanarCase) -> Result<Vec<ContactField>, ContactError> {
+    let Pressed { strips, material, contact_y, .. } = press_together(case)?;
+    let tangential = tangential_of(case);
+    let zones = if strips.elements.is_some() { 1 } else { strips.zones.len() };
+    let fields = strips.zones.iter().take(zones).map(|zone| {
+        let state = rolling_state(case, contact_y + zone.y);
+        let mut field = tangential.field(zone, &strips, &material, &state);
+        field.grid.left_y += contact_y;
+        field
+    });
+    Ok(fields.collect())
+}
+
+/// The normal solution of a case.
+struct Pressed {
+    strips: Strips,
+    material: MaterialPair,
+    /// y of the contact point [m].
+    contact_y: f64,
+    /// Zones that found no room, or solutions that fell back.
+    left_out: usize,
+}
+
+fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     check(case)?;
     let mut line = PlanarLine::new(case.separation);
     let rule = GaussLegendre::new(case.strips);
@@ -111,6 +149,7 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
                 contact_u: line.contact,
                 lateral_curvature: line.curve.at(line.contact).second[1],
                 rule: &rule,
+                elements: case.elements,
             };
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
@@ -131,8 +170,7 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
         }
         Indentation::Load(_) => {}
     }
-    let contact_y = line.contact;
-    Ok(PlanarResult { fallback: left_out > 0, ..summarise(case, &material, &strips, contact_y) })
+    Ok(Pressed { contact_y: line.contact, strips, material, left_out })
 }
 
 /// The approach from first touch at which `press` gives `load`; where the load jumps past it, the place of the jump.
@@ -161,8 +199,7 @@ fn summarise(
     contact_y: f64,
 ) -> PlanarResult {
     let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
-    let tangential =
-        Tangential::new(case.tangential_model, case.flexibilities, case.bound, case.elements_along);
+    let tangential = tangential_of(case);
     let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
     for zone in strips.zones.iter() {
         result.normal_force += zone.load;
@@ -173,20 +210,36 @@ fn summarise(
         left = left.min(edges[0]);
         right = right.max(edges[1]);
         let y = contact_y + zone.y;
-        let [longitudinal, lateral, spin] = case.creepage;
-        let state = RollingState {
-            creepage: Creepage { longitudinal: longitudinal - spin * y, lateral, spin },
-            forward_share: 1.0,
-            friction: case.friction,
-            load_factor: 1.0,
-        };
+        let state = rolling_state(case, y);
         let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
+        result.fallback |= force.fell_back;
         result.fx += force.longitudinal;
         result.fy += force.lateral;
         result.mz += force.spin_moment - y * force.longitudinal;
     }
     result.width = (right - left).max(0.0);
     result
+}
+
+fn tangential_of(case: &PlanarCase) -> Tangential {
+    Tangential::new(
+        case.tangential_model,
+        case.flexibilities,
+        case.bound,
+        case.elements_along,
+        case.elements,
+    )
+}
+
+/// How a zone with its centroid at `y` rolls.
+fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
+    let [longitudinal, lateral, spin] = case.creepage;
+    RollingState {
+        creepage: Creepage { longitudinal: longitudinal - spin * y, lateral, spin },
+        forward_share: 1.0,
+        friction: case.friction,
+        load_factor: 1.0,
+    }
 }
 
 /// Left and right edge of a zone from its strips: Gauss-Legendre weights sum to its width.
@@ -250,7 +303,11 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
         case.elements_along as f64,
         counts.contains(&case.elements_along),
         "4 to 200",
-    )
+    )?;
+    for (name, count) in ["elements_along", "elements_across"].into_iter().zip(case.elements) {
+        require(name, count as f64, counts.contains(&count), "4 to 200")?;
+    }
+    Ok(())
 }
 
 /// The separation as a cubic spline, with y as parameter.

@@ -37,14 +37,16 @@ pub struct ContactForces<'a> {
 }
 
 impl ContactForces<'_> {
-    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`.
+    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`; returns how many zones
+    /// fell back to a simpler tangential model.
     pub fn add(
         &self,
         separation: &mut LineSeparation,
         models: &mut Models,
         output: &mut Output,
         work: &mut Work,
-    ) {
+    ) -> u64 {
+        let mut fallbacks = 0;
         // All points have their x from the wheel marker, so that no result depends on the station by rounding.
         let [station, y, z] = self.input.wheel.position;
         let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
@@ -115,6 +117,7 @@ impl ContactForces<'_> {
             };
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
+            fallbacks += u64::from(tractions.fell_back);
             let normal_force = zone.load * load_factor;
             let on_wheel = tractions.force - axes.normal * normal_force;
             add(&mut output.wheel, on_wheel, position - wheel_marker, tractions.moment);
@@ -146,6 +149,7 @@ impl ContactForces<'_> {
                 frictional_power,
             });
         }
+        fallbacks
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
@@ -201,7 +205,7 @@ impl ContactForces<'_> {
     }
 
     /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
-    fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
+    pub(super) fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x

@@ -19,7 +19,7 @@ use crate::material::MaterialPair;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, RollingState, Tangential};
+use crate::tangential::{CreepForce, Outcome, RollingState, Tangential};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,6 +32,8 @@ pub struct Tractions {
     pub dissipation: f64,
     /// Area that slips [m²].
     pub slip_area: f64,
+    /// Whether a simpler model took the place of one that did not converge.
+    pub fell_back: bool,
 }
 
 impl Tractions {
@@ -44,6 +46,7 @@ impl Tractions {
                 + force.lateral * creepage.lateral
                 + force.spin_moment * creepage.spin),
             slip_area: force.slip_area,
+            fell_back: force.fell_back,
         }
     }
 }
@@ -120,19 +123,21 @@ impl CurvedZone {
             return None;
         }
         let mut total = Tractions::default();
-        let any = tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
-            let i = j - zone.first;
-            let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
-            let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
-            total.force += force;
-            total.moment += (self.points[i] - position).cross(&force)
-                + Vector3::x().cross(&tangent) * strip.moment;
-            total.dissipation -= strip.longitudinal * creepage.longitudinal
-                + strip.lateral * creepage.lateral
-                + strip.moment * creepage.spin;
-            total.slip_area += strip.slip_area;
-        });
-        any.then_some(total)
+        let outcome =
+            tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
+                let i = j - zone.first;
+                let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
+                let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
+                total.force += force;
+                total.moment += (self.points[i] - position).cross(&force)
+                    + Vector3::x().cross(&tangent) * strip.moment;
+                total.dissipation -= strip.longitudinal * creepage.longitudinal
+                    + strip.lateral * creepage.lateral
+                    + strip.moment * creepage.spin;
+                total.slip_area += strip.slip_area;
+            })?;
+        total.fell_back = outcome == Outcome::FellBack;
+        Some(total)
     }
 }
 

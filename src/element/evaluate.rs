@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{RAILS, RailPlace, Side, VerticalMode};
@@ -150,6 +151,21 @@ impl Element {
     #[must_use]
     pub fn fallback_count(&self) -> i32 {
         i32::try_from(self.fallbacks).unwrap_or(i32::MAX)
+    }
+
+    /// The contacts for `input` as planar problems, as a right wheel has them; allocates. In load mode the height has to be that found.
+    ///
+    /// # Errors
+    /// The input at fault, by its FMU name.
+    pub fn flat_contacts(&mut self, input: &Input) -> Result<Vec<FlatContact>, ContactError> {
+        input.check()?;
+        let input = if self.side == Side::Left { input.mirrored() } else { *input };
+        let speed = self.models.minimum_speed;
+        let rails = self.rails.iter_mut().enumerate();
+        Ok(rails
+            .filter_map(|(k, rail)| Some(rail.as_mut()?.flattened(k, &input, speed)))
+            .flatten()
+            .collect())
     }
 
     /// Evaluates the forces; allocates nothing.

@@ -3,6 +3,7 @@
 mod contact_forces;
 mod curved_zone;
 mod evaluate;
+mod flattened;
 pub mod input;
 mod models;
 pub mod output;
@@ -13,6 +14,7 @@ mod uneven;
 mod vertical_load;
 
 pub use evaluate::{Element, Work};
+pub use flattened::FlatContact;
 pub use input::Input;
 pub use output::Output;
 pub use parameters::Parameters;

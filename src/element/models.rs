@@ -35,6 +35,8 @@ pub struct Models {
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
     pub material: MaterialPair,
+    /// Boundary elements along and across a contact.
+    pub elements: [usize; 2],
     /// Scratch memory of contacts on uneven rails or wheels, if there are any.
     pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
@@ -73,11 +75,13 @@ impl Models {
                 parameters.flexibilities,
                 parameters.bound,
                 parameters.elements_along,
+                parameters.normal_elements,
             ),
             creepage: parameters.creepage_model,
             curved_zone: CurvedZone::with_capacity(parameters.strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
+            elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, parameters.strips),

@@ -110,6 +110,8 @@ pub struct Parameters {
     pub shape_fit: ShapeFit,
     /// Strips across each loaded zone, 4 to 200.
     pub strips: usize,
+    /// Boundary elements along and across the extent of a contact, 4 to 200.
+    pub normal_elements: [usize; 2],
     /// Contact damping at the reference stiffness, ≥ 0 [N s/m].
     pub damping: f64,
     /// How creepage varies over a patch.
@@ -158,6 +160,7 @@ impl Default for Parameters {
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
             strips: 30,
+            normal_elements: [40, 40],
             damping: 1e5,
             creepage_model: CreepageModel::default(),
             minimum_speed: 1e-3,
@@ -217,9 +220,12 @@ impl Parameters {
         let epsilon = self.virtual_penetration;
         let fits = epsilon > 0.0 && epsilon < 1.0;
         require("normal.virtual_penetration".into(), epsilon, fits, "greater than 0, less than 1")?;
-        for (name, value) in
-            [("normal.strips", self.strips), ("tangential.elements_along", self.elements_along)]
-        {
+        for (name, value) in [
+            ("normal.strips", self.strips),
+            ("normal.elements_along", self.normal_elements[0]),
+            ("normal.elements_across", self.normal_elements[1]),
+            ("tangential.elements_along", self.elements_along),
+        ] {
             require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
         }
         self.check_deviations()

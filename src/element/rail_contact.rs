@@ -2,6 +2,7 @@
 
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
+use super::flattened::FlatContact;
 use super::input::Input;
 use super::models::Models;
 use super::output::Output;
@@ -93,10 +94,30 @@ impl RailContact {
     /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
+        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel)) - highest
     }
 
-    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room.
+    /// The contacts with rail number `k` for `input` (right side), laid flat.
+    pub fn flattened(&mut self, k: usize, input: &Input, minimum_speed: f64) -> Vec<FlatContact> {
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let pose = frame.pose(&input.wheel);
+        self.find_ranges(input, &pose);
+        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line = with(line, self.deviations.as_ref());
+        self.search.search(&line, &self.rail, &self.ranges);
+        let contacts = self.search.contacts.iter().map(|&contact| {
+            let mut separation = LineSeparation::new(&line, &self.rail, contact);
+            let radius = line.wheel_point(contact.u).section_radius;
+            let slopes = [0.0; 2];
+            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
+            forces.flattened(&mut separation, radius, minimum_speed)
+        });
+        contacts.collect()
+    }
+
+    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a
+    /// simpler model.
     pub fn evaluate(
         &mut self,
         k: usize,
@@ -136,6 +157,7 @@ impl RailContact {
                 contact_u: contact.u,
                 lateral_curvature: line.curvature(contact.u) + self.rail.curvature(contact.rail_s),
                 rule: &models.rule,
+                elements: models.elements,
             };
             let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
             let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
@@ -167,7 +189,7 @@ impl RailContact {
             };
             left_out += no_room as u64;
             let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
-            forces.add(&mut separation, models, output, work);
+            left_out += forces.add(&mut separation, models, output, work);
         }
         left_out
     }

@@ -3,6 +3,7 @@
 //! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical pressure, grouped in
 //! separate loaded zones. Tangential models see nothing else.
 
+pub mod boundary_element;
 pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
@@ -10,6 +11,7 @@ pub mod shape_correction;
 pub mod uneven;
 mod zones;
 
+pub use boundary_element::ElementPressure;
 pub use shape_correction::ShapeFit;
 pub use zones::Edge;
 
@@ -27,6 +29,8 @@ pub enum NormalModel {
     PiotrowskiKik,
     /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
     PiotrowskiKikCorrected,
+    /// The half-space solution on rectangular elements: slow, for checking the others.
+    BoundaryElement,
 }
 
 /// One loaded zone: a connected part of the contact area.
@@ -73,6 +77,8 @@ pub struct Strips {
     pub pressure: Room<f64>,
     /// Parameter of the contact line [m].
     pub u: Room<f64>,
+    /// The elements that the strips were made from, if the normal model has them.
+    pub elements: Option<Box<ElementPressure>>,
 }
 
 impl Strips {
@@ -88,11 +94,13 @@ impl Strips {
             half_length: column(),
             pressure: column(),
             u: column(),
+            elements: None,
         }
     }
 
     /// Forgets all zones and strips, keeps the room.
     pub fn clear(&mut self) {
+        self.elements = None;
         self.zones.clear();
         for column in [
             &mut self.y,
@@ -154,12 +162,15 @@ pub struct NormalProblem<'a> {
     pub lateral_curvature: f64,
     /// Quadrature rule across a zone; its nodes are the strips.
     pub rule: &'a GaussLegendre,
+    /// Elements along and across the contact, for the model with boundary elements.
+    pub elements: [usize; 2],
 }
 
 /// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is ε of Piotrowski and Kik,
 /// `shape_fit` the ratio that their corrected contact area gets.
 ///
-/// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room.
+/// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room, or 1 where a solution did not converge and
+/// the simpler model took its place.
 pub fn solve(
     model: NormalModel,
     virtual_penetration: f64,
@@ -177,6 +188,13 @@ pub fn solve(
         NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected => {
             let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
             piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
+        }
+        NormalModel::BoundaryElement => {
+            boundary_element::solve(problem, problem.elements, separation, probes, strips)
+                .unwrap_or_else(|| {
+                    let epsilon = virtual_penetration;
+                    1 + piotrowski_kik::solve(problem, epsilon, None, separation, probes, strips)
+                })
         }
     }
 }

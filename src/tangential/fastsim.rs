@@ -129,6 +129,54 @@ impl Fastsim {
     }
 }
 
+impl Fastsim {
+    /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading edge first, and whether it slips; as in
+    /// [`strip_forces`](Self::strip_forces).
+    #[must_use]
+    pub fn tractions(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        j: usize,
+        flexibility: &ZoneFlexibility,
+        slip: &impl RigidSlip,
+        friction: f64,
+    ) -> Vec<([f64; 2], bool)> {
+        let a = strips.half_length[j];
+        let step = 2.0 * a / self.profile.len() as f64;
+        let growth = slip.growth(j, flexibility);
+        let bound = friction * self.greatest_bound(zone, strips, j);
+        let mut p = [0.0; 2];
+        let elements = self.profile.iter().zip(&self.abscissae).enumerate();
+        elements
+            .map(|(k, (profile, [_, abscissa]))| {
+                let length = if k == 0 { 0.5 * step } else { step };
+                p[0] -= length * growth.longitudinal;
+                p[1] -= length * (growth.lateral + abscissa * a * growth.twist);
+                let ratio = bound * profile / p[0].hypot(p[1]);
+                if ratio < 1.0 {
+                    p = p.map(|p| p * ratio);
+                }
+                (p, ratio < 1.0)
+            })
+            .collect()
+    }
+
+    /// Greatest bound of strip `j` over the coefficient of friction [Pa].
+    fn greatest_bound(&self, zone: &Zone, strips: &Strips, j: usize) -> f64 {
+        match self.bound {
+            TractionBound::Elliptic => strips.pressure[j],
+            TractionBound::Parabolic => {
+                let range = zone.first..zone.first + zone.count;
+                let moment: f64 =
+                    range.map(|j| strips.width[j] * strips.half_length[j].powi(3)).sum();
+                let square = strips.half_length[j].powi(2);
+                if moment > 0.0 { 0.75 * zone.load * square / moment } else { 0.0 }
+            }
+        }
+    }
+}
+
 /// What the march of up to [`LANES`] strips needs: traction increments per element and bounds.
 #[derive(Clone, Copy, Debug, Default)]
 struct March {

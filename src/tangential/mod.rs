@@ -1,7 +1,9 @@
 //! Tangential contact: creep forces of loaded zones.
 
+pub mod boundary_element;
 pub mod fastrip;
 pub mod fastsim;
+pub mod field;
 pub mod flexibility;
 pub mod kalker_coefficients;
 pub mod linear;
@@ -10,6 +12,7 @@ pub mod rigid_slip;
 pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
+use boundary_element::LoadedElements;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use flexibility::ZoneFlexibility;
@@ -27,6 +30,8 @@ pub enum TangentialModel {
     Fastsim,
     /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
     Fastrip,
+    /// The half-space solution on rectangular elements: slow, for checking the others.
+    BoundaryElement,
 }
 
 /// How the three flexibilities of the simplified theory enter.
@@ -93,6 +98,8 @@ pub struct CreepForce {
     pub spin_moment: f64,
     /// Area that slips [m²].
     pub slip_area: f64,
+    /// Whether a simpler model took the place of one that did not converge.
+    pub fell_back: bool,
 }
 
 impl CreepForce {
@@ -126,23 +133,27 @@ pub struct Tangential {
     model: TangentialModel,
     flexibilities: Flexibilities,
     fastsim: Fastsim,
+    elements: [usize; 2],
     fastrip: Fastrip,
 }
 
 impl Tangential {
-    /// A model with `elements_along` ≥ 1 elements along each strip.
+    /// A model with `elements_along` ≥ 1 elements along each strip, or boundary elements on a grid of `elements` along and across a
+    /// zone whose pressure is not yet on one.
     #[must_use]
     pub fn new(
         model: TangentialModel,
         flexibilities: Flexibilities,
         bound: TractionBound,
         elements_along: usize,
+        elements: [usize; 2],
     ) -> Self {
         Self {
             model,
             flexibilities,
             fastsim: Fastsim::new(elements_along, bound),
             fastrip: Fastrip::new(elements_along),
+            elements,
         }
     }
 
@@ -159,14 +170,14 @@ impl Tangential {
         let mut total = CreepForce::default();
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         (!state.creepage.is_zero()).then_some(())?;
-        self.strip_forces(zone, strips, material, &slip, state, |j, force| {
+        let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
             total.add(zone, strips, j, &force);
-        })
-        .then_some(total)
+        })?;
+        Some(CreepForce { fell_back: outcome == Outcome::FellBack, ..total })
     }
 
     /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
-    /// come twice. Whether there was anything to compute. Of `state` the creepage is not used.
+    /// come twice. Nothing where there was nothing to compute. Of `state` the creepage is not used.
     ///
     /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
     /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
@@ -178,19 +189,22 @@ impl Tangential {
         slip: &impl RigidSlip,
         state: &RollingState,
         mut each: impl FnMut(usize, StripForce),
-    ) -> bool {
+    ) -> Option<Outcome> {
         let RollingState { forward_share, friction, load_factor, .. } = *state;
         let limit = friction * zone.load * load_factor;
         let is_bounded = self.model != TangentialModel::Linear;
         let load = zone.load * load_factor;
         if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
-            return false;
+            return None;
         }
         let mut flexibility = ZoneFlexibility::new(zone, strips, material);
         let three = flexibility;
         if is_bounded && self.flexibilities == Flexibilities::Blended {
             flexibility = flexibility.blended(&slip.mean(), limit);
         }
+        let mut outcome = Outcome::Solved;
+        let elements = (self.model == TangentialModel::BoundaryElement)
+            .then(|| LoadedElements::of(zone, strips, self.elements));
         let backward_share = 1.0 - forward_share;
         for (rolling, share) in
             [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
@@ -199,6 +213,15 @@ impl Tangential {
                 continue;
             }
             let friction = friction * load_factor;
+            if let Some(elements) = &elements {
+                let tractions = elements.tractions(strips, material, slip, rolling, friction);
+                if tractions.converged {
+                    let add = |j, force: StripForce| each(j, force.times(share));
+                    elements.strip_forces(zone, strips, &tractions, add);
+                    continue;
+                }
+                outcome = Outcome::FellBack;
+            }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
             let share = if is_bounded { share } else { share * load_factor.min(1.0) };
             let add = |j, force: StripForce| each(j, force.times(share));
@@ -207,7 +230,7 @@ impl Tangential {
                 TangentialModel::Linear => {
                     linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
                 }
-                TangentialModel::Fastsim => {
+                TangentialModel::Fastsim | TangentialModel::BoundaryElement => {
                     let march = &self.fastsim;
                     march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
                 }
@@ -224,6 +247,15 @@ impl Tangential {
                 ),
             }
         }
-        true
+        Some(outcome)
     }
+}
+
+/// How the tractions of a zone were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// By the chosen model.
+    Solved,
+    /// By FASTSIM, as the chosen model did not converge.
+    FellBack,
 }

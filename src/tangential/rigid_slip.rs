@@ -27,6 +27,9 @@ pub trait RigidSlip {
 
     /// Growth of the traction on strip `j`.
     fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth;
+
+    /// Creepage at the centre of strip `j`, that of the zone carried on where it belongs to another one.
+    fn creepage(&self, j: usize) -> Creepage;
 }
 
 /// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η + φ x.
@@ -54,6 +57,12 @@ impl RigidSlip for FlatSlip<'_> {
             lateral: lateral / flexibility.lateral + spin * x / flexibility.spin,
             twist: spin / flexibility.spin,
         }
+    }
+
+    fn creepage(&self, j: usize) -> Creepage {
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
+        Creepage { longitudinal: longitudinal - spin * y, lateral: lateral + spin * x, spin }
     }
 }
 
@@ -84,5 +93,9 @@ impl RigidSlip for StripSlip<'_> {
                 + (own.lateral - mean.lateral) / flexibility.spin,
             twist: own.spin / flexibility.spin,
         }
+    }
+
+    fn creepage(&self, j: usize) -> Creepage {
+        j.checked_sub(self.first).and_then(|i| self.creepages.get(i)).copied().unwrap_or(self.mean)
     }
 }

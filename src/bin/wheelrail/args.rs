@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{evaluate, patch, simulate};
+use crate::{compare, conicity, evaluate, patch, plot, simulate};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -24,6 +24,9 @@ pub enum Command {
     Simulate(Box<simulate::Arguments>),
     Evaluate(evaluate::Arguments),
     Patch(patch::Arguments),
+    Conicity(conicity::Arguments),
+    Compare(compare::Arguments),
+    Plot(plot::Arguments),
 }
 
 /// Where the commands on tables read and write; its help is shown with theirs.

@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::element::{Element, Parameters};
 use wheelrail::error::ContactError;
 use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
 
 use crate::args::TableFiles;
+use crate::batch;
 use crate::cases::{Cases, Row};
 use crate::output;
 
@@ -34,8 +36,6 @@ pub struct Arguments {
 /// With row and column: an unknown name, a value or profile that is refused. Rows before it are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let cases = Cases::read(&arguments.files.cases)?;
-    let columns: Vec<&Variable> =
-        cases.columns().map(|name| settable(&cases, name)).collect::<Result<_>>()?;
     let computed: Vec<&Variable> = VARIABLES
         .iter()
         .filter(|v| matches!(v.causality, Causality::Output | Causality::CalculatedParameter))
@@ -44,22 +44,66 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut table = output::table(path)?;
     let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;
-    let mut evaluator = Evaluator { folder: cases.folder(), current: None };
-    for row in cases.rows() {
-        let mut values = Values::default();
-        for (column, _, text) in row.cells() {
-            values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
-        }
-        evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
+    let all = read_values(&cases)?;
+    let slow = all.iter().any(|(_, values)| is_slow(&values.parameters));
+    let mut answer = |values: &Values| -> Result<()> {
         // Only now, so that a table that cannot be evaluated leaves nothing but its error.
         if std::mem::take(&mut header_due) {
             table.write_record(computed.iter().map(|v| v.name))?;
         }
         table.write_record(computed.iter().map(|v| values.text_of(v)))?;
         progress.inc(1);
-    }
+        Ok(())
+    };
+    let folder = cases.folder();
+    // In a row of cases an element is made once for all that have its parameters.
+    let chunk = if slow { 1 } else { all.len() };
+    let chunks: Vec<&[(Row<'_>, Values)]> = all.chunks(chunk.max(1)).collect();
+    batch::in_order(
+        &chunks,
+        slow,
+        |chunk| {
+            let mut evaluator = Evaluator { folder: folder.clone(), current: None };
+            let mut results = Vec::with_capacity(chunk.len());
+            for (row, values) in *chunk {
+                let mut values = values.clone();
+                match evaluator.evaluate(&mut values) {
+                    Ok(()) => results.push(values),
+                    Err(error) => return Ok((results, Some(placed(error, row)))),
+                }
+            }
+            Ok((results, None))
+        },
+        |_, (results, error)| {
+            results.iter().try_for_each(&mut answer)?;
+            error.map_or(Ok(()), Err)
+        },
+    )?;
     progress.finish_and_clear();
     Ok(table.flush()?)
+}
+
+/// The rows of a table with the variables they set.
+///
+/// # Errors
+/// With row and column: an unknown name, a value that is refused.
+pub fn read_values(cases: &Cases) -> Result<Vec<(Row<'_>, Values)>> {
+    let columns: Vec<&Variable> =
+        cases.columns().map(|name| settable(cases, name)).collect::<Result<_>>()?;
+    let rows = cases.rows().map(|row| {
+        let mut values = Values::default();
+        for (column, _, text) in row.cells() {
+            values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
+        }
+        Ok((row, values))
+    });
+    rows.collect()
+}
+
+/// Whether an evaluation takes milliseconds.
+pub fn is_slow(parameters: &Parameters) -> bool {
+    parameters.normal_model == NormalModel::BoundaryElement
+        || parameters.tangential_model == TangentialModel::BoundaryElement
 }
 
 fn settable(cases: &Cases, name: &str) -> Result<&'static Variable> {
@@ -74,7 +118,7 @@ fn settable(cases: &Cases, name: &str) -> Result<&'static Variable> {
 }
 
 /// `error` with the column of the variable it names, if the table has it.
-fn placed(error: ContactError, row: &Row<'_>) -> anyhow::Error {
+pub fn placed(error: ContactError, row: &Row<'_>) -> anyhow::Error {
     let (ContactError::BadValue { name, .. }
     | ContactError::BadText { name, .. }
     | ContactError::Profile { name, .. }) = &error;

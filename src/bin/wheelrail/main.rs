@@ -1,12 +1,16 @@
 //! The command line of the wheel-rail contact element.
 
 mod args;
+mod batch;
 mod cases;
+mod compare;
+mod conicity;
 mod evaluate;
 mod figures;
 mod importer;
 mod output;
 mod patch;
+mod plot;
 mod simulate;
 mod wheelset;
 
@@ -22,6 +26,9 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Patch(arguments) => patch::run(&arguments),
+        Command::Conicity(arguments) => conicity::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,5 +1,7 @@
 //! Figures of a run, as SVG; and the look they share.
 
+pub mod conicity;
+pub mod contact;
 pub mod motion;
 pub mod patches;
 

@@ -171,7 +171,7 @@ fn share(force: f64, forces: &Range<f64>) -> f64 {
 }
 
 /// Colour of a share from 0 to 1.
-fn color(share: f64) -> RGBColor {
+pub fn color(share: f64) -> RGBColor {
     let place = share.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let index = (place as usize).min(VIRIDIS.len() - 2);
     let part = place - index as f64;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use wheelrail::element::Parameters;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::variables::{Values, find};
@@ -12,7 +13,7 @@ use super::separation::number;
 use crate::cases::{Cases, Row};
 
 /// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
-const VARIABLE_COLUMNS: [(&str, &str, f64); 12] = [
+const VARIABLE_COLUMNS: [(&str, &str, f64); 13] = [
     ("friction", "friction.coefficient", 1.0),
     ("young_modulus_mpa", "wheel.young_modulus", 1e6),
     ("poisson_ratio", "wheel.poisson_ratio", 1.0),
@@ -23,11 +24,12 @@ const VARIABLE_COLUMNS: [(&str, &str, f64); 12] = [
     ("shape_fit", "normal.shape_fit", 0.0),
     ("strips", "normal.strips", 0.0),
     ("elements_along", "tangential.elements_along", 0.0),
+    ("elements_across", "normal.elements_across", 0.0),
     ("bound", "tangential.bound", 0.0),
     ("flexibilities", "tangential.flexibilities", 0.0),
 ];
 
-const OTHER_COLUMNS: [&str; 8] = [
+const OTHER_COLUMNS: [&str; 7] = [
     "separation",
     "radius_mm",
     "approach_mm",
@@ -35,7 +37,6 @@ const OTHER_COLUMNS: [&str; 8] = [
     "creepage_longitudinal",
     "creepage_lateral",
     "spin_per_mm",
-    "elements_across",
 ];
 
 /// One planar case.
@@ -45,6 +46,8 @@ pub struct Case {
     pub separation: PathBuf,
     /// Column that names it.
     pub separation_column: usize,
+    /// File, row and line, for complaints.
+    pub place: String,
     radius: f64,
     indentation: Indentation,
     creepage: [f64; 3],
@@ -105,22 +108,23 @@ impl Case {
             value("creepage_lateral")?.unwrap_or(0.0),
             1e3 * value("spin_per_mm")?.unwrap_or(0.0),
         ];
-        if let Some(column) = cases.column("elements_across")
-            && let Some(text) = row.cell(column)
-            && !text.parse::<usize>().is_ok_and(|count| count > 0)
-        {
-            bail!("{}: \"{text}\" is not a whole number above 0", row.cell_place(column));
-        }
         let values = variables(cases, row)?;
         Ok(Self {
             separation: cases.folder().join(file),
             separation_column,
+            place: row.place(),
             radius: 1e-3 * radius,
             indentation,
             creepage,
             friction: values.input.friction,
             parameters: values.parameters,
         })
+    }
+
+    /// Whether it takes milliseconds.
+    pub fn is_slow(&self) -> bool {
+        self.parameters.normal_model == NormalModel::BoundaryElement
+            || self.parameters.tangential_model == TangentialModel::BoundaryElement
     }
 
     /// The case with the points of its separation file.
@@ -146,6 +150,7 @@ impl Case {
             tangential_model: parameters.tangential_model,
             strips: parameters.strips,
             elements_along: parameters.elements_along,
+            elements: parameters.normal_elements,
             bound: parameters.bound,
             flexibilities: parameters.flexibilities,
         }
@@ -171,6 +176,10 @@ fn variables(cases: &Cases, row: &Row<'_>) -> Result<Values> {
         };
         let variable = find(variable)?;
         values.set_from_text(variable, &text).with_context(|| row.cell_place(column))?;
+    }
+    // One column for both: elements along a strip, or boundary elements along the contact.
+    if cases.column("elements_along").is_some_and(|column| row.cell(column).is_some()) {
+        values.parameters.normal_elements[0] = values.parameters.elements_along;
     }
     Ok(values)
 }

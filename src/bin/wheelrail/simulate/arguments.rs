@@ -114,7 +114,8 @@ pub struct Arguments {
     pub damping: [f64; 3],
 }
 
-fn assignment(text: &str) -> Result<(String, String), String> {
+/// Reads NAME=VALUE.
+pub fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => {
             Ok((name.trim().into(), value.trim().into()))

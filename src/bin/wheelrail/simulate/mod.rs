@@ -13,7 +13,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 use wheelrail::element::output::Wrench;
 
-pub use arguments::Arguments;
+pub use arguments::{Arguments, assignment};
 use fmu_wheel::FmuWheel;
 pub use fmu_wheel::Patch;
 pub use history::Record;

@@ -1,0 +1,252 @@
+//! `wheelrail compare`: how far the models of each row are from the boundary element solution.
+
+mod summary;
+mod wheel;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::planar::PlanarCase;
+
+use crate::args::TableFiles;
+use crate::cases::Cases;
+use crate::patch::{PlanarCases, timed};
+use crate::{batch, evaluate, output};
+
+use summary::Summary;
+
+/// Compare the models of each row of a table with the boundary element solution
+///
+/// CASES is a table as for patch (planar problems; it has a column separation) or as for evaluate (a wheel on rails, its
+/// height by wheel.z or with vertical.mode load by wheel.load). Each row is solved by its own models and by boundary elements;
+/// where the row asks for no creep forces neither computes any. normal.elements_along and _across (elements_along and
+/// elements_across in planar tables) set the grid of the boundary elements, 40 by 40 to begin with.
+///
+/// The result has one row for each case: both solutions, the errors of the row's models, and the time each took. Errors
+/// of normal force, greatest pressure and area are in percent of the boundary element solution, that of the creep force in percent
+/// of the friction limit, that of the spin moment in percent of friction limit times sqrt(area/pi). Median, 95 % and worst
+/// of the errors go to standard output if the result goes to a file, else to standard error.
+// The text is shown as it stands by --help.
+#[allow(clippy::doc_markdown)]
+#[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
+pub struct Arguments {
+    /// Where the cases come from and the results go.
+    #[command(flatten)]
+    pub files: TableFiles,
+    /// File for median, 95 % and worst of the errors, CSV
+    #[arg(long, value_name = "FILE")]
+    pub summary: Option<PathBuf>,
+}
+
+/// What one solution of a case gives.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Solved {
+    /// Normal force of all patches [N].
+    pub normal_force: f64,
+    /// Greatest pressure [Pa].
+    pub max_pressure: f64,
+    /// Area of all patches [m²].
+    pub area: f64,
+    /// Creep force of all patches; in planar cases z is 0 [N].
+    pub creep_force: [f64; 3],
+    /// Moment of the tractions about the normal through the origin or the centroid of load [N m].
+    pub spin_moment: f64,
+    /// Number of patches.
+    pub patches: usize,
+    /// Whether a solver fell back to a simpler model.
+    pub fallback: bool,
+    /// Time it took [s].
+    pub time: f64,
+}
+
+/// A case by both kinds of models.
+#[derive(Clone, Copy, Debug)]
+pub struct Compared {
+    /// By the models of the row.
+    pub own: Solved,
+    /// By boundary elements.
+    pub reference: Solved,
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// The columns of the result.
+const COLUMNS: [&str; 23] = [
+    "normal_force_n",
+    "reference_normal_force_n",
+    "normal_force_error_percent",
+    "max_pressure_mpa",
+    "reference_max_pressure_mpa",
+    "max_pressure_error_percent",
+    "area_mm2",
+    "reference_area_mm2",
+    "area_error_percent",
+    "fx_n",
+    "fy_n",
+    "fz_n",
+    "reference_fx_n",
+    "reference_fy_n",
+    "reference_fz_n",
+    "creep_force_error_percent",
+    "spin_moment_error_percent",
+    "patches",
+    "reference_patches",
+    "fallback",
+    "reference_fallback",
+    "time_us",
+    "reference_time_us",
+];
+
+impl Compared {
+    /// Errors of normal force, pressure, area, creep force and spin moment [%]; nothing where the reference has none to refer to.
+    pub fn errors(&self) -> [Option<f64>; 5] {
+        let Self { own, reference, friction } = self;
+        let relative = |own: f64, exact: f64| (exact > 0.0).then(|| 100.0 * (own / exact - 1.0));
+        let limit = friction * reference.normal_force;
+        let missed = (0..3)
+            .map(|c| (own.creep_force[c] - reference.creep_force[c]).powi(2))
+            .sum::<f64>()
+            .sqrt();
+        let arm = (reference.area / std::f64::consts::PI).sqrt();
+        let turned = own.spin_moment - reference.spin_moment;
+        [
+            relative(own.normal_force, reference.normal_force),
+            relative(own.max_pressure, reference.max_pressure),
+            relative(own.area, reference.area),
+            (limit > 0.0).then(|| 100.0 * missed / limit),
+            (limit * arm > 0.0).then(|| 100.0 * turned / (limit * arm)),
+        ]
+    }
+
+    fn cells(&self) -> [String; COLUMNS.len()] {
+        let number = |value: f64| format!("{value:?}");
+        let error = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v:.4}"));
+        let [n, p, a, f, m] = self.errors().map(error);
+        let (own, reference) = (&self.own, &self.reference);
+        let [fx, fy, fz] = own.creep_force.map(number);
+        let [rx, ry, rz] = reference.creep_force.map(number);
+        [
+            number(own.normal_force),
+            number(reference.normal_force),
+            n,
+            number(1e-6 * own.max_pressure),
+            number(1e-6 * reference.max_pressure),
+            p,
+            number(1e6 * own.area),
+            number(1e6 * reference.area),
+            a,
+            fx,
+            fy,
+            fz,
+            rx,
+            ry,
+            rz,
+            f,
+            m,
+            own.patches.to_string(),
+            reference.patches.to_string(),
+            u8::from(own.fallback).to_string(),
+            u8::from(reference.fallback).to_string(),
+            format!("{:.2}", 1e6 * own.time),
+            format!("{:.2}", 1e6 * reference.time),
+        ]
+    }
+}
+
+/// Compares all rows.
+///
+/// # Errors
+/// With row and column: what is unknown, missing or refused. Rows before it are written.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let cases = Cases::read(&arguments.files.cases)?;
+    let path = arguments.files.output.as_deref();
+    let mut table = output::table(path)?;
+    let progress = output::progress(cases.len(), path)?;
+    let mut summary = Summary::default();
+    // The columns of the table come first, so that a row says what it is.
+    let inputs: Vec<Vec<String>> = (cases.rows())
+        .map(|row| (0..cases.columns().count()).map(|c| row.cell(c).unwrap_or("").into()).collect())
+        .collect();
+    let mut written = 0;
+    let mut done = |compared: Compared| -> Result<()> {
+        if written == 0 {
+            table.write_record(cases.columns().chain(COLUMNS))?;
+        }
+        let cells = compared.cells();
+        table.write_record(inputs[written].iter().chain(&cells))?;
+        written += 1;
+        summary.add(&compared);
+        progress.inc(1);
+        Ok(())
+    };
+    if cases.column("separation").is_some() {
+        let planar = PlanarCases::read(&cases)?;
+        batch::in_order(
+            &planar.cases,
+            true,
+            |case| compare_planar(&planar.planar(case)).context(case.place.clone()),
+            |_, compared| done(compared),
+        )?;
+    } else {
+        let all = evaluate::read_values(&cases)?;
+        let folder = cases.folder();
+        batch::in_order(
+            &all,
+            true,
+            |(row, values)| {
+                wheel::compare(values, &folder).map_err(|error| evaluate::placed(error, row))
+            },
+            |_, compared| done(compared),
+        )?;
+    }
+    progress.finish_and_clear();
+    table.flush()?;
+    if let Some(path) = &arguments.summary {
+        summary.write(output::table(Some(path))?)?;
+    }
+    let text = summary.text();
+    if path.is_some() {
+        print!("{text}")
+    } else {
+        eprint!("{text}")
+    }
+    Ok(std::io::stdout().flush()?)
+}
+
+/// Both solutions of a planar case.
+fn compare_planar(case: &PlanarCase<'_>) -> Result<Compared> {
+    let reference_case = PlanarCase {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: reference_tangential(case.tangential_model),
+        ..*case
+    };
+    let solve = |case: &PlanarCase<'_>, slow: bool| -> Result<Solved> {
+        let (result, time) = timed(case, slow)?;
+        Ok(Solved {
+            normal_force: result.normal_force,
+            max_pressure: result.max_pressure,
+            area: result.area,
+            creep_force: [result.fx, result.fy, 0.0],
+            spin_moment: result.mz,
+            patches: result.patches,
+            fallback: result.fallback,
+            time,
+        })
+    };
+    let slow = case.normal_model == NormalModel::BoundaryElement
+        || case.tangential_model == TangentialModel::BoundaryElement;
+    Ok(Compared {
+        own: solve(case, slow)?,
+        reference: solve(&reference_case, true)?,
+        friction: case.friction,
+    })
+}
+
+/// Boundary elements, if there is anything to compare.
+fn reference_tangential(own: TangentialModel) -> TangentialModel {
+    if own == TangentialModel::None { own } else { TangentialModel::BoundaryElement }
+}

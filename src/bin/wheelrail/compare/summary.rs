@@ -1,0 +1,100 @@
+//! Median, 95 % and worst of a set of errors.
+
+use std::fmt::Write as _;
+use std::io::Write;
+
+use anyhow::Result;
+
+use super::Compared;
+
+/// Errors of all cases.
+#[derive(Debug, Default)]
+pub struct Summary {
+    /// Magnitudes of the errors of normal force, pressure, area, creep force and spin moment [%].
+    errors: [Vec<f64>; 5],
+    /// Times of the models and of the boundary elements [s].
+    times: [Vec<f64>; 2],
+    fallbacks: usize,
+}
+
+const QUANTITIES: [&str; 5] = [
+    "normal force [%]",
+    "greatest pressure [%]",
+    "area [%]",
+    "creep force [% of friction limit]",
+    "spin moment [% of friction limit x sqrt(area/pi)]",
+];
+
+impl Summary {
+    /// Takes a case.
+    pub fn add(&mut self, compared: &Compared) {
+        for (errors, error) in self.errors.iter_mut().zip(compared.errors()) {
+            errors.extend(error.map(f64::abs));
+        }
+        self.times[0].push(compared.own.time);
+        self.times[1].push(compared.reference.time);
+        self.fallbacks += usize::from(compared.own.fallback || compared.reference.fallback);
+    }
+
+    /// Quantity, number of cases, median, 95 % and worst.
+    fn rows(&self) -> Vec<(&'static str, usize, [f64; 3])> {
+        let errors = QUANTITIES.iter().zip(&self.errors);
+        let mut rows: Vec<_> = (errors.filter(|(_, errors)| !errors.is_empty()))
+            .map(|(name, errors)| (*name, errors.len(), quantiles(errors.clone())))
+            .collect();
+        for (name, times) in ["time [us]", "time of boundary elements [us]"].iter().zip(&self.times)
+        {
+            let times: Vec<f64> = times.iter().map(|time| 1e6 * time).collect();
+            if !times.is_empty() {
+                rows.push((name, times.len(), quantiles(times)));
+            }
+        }
+        rows
+    }
+
+    /// As a table for reading.
+    pub fn text(&self) -> String {
+        let mut text =
+            format!("{:<50}{:>7}{:>10}{:>10}{:>10}\n", "error", "cases", "median", "95 %", "worst");
+        for (name, count, [median, most, worst]) in self.rows() {
+            let _ = writeln!(text, "{name:<50}{count:>7}{median:>10.3}{most:>10.3}{worst:>10.3}");
+        }
+        if self.fallbacks > 0 {
+            let _ = writeln!(text, "cases in which a solver fell back: {}", self.fallbacks);
+        }
+        text
+    }
+
+    /// As CSV.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&self, mut table: csv::Writer<Box<dyn Write>>) -> Result<()> {
+        table.write_record(["quantity", "cases", "median", "p95", "worst"])?;
+        for (name, count, values) in self.rows() {
+            let values = values.map(|value| format!("{value:.4}"));
+            table.write_record([&[name.into(), count.to_string()], &values[..]].concat())?;
+        }
+        Ok(table.flush()?)
+    }
+}
+
+/// Median, 95 % quantile and greatest of a set that is not empty.
+fn quantiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    let last = values.len() - 1;
+    let median = 0.5 * (values[last / 2] + values[last.div_ceil(2)]);
+    [median, values[(0.95 * last as f64).round() as usize], values[last]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_those_of_the_sorted_set() {
+        let values: Vec<f64> = (0..=100).rev().map(f64::from).collect();
+        assert_eq!(quantiles(values).map(|v| v as i32), [50, 95, 100]);
+        assert_eq!(quantiles(vec![3.0, 1.0]).map(|v| v as i32), [2, 3, 3]);
+    }
+}

@@ -1,0 +1,164 @@
+//! `wheelrail conicity`: rolling radius difference and equivalent conicity of a wheelset.
+
+use std::io::{Write, stdout};
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
+use wheelrail::variables::{Causality, Values, find};
+
+use crate::simulate::assignment;
+use crate::{figures, output};
+
+/// Columns of the table.
+const COLUMNS: [&str; 9] = [
+    "y_mm",
+    "difference_mm",
+    "radius_right_mm",
+    "radius_left_mm",
+    "wheel_y_right_mm",
+    "wheel_y_left_mm",
+    "rail_y_right_mm",
+    "rail_y_left_mm",
+    "conicity",
+];
+
+/// Rolling radius difference and equivalent conicity of a profile pair, by EN 15302
+///
+/// The wheelset is shifted sideways on its track, rigid and without rolling about x, until each wheel touches its
+/// rail at one point. The table has one row for each lateral displacement y, positive to the right: the difference of
+/// the rolling radii, right less left, radii and contact points of both sides (on the profiles, positive to the field side),
+/// and for y > 0 the equivalent conicity of a motion of the amplitude y. A conicity of 0 says that the wheelset does not
+/// swing at that amplitude, an empty cell that one of the turning points lies beyond the range.
+#[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
+pub struct Arguments {
+    /// File for the table, CSV; without it standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// File for a figure of both functions, SVG
+    #[arg(long, value_name = "FILE")]
+    pub figure: Option<PathBuf>,
+    /// Profile of both wheels: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
+    pub wheel_profile: String,
+    /// Profile of both rails: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
+    pub rail_profile: String,
+    /// Inclination of the rails: 0.025 is 1:40
+    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
+    pub inclination: f64,
+    /// Set any other parameter of the FMU, such as track.gauge; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
+    pub settings: Vec<(String, String)>,
+    /// Distance of the running circles [m]
+    #[arg(long, value_name = "M", default_value_t = 1.5, help_heading = "Contact")]
+    pub running_circles: f64,
+    /// Greatest displacement to either side, and greatest amplitude [m]
+    #[arg(long, value_name = "M", default_value_t = 0.008, help_heading = "Table")]
+    pub range: f64,
+    /// Step of the displacement [m]
+    #[arg(long, value_name = "M", default_value_t = 1e-4, help_heading = "Table")]
+    pub step: f64,
+}
+
+/// Rows at most.
+const MOST_ROWS: f64 = 1e5;
+/// Amplitude at which conicities are compared [m].
+const REFERENCE_AMPLITUDE: f64 = 3e-3;
+
+/// Computes the table and, if asked for, draws the figure.
+///
+/// # Errors
+/// If an option or profile is not admitted, no position has contact on both sides, or nothing can be written.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    check(arguments)?;
+    let values = values(arguments)?;
+    let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &[])?;
+    let radii = wheelset.sweep(arguments.range, arguments.step);
+    let Some(difference) = RollingRadiusDifference::of(&radii) else {
+        bail!("the wheels stand beside the rails: check track.gauge and --running-circles");
+    };
+    let conicity = |amplitude: f64| {
+        (amplitude > 0.5 * arguments.step).then(|| difference.equivalent_conicity(amplitude))?
+    };
+    let mut table = output::table(arguments.output.as_deref())?;
+    table.write_record(COLUMNS)?;
+    for one in &radii {
+        table.write_record(cells(one, conicity(one.displacement)))?;
+    }
+    table.flush()?;
+    if let Some(path) = &arguments.figure {
+        let curve: Vec<[f64; 2]> = radii
+            .iter()
+            .filter_map(|one| Some([one.displacement, conicity(one.displacement)?]))
+            .collect();
+        let title = format!("{} on {}", arguments.wheel_profile, arguments.rail_profile);
+        figures::conicity::draw(path, &title, difference.points(), &curve)?;
+    }
+    if arguments.output.is_some() {
+        let mut out = stdout().lock();
+        match difference.equivalent_conicity(REFERENCE_AMPLITUDE) {
+            Some(found) => writeln!(out, "Equivalent conicity at 3 mm: {found:.4}")?,
+            None => writeln!(out, "Equivalent conicity at 3 mm: beyond the range")?,
+        }
+    }
+    Ok(())
+}
+
+fn check(arguments: &Arguments) -> Result<()> {
+    for (name, value) in [
+        ("running-circles", arguments.running_circles),
+        ("range", arguments.range),
+        ("step", arguments.step),
+    ] {
+        if !(value.is_finite() && value > 0.0) {
+            bail!("--{name} {value} is not admitted: it must be a finite number above 0");
+        }
+    }
+    if arguments.range / arguments.step > 0.5 * MOST_ROWS || arguments.range < arguments.step {
+        bail!(
+            "--step {} is not admitted: --range {} must hold 1 to {} of them",
+            arguments.step,
+            arguments.range,
+            0.5 * MOST_ROWS
+        );
+    }
+    Ok(())
+}
+
+/// The element's parameters as the options set them.
+fn values(arguments: &Arguments) -> Result<Values> {
+    let mut values = Values::default();
+    let named = [
+        ("wheel.profile", arguments.wheel_profile.clone()),
+        ("rail[1].profile", arguments.rail_profile.clone()),
+        ("rail[1].inclination", arguments.inclination.to_string()),
+    ];
+    let named = named.into_iter().map(|(name, value)| (name.to_string(), value));
+    for (name, value) in named.chain(arguments.settings.iter().cloned()) {
+        let variable = find(&name).with_context(|| format!("--set {name}"))?;
+        if variable.causality != Causality::Parameter || name == "side" {
+            bail!("--set {name}: only parameters that both wheels share can be set");
+        }
+        values.set_from_text(variable, &value)?;
+    }
+    Ok(values)
+}
+
+fn cells(radii: &RollingRadii, conicity: Option<f64>) -> [String; COLUMNS.len()] {
+    // Rounded to 0.1 nm, which is what a contact point is known to.
+    let mm = |value: f64| format!("{:.7}", 1e3 * value + 0.0);
+    [
+        mm(radii.displacement),
+        mm(radii.difference()),
+        mm(radii.radius[0]),
+        mm(radii.radius[1]),
+        mm(radii.wheel_y[0]),
+        mm(radii.wheel_y[1]),
+        mm(radii.rail_y[0]),
+        mm(radii.rail_y[1]),
+        conicity.map_or(String::new(), |value| format!("{value:.6}")),
+    ]
+}

@@ -1,0 +1,71 @@
+//! Rolling radius difference over displacement and equivalent conicity over amplitude.
+
+use std::path::Path;
+
+use anyhow::Result;
+use plotters::prelude::*;
+
+use super::{Area, BLUE, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
+
+const SIZE: (u32, u32) = (1100, 480);
+
+/// Draws the points (y, Δr) [m] and (amplitude [m], conicity) into the file `path`.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn draw(
+    path: &Path,
+    title: &str,
+    difference: &[[f64; 2]],
+    conicity: &[[f64; 2]],
+) -> Result<()> {
+    save(path, SIZE, |area| {
+        let area = area.titled(&format!("Rolling radii of a wheelset: {title}"), heading(26))?;
+        let (left, right) = area.split_horizontally(px(SIZE.0 / 2));
+        let scaled = |points: &[[f64; 2]], scale: f64| -> Vec<(f64, f64)> {
+            points.iter().map(|p| (1e3 * p[0], scale * p[1])).collect()
+        };
+        let titles = ["lateral displacement [mm]", "rolling radius difference [mm]"];
+        panel(&left, titles, BLUE, false, scaled(difference, 1e3))?;
+        let titles = ["amplitude [mm]", "equivalent conicity tan γe"];
+        panel(&right, titles, VERMILION, true, scaled(conicity, 1.0))
+    })
+}
+
+fn panel(
+    area: &Area<'_>,
+    [x_title, y_title]: [&str; 2],
+    color: RGBColor,
+    from_zero: bool,
+    points: Vec<(f64, f64)>,
+) -> Result<()> {
+    let last = points.last().map_or(1.0, |p| p.0);
+    let first = if from_zero { 0.0 } else { points.first().map_or(-1.0, |p| p.0) };
+    let mut y_range = range_of(points.iter().map(|p| p.1), 0.02);
+    if from_zero {
+        y_range.start = 0.0;
+    }
+    let mut chart = ChartBuilder::on(area)
+        .margin(px(8))
+        .margin_right(px(24))
+        .x_label_area_size(px(52))
+        .y_label_area_size(px(78))
+        .build_cartesian_2d(first..last.max(first + 1e-3), y_range)?;
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID.stroke_width(px(1)))
+        .set_all_tick_mark_size(px(5))
+        .light_line_style(TRANSPARENT)
+        .axis_style(INK.stroke_width(px(1)))
+        .x_labels(9)
+        .y_labels(8)
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
+        .label_style(text(17))
+        .axis_desc_style(text(19))
+        .x_desc(x_title)
+        .y_desc(y_title)
+        .draw()?;
+    chart.draw_series(LineSeries::new(points, color.stroke_width(px(3))))?;
+    Ok(())
+}

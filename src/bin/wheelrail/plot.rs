@@ -1,0 +1,254 @@
+//! `wheelrail plot`: one case as a figure and its fields as a table.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use wheelrail::element::parameters::{NormalModel, Parameters, TangentialModel, VerticalMode};
+use wheelrail::element::{Element, FlatContact, Output};
+use wheelrail::material::Material;
+use wheelrail::planar::{Indentation, PlanarCase, fields};
+use wheelrail::tangential::field::{Adherence, ContactField};
+use wheelrail::variables::Values;
+
+use crate::cases::Cases;
+use crate::figures::contact::{Figure, Side};
+use crate::patch::PlanarCases;
+use crate::{evaluate, output};
+
+/// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
+///
+/// CASES is a table as for patch (with a column separation) or as for evaluate; --row says which of its rows. For a wheel on
+/// rails the profiles and the places where they touch are drawn too, and the patch is that of the contact --contact, 1 for the most
+/// loaded one; its problem is laid flat, without the shift of the contact line that yaw brings. Wheels roll forward.
+///
+/// The left half of the figure shows the models of the row, the right half boundary elements. FASTSIM and boundary elements have
+/// tractions to show; of other tangential models only the pressure is drawn.
+// The text is shown as it stands by --help.
+#[allow(clippy::doc_markdown)]
+#[derive(Args, Debug)]
+#[command(verbatim_doc_comment)]
+pub struct Arguments {
+    /// Table of cases, CSV
+    #[arg(value_name = "CASES.csv")]
+    cases: PathBuf,
+    /// Row of the table, from 1
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    row: usize,
+    /// Contact of a wheel, from 1, the most loaded one first
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    contact: usize,
+    /// Figure, SVG
+    #[arg(long, short, value_name = "FILE.svg", default_value = "contact.svg")]
+    output: PathBuf,
+    /// Table of the fields of both solutions, one row for each element, CSV
+    #[arg(long, value_name = "FILE.csv")]
+    fields: Option<PathBuf>,
+}
+
+/// Draws the case.
+///
+/// # Errors
+/// With row and column what is unknown, missing or refused; if there is no contact to draw.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
+        bail!("{}: figures are SVG; write a name that ends in .svg", arguments.output.display());
+    }
+    let cases = Cases::read(&arguments.cases)?;
+    if arguments.row == 0 || arguments.row > cases.len() {
+        bail!(
+            "--row {}: {} has rows 1 to {}",
+            arguments.row,
+            arguments.cases.display(),
+            cases.len()
+        );
+    }
+    if cases.column("separation").is_some() {
+        let planar = PlanarCases::read(&cases)?;
+        let case = &planar.cases[arguments.row - 1];
+        let title = case.separation.display().to_string();
+        draw(arguments, &planar.planar(case), title, Vec::new(), 0)
+    } else {
+        let all = evaluate::read_values(&cases)?;
+        let (row, values) = &all[arguments.row - 1];
+        let (contacts, index) =
+            contacts(values, &cases.folder(), arguments.contact).with_context(|| row.place())?;
+        let contact = &contacts[index];
+        let title = format!(
+            "{} on {}, contact angle {:.2} degrees",
+            values.parameters.wheel.profile,
+            values.parameters.rails[contact.rail as usize - 1].profile,
+            contact.contact_angle.to_degrees()
+        );
+        let case = planar_case(&values.parameters, contact, values.input.friction);
+        draw(arguments, &case, title, contacts.clone(), index)
+    }
+}
+
+/// The contacts of a wheel and the index of the one asked for.
+fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatContact>, usize)> {
+    let Values { parameters, input, .. } = values;
+    let mut element = Element::new(parameters, input, &[folder.into()])?;
+    let mut at = *input;
+    if parameters.vertical_mode == VerticalMode::Load {
+        let mut found = Output::default();
+        element.evaluate(input, &mut found)?;
+        at.wheel.position[2] = found.wheel_z;
+    }
+    let contacts = element.flat_contacts(&at)?;
+    let mut order: Vec<usize> = (0..contacts.len()).collect();
+    order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));
+    match order.get(number.wrapping_sub(1)) {
+        Some(&index) => Ok((contacts, index)),
+        None => bail!("--contact {number}: the wheel has {} contacts", contacts.len()),
+    }
+}
+
+fn planar_case<'a>(
+    parameters: &Parameters,
+    contact: &'a FlatContact,
+    friction: f64,
+) -> PlanarCase<'a> {
+    PlanarCase {
+        separation: &contact.separation,
+        radius: contact.radius,
+        indentation: Indentation::Approach(contact.penetration),
+        creepage: contact.creepage,
+        friction,
+        wheel_material: Material {
+            young_modulus: parameters.wheel.young_modulus,
+            poisson_ratio: parameters.wheel.poisson_ratio,
+        },
+        rail_material: Material {
+            young_modulus: parameters.rail_young_modulus,
+            poisson_ratio: parameters.rail_poisson_ratio,
+        },
+        normal_model: parameters.normal_model,
+        virtual_penetration: parameters.virtual_penetration,
+        shape_fit: parameters.shape_fit,
+        tangential_model: parameters.tangential_model,
+        strips: parameters.strips,
+        elements_along: parameters.elements_along,
+        elements: parameters.normal_elements,
+        bound: parameters.bound,
+        flexibilities: parameters.flexibilities,
+    }
+}
+
+fn draw(
+    arguments: &Arguments,
+    case: &PlanarCase<'_>,
+    title: String,
+    contacts: Vec<FlatContact>,
+    drawn: usize,
+) -> Result<()> {
+    let reference = PlanarCase {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: if case.tangential_model == TangentialModel::None {
+            TangentialModel::None
+        } else {
+            TangentialModel::BoundaryElement
+        },
+        ..*case
+    };
+    let side = |case: &PlanarCase<'_>| -> Result<Side> {
+        let result = wheelrail::planar::solve(case)?;
+        Ok(Side {
+            name: format!("{} + {}", name(&case.normal_model), name(&case.tangential_model)),
+            fields: fields(case)?,
+            result,
+        })
+    };
+    let sides = [side(case)?, side(&reference)?];
+    if sides.iter().any(|side| side.fields.is_empty()) {
+        bail!("no contact to draw: the bodies do not touch");
+    }
+    if let Some(path) = &arguments.fields {
+        write_fields(path, &sides)?;
+    }
+    let figure = Figure { title, friction: case.friction, contacts, drawn, sides };
+    figure.draw(&arguments.output)?;
+    for path in std::iter::once(&arguments.output).chain(&arguments.fields) {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+/// The name of a model as variables have it: `PiotrowskiKik` is `piotrowski_kik`.
+fn name(model: &impl std::fmt::Debug) -> String {
+    let mut name = String::new();
+    for letter in format!("{model:?}").chars() {
+        if letter.is_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.extend(letter.to_lowercase());
+    }
+    name
+}
+
+fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
+    let mut table = output::table(Some(path))?;
+    table.write_record([
+        "models",
+        "zone",
+        "x_mm",
+        "y_mm",
+        "pressure_mpa",
+        "traction_x_mpa",
+        "traction_y_mpa",
+        "slip_x",
+        "slip_y",
+        "state",
+    ])?;
+    for side in sides {
+        for (zone, field) in side.fields.iter().enumerate() {
+            for (k, &pressure) in field.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+                table.write_record(&field_row(&side.name, zone, field, k, pressure))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
+fn field_row(
+    models: &str,
+    zone: usize,
+    field: &ContactField,
+    k: usize,
+    pressure: f64,
+) -> [String; 10] {
+    let (grid, [px, py]) = (&field.grid, field.traction[k]);
+    let number = |value: f64| format!("{value:.6}");
+    let slip = |c: usize| {
+        field.slip.as_ref().map_or_else(String::new, |slip| format!("{:.6e}", slip[k][c]))
+    };
+    [
+        models.into(),
+        (zone + 1).to_string(),
+        number(1e3 * grid.x(k % grid.along)),
+        number(1e3 * grid.y(k / grid.along)),
+        number(1e-6 * pressure),
+        number(1e-6 * px),
+        number(1e-6 * py),
+        slip(0),
+        slip(1),
+        match field.adherence[k] {
+            Adherence::None => "none",
+            Adherence::Adhesion => "adhesion",
+            Adherence::Slip => "slip",
+        }
+        .into(),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn models_have_the_names_of_their_variables() {
+        assert_eq!(name(&NormalModel::PiotrowskiKik), "piotrowski_kik");
+        assert_eq!(name(&TangentialModel::Fastsim), "fastsim");
+        assert_eq!(name(&NormalModel::BoundaryElement), "boundary_element");
+    }
+}

@@ -1,0 +1,189 @@
+//! Tractions bounded by friction: block Gauss-Seidel for s = w + B p.
+//!
+//! Find on every element in contact |p| ≤ g with s = 0 where |p| < g, and s = -λ p, λ ≥ 0, where |p| = g; w is the rigid slip, B what
+//! the tractions add to it. Where the symmetric part of B is positive definite this is a strongly monotone variational inequality and
+//! has one solution for every w.
+//!
+//! Elements are visited row by row from the leading edge. One that sticks changes its traction together with those of all sticking
+//! elements behind it, up to the next that slips: in rolling, that is what the particles carry with them. One that slips turns its
+//! traction alone. Both steps are shortened by a damping, which grows when the sweeps do not settle.
+
+use super::grid::Grid;
+use super::influence::TangentialInfluence;
+use super::received::{Received, TractionRows};
+
+/// Tractions on the wheel and slip of the wheel against the rail on all elements of a grid.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tractions {
+    /// Longitudinal traction [Pa].
+    pub x: Vec<f64>,
+    /// Lateral traction [Pa].
+    pub y: Vec<f64>,
+    /// Longitudinal slip, in the unit of the rigid slip.
+    pub slip_x: Vec<f64>,
+    /// Lateral slip, in the unit of the rigid slip.
+    pub slip_y: Vec<f64>,
+    /// Elements that slip.
+    pub slips: Vec<bool>,
+    /// Sweeps through all elements.
+    pub sweeps: usize,
+    /// Change of the tractions in the last sweep, as a share of the friction limit [-].
+    pub change: f64,
+    /// Whether that is within the tolerance.
+    pub converged: bool,
+}
+
+/// Change in a sweep, over the friction limit, at which the tractions are accepted [-].
+pub const TOLERANCE: f64 = 1e-4;
+
+/// Sweeps after which the search ends: 10 to 30 are usual.
+const MOST_SWEEPS: usize = 400;
+
+/// Sweeps without a new least change after which the damping grows, and by how much.
+const PATIENCE: usize = 8;
+const MORE_DAMPING: f64 = 1.6;
+
+/// What is given: bounds g, rigid slip, and how tractions act.
+pub struct FrictionProblem<'a> {
+    /// The elements.
+    pub grid: &'a Grid,
+    /// What a traction adds to the slip.
+    pub influence: &'a TangentialInfluence,
+    /// Greatest traction of each element, μ p_n ≥ 0; elements with 0 are not in contact [Pa].
+    pub bound: &'a [f64],
+    /// Rigid slip of each element.
+    pub rigid: &'a [[f64; 2]],
+    /// Whether particles carry their traction along the rows: steady rolling.
+    pub rolling: bool,
+    /// Change over the friction limit at which to stop [-].
+    pub tolerance: f64,
+}
+
+/// Solves `problem` from the tractions `start` (x, y) of each element.
+#[must_use]
+pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tractions {
+    let FrictionProblem { grid, influence, bound, rigid, .. } = *problem;
+    let received = Received::new(influence);
+    let mut rows = TractionRows::new(grid, bound);
+    let stride = rows.stride;
+    let mut sticks = vec![false; rows.x.len()];
+    if let Some(start) = start {
+        for (k, p) in start.iter().enumerate().filter(|&(k, _)| bound[k] > 0.0) {
+            let at = k / grid.along * stride + k % grid.along;
+            [rows.x[at], rows.y[at]] = *p;
+            sticks[at] = p[0].hypot(p[1]) < STICKING * bound[k];
+        }
+    }
+    let carried = carried_influence(influence, grid.along);
+    let mut damping = if problem.rolling { ROLLING_DAMPING } else { 1.0 };
+    let total: f64 = bound.iter().sum();
+    let mut slip = vec![[0.0; 2]; grid.len()];
+    let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
+    while total > 0.0 && change > problem.tolerance && sweeps < MOST_SWEEPS {
+        sweeps += 1;
+        let mut moved = 0.0;
+        for j in 0..grid.across {
+            let mut end = 0;
+            for i in 0..grid.along {
+                let k = j * grid.along + i;
+                let g = bound[k];
+                if g <= 0.0 {
+                    continue;
+                }
+                let at = j * stride + i;
+                let own = received.at(i, j, &rows);
+                let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
+                slip[k] = s;
+                end = end.max(i + 1);
+                while problem.rolling && sticks[j * stride + end] {
+                    end += 1;
+                }
+                let p = [rows.x[at], rows.y[at]];
+                let stiffness = carried[end - i - 1].map(|c| damping * c);
+                let step = [-s[0] / stiffness[0], -s[1] / stiffness[1]];
+                let trial = [p[0] + step[0], p[1] + step[1]];
+                let step = if trial[0] * trial[0] + trial[1] * trial[1] <= g * g {
+                    sticks[at] = true;
+                    for m in at..at + end - i {
+                        rows.x[m] += step[0];
+                        rows.y[m] += step[1];
+                    }
+                    step
+                } else {
+                    sticks[at] = false;
+                    end = i + 1;
+                    let stiffness =
+                        if problem.rolling { carried[grid.along - 1] } else { carried[0] };
+                    let turned = at_the_bound(p, s, stiffness.map(|c| damping * c), g);
+                    [rows.x[at], rows.y[at]] = turned;
+                    [turned[0] - p[0], turned[1] - p[1]]
+                };
+                moved += step[0].abs().max(step[1].abs());
+            }
+        }
+        change = moved / total;
+        if change < 0.9 * least {
+            (least, stale) = (change, 0);
+        } else {
+            stale += 1;
+            if stale >= PATIENCE {
+                (damping, least, stale) = (damping * MORE_DAMPING, change, 0);
+            }
+        }
+    }
+    let of_grid = |field: &[f64]| -> Vec<f64> {
+        field.chunks_exact(stride).flat_map(|row| row[..grid.along].iter().copied()).collect()
+    };
+    let slips = (0..grid.len())
+        .map(|k| bound[k] > 0.0 && !sticks[k / grid.along * stride + k % grid.along]);
+    Tractions {
+        slips: slips.collect(),
+        x: of_grid(&rows.x),
+        y: of_grid(&rows.y),
+        slip_x: slip.iter().map(|s| s[0]).collect(),
+        slip_y: slip.iter().map(|s| s[1]).collect(),
+        sweeps,
+        change: if total > 0.0 { change } else { 0.0 },
+        converged: total <= 0.0 || change <= problem.tolerance,
+    }
+}
+
+/// Share of the bound below which an element of a start sticks [-].
+const STICKING: f64 = 0.999;
+
+/// Damping of steady rolling to begin with [-]: undamped, traction turns in waves through the slip area.
+const ROLLING_DAMPING: f64 = 2.0;
+
+/// What an element receives when it and the m elements behind it change by a unit, for m from 0.
+fn carried_influence(influence: &TangentialInfluence, along: usize) -> Vec<[f64; 2]> {
+    let mut sum = [0.0; 2];
+    (0..along as isize)
+        .map(|m| {
+            sum[0] += influence.xx.at(-m, 0);
+            sum[1] += influence.yy.at(-m, 0);
+            sum
+        })
+        .collect()
+}
+
+/// The traction of magnitude `g` that is opposite to the slip s + D (p_new - p), D the diagonal `stiffness`.
+fn at_the_bound(p: [f64; 2], s: [f64; 2], stiffness: [f64; 2], g: f64) -> [f64; 2] {
+    // (D + λ) p_new = D p - s with λ ≥ 0 such that |p_new| = g; 1/|p_new| is almost linear in λ.
+    let pull = [stiffness[0] * p[0] - s[0], stiffness[1] * p[1] - s[1]];
+    let mut lambda = (pull[0].hypot(pull[1]) / g - stiffness[0].max(stiffness[1])).max(0.0);
+    let mut new = [0.0; 2];
+    let mut size = 0.0;
+    for _ in 0..20 {
+        let inverse = [1.0 / (stiffness[0] + lambda), 1.0 / (stiffness[1] + lambda)];
+        new = [pull[0] * inverse[0], pull[1] * inverse[1]];
+        let square = new[0] * new[0] + new[1] * new[1];
+        size = square.sqrt();
+        let error = size / g - 1.0;
+        if error.abs() < 1e-10 || square == 0.0 {
+            break;
+        }
+        let slope = (new[0] * new[0] * inverse[0] + new[1] * new[1] * inverse[1]) / square;
+        lambda = (lambda + error / slope).max(0.0);
+    }
+    if size > 0.0 { [new[0] * g / size, new[1] * g / size] } else { p }
+}

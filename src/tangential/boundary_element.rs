@@ -1,0 +1,220 @@
+//! Steady rolling on boundary elements as a tangential contact model.
+//!
+//! Where the pressure is that of boundary elements, the tractions of all zones of the contact are solved together on the same elements; the
+//! zones beside the one asked for move with the creepage of that one. The pressure of other models is put on a grid over the zone: along a
+//! strip the mean over each element, across interpolated between strips, and
+//! scaled to the load of the zone.
+//!
+//! Backward rolling is the mirror image along x.
+
+use super::rigid_slip::RigidSlip;
+use super::{Creepage, Rolling, StripForce};
+use crate::boundary_element::friction::Tractions;
+use crate::boundary_element::grid::Grid;
+use crate::boundary_element::rolling::steady_rolling;
+use crate::material::MaterialPair;
+use crate::normal::{Strips, Zone};
+
+/// Pressure on elements and the strips that their rows belong to.
+#[derive(Clone, Debug)]
+pub struct LoadedElements {
+    /// The elements; x from the wheel marker, y in the contact frame.
+    pub grid: Grid,
+    /// Pressure on each [Pa].
+    pub pressure: Vec<f64>,
+    /// For each loaded row its place between strips.
+    rows: Vec<Option<Row>>,
+}
+
+/// A row between two strips, or on one.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    strips: [usize; 2],
+    /// Share of the second.
+    share: f64,
+}
+
+impl LoadedElements {
+    /// Those of the normal model, or the pressure of `zone` on `elements` along and across it.
+    #[must_use]
+    pub fn of(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
+        let Some(field) = &strips.elements else {
+            return Self::spread(zone, strips, elements);
+        };
+        let rows = field.strip_of_row.iter();
+        Self {
+            grid: field.grid,
+            pressure: field.pressure.clone(),
+            rows: rows.map(|j| j.map(|j| Row { strips: [j, j], share: 0.0 })).collect(),
+        }
+    }
+
+    fn spread(zone: &Zone, strips: &Strips, elements: [usize; 2]) -> Self {
+        let range = zone.first..zone.first + zone.count;
+        let mut x = [f64::INFINITY, f64::NEG_INFINITY];
+        for j in range.clone() {
+            x[0] = x[0].min(strips.x[j] - strips.half_length[j]);
+            x[1] = x[1].max(strips.x[j] + strips.half_length[j]);
+        }
+        let (first, last) = (range.start, range.end - 1);
+        // The widths of the strips sum to that of the zone, and are alike on both sides.
+        let width: f64 = strips.width[range].iter().sum();
+        let middle = 0.5 * (strips.y[first] + strips.y[last]);
+        let y = [middle - 0.5 * width, middle + 0.5 * width];
+        let grid = Grid::over(x, y, elements[0], elements[1]);
+        let mut pressure = vec![0.0; grid.len()];
+        let mut rows = Vec::with_capacity(grid.across);
+        let mut j = first;
+        for row in 0..grid.across {
+            let at = grid.y(row);
+            while j < last && strips.y[j + 1] < at {
+                j += 1;
+            }
+            // Before the first strip and behind the last the zone ends at its edge.
+            let (from, to, share) = if at < strips.y[first] {
+                (None, first, (at - y[0]) / (strips.y[first] - y[0]))
+            } else if j == last {
+                (Some(last), last, (at - strips.y[last]) / (y[1] - strips.y[last]))
+            } else {
+                let share = (at - strips.y[j]) / (strips.y[j + 1] - strips.y[j]);
+                (Some(j), j + 1, share)
+            };
+            let ends = at < strips.y[first] || from == Some(to);
+            let per_length = |j: usize| strips.pressure[j] / strips.half_length[j];
+            let square = |j: usize| strips.half_length[j].powi(2);
+            let (square, per_length, on) = if ends {
+                let left = if from.is_none() { share } else { 1.0 - share };
+                (square(to) * left, per_length(to), Row { strips: [to, to], share: 0.0 })
+            } else {
+                let j = from.unwrap_or(to);
+                let mix = |f: &dyn Fn(usize) -> f64| (1.0 - share) * f(j) + share * f(to);
+                (mix(&square), mix(&per_length), Row { strips: [j, to], share })
+            };
+            let half_length = square.max(0.0).sqrt();
+            let centre = on.mix(|j| strips.x[j]);
+            let line = &mut pressure[row * grid.along..(row + 1) * grid.along];
+            for (i, p) in line.iter_mut().enumerate() {
+                let t = |x: f64| ((x - centre) / half_length).clamp(-1.0, 1.0);
+                let (front, back) = (grid.x(i) + 0.5 * grid.dx, grid.x(i) - 0.5 * grid.dx);
+                let integral = |t: f64| 0.5 * (t * (1.0 - t * t).max(0.0).sqrt() + t.asin());
+                let mean = integral(t(front)) - integral(t(back));
+                *p = (per_length * square * mean / grid.dx).max(0.0);
+                if !p.is_finite() {
+                    *p = 0.0;
+                }
+            }
+            rows.push(line.iter().any(|&p| p > 0.0).then_some(on));
+        }
+        let load: f64 = pressure.iter().sum::<f64>() * grid.element_area();
+        if load > 0.0 {
+            for p in &mut pressure {
+                *p *= zone.load / load;
+            }
+        }
+        Self { grid, pressure, rows }
+    }
+
+    /// Tractions of all elements by friction `friction` [-] times the pressure.
+    #[must_use]
+    pub fn tractions(
+        &self,
+        strips: &Strips,
+        material: &MaterialPair,
+        slip: &impl RigidSlip,
+        rolling: Rolling,
+        friction: f64,
+    ) -> Tractions {
+        let grid = &self.grid;
+        let bound: Vec<f64> = self.pressure.iter().map(|p| friction * p).collect();
+        let mut rigid = vec![[0.0; 2]; grid.len()];
+        for (j, row) in self.rows.iter().enumerate() {
+            let Some(row) = row else { continue };
+            let creepage = row.creepage(slip);
+            let centre = row.mix(|j| strips.x[j]);
+            for i in 0..grid.along {
+                let lateral = creepage.lateral + creepage.spin * (grid.x(i) - centre);
+                rigid[j * grid.along + i] = [creepage.longitudinal, lateral];
+            }
+        }
+        match rolling {
+            Rolling::Forward => steady_rolling(grid, material, &bound, &rigid),
+            Rolling::Backward => {
+                let bound = mirrored(grid, &bound);
+                let rigid =
+                    mirrored(grid, &rigid).iter().map(|[x, y]| [-x, *y]).collect::<Vec<_>>();
+                let found = steady_rolling(grid, material, &bound, &rigid);
+                let back = |field: &[f64], sign: f64| {
+                    mirrored(grid, field).iter().map(|value| sign * value).collect()
+                };
+                Tractions {
+                    x: back(&found.x, -1.0),
+                    y: back(&found.y, 1.0),
+                    slip_x: back(&found.slip_x, -1.0),
+                    slip_y: back(&found.slip_y, 1.0),
+                    slips: mirrored(grid, &found.slips),
+                    ..found
+                }
+            }
+        }
+    }
+
+    /// The strip nearest to each row, for rows that are loaded.
+    pub fn nearest_strips(&self) -> impl Iterator<Item = Option<usize>> {
+        self.rows.iter().map(|row| row.as_ref().map(Row::nearest))
+    }
+
+    /// Hands the force of each row of `zone` on the wheel to `each`, as one of the nearest strip.
+    pub fn strip_forces(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        tractions: &Tractions,
+        mut each: impl FnMut(usize, StripForce),
+    ) {
+        let grid = &self.grid;
+        let area = grid.element_area();
+        for (j, row) in self.rows.iter().enumerate() {
+            let Some(row) = row else { continue };
+            let strip = row.nearest();
+            if strip < zone.first || strip >= zone.first + zone.count {
+                continue;
+            }
+            let arm_y = grid.y(j) - strips.y[strip];
+            let mut force = StripForce::default();
+            for i in 0..grid.along {
+                let k = j * grid.along + i;
+                let (x, y) = (area * tractions.x[k], area * tractions.y[k]);
+                force.longitudinal += x;
+                force.lateral += y;
+                force.moment += (grid.x(i) - strips.x[strip]) * y - arm_y * x;
+                force.slip_area += if tractions.slips[k] { area } else { 0.0 };
+            }
+            each(strip, force);
+        }
+    }
+}
+
+impl Row {
+    fn nearest(&self) -> usize {
+        self.strips[usize::from(self.share > 0.5)]
+    }
+
+    fn mix(&self, of: impl Fn(usize) -> f64) -> f64 {
+        (1.0 - self.share) * of(self.strips[0]) + self.share * of(self.strips[1])
+    }
+
+    fn creepage(&self, slip: &impl RigidSlip) -> Creepage {
+        let [a, b] = self.strips.map(|j| slip.creepage(j));
+        let mix = |a: f64, b: f64| (1.0 - self.share) * a + self.share * b;
+        Creepage {
+            longitudinal: mix(a.longitudinal, b.longitudinal),
+            lateral: mix(a.lateral, b.lateral),
+            spin: mix(a.spin, b.spin),
+        }
+    }
+}
+
+/// A field seen in a mirror across x.
+fn mirrored<T: Copy>(grid: &Grid, field: &[T]) -> Vec<T> {
+    field.chunks_exact(grid.along).flat_map(|row| row.iter().rev().copied()).collect()
+}
