@@ -58,11 +58,8 @@ impl ContactForces<'_> {
             self.frame.direction(self.contact.normal()),
         );
         let lifting = separation.lifting();
-        let load = models.strips.load();
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let damped =
-            damping::damped_load(load, self.contact.penetration, closing_speed, models.damping);
-        let load_factor = if load > 0.0 { damped / load } else { 0.0 };
+        let load_factor = self.load_factor(closing_speed, models);
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
             if zone.load <= 0.0 || zone.width <= 0.0 {
@@ -150,6 +147,13 @@ impl ContactForces<'_> {
             });
         }
         fallbacks
+    }
+
+    /// Normal force with damping over that without [-].
+    fn load_factor(&self, closing_speed: f64, models: &Models) -> f64 {
+        let (load, penetration) = (models.strips.load(), self.contact.penetration);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
+        if load > 0.0 { damped / load } else { 0.0 }
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
