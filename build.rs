@@ -12,6 +12,9 @@ mod declaration;
 #[path = "build/package.rs"]
 mod package;
 #[cfg(feature = "package")]
+#[path = "build/platforms.rs"]
+mod platforms;
+#[cfg(feature = "package")]
 #[path = "build/xml.rs"]
 mod xml;
 

@@ -26,6 +26,8 @@ const SCENES: [Scene; 5] = [
 
 fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
     let mut input = Input::default();
+    // On the front of a corrugation, and beside a flat.
+    input.track_s = 0.008;
     input.wheel.position[1] += scene.shift;
     input.wheel.yaw = scene.yaw;
     input.wheel.velocity = [20.0, 0.0, 0.0];
@@ -82,12 +84,21 @@ fn options(c: &mut Criterion) {
         change(&mut parameters);
         parameters
     };
+    let corrugated = with(|p| p.rails[0].corrugation.amplitude = 4e-5);
+    let out_of_round = |p: &mut Parameters| {
+        (p.wheel.out_of_round.amplitude, p.wheel.out_of_round.order) = (2e-4, 7);
+    };
     for (name, parameters) in [
         ("corrected", with(|p| p.normal_model = NormalModel::PiotrowskiKikCorrected)),
         ("kinematic", with(|p| p.creepage_model = CreepageModel::Kinematic)),
         ("curved", with(|p| p.creepage_model = CreepageModel::Curved)),
         ("linear", with(|p| p.tangential_model = TangentialModel::Linear)),
         ("load", with(|p| p.vertical_mode = VerticalMode::Load)),
+        ("second_rail_out_of_reach", with(|p| p.rails[1].enabled = true)),
+        ("corrugated_rail", corrugated.clone()),
+        ("corrugated_rail+hertz", Parameters { normal_model: NormalModel::Hertz, ..corrugated }),
+        ("out_of_round_wheel", with(out_of_round)),
+        ("wheel_flat", with(|p| (p.wheel.flat.length, p.wheel.flat.angle) = (0.05, 0.02))),
     ] {
         evaluate(c, &format!("option/{name}"), &parameters);
     }

@@ -5,10 +5,8 @@
 //! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
 //! sources give the same bytes wherever they lie: paths are remapped, entries sorted, dates fixed.
 
-use std::ffi::OsString;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::SystemTime;
 use std::{env, fs};
 
@@ -16,6 +14,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use crate::declaration::Declaration;
+use crate::platforms::{self, Library};
 use crate::xml;
 
 /// `modelIdentifier`: name of the archive and of the library in it.
@@ -44,8 +43,9 @@ pub fn pack(declaration: &Declaration) {
     let description = xml::generate(declaration, IDENTIFIER, &version)
         .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
     entries.push(("modelDescription.xml".into(), description));
-    let library = Library::of(&target);
-    entries.push((library.entry(), read(&inner_build(&root, &out, &target).join(library.built))));
+    for Library { platform, extension, path } in platforms::build(&root, &out, &target) {
+        entries.push((format!("binaries/{platform}/{IDENTIFIER}.{extension}"), read(&path)));
+    }
     collect(&root.join("fmu/resources"), "resources", &mut entries);
     collect(&root.join("fmu/documentation"), "documentation", &mut entries);
     for license in LICENSES {
@@ -67,115 +67,6 @@ fn profile_folder(out: &Path) -> PathBuf {
     let build = out.ancestors().find(|a| a.file_name().is_some_and(|name| name == "build"));
     let parent = build.and_then(Path::parent);
     parent.unwrap_or_else(|| panic!("no build folder above {}", out.display())).into()
-}
-
-/// Names of the library as built and as packed.
-struct Library {
-    built: &'static str,
-    platform: &'static str,
-    extension: &'static str,
-}
-
-impl Library {
-    /// # Panics
-    /// For a target that FMI 2.0 has no name for.
-    fn of(target: &str) -> Self {
-        let bits_64 = ["x86_64", "aarch64"].iter().any(|cpu| target.starts_with(cpu));
-        let (platforms, built, extension) = if target.contains("windows") {
-            (["win32", "win64"], "wheelrail.dll", "dll")
-        } else if target.contains("apple-darwin") {
-            (["darwin32", "darwin64"], "libwheelrail.dylib", "dylib")
-        } else if target.contains("linux") {
-            (["linux32", "linux64"], "libwheelrail.so", "so")
-        } else {
-            panic!(
-                "FMI 2.0 has no platform name for {target}; build the library alone with \
-                 `cargo build --release --no-default-features --features cli`"
-            )
-        };
-        Self { built, platform: platforms[usize::from(bits_64)], extension }
-    }
-
-    fn entry(&self) -> String {
-        format!("binaries/{}/{IDENTIFIER}.{}", self.platform, self.extension)
-    }
-}
-
-/// Builds the library without packaging and command line; returns the folder it is in.
-fn inner_build(root: &Path, out: &Path, target: &str) -> PathBuf {
-    let inner = out.join("inner");
-    let cargo = env::var_os("CARGO").expect("cargo sets CARGO");
-    let mut command = Command::new(cargo);
-    command
-        .current_dir(root)
-        .args(["rustc", "--lib", "--release", "--crate-type", "cdylib", "--no-default-features"])
-        .args(["--target", target, "--target-dir"])
-        .arg(&inner);
-    for (name, _) in env::vars_os().filter(|(name, _)| is_of_outer_build(name)) {
-        command.env_remove(name);
-    }
-    command.env("CARGO_ENCODED_RUSTFLAGS", remapping(root, out));
-    let output = command.output().unwrap_or_else(|e| panic!("cannot start cargo: {e}"));
-    assert!(
-        output.status.success(),
-        "the library for {IDENTIFIER}.fmu could not be built ({}):\n{}\nTo build without the FMU: \
-         cargo build --release --no-default-features --features cli",
-        output.status,
-        String::from_utf8_lossy(&output.stderr),
-    );
-    inner.join(target).join("release")
-}
-
-/// Whether a variable describes the outer build, or would change the inner one.
-fn is_of_outer_build(name: &OsString) -> bool {
-    const NAMES: [&str; 17] = [
-        "CARGO_BUILD_TARGET",
-        "CARGO_BUILD_TARGET_DIR",
-        "CARGO_BUILD_RUSTFLAGS",
-        "CARGO_ENCODED_RUSTFLAGS",
-        "CARGO_MAKEFLAGS",
-        "CARGO_PRIMARY_PACKAGE",
-        "CARGO_TARGET_DIR",
-        "DEBUG",
-        "HOST",
-        "NUM_JOBS",
-        "OPT_LEVEL",
-        "OUT_DIR",
-        "PROFILE",
-        "RUSTC_WORKSPACE_WRAPPER",
-        "RUSTFLAGS",
-        "RUST_BACKTRACE",
-        "TARGET",
-    ];
-    const PREFIXES: [&str; 6] =
-        ["CARGO_CFG_", "CARGO_FEATURE_", "CARGO_MANIFEST_", "CARGO_PKG_", "CARGO_PROFILE_", "DEP_"];
-    name.to_str().is_some_and(|name| {
-        NAMES.contains(&name) || PREFIXES.iter().any(|prefix| name.starts_with(prefix))
-    })
-}
-
-/// Flags that replace the paths of this machine, in cargo's encoding.
-fn remapping(root: &Path, out: &Path) -> OsString {
-    let cargo_home = env::var_os("CARGO_HOME").map(PathBuf::from);
-    let home = env::var_os(if cfg!(windows) { "USERPROFILE" } else { "HOME" });
-    let cargo_home = cargo_home.or_else(|| home.map(|home| PathBuf::from(home).join(".cargo")));
-    let mut flags = OsString::new();
-    // The last prefix that fits counts: OUT_DIR lies within the root as a rule.
-    let prefixes = [
-        cargo_home.as_deref().map(|home| (home, "/cargo")),
-        Some((root, "/wheelrail")),
-        Some((out, "/out")),
-    ];
-    for (from, to) in prefixes.into_iter().flatten() {
-        if !flags.is_empty() {
-            flags.push("\x1f");
-        }
-        flags.push("--remap-path-prefix=");
-        flags.push(from);
-        flags.push("=");
-        flags.push(to);
-    }
-    flags
 }
 
 fn read(path: &Path) -> Vec<u8> {

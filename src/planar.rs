@@ -175,7 +175,10 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
             press(approach - least);
         }
         Indentation::Load(load) if load > 0.0 => {
-            let approach = approach_for(load, &mut press)?;
+            // Between elements the load is not smooth to rounding.
+            let boundary = case.normal_model == NormalModel::BoundaryElement;
+            let found = if boundary { ELEMENT_APPROACH } else { 1e-16 };
+            let approach = approach_for(load, found, &mut press)?;
             press(approach);
         }
         Indentation::Load(_) => {}
@@ -183,8 +186,15 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     Ok(Pressed { contact_y: line.contact, strips, material, left_out })
 }
 
-/// The approach from first touch at which `press` gives `load`; where the load jumps past it, the place of the jump.
-fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, ContactError> {
+/// Bracket of the approach of boundary elements under a given load [m].
+const ELEMENT_APPROACH: f64 = 1e-11;
+
+/// The approach from first touch, to `found` [m], at which `press` gives `load`; where the load jumps past it, the place of the jump.
+fn approach_for(
+    load: f64,
+    found: f64,
+    press: &mut impl FnMut(f64) -> f64,
+) -> Result<f64, ContactError> {
     let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
     let mut high_load = press(high);
     while high_load < load {
@@ -199,7 +209,7 @@ fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, Co
         high = (2.0 * high).min(MOST_APPROACH);
         high_load = press(high);
     }
-    Ok(bracketed((low, low_load - load), (high, high_load - load), 1e-16, |a| press(a) - load))
+    Ok(bracketed((low, low_load - load), (high, high_load - load), found, |a| press(a) - load))
 }
 
 fn summarise(

@@ -44,6 +44,7 @@ fn table_1(model: NormalModel, fit: ShapeFit) -> [f64; 5] {
         contact_u: 0.0,
         lateral_curvature: 0.0,
         rule: &rule,
+        elements: [1; 2],
     };
     let mut strips = Strips::with_capacity(1, rule.nodes.len());
     let (epsilon, separation) = (VIRTUAL_PENETRATION, &mut Table1);

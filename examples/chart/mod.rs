@@ -124,7 +124,7 @@ fn draw(
     if chart.series.len() > 1 {
         context
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(SeriesLabelPosition::UpperMiddle)
             .margin(px(6))
             .legend_area_size(px(24))
             .background_style(WHITE.mix(0.85))

@@ -12,11 +12,10 @@ use super::rail_frame::RailFrame;
 use super::uneven::{ZoneSurface, closing_speed};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::separation::Separation;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion, kinematic_creepage, rolling_speed};
-use crate::normal::damping;
+use crate::normal::{NormalModel, Strips, Zone, damping};
 use crate::tangential::RollingState;
 
 /// Brings the solution of one contact to forces on both bodies.
@@ -35,6 +34,8 @@ pub struct ContactForces<'a> {
     pub contact: Contact,
     /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
     pub damped_with: Option<[f64; 2]>,
+    /// Slopes of rail and wheel along the track in the contact [-].
+    pub slopes: [f64; 2],
 }
 
 impl ContactForces<'_> {
@@ -54,26 +55,11 @@ impl ContactForces<'_> {
         let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
-        let even_axes = ContactAxes::along_track(
-            self.frame.direction(self.contact.tangent),
-            self.frame.direction(self.contact.normal()),
-        );
+        let even_axes = self.axes();
         let lifting = separation.lifting();
-        // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch_x = if lifting.is_some() {
-            separation.at(self.contact.u).x
-        } else {
-            self.line.even_at(self.contact.u).x
-        };
-        let touch = self.track_point(touch_x, 0.0, self.contact.penetration);
         let [load, penetration] =
             self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
-        let [forward, ..] = wheel.velocity;
-        let closing_speed = motion.closing_velocity(touch).dot(&even_axes.normal)
-            + lifting.map_or(0.0, |lifting| {
-                let radius = self.line.nominal_radius();
-                closing_speed(&lifting, touch_x, forward, wheel.pitch_rate, radius)
-            });
+        let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         let load_factor = if load > 0.0 { damped / load } else { 0.0 };
         for index in 0..models.strips.zones.len() {
@@ -82,13 +68,10 @@ impl ContactForces<'_> {
                 continue;
             }
             work.zones += 1;
-            let at = self.line.even_at(zone.u);
             let surface = lifting
-                .map_or(ZoneSurface::EVEN, |lifting| ZoneSurface::new(&lifting, at.x, &zone));
+                .map_or(ZoneSurface::EVEN, |lifting| self.zone_surface(&lifting, &zone, models));
             let axes = even_axes.leaning(surface.lean);
-            let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
-            let axis = self.contact.normal();
-            let depth = to[0] * axis[0] + to[1] * axis[1] + surface.depth;
+            let depth = self.depth(zone.u) + surface.depth;
             let position = self.track_point(zone.x, zone.y, depth);
             let wheel_point = self.line.wheel_point(zone.u);
             let rolling_radius = wheel_point.rolling_radius + surface.radius;
@@ -166,6 +149,56 @@ impl ContactForces<'_> {
             });
         }
         fallbacks
+    }
+
+    /// The axes of the contact frame in the track frame.
+    pub(super) fn axes(&self) -> ContactAxes {
+        ContactAxes::along_track(
+            self.frame.direction(self.contact.tangent),
+            self.frame.direction(self.contact.normal()),
+        )
+    }
+
+    /// Depth along the normal of the even contact line at parameter `u` [m].
+    fn depth(&self, u: f64) -> f64 {
+        let at = self.line.even_at(u);
+        let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
+        let axis = self.contact.normal();
+        to[0] * axis[0] + to[1] * axis[1]
+    }
+
+    /// Speed at which the bodies close along the normal, without the turning of a round wheel [m/s].
+    fn closing_speed(
+        &self,
+        motion: &RelativeMotion,
+        lifting: Option<&Lifting>,
+        strips: &Strips,
+    ) -> f64 {
+        let wheel = &self.input.wheel;
+        let load = strips.load();
+        // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
+        let x = if lifting.is_some() && load > 0.0 {
+            strips.zones.iter().map(|zone| zone.load * zone.x).sum::<f64>() / load
+        } else {
+            self.line.even_at(self.contact.u).x
+        };
+        // The wheel's surface of first touch lies deeper in the rail by the penetration.
+        let touch = self.track_point(x, 0.0, self.contact.penetration);
+        let normal = self.frame.direction(self.contact.normal());
+        let even = motion.closing_velocity(touch).dot(&normal);
+        let Some(lifting) = lifting else { return even };
+        let [forward, ..] = wheel.velocity;
+        let radius = self.line.nominal_radius();
+        even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
+    }
+
+    /// The surface of an uneven wheel in `zone`.
+    fn zone_surface(&self, lifting: &Lifting, zone: &Zone, models: &Models) -> ZoneSurface {
+        // All of an ellipse lies over its contact point.
+        let is_ellipse = models.normal == NormalModel::Hertz;
+        ZoneSurface::new(lifting, zone, &models.strips, |u| {
+            self.line.even_at(if is_ellipse { self.contact.u } else { u }).x
+        })
     }
 
     /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in

@@ -98,7 +98,8 @@ impl RailContact {
     /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel))
+        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
+        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel)) - highest
     }
 
     /// The contacts with rail number `k` for `input` (right side), laid flat.
@@ -112,8 +113,9 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let radius = line.wheel_point(contact.u).section_radius;
-            let rail = &self.rail;
-            let forces = ContactForces { k, input, frame, line, rail, contact, damped_with: None };
+            let (rail, slopes, damped_with) = (&self.rail, [0.0; 2], None);
+            let forces =
+                ContactForces { k, input, frame, line, rail, contact, damped_with, slopes };
             forces.flattened(&mut separation, radius, minimum_speed)
         });
         contacts.collect()
@@ -143,7 +145,7 @@ impl RailContact {
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;
-        let forces = |contact, damped_with| ContactForces {
+        let forces = |contact, damped_with, slopes| ContactForces {
             k,
             input,
             frame,
@@ -151,6 +153,7 @@ impl RailContact {
             rail: &self.rail,
             contact,
             damped_with,
+            slopes,
         };
         if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
             if strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models) {
@@ -158,8 +161,12 @@ impl RailContact {
                 for zone in 0..models.rail_strips.zones.len() {
                     let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
                     let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                    left_out +=
-                        forces(contact, Some(whole)).add(&mut separation, models, output, work);
+                    left_out += forces(contact, Some(whole), [0.0; 2]).add(
+                        &mut separation,
+                        models,
+                        output,
+                        work,
+                    );
                 }
                 return left_out;
             }
@@ -186,16 +193,22 @@ impl RailContact {
             };
             let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
             let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
+            let mut slopes = [0.0; 2];
             let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
-                uneven.solve(
+                let no_room = uneven.solve(
                     &problem,
                     models.virtual_penetration,
                     &mut separation,
                     lifting,
                     probes,
                     &mut models.strips,
-                )
+                );
+                slopes = uneven.slopes;
+                no_room
             } else {
+                if let Some(lifting) = &lifting {
+                    slopes = lifting.deviations.slopes(separation.at(contact.u).x);
+                }
                 normal::solve(
                     models.normal,
                     models.virtual_penetration,
@@ -207,7 +220,7 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            left_out += forces(contact, None).add(&mut separation, models, output, work);
+            left_out += forces(contact, None, slopes).add(&mut separation, models, output, work);
         }
         left_out
     }

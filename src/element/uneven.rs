@@ -11,7 +11,7 @@ use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
 use crate::io::{Deviations, load_deviations};
-use crate::normal::Zone;
+use crate::normal::{Strips, Zone};
 
 /// Corrugation of a rail: its height over the station, a cosine and what a file holds on top.
 #[derive(Clone, Debug, PartialEq)]
@@ -210,15 +210,28 @@ impl ZoneSurface {
     /// That of an even wheel on an even rail.
     pub const EVEN: Self = Self { depth: 0.0, radius: 0.0, lean: 0.0 };
 
-    /// The surface at the centroid of load of `zone`, over the place `centre` of the even contact line.
+    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to which the strip with a parameter
+    /// belongs [m].
     ///
     /// The normal force follows the rail's surface where the rail alone could push along the track: on an even rail it has no part
     /// along x, and on a round wheel it has no moment about the axle. Both are exact for frictionless bodies. A round wheel
     /// on a corrugated rail leans as its own radius at the centroid does.
     #[must_use]
-    pub fn new(lifting: &Lifting, centre: f64, zone: &Zone) -> Self {
+    pub fn new(
+        lifting: &Lifting,
+        zone: &Zone,
+        strips: &Strips,
+        centre: impl Fn(f64) -> f64,
+    ) -> Self {
         let Lifting { deviations, radius, share } = *lifting;
-        let to = zone.x - centre;
+        // Strips of a yawed wheel each have their own place on the line.
+        let (mut ahead, mut load) = (0.0, 0.0);
+        for j in zone.first..zone.first + zone.count {
+            let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+            ahead += weight * (strips.x[j] - centre(strips.u[j]));
+            load += weight;
+        }
+        let to = if load > 0.0 { ahead / load } else { 0.0 };
         let [deviation, slope] = deviations.wheel_deviation(zone.x);
         let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
         let depth = share * (deviation - 0.5 * to * to / radius);
@@ -226,19 +239,17 @@ impl ZoneSurface {
     }
 }
 
-/// Speed at which the surfaces close at the place `x` of first touch because the wheel moves on and turns on over their deviations:
-/// with the forward `velocity` [m/s] and the `pitch_rate` [rad/s] of a wheel of `nominal_radius` [m].
+/// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their
+/// deviations: with the forward `velocity` [m/s] and the `pitch_rate` [rad/s] of a wheel of `nominal_radius` [m].
 #[must_use]
 pub fn closing_speed(
     lifting: &Lifting,
-    x: f64,
+    [rail, wheel]: [f64; 2],
     velocity: f64,
     pitch_rate: f64,
     nominal_radius: f64,
 ) -> f64 {
-    let Lifting { deviations, share, .. } = *lifting;
-    let [_, wheel_slope] = deviations.wheel_deviation(x);
-    share * (deviations.rail_slope(x) * velocity - wheel_slope * pitch_rate * nominal_radius)
+    lifting.share * (rail * velocity - wheel * pitch_rate * nominal_radius)
 }
 
 /// Deviations of wheel and rail number `k` together, if there are any.

@@ -23,8 +23,12 @@ use crate::math::root::bracketed;
 const SPACING: [f64; 2] = [2.5e-4, 4e-3];
 /// Most samples that are kept for an evaluation.
 const MOST_SAMPLES: usize = 600;
-/// Bracket within which a minimum or an edge along x is interpolated [m].
+/// Last Newton step towards a minimum, and bracket within which one is interpolated [m].
 const BRACKET: f64 = 1e-9;
+/// Bracket within which an edge along x is interpolated [m].
+const EDGE_BRACKET: f64 = 1e-7;
+/// Newton steps towards a minimum; two or three are the rule.
+const NEWTON_STEPS: usize = 6;
 
 /// The lift of a wheel at one place of its contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,10 +144,11 @@ impl Longitudinal {
         [value, slope]
     }
 
-    /// Slope of the rail at `x`, up positive [-].
+    /// Slopes of the rail's and of the wheel's part of e at `x` [-].
     #[must_use]
-    pub fn rail_slope(&self, x: f64) -> f64 {
-        if self.rail.is_empty() { 0.0 } else { self.rail.at(self.station + x)[1] }
+    pub fn slopes(&self, x: f64) -> [f64; 2] {
+        let rail = if self.rail.is_empty() { 0.0 } else { self.rail.at(self.station + x)[1] };
+        [rail, self.wheel_deviation(x)[1]]
     }
 
     /// Whether the rail has deviations.
@@ -174,7 +179,8 @@ impl Longitudinal {
 
     /// Q at `x` for circles of radius `radius` below `centre` [m].
     #[inline]
-    fn distance(&self, centre: f64, radius: f64, x: f64) -> f64 {
+    #[must_use]
+    pub fn distance(&self, centre: f64, radius: f64, x: f64) -> f64 {
         let to = x - centre;
         0.5 * to * to / radius - self.nearness(x)[0]
     }
@@ -204,10 +210,9 @@ impl Longitudinal {
         for i in first..=last {
             let after = at(i + 1);
             if here <= level && here <= before && here <= after {
-                let x = self.valley(centre, radius, i);
-                let height = -self.distance(centre, radius, x);
-                if height > best.height {
-                    best = Lift { height, x };
+                let lift = self.valley(centre, radius, i, [before, here, after]);
+                if lift.height > best.height {
+                    best = lift;
                 }
             }
             (before, here) = (here, after);
@@ -215,15 +220,41 @@ impl Longitudinal {
         best
     }
 
-    /// Where Q is stationary near sample `i`, which is lower, or higher, than its neighbours [m].
-    fn valley(&self, centre: f64, radius: f64, i: i64) -> f64 {
-        let slope = |x: f64| (x - centre) / radius - self.nearness(x)[1];
+    /// Where Q is stationary near sample `i`, which is lower, or higher, than its neighbours, given Q at all three, and -Q there.
+    fn valley(&self, centre: f64, radius: f64, i: i64, around: [f64; 3]) -> Lift {
         let (left, right) = (self.place_of(i - 1), self.place_of(i + 1));
-        let (a, b) = (slope(left), slope(right));
-        if a * b > 0.0 {
-            return self.place_of(i);
+        // From the parabola through the samples Newton's method needs two or three steps.
+        let [before, here, after] = around;
+        let bend = before - 2.0 * here + after;
+        let mut x = self.place_of(i);
+        if bend.abs() > 0.0 {
+            x += 0.5 * self.spacing * ((before - after) / bend).clamp(-1.0, 1.0);
         }
-        bracketed((left, a), (right, b), BRACKET, slope)
+        for _ in 0..NEWTON_STEPS {
+            let [e, slope, curvature] = self.nearness(x);
+            let to = x - centre;
+            let (rise, bend) = (to / radius - slope, 1.0 / radius - curvature);
+            let step = -rise / bend;
+            if step.abs() < BRACKET {
+                // The rest of the way changes Q by less than rounding.
+                let height = e - 0.5 * to * to / radius - 0.5 * rise * step;
+                return Lift { height, x: x + step };
+            }
+            let next = x + step;
+            if !(next > left && next < right) {
+                break;
+            }
+            x = next;
+        }
+        // Flat or kinked: by bisection.
+        let slope = |x: f64| (x - centre) / radius - self.nearness(x)[1];
+        let (a, b) = (slope(left), slope(right));
+        let x = if a * b > 0.0 {
+            self.place_of(i)
+        } else {
+            bracketed((left, a), (right, b), BRACKET, slope)
+        };
+        Lift { height: -self.distance(centre, radius, x), x }
     }
 
     /// Calls `found` with both ends of every stretch along x on which Q < `level`, in growing x [m].
@@ -233,10 +264,8 @@ impl Longitudinal {
         let first = self.before(centre - half);
         let last = self.before(centre + half) + 1;
         let at = |i: i64| self.sampled_distance(centre, radius, i) - level;
-        let edge = |from: f64, to: f64| {
-            let height = |x: f64| self.distance(centre, radius, x) - level;
-            bracketed((from, height(from)), (to, height(to)), BRACKET, height)
-        };
+        let height = |x: f64| self.distance(centre, radius, x) - level;
+        let edge = |from: (f64, f64), to: (f64, f64)| bracketed(from, to, EDGE_BRACKET, height);
         let dip = self.dip(radius);
         let mut start: Option<f64> = None;
         let (mut before, mut here) = (at(first - 1), at(first));
@@ -245,40 +274,57 @@ impl Longitudinal {
             if here >= 0.0 && before >= 0.0 && after >= 0.0 {
                 // Between samples it may just reach below the level.
                 if here < dip && here <= before && here <= after {
-                    let x = self.valley(centre, radius, i);
-                    if self.distance(centre, radius, x) < level {
+                    let q = [before, here, after].map(|q| q + level);
+                    let Lift { height, x } = self.valley(centre, radius, i, q);
+                    let lowest = (x, -height - level);
+                    if lowest.1 < 0.0 {
                         let (left, right) = (self.place_of(i - 1), self.place_of(i + 1));
-                        found(edge(x, left), edge(x, right));
+                        found(edge(lowest, (left, before)), edge(lowest, (right, after)));
                     }
                 }
             } else if here < 0.0 {
+                let [left, middle, right] = [i - 1, i, i + 1].map(|i| self.place_of(i));
                 if before >= 0.0 {
-                    start = Some(edge(self.place_of(i), self.place_of(i - 1)));
+                    start = Some(edge((middle, here), (left, before)));
                 } else if here > -dip && here >= before && here >= after && after < 0.0 {
                     // Or just above it.
-                    let x = self.valley(centre, radius, i);
-                    if self.distance(centre, radius, x) > level
+                    let q = [before, here, after].map(|q| q + level);
+                    let Lift { height, x } = self.valley(centre, radius, i, q);
+                    let highest = (x, -height - level);
+                    if highest.1 > 0.0
                         && let Some(from) = start
                     {
-                        found(from, edge(self.place_of(i - 1), x));
-                        start = Some(edge(self.place_of(i + 1), x));
+                        found(from, edge((left, before), highest));
+                        start = Some(edge((right, after), highest));
                     }
                 }
                 if after >= 0.0
                     && let Some(from) = start.take()
                 {
-                    found(from, edge(self.place_of(i), self.place_of(i + 1)));
+                    found(from, edge((middle, here), (right, after)));
                 }
             }
             (before, here) = (here, after);
         }
     }
 
-    /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m].
+    /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m], and the [`slopes`](Self::slopes) there.
     #[inline]
     #[must_use]
-    pub fn depth_root(&self, centre: f64, radius: f64, level: f64, x: f64) -> f64 {
-        (2.0 * radius * (level - self.distance(centre, radius, x)).max(0.0)).sqrt()
+    pub fn depth_root(&self, centre: f64, radius: f64, level: f64, x: f64) -> (f64, [f64; 2]) {
+        let (mut e, mut slopes) = (0.0, [0.0; 2]);
+        for (k, (surface, place)) in
+            [(&self.rail, self.station), (&self.wheel, self.turn)].into_iter().enumerate()
+        {
+            if !surface.is_empty() {
+                let [value, slope, _] = surface.at(place + x);
+                e += value;
+                slopes[k] = slope;
+            }
+        }
+        let to = x - centre;
+        let depth = level - 0.5 * to * to / radius + e;
+        ((2.0 * radius * depth.max(0.0)).sqrt(), slopes)
     }
 }
 

@@ -9,7 +9,8 @@ pub struct SeparationPoint {
     pub dy: f64,
     /// Separation of the two lines less that at the contact point; infinite where no normal meets both [m].
     pub f: f64,
-    /// Coordinate of the contact line along the track, from the wheel marker [m].
+    /// Coordinate of the contact line along the track, from the wheel marker; where bodies are not even, of the place at which they
+    /// are nearest [m].
     pub x: f64,
 }
 

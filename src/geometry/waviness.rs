@@ -329,7 +329,7 @@ mod tests {
         let mut rail = Waviness::new(None);
         rail.set_table(&[[0.0, 0.0], [0.1, 1e-4], [0.2, 0.0], [0.3, 2e-4]]);
         assert_relative_eq!(rail.at(0.1)[0], 1e-4, max_relative = 1e-12);
-        assert_eq!(rail.at(-5.0), [0.0; 3]);
+        assert!(rail.at(-5.0).iter().all(|part| part.abs() <= 0.0));
         assert_relative_eq!(rail.at(7.0)[0], 2e-4, max_relative = 1e-12);
         assert!(rail.at(7.0)[1].abs() <= 0.0);
     }

@@ -58,7 +58,7 @@ pub fn load_deviations(
     }
     let bytes = std::fs::read(found).map_err(|e| refuse(format!("a readable file: {e}")))?;
     let content = String::from_utf8_lossy(&bytes);
-    points(content.trim_start_matches('\u{feff}'), body).map_err(|what| refuse(what))
+    points(content.trim_start_matches('\u{feff}'), body).map_err(refuse)
 }
 
 /// The points of a file.

@@ -49,6 +49,8 @@ struct Stretch {
 /// Scratch memory and the quadrature along strips.
 #[derive(Clone, Debug)]
 pub struct UnevenStrips {
+    /// Slopes of rail and wheel along the track, averaged by the pressure of the contact solved last [-].
+    pub slopes: [f64; 2],
     stretches: Room<Stretch>,
     /// Nodes sin θ and weights cos θ dθ over a quarter turn, for functions that end like a root.
     quarter: [[f64; 2]; POINTS],
@@ -64,7 +66,7 @@ impl UnevenStrips {
             let angle = 0.25 * PI * (1.0 + rule.nodes[i]);
             *node = [angle.sin(), 0.25 * PI * rule.weights[i] * angle.cos()];
         }
-        Self { stretches: Room::new(strips * MOST_STRETCHES), quarter }
+        Self { slopes: [0.0; 2], stretches: Room::new(strips * MOST_STRETCHES), quarter }
     }
 
     /// Fills the empty `strips` with the loaded zones of one contact frame; as
@@ -80,7 +82,9 @@ impl UnevenStrips {
     ) -> usize {
         let depth = virtual_penetration * problem.approach;
         let longest = (2.0 * lifting.radius / lifting.share * depth).sqrt();
-        let first_touch = separation.at(problem.contact_u).x;
+        // From the place of the contact line; that of a yawed wheel is another one for every strip, for which it is made up as in the
+        // model of even bodies.
+        let first_touch = separation.at(problem.contact_u).x - separation.centre(problem.contact_u);
         let mut left_out = 0;
         // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
         let mut sums = Sums { longest, ..Sums::default() };
@@ -103,8 +107,9 @@ impl UnevenStrips {
                     ends[1] = at.y + (edge.right - u) * at.dy;
                 }
                 let across = Across { strip, y: at.y, width, u };
-                let overlap = Overlap::new(lifting, separation.centre(u), depth - at.f);
-                left_out += self.add_strip(&across, &overlap, first_touch, &mut sums);
+                let centre = separation.centre(u);
+                let overlap = Overlap::new(lifting, centre, depth - at.f, at.x);
+                left_out += self.add_strip(&across, &overlap, centre + first_touch, &mut sums);
             }
             sums.displacement += singular_influence(ends, longest);
             let deepest = probes
@@ -113,7 +118,7 @@ impl UnevenStrips {
                 .min_by(|a, b| a.f.total_cmp(&b.f));
             let peak = deepest.map(|probe| {
                 let at = separation.at(probe.u);
-                Overlap::new(lifting, separation.centre(probe.u), depth - at.f)
+                Overlap::new(lifting, separation.centre(probe.u), depth - at.f, at.x)
             });
             left_out += self.add_zones(ends, count, peak.as_ref(), strips);
         });
@@ -123,6 +128,8 @@ impl UnevenStrips {
             left_out += strips.zones.len();
             0.0
         };
+        self.slopes =
+            sums.slopes.map(|slope| if sums.load > 0.0 { slope / sums.load } else { 0.0 });
         for pressure in strips.pressure.iter_mut() {
             *pressure *= scale;
         }
@@ -144,7 +151,7 @@ impl UnevenStrips {
         sums: &mut Sums,
     ) -> usize {
         let (mut left_out, mut count) = (0, 0);
-        let Self { stretches, quarter } = self;
+        let Self { stretches, quarter, .. } = self;
         overlap.stretches(|start, end| {
             count += 1;
             if count > MOST_STRETCHES || stretches.len() == stretches.capacity() {
@@ -162,15 +169,19 @@ impl UnevenStrips {
                 u: across.u,
                 ..Stretch::default()
             };
-            let middle = overlap.root(pivot);
+            let (middle, _) = overlap.root(pivot);
             let y_squared = across.y * across.y;
             let mut influence = 0.0;
             for end in ends {
                 let side = (end - pivot).abs();
                 for [sine, weight] in *quarter {
                     let x = pivot + sine * (end - pivot);
-                    let root = overlap.root(x);
-                    stretch.load += weight * side * root;
+                    let (root, slopes) = overlap.root(x);
+                    let part = weight * side * root;
+                    stretch.load += part;
+                    for (sum, slope) in sums.slopes.iter_mut().zip(slopes) {
+                        *sum += across.width * part * slope;
+                    }
                     stretch.peak = stretch.peak.max(root);
                     let along = x - first_touch;
                     let distance = (along * along + y_squared).sqrt();
@@ -254,7 +265,7 @@ impl UnevenStrips {
                     if meets {
                         zone.length = zone.length.max(end - start);
                         if (start..=end).contains(&at) {
-                            zone.max_pressure = zone.max_pressure.max(overlap.root(at));
+                            zone.max_pressure = zone.max_pressure.max(overlap.root(at).0);
                         }
                     }
                 });
@@ -279,6 +290,8 @@ struct Sums {
     load: f64,
     displacement: f64,
     longest: f64,
+    /// Of the slopes of rail and wheel, weighted as the load.
+    slopes: [f64; 2],
 }
 
 /// The overlap g along one strip.
@@ -292,11 +305,11 @@ struct Overlap<'a> {
 }
 
 impl<'a> Overlap<'a> {
-    /// The overlap with greatest value `depth` over a place `centre` of the contact line.
-    fn new(lifting: &'a Lifting<'a>, centre: f64, depth: f64) -> Self {
-        let lift = lifting.deviations.lift(centre, lifting.radius);
-        let level = depth.max(0.0) / lifting.share - lift.height;
-        Self { lifting, centre, level, deepest: lift.x }
+    /// The overlap with greatest value `depth`, at the place `deepest`, over a place `centre` of the contact line.
+    fn new(lifting: &'a Lifting<'a>, centre: f64, depth: f64, deepest: f64) -> Self {
+        let least = lifting.deviations.distance(centre, lifting.radius, deepest);
+        let level = depth.max(0.0) / lifting.share + least;
+        Self { lifting, centre, level, deepest }
     }
 
     fn stretches(&self, found: impl FnMut(f64, f64)) {
@@ -304,8 +317,8 @@ impl<'a> Overlap<'a> {
         deviations.stretches(self.centre, radius, self.level, found);
     }
 
-    /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the circles.
-    fn root(&self, x: f64) -> f64 {
+    /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the circles; and the slopes of rail and wheel.
+    fn root(&self, x: f64) -> (f64, [f64; 2]) {
         let Lifting { deviations, radius, .. } = *self.lifting;
         deviations.depth_root(self.centre, radius, self.level, x)
     }

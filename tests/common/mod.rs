@@ -7,7 +7,7 @@ pub mod random;
 pub mod vectors;
 pub mod wheel;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A CSV file of tests/data with its `#` lines left out.
 pub struct Table {
@@ -51,7 +51,12 @@ pub fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
 
 /// Leaves a table under target/reports, for reading and plotting.
 pub fn write_report(name: &str, text: &str) {
+    std::fs::write(report_path(name), text).unwrap();
+}
+
+/// Path of a table under target/reports.
+pub fn report_path(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/reports");
     std::fs::create_dir_all(&folder).unwrap();
-    std::fs::write(folder.join(name), text).unwrap();
+    folder.join(name)
 }

@@ -1,30 +1,43 @@
 //! The FMU as a release build packs it, in a target directory of its own.
 
+#![allow(dead_code)] // each test crate uses its own part
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Path of `WheelRail.fmu`, packed from the sources as they are.
+/// Path of `WheelRail.fmu`, packed from the sources as they are for this platform.
 ///
 /// # Panics
 /// With cargo's messages if it cannot be built.
 pub fn fmu() -> PathBuf {
     static FMU: OnceLock<PathBuf> = OnceLock::new();
-    FMU.get_or_init(build).clone()
+    FMU.get_or_init(|| build("fmu", "")).clone()
 }
 
-fn build() -> PathBuf {
+/// The same for other platforms too, or for an old system: what `WHEELRAIL_PLATFORMS` can name.
+///
+/// # Panics
+/// With cargo's messages if it cannot be built.
+pub fn for_platforms(platforms: &str) -> PathBuf {
+    build("portable", platforms)
+}
+
+fn build(folder: &str, platforms: &str) -> PathBuf {
     // Not the outer target directory: cargo may hold its lock while the tests run.
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmu");
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
     let output = Command::new(env!("CARGO"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .args(["build", "--release", "--no-default-features", "--features", "package"])
         .arg("--target-dir")
         .arg(&target)
         .env_remove("CARGO_BUILD_TARGET")
+        .env("WHEELRAIL_PLATFORMS", platforms)
         .output()
         .expect("cargo that builds the tests can be started");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{messages}");
+    assert!(!messages.contains("could not be built"), "{messages}");
     let fmu = target.join("release/WheelRail.fmu");
     assert!(fmu.is_file(), "{} was not packed", fmu.display());
     fmu

@@ -189,8 +189,56 @@ pub const STRIPS_JUMP: f64 = 1e-6;
 /// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
 pub const STRIPS_HERTZ: f64 = 2e-3;
 
+/// The same code built otherwise, optimized or for another platform, share of the value: sines, roots and logarithms
+/// of another C library differ in the last digit. Greatest difference found: 1.3e-12, between linux64 and win64.
+pub const OTHER_BUILD: f64 = 1e-11;
+
+/// Critical speed of a wheelset in exudyn against `wheelrail simulate`: what the first-order integrator of the latter
+/// shifts at its step of 2e-5 s, about ω²h/2 = 0.013 1/s in the growth rate, which 0.22 (1/s)/(m/s) turns into 0.06 m/s
+/// of 75 m/s.
+pub const HUNTING_SPEED: f64 = 1e-3;
+
+/// Lateral motion of the two over a run, share of its amplitude: the same, grown over 1.2 s, which is
+/// 0.013 1/s · 1.2 s = 1.6 % where the oscillation does not die out.
+pub const HUNTING_MOTION: f64 = 0.02;
+
 /// FaStrip on the 300 ellipses, 20x20, blended: mean, 95 % and worst error over the friction limit. CONTACT's own FaStrip on 22x22: 0.017, 0.048, 0.067.
 pub const FASTRIP_ELLIPSES: [f64; 3] = [0.0125, 0.04, 0.062];
+
+/// Boundary elements 60x60 against Hertz: load, greatest pressure, area. The greatest pressure is that of an element.
+pub const BOUNDARY_HERTZ: [f64; 3] = [1e-3, 1e-3, 0.01];
+
+/// Boundary elements 60x60 against CONTACT on its finest grids, worst of one-region profiles: load, greatest pressure, area. One pressure
+/// has its peak at the rail's jump of curvature, narrower than an element: 0.31 %.
+pub const BOUNDARY_NORMAL_ONE_REGION: [f64; 3] = [0.003, 0.0035, 0.012];
+/// The same with two regions on one plane.
+pub const BOUNDARY_NORMAL_TWO_REGIONS: [f64; 3] = [0.015, 0.015, 0.015];
+
+/// Boundary elements 22x22 and finer against extrapolated results of CONTACT on 300 ellipses, mean and worst, share of the friction limit: the
+/// reference is known to 0.003 in the mean.
+pub const BOUNDARY_ELLIPSES: [f64; 2] = [0.003, 0.01];
+
+/// Boundary elements 40x40 against CONTACT with 40 elements across on real profiles, mean and worst, share of the friction limit. The
+/// reference is known to 0.002 in the mean, 0.011 at worst: against 80 elements across the errors are less than half.
+pub const BOUNDARY_PROFILES: [f64; 2] = [0.005, 0.016];
+/// The same against 80 elements across.
+pub const BOUNDARY_PROFILES_FINE: [f64; 2] = [0.002, 0.008];
+/// 24x24 against 80 across, for debug builds.
+pub const BOUNDARY_PROFILES_COARSE: [f64; 2] = [0.006, 0.015];
+
+/// Kalker's coefficients by full adhesion, extrapolated from two grids: the outline of an ellipse in squares is not smooth.
+pub const BOUNDARY_KALKER: f64 = 0.01;
+
+/// Carter's force at 128 elements along, share of the friction limit, and least observed order.
+pub const BOUNDARY_CARTER: f64 = 0.002;
+pub const BOUNDARY_CARTER_ORDER: f64 = 0.8;
+
+/// Cattaneo's force at 48x48 elements, share of the friction limit, and least observed order.
+pub const BOUNDARY_CATTANEO: f64 = 0.003;
+pub const BOUNDARY_CATTANEO_ORDER: f64 = 0.8;
+
+/// Boundary elements on the pressure of Hertz spread over a grid against those on their own pressure, share of the friction limit.
+pub const BOUNDARY_SPREAD: f64 = 0.01;
 
 /// Equivalent conicity of the reference cases of EN 15302, share of that standard's tolerance: 0.015 at worst, which is
 /// the third digit of the expected figures, but for E5 (920 and 918 mm), where it is an eighth.
@@ -202,3 +250,36 @@ pub const ROLLING_RADIUS: f64 = 1e-8;
 /// Conicity of a cone at 3 mm; conicity of arcs at 3 mm against the formula for small amplitudes.
 pub const CONE_CONICITY: f64 = 1e-5;
 pub const ARC_CONICITY: f64 = 0.01;
+/// Deviations of 1e-13 m against none: quadrature along strips, and an edge found to 1e-7 m.
+pub const VANISHING_DEVIATIONS: f64 = 3e-5;
+
+/// Depth of contact of uneven bodies against a scan of their surfaces: the wheel's circle as a parabola over 11 mm,
+/// and its angles as arcs of the running circle also on a flange that touches 10 mm ahead [m].
+pub const UNEVEN_DEPTH: f64 = 4e-7;
+
+/// Crest and trough of a wave of 0.5 m against wheels of that curvature: the wave is no parabola over 15 mm.
+pub const LONG_WAVE: f64 = 5e-3;
+
+/// Moment about the axle of a round wheel on a corrugated rail over its normal force: rounding, and the parabola for the circle [m].
+pub const FREE_TORQUE: f64 = 5e-6;
+
+/// Normal force with damping on uneven bodies against that of the rate of their depth, over the force.
+pub const CLOSING_RATE: f64 = 2e-3;
+
+/// Height of a wheel on a fresh flat against that on sharp corners: they are rounded over a tenth of its length [m].
+pub const FLAT_HEIGHT: f64 = 1e-4;
+
+/// Jumps of normal and creep force over the force, rolling over corrugations and flats in steps of 12 µm.
+pub const UNEVEN_JUMP: f64 = 5e-3;
+pub const UNEVEN_CREEP_JUMP: f64 = 1e-3;
+
+/// Waves from files of points, every 0.5 mm and half degree, against the waves themselves.
+pub const DEVIATION_FILES: f64 = 1e-3;
+
+/// A tread patch by Piotrowski-Kik and FASTSIM against 14x14 boundary elements at the same height: load, and creep force as share of the friction
+/// limit (twice that for FASTSIM).
+pub const BOUNDARY_ELEMENT_LOAD: f64 = 0.1;
+pub const BOUNDARY_ELEMENT_CREEP: f64 = 0.05;
+
+/// Running backwards with boundary elements: the contact search passes through other roundings, and sweeps end within 1e-4 of the tractions.
+pub const BOUNDARY_BACKWARDS: f64 = 1e-3;
