@@ -65,11 +65,10 @@ fn pair(wheel: &str, rail: &str) -> Parameters {
 }
 
 /// Distance [m] and lateral displacement [mm], and the heat turned out behind the ramp [J].
-fn run(
-    pair: &Parameters,
-    model: CreepageModel,
-    length: f64,
-) -> Result<(Vec<[f64; 2]>, f64), Box<dyn Error>> {
+type Run = (Vec<[f64; 2]>, f64);
+
+/// A run behind the ramp.
+fn run(pair: &Parameters, model: CreepageModel, length: f64) -> Result<Run, Box<dyn Error>> {
     let mut wheelset = FreeWheelset::new(pair, model)?;
     let mut state = wheelset.start()?;
     let (mut points, mut heat) = (Vec::new(), 0.0);
