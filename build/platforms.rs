@@ -173,8 +173,10 @@ fn standard_library(target: &str) -> Result<(), String> {
 
 /// Builds the library without packaging and command line; returns its file.
 fn inner_build(root: &Path, out: &Path, job: &Job) -> PathBuf {
-    // Builds run at the same time: one directory would make them wait for each other.
-    let inner = out.join("inner").join(job.platform);
+    // Builds run at the same time: one directory would make them wait for each other. One with another
+    // linker has its own too: cargo would take the library of the first for that of the second.
+    let linker = if job.zigbuild { "-zigbuild" } else { "" };
+    let inner = out.join("inner").join(format!("{}{linker}", job.platform));
     let cargo = env::var_os("CARGO").expect("cargo sets CARGO");
     let (program, target): (&OsStr, _) = if job.zigbuild {
         ("cargo-zigbuild".as_ref(), format!("{}.{GLIBC}", job.target))

@@ -10,6 +10,7 @@ use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
+use crate::normal::strips::{StripSolver, solve_in_frame};
 use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::field::ContactField;
@@ -137,6 +138,8 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let mut strips = Strips::with_capacity(MOST_ZONES, case.strips);
+    let mut solver =
+        (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
     // `approach` counts from first touch.
     let mut press = |approach: f64| {
@@ -154,8 +157,15 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
             let fit = case.shape_fit;
-            left_out =
-                normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips);
+            let solved = solver.as_mut().is_some_and(|solver| {
+                solve_in_frame(solver, &problem, &mut line, &probes, &mut strips)
+            });
+            left_out = if solved {
+                0
+            } else {
+                usize::from(solver.is_some())
+                    + normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips)
+            };
             line.probes = probes;
         }
         strips.load()
@@ -165,7 +175,10 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
             press(approach - least);
         }
         Indentation::Load(load) if load > 0.0 => {
-            let approach = approach_for(load, &mut press)?;
+            // Between elements the load is not smooth to rounding.
+            let boundary = case.normal_model == NormalModel::BoundaryElement;
+            let found = if boundary { ELEMENT_APPROACH } else { 1e-16 };
+            let approach = approach_for(load, found, &mut press)?;
             press(approach);
         }
         Indentation::Load(_) => {}
@@ -173,8 +186,15 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     Ok(Pressed { contact_y: line.contact, strips, material, left_out })
 }
 
-/// The approach from first touch at which `press` gives `load`; where the load jumps past it, the place of the jump.
-fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, ContactError> {
+/// Bracket of the approach of boundary elements under a given load [m].
+const ELEMENT_APPROACH: f64 = 1e-11;
+
+/// The approach from first touch, to `found` [m], at which `press` gives `load`; where the load jumps past it, the place of the jump.
+fn approach_for(
+    load: f64,
+    found: f64,
+    press: &mut impl FnMut(f64) -> f64,
+) -> Result<f64, ContactError> {
     let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
     let mut high_load = press(high);
     while high_load < load {
@@ -189,7 +209,7 @@ fn approach_for(load: f64, press: &mut impl FnMut(f64) -> f64) -> Result<f64, Co
         high = (2.0 * high).min(MOST_APPROACH);
         high_load = press(high);
     }
-    Ok(bracketed((low, low_load - load), (high, high_load - load), 1e-16, |a| press(a) - load))
+    Ok(bracketed((low, low_load - load), (high, high_load - load), found, |a| press(a) - load))
 }
 
 fn summarise(
@@ -361,5 +381,9 @@ impl Separation for PlanarLine {
     fn at(&mut self, u: f64) -> SeparationPoint {
         let f = self.curve.at(u).point[1] - self.least;
         SeparationPoint { y: u - self.contact, dy: 1.0, f, x: 0.0 }
+    }
+
+    fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
+        (self.at(u), self.curve.at(u).first[1])
     }
 }

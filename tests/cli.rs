@@ -55,9 +55,15 @@ fn example(name: &str) -> String {
 
 #[test]
 fn every_subcommand_explains_itself() {
-    for arguments in
-        [&["--help"][..], &["simulate", "--help"], &["evaluate", "-h"], &["patch", "-h"]]
-    {
+    for arguments in [
+        &["--help"][..],
+        &["simulate", "--help"],
+        &["evaluate", "-h"],
+        &["patch", "-h"],
+        &["conicity", "-h"],
+        &["compare", "-h"],
+        &["plot", "-h"],
+    ] {
         let output = wheelrail(arguments);
         assert!(output.status.success());
         assert!(String::from_utf8(output.stdout).unwrap().contains("Usage: wheelrail"));
@@ -205,6 +211,65 @@ fn patch_complains_with_row_column_and_remedy() {
 }
 
 #[test]
+fn evaluate_carries_a_given_load_with_the_models_it_is_asked_for() {
+    let (_folder, path) = written(
+        "vertical.mode,wheel.load,normal.model,normal.shape_fit,creepage.model,tangential.model,wheel.vx,wheel.pitch_rate\n\
+         load,50000,piotrowski_kik_corrected,paper,curved,linear,20,-43\n\
+         load,50000,piotrowski_kik,,kinematic,fastsim,20,-43\n",
+    );
+    for row in success(&["evaluate", &path]) {
+        assert!((number(&row, "wheel.force.z") + 5e4).abs() < 1e-3);
+        let depth = number(&row, "vertical.wheel_z") - number(&row, "nominal.wheel_z");
+        assert!((2e-5..2e-4).contains(&depth), "{depth}");
+    }
+}
+
+#[test]
+fn conicity_of_a_cone_is_its_angle_in_table_and_figure() {
+    let folder = TempDir::new().unwrap();
+    let figure = folder.path().join("conicity.svg");
+    let rows = success(&[
+        "conicity",
+        "--wheel-profile=conical:0.1",
+        "--rail-profile=arc:0.2",
+        "--inclination=0.05",
+        "--range=0.004",
+        "--step=0.0005",
+        "--set=track.gauge=1.432",
+        "--figure",
+        figure.to_str().unwrap(),
+    ]);
+    assert_eq!(rows.len(), 17);
+    for row in &rows {
+        let y = number(row, "y_mm");
+        assert!((number(row, "difference_mm") - 0.2 * y).abs() < 1e-5);
+        if y > 0.0 {
+            assert!((number(row, "conicity") - 0.1).abs() < 1e-5);
+        } else {
+            assert_eq!(row["conicity"], "");
+        }
+    }
+    let svg = std::fs::read_to_string(figure).unwrap();
+    assert!(svg.contains("equivalent conicity") && svg.contains("conical:0.1 on arc:0.2"));
+}
+
+#[test]
+fn conicity_complains_about_options_by_name() {
+    for (options, words) in [
+        (&["--step=0"][..], "--step 0 is not admitted"),
+        (&["--range=nan"], "--range NaN is not admitted"),
+        (&["--step=1e-9"], "--step 0.000000001 is not admitted"),
+        (&["--wheel-profile=nothing"], "nothing"),
+        (&["--set=wheel.y=0.7"], "--set wheel.y: only parameters"),
+        (&["--set=track.gouge=1"], "track.gauge"),
+        (&["--running-circles=3"], "the wheels stand beside the rails"),
+    ] {
+        let message = failure(&[&["conicity"], options].concat());
+        assert!(message.contains(words), "{message}");
+    }
+}
+
+#[test]
 fn simulate_says_where_a_unit_comes_from() {
     let missing = failure(&["simulate", "--fmu", "no_such.fmu"]);
     assert!(missing.contains("cannot open no_such.fmu"), "{missing}");
@@ -225,4 +290,79 @@ fn a_reader_that_has_had_enough_is_no_error() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn compare_measures_wheels_and_planar_contacts() {
+    let (folder, path) = written(
+        "wheel.y,wheel.load,vertical.mode,wheel.vx,wheel.pitch_rate,normal.model,tangential.model,normal.elements_along,normal.elements_across\n\
+         0.747,50000,load,20,-43.4,piotrowski_kik,fastsim,12,12\n\
+         0.747,50000,load,20,-43.4,boundary_element,boundary_element,12,12\n",
+    );
+    let figure = folder.path().join("errors.svg");
+    let summary = folder.path().join("summary.csv");
+    let rows = success(&[
+        "compare",
+        &path,
+        "--figure",
+        figure.to_str().unwrap(),
+        "--summary",
+        summary.to_str().unwrap(),
+    ]);
+    assert_eq!(rows.len(), 2);
+    assert_eq!(rows[0]["wheel.y"], "0.747");
+    for row in &rows {
+        assert!((number(row, "reference_normal_force_n") / 5e4 - 1.0).abs() < 0.01);
+    }
+    assert!(number(&rows[0], "max_pressure_error_percent").abs() > 1.0);
+    for quantity in ["normal_force", "max_pressure", "area", "creep_force", "spin_moment"] {
+        let error = number(&rows[1], &format!("{quantity}_error_percent"));
+        assert!(error.abs() < 0.5, "{quantity} {error}");
+    }
+    assert!(std::fs::read_to_string(figure).unwrap().contains("Creep force"));
+    assert!(table(&std::fs::read(summary).unwrap()).len() >= 5);
+
+    std::fs::write(folder.path().join("f.csv"), parabola()).unwrap();
+    std::fs::write(
+        &path,
+        "separation,radius_mm,load_n,creepage_longitudinal,normal_model,elements_along,elements_across\n\
+         f.csv,460,50000,0.001,hertz,12,12\n",
+    )
+    .unwrap();
+    let rows = success(&["compare", &path]);
+    assert!(number(&rows[0], "max_pressure_error_percent").abs() < 2.0);
+    assert!(number(&rows[0], "reference_fx_n") < -1000.0);
+}
+
+fn parabola() -> String {
+    let points =
+        (-60..=60).map(|i| 0.25 * f64::from(i)).map(|y| format!("{y},{}\n", y * y / 600.0));
+    format!("y_mm,f_mm\n{}", points.collect::<String>())
+}
+
+#[test]
+fn plot_draws_a_wheel_and_a_planar_contact() {
+    let (folder, path) = written(
+        "wheel.y,wheel.z,wheel.vx,wheel.pitch_rate,normal.elements_along,normal.elements_across\n\
+         0.747,-0.4598,20,-43.4,12,12\n",
+    );
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (figure, fields) = (file("contact.svg"), file("fields.csv"));
+    let output = wheelrail(&["plot", &path, "-o", &figure, "--fields", &fields]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let drawn = std::fs::read_to_string(&figure).unwrap();
+    assert!(drawn.contains("S1002 on 60E1") && drawn.contains("boundary_element"));
+    assert!(drawn.matches("<rect").count() > 300);
+    let rows = table(&std::fs::read(&fields).unwrap());
+    let of = |models: &str| rows.iter().filter(|row| row["models"].starts_with(models)).count();
+    assert!(of("piotrowski_kik") > 80 && of("boundary_element") > 80);
+    assert!(rows.iter().any(|row| row["state"] == "slip"));
+
+    std::fs::write(folder.path().join("f.csv"), parabola()).unwrap();
+    std::fs::write(&path, "separation,radius_mm,approach_mm\nf.csv,460,0.05\n").unwrap();
+    assert!(wheelrail(&["plot", &path, "-o", &figure]).status.success());
+    let refused = wheelrail(&["plot", &path, "--row", "2"]);
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("has rows 1 to 1"));
+    let refused = wheelrail(&["plot", &path, "-o", "contact.txt"]);
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("ends in .svg"));
 }

@@ -146,9 +146,10 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
     ];
     let mut report =
         String::from("model,direction,shift_mm,yaw_mrad,depth_um,angle_deg,roughness\n");
-    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
-        let mut element =
-            common::wheel::element(&Parameters { normal_model, ..Parameters::default() });
+    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz, NormalModel::Strips] {
+        let strips = if normal_model == NormalModel::Strips { 15 } else { 30 };
+        let parameters = Parameters { normal_model, strips, ..Parameters::default() };
+        let mut element = common::wheel::element(&parameters);
         let mut random = Random::new(9);
         let mut all = Vec::new();
         let mut flanges = 0;

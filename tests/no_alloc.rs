@@ -64,6 +64,7 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
         ),
         (NormalModel::Hertz, TangentialModel::Fastsim, plain),
         (NormalModel::PiotrowskiKik, TangentialModel::Fastrip, plain),
+        (NormalModel::Strips, TangentialModel::Fastsim, plain),
     ];
     for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
         variants.into_iter().enumerate()
@@ -76,6 +77,7 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
             flexibilities,
             vertical_mode: if k == 4 { VerticalMode::Load } else { VerticalMode::Penetration },
             bound: if k == 1 { TractionBound::Elliptic } else { TractionBound::Parabolic },
+            strips: if normal_model == NormalModel::Strips { 9 } else { 30 },
             ..Parameters::default()
         };
         let start = if k == 1 { mirrored(&path(0)) } else { path(0) };

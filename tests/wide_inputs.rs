@@ -118,6 +118,7 @@ fn element(
         creepage_model,
         tangential_model,
         vertical_mode,
+        strips: if normal_model == NormalModel::Strips { 9 } else { 30 },
         ..Parameters::default()
     };
     Element::new(&parameters, &Input::default(), &[]).expect("built-in profiles")
@@ -132,6 +133,7 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
         (NormalModel::PiotrowskiKikCorrected, CreepageModel::Curved, fastsim, given),
         (NormalModel::Hertz, CreepageModel::Curved, fastsim, given),
         (NormalModel::PiotrowskiKik, CreepageModel::Flat, fastsim, VerticalMode::Load),
+        (NormalModel::Strips, CreepageModel::Flat, fastsim, given),
     ] {
         let shared = std::cell::RefCell::new(element(normal, creepage, tangential, vertical));
         proptest!(ProptestConfig::with_cases(4000), |(input in near_the_rail())| {

@@ -29,25 +29,7 @@ pub struct Convolution {
 
 /// The spectrum of an influence on the padded grid, scaled for the way back.
 #[derive(Clone)]
-pub struct Spectrum {
-    values: Vec<Complex<f64>>,
-    /// Elements of the padded grid.
-    count: usize,
-}
-
-impl Spectrum {
-    /// That of the inverse on the padded grid without end, of an influence that is the same in all four quadrants.
-    #[must_use]
-    pub fn inverse(&self) -> Self {
-        let scale = 1.0 / (self.count as f64).powi(2);
-        let least = 1e-12 * self.values[0].re;
-        let values = self.values.iter();
-        Self {
-            values: values.map(|v| Complex::new(scale / v.re.max(least), 0.0)).collect(),
-            ..*self
-        }
-    }
-}
+pub struct Spectrum(Vec<Complex<f64>>);
 
 impl Convolution {
     /// For grids of `along` by `across` elements.
@@ -100,15 +82,14 @@ impl Convolution {
             self.row_forward(j.rem_euclid(width as isize) as usize);
         }
         self.transform_columns(&Arc::clone(&self.columns));
-        let count = length * width;
-        let scale = 1.0 / count as f64;
-        Spectrum { values: self.spectrum.iter().map(|value| value * scale).collect(), count }
+        let scale = 1.0 / (length * width) as f64;
+        Spectrum(self.spectrum.iter().map(|value| value * scale).collect())
     }
 
     /// Displacements under `tractions` by the influence with spectrum `influence`, into `displacements`.
     pub fn apply(&mut self, influence: &Spectrum, tractions: &[f64], displacements: &mut [f64]) {
         self.forward(tractions);
-        for (value, factor) in self.spectrum.iter_mut().zip(&influence.values) {
+        for (value, factor) in self.spectrum.iter_mut().zip(&influence.0) {
             *value *= factor;
         }
         self.backward(displacements);
@@ -177,7 +158,8 @@ fn fast_length(least: usize, divisor: usize) -> usize {
         }
         rest == 1 && length.is_multiple_of(divisor)
     };
-    (least.max(1)..).find(|&length| is_fast(length)).unwrap_or(least)
+    // There is a power of two at the latest.
+    (least.max(1)..=4 * least).find(|&length| is_fast(length)).unwrap_or(least)
 }
 
 #[cfg(test)]

@@ -27,13 +27,13 @@ pub struct Tractions {
     pub slips: Vec<bool>,
     /// Sweeps through all elements.
     pub sweeps: usize,
-    /// Change of the tractions in the last sweep, as a share of the friction limit [-].
+    /// Change of the tractions in the last sweep, as a share of their sum [-].
     pub change: f64,
     /// Whether that is within the tolerance.
     pub converged: bool,
 }
 
-/// Change in a sweep, over the friction limit, at which the tractions are accepted [-].
+/// Change in a sweep, over the sum of the tractions, at which they are accepted [-].
 pub const TOLERANCE: f64 = 1e-4;
 
 /// Sweeps after which the search ends: 10 to 30 are usual.
@@ -55,7 +55,7 @@ pub struct FrictionProblem<'a> {
     pub rigid: &'a [[f64; 2]],
     /// Whether particles carry their traction along the rows: steady rolling.
     pub rolling: bool,
-    /// Change over the friction limit at which to stop [-].
+    /// Change in a sweep, over the sum of the tractions, at which to stop [-].
     pub tolerance: f64,
 }
 
@@ -76,12 +76,12 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
     }
     let carried = carried_influence(influence, grid.along);
     let mut damping = if problem.rolling { ROLLING_DAMPING } else { 1.0 };
-    let total: f64 = bound.iter().sum();
+    let loaded = bound.iter().any(|&g| g > 0.0);
     let mut slip = vec![[0.0; 2]; grid.len()];
     let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
-    while total > 0.0 && change > problem.tolerance && sweeps < MOST_SWEEPS {
+    while loaded && change > problem.tolerance && sweeps < MOST_SWEEPS {
         sweeps += 1;
-        let mut moved = 0.0;
+        let (mut moved, mut total) = (0.0, 0.0);
         for j in 0..grid.across {
             let mut end = 0;
             for i in 0..grid.along {
@@ -119,9 +119,11 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
                     [turned[0] - p[0], turned[1] - p[1]]
                 };
                 moved += step[0].abs().max(step[1].abs());
+                total += rows.x[at].abs().max(rows.y[at].abs());
             }
         }
-        change = moved / total;
+        // Nothing moves without slip.
+        change = if total > 0.0 { moved / total } else { 0.0 };
         if change < 0.9 * least {
             (least, stale) = (change, 0);
         } else {
@@ -143,8 +145,8 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
         slip_x: slip.iter().map(|s| s[0]).collect(),
         slip_y: slip.iter().map(|s| s[1]).collect(),
         sweeps,
-        change: if total > 0.0 { change } else { 0.0 },
-        converged: total <= 0.0 || change <= problem.tolerance,
+        change: if loaded { change } else { 0.0 },
+        converged: !loaded || change <= problem.tolerance,
     }
 }
 

@@ -115,7 +115,7 @@ impl PressureSolver {
             }
             residual = if elements > 0 { (sum / elements as f64).sqrt() } else { 0.0 };
             if residual <= limit && !joined {
-                return self.solution(p, approach, iteration, residual);
+                return solution(p, approach, iteration, residual);
             }
             let in_contact = |k: usize, p: &[f64], rest: &[f64]| p[k] > 0.0 || rest[k] > 0.0;
             self.preconditioner.apply(&self.grid, &rest, &mut scaled);
@@ -158,30 +158,23 @@ impl PressureSolver {
                 rest[k] = overlap[k] - displacement[k];
             }
         }
-        self.solution(p, approach, MOST_ITERATIONS, residual)
+        solution(p, approach, MOST_ITERATIONS, residual)
     }
 
     /// The displacement under `tractions` [m].
     pub fn displace(&mut self, tractions: &[f64], displacement: &mut [f64]) {
         self.convolution.apply(&self.spectrum, tractions, displacement);
     }
+}
 
-    fn solution(
-        &self,
-        pressure: Vec<f64>,
-        approach: f64,
-        iterations: usize,
-        residual: f64,
-    ) -> PressureSolution {
-        let residual = if approach == 0.0 { 0.0 } else { residual / approach.abs() };
-        PressureSolution {
-            pressure,
-            approach,
-            iterations,
-            residual,
-            converged: residual <= TOLERANCE,
-        }
-    }
+fn solution(
+    pressure: Vec<f64>,
+    approach: f64,
+    iterations: usize,
+    residual: f64,
+) -> PressureSolution {
+    let residual = if approach == 0.0 { 0.0 } else { residual / approach.abs() };
+    PressureSolution { pressure, approach, iterations, residual, converged: residual <= TOLERANCE }
 }
 
 /// A pressure of about the right shape: that of Hertz has the contour lines of the separation.

@@ -76,9 +76,9 @@ impl Coarse {
             let at = k / fine.along / 2 * grid.along + k % fine.along / 2;
             coarse.bound[at] += 0.25 * bound[k];
             children[at] += 1.0;
-            for c in 0..2 {
-                coarse.rigid[at][c] += rigid[k][c];
-            }
+            let [x, y] = &mut coarse.rigid[at];
+            *x += rigid[k][0];
+            *y += rigid[k][1];
         }
         for (rigid, children) in coarse.rigid.iter_mut().zip(children) {
             *rigid = rigid.map(|w| w / children);

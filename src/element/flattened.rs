@@ -6,7 +6,7 @@ use super::contact_forces::ContactForces;
 use super::input::WheelMotion;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::separation::Separation;
-use crate::kinematics::creepage::{ContactAxes, RelativeMotion, rolling_speed};
+use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
 
 /// One contact frame laid flat: the planar problem whose solution are its patches, but for the shift of the contact line along the track
 /// that a yawed wheel has.
@@ -50,10 +50,7 @@ impl ContactForces<'_> {
         let [_, y, z] = self.input.wheel.position;
         let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
         let motion = RelativeMotion::new(&wheel, &self.input.rails[self.k], self.frame.marker);
-        let axes = ContactAxes::along_track(
-            self.frame.direction(self.contact.tangent),
-            self.frame.direction(self.contact.normal()),
-        );
+        let axes = self.axes();
         let speed = rolling_speed(
             wheel.velocity[0],
             wheel.pitch_rate,

@@ -10,6 +10,7 @@ pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+mod strip_contact;
 mod uneven;
 mod vertical_load;
 

@@ -7,6 +7,7 @@ use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
+use crate::normal::strips::StripSolver;
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
@@ -43,6 +44,9 @@ pub struct Models {
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
     pub strips: Strips,
+    /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
+    pub strip_solver: Option<StripSolver>,
+    pub rail_strips: Strips,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch>,
 }
@@ -59,8 +63,9 @@ impl Models {
             young_modulus: parameters.rail_young_modulus,
             poisson_ratio: parameters.rail_poisson_ratio,
         };
-        // Patches of uneven bodies split along the track too.
+        // Patches of uneven bodies split along the track too; strips that all meet a wheel's circle are not for them.
         let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
+        let is_strips = parameters.normal_model == NormalModel::Strips && !parameters.is_uneven();
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -78,13 +83,22 @@ impl Models {
                 parameters.normal_elements,
             ),
             creepage: parameters.creepage_model,
-            curved_zone: CurvedZone::with_capacity(parameters.strips),
+            curved_zone: CurvedZone::with_capacity(if is_strips {
+                MOST_ZONES * parameters.strips
+            } else {
+                parameters.strips
+            }),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, parameters.strips),
+            strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
+            rail_strips: Strips::with_capacity(
+                if is_strips { MOST_ZONES } else { 0 },
+                parameters.strips,
+            ),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
         }
     }

@@ -8,14 +8,15 @@ use super::models::Models;
 use super::output::Output;
 use super::parameters::Parameters;
 use super::rail_frame::RailFrame;
+use super::strip_contact;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
-use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
 use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::Profile;
-use crate::geometry::separation::Separation;
+use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
 use crate::normal::{self, NormalModel, NormalProblem};
 
@@ -29,6 +30,8 @@ pub struct RailContact {
     /// Stretches of the contact line that may touch.
     ranges: Room<[f64; 2]>,
     search: ContactSearch,
+    /// Distance of the contact line from the rail over all contacts.
+    probes: Room<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
     deviations: Option<Longitudinal>,
 }
@@ -50,6 +53,7 @@ impl RailContact {
             clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
             ranges: Room::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
+            probes: Room::new(MOST_PROBES),
             wheel: wheel.clone(),
             nominal_radius,
             rail,
@@ -109,8 +113,16 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let radius = line.wheel_point(contact.u).section_radius;
-            let slopes = [0.0; 2];
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
+            let forces = ContactForces {
+                k,
+                input,
+                frame,
+                line,
+                rail: &self.rail,
+                contact,
+                slopes: [0.0; 2],
+                damped_with: None,
+            };
             forces.flattened(&mut separation, radius, minimum_speed)
         });
         contacts.collect()
@@ -140,6 +152,33 @@ impl RailContact {
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;
+        let forces = |contact, slopes, damped_with| ContactForces {
+            k,
+            input,
+            frame,
+            line,
+            rail: &self.rail,
+            contact,
+            slopes,
+            damped_with,
+        };
+        if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
+            if strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models) {
+                let whole = strip_contact::whole(models, &self.search);
+                for zone in 0..models.rail_strips.zones.len() {
+                    let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
+                    let mut separation = LineSeparation::new(&line, &self.rail, contact);
+                    left_out += forces(contact, [0.0; 2], Some(whole)).add(
+                        &mut separation,
+                        models,
+                        output,
+                        work,
+                    );
+                }
+                return left_out;
+            }
+            left_out += 1;
+        }
         for index in 0..self.search.contacts.len() {
             let contact = self.search.contacts[index];
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
@@ -188,8 +227,7 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            let forces = ContactForces { k, input, frame, line, rail: &self.rail, contact, slopes };
-            left_out += forces.add(&mut separation, models, output, work);
+            left_out += forces(contact, slopes, None).add(&mut separation, models, output, work);
         }
         left_out
     }

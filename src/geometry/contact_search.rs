@@ -19,7 +19,7 @@ use crate::math::root::bracketed;
 /// Most patches of one wheel on one rail.
 pub const MOST_CONTACTS: usize = 16;
 /// Most probes of one wheel on one rail.
-const MOST_PROBES: usize = 2048;
+pub const MOST_PROBES: usize = 2048;
 /// Step inside an interval of penetration: waves of a profile that are shorter are not told apart [m].
 const INSIDE_STEP: f64 = 1.5e-3;
 /// The same where a yawed wheel also passes deviations along the track, faster than its own waves [m].

@@ -1,6 +1,7 @@
 //! Mathematics without railway words.
 
 pub mod elliptic;
+pub mod linear_system;
 pub mod logarithm;
 pub mod quadrature;
 pub mod room;

@@ -8,6 +8,7 @@ pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
+pub mod strips;
 pub mod uneven;
 mod zones;
 
@@ -29,6 +30,8 @@ pub enum NormalModel {
     PiotrowskiKik,
     /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
     PiotrowskiKikCorrected,
+    /// The contact condition on every strip, coupled through the half-space: see [`strips`].
+    Strips,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
 }
@@ -185,7 +188,8 @@ pub fn solve(
             hertz::solve(problem, separation, strips);
             0
         }
-        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected => {
+        // What a solver of strips falls back to.
+        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected | NormalModel::Strips => {
             let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
             piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
         }

@@ -29,7 +29,7 @@ from fmpy.fmi2 import FMU2Model
 
 ARCHIVE, PROGRAM = os.environ["WHEELRAIL_FMU"], os.environ["WHEELRAIL"]
 
-# The wheelset of `wheelrail simulate` as it is by default; lengths in m, SI.
+# The wheelset, SI units; springs and dampers are those of one axle box along x, y and z.
 MASS, INERTIA, AXLE_INERTIA, HALF_MARKER_DISTANCE = 1500.0, 900.0, 100.0, 0.75
 LOAD_ON_RAILS, HALF_BOX_DISTANCE = 100e3, 1.0
 STIFFNESS, DAMPING = np.array([1e6, 5e5, 1e6]), np.array([0.0, 0.0, 2e4])
@@ -167,7 +167,10 @@ def in_rust(speed, folder):
         "fmu": ARCHIVE, "output": folder, "wheel-profile": PROFILE, "speed": speed,
         "length": speed * DURATION, "ramp": RAMP, "ramp-start": RAMP_START,
         "ramp-length": RAMP_LENGTH, "ramp-shape": "cosine", "step": PROGRAM_STEP,
-        "record-every": speed * RECORD,
+        "record-every": speed * RECORD, "mass": MASS, "inertia": INERTIA, "axle-inertia": AXLE_INERTIA,
+        "axle-load": LOAD_ON_RAILS, "running-circles": 2 * HALF_MARKER_DISTANCE,
+        "axle-boxes": 2 * HALF_BOX_DISTANCE, "stiffness": ",".join(map(str, STIFFNESS)),
+        "damping": ",".join(map(str, DAMPING)),
     }  # fmt: skip
     arguments = [f"--{name}={value}" for name, value in options.items()]
     subprocess.run([PROGRAM, "simulate", *arguments], check=True, stdout=subprocess.DEVNULL)

@@ -13,6 +13,7 @@ use wheelrail::planar::PlanarCase;
 
 use crate::args::TableFiles;
 use crate::cases::Cases;
+use crate::figures::errors::{self, Line};
 use crate::patch::{PlanarCases, timed};
 use crate::{batch, evaluate, output};
 
@@ -40,6 +41,9 @@ pub struct Arguments {
     /// File for median, 95 % and worst of the errors, CSV
     #[arg(long, value_name = "FILE")]
     pub summary: Option<PathBuf>,
+    /// Figure of the errors over the first column of CASES, a line for each value of the second, SVG
+    #[arg(long, value_name = "FILE.svg")]
+    pub figure: Option<PathBuf>,
 }
 
 /// What one solution of a case gives.
@@ -172,12 +176,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .map(|row| (0..cases.columns().count()).map(|c| row.cell(c).unwrap_or("").into()).collect())
         .collect();
     let mut written = 0;
+    let mut lines: Vec<Line> = Vec::new();
     let mut done = |compared: Compared| -> Result<()> {
         if written == 0 {
             table.write_record(cases.columns().chain(COLUMNS))?;
         }
         let cells = compared.cells();
         table.write_record(inputs[written].iter().chain(&cells))?;
+        add_to_lines(&mut lines, &cases, &inputs[written], &compared);
         written += 1;
         summary.add(&compared);
         progress.inc(1);
@@ -208,13 +214,31 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(path) = &arguments.summary {
         summary.write(output::table(Some(path))?)?;
     }
+    if let Some(path) = &arguments.figure {
+        errors::draw(path, cases.columns().next().unwrap_or_default(), &lines)?;
+    }
     let text = summary.text();
     if path.is_some() {
-        print!("{text}")
+        print!("{text}");
     } else {
-        eprint!("{text}")
+        eprint!("{text}");
     }
     Ok(std::io::stdout().flush()?)
+}
+
+/// Adds a case to the line of its second column, at the value of its first.
+fn add_to_lines(lines: &mut Vec<Line>, cases: &Cases, inputs: &[String], compared: &Compared) {
+    let Some(at) = inputs.first().and_then(|text| text.parse::<f64>().ok()) else { return };
+    let name = match (cases.columns().nth(1), inputs.get(1)) {
+        (Some(column), Some(value)) => format!("{column} {value}"),
+        _ => String::new(),
+    };
+    let [n, p, a, f, _] = compared.errors();
+    let point = (at, [n, p, a, f]);
+    match lines.iter_mut().find(|line| line.name == name) {
+        Some(line) => line.points.push(point),
+        None => lines.push(Line { name, points: vec![point] }),
+    }
 }
 
 /// Both solutions of a planar case.

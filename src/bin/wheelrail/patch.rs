@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut header_due = true;
     let progress = output::progress(cases.len(), path)?;
     let planar = PlanarCases::read(&cases)?;
-    let slow = planar.cases.iter().any(|case| case.is_slow());
+    let slow = planar.cases.iter().any(Case::is_slow);
     batch::in_order(
         &planar.cases,
         slow,

@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let planar = PlanarCases::read(&cases)?;
         let case = &planar.cases[arguments.row - 1];
         let title = case.separation.display().to_string();
-        draw(arguments, &planar.planar(case), title, Vec::new(), 0)
+        draw(arguments, &planar.planar(case), title, Vec::new(), 0, false)
     } else {
         let all = evaluate::read_values(&cases)?;
         let (row, values) = &all[arguments.row - 1];
@@ -81,7 +81,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             contact.contact_angle.to_degrees()
         );
         let case = planar_case(&values.parameters, contact, values.input.friction);
-        draw(arguments, &case, title, contacts.clone(), index)
+        let load_given = values.parameters.vertical_mode == VerticalMode::Load;
+        draw(arguments, &case, title, contacts.clone(), index, load_given)
     }
 }
 
@@ -141,8 +142,16 @@ fn draw(
     title: String,
     contacts: Vec<FlatContact>,
     drawn: usize,
+    same_load: bool,
 ) -> Result<()> {
+    // At the height that carries the load by the models of the row, boundary elements carry another one.
+    let indentation = if same_load {
+        Indentation::Load(wheelrail::planar::solve(case)?.normal_force)
+    } else {
+        case.indentation
+    };
     let reference = PlanarCase {
+        indentation,
         normal_model: NormalModel::BoundaryElement,
         tangential_model: if case.tangential_model == TangentialModel::None {
             TangentialModel::None
@@ -203,7 +212,7 @@ fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
     for side in sides {
         for (zone, field) in side.fields.iter().enumerate() {
             for (k, &pressure) in field.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-                table.write_record(&field_row(&side.name, zone, field, k, pressure))?;
+                table.write_record(field_row(&side.name, zone, field, k, pressure))?;
             }
         }
     }

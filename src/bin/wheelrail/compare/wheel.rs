@@ -93,9 +93,9 @@ fn carrying_height(element: &mut Element, input: &Input, near: f64) -> Result<f6
         }
         let missing = [z, bent(force) - goal];
         if missing[1] < 0.0 {
-            low = missing
+            low = missing;
         } else {
-            high = Some(missing)
+            high = Some(missing);
         }
         z = match high {
             Some(high) => low[0] - low[1] * (high[0] - low[0]) / (high[1] - low[1]),

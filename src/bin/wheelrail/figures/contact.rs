@@ -159,25 +159,25 @@ impl Figure {
             .build_cartesian_2d(y, x)?;
         mesh(&mut chart, "y [mm]", "x, rolling up [mm]")?;
         for field in &side.fields {
-            let grid = &field.grid;
-            let cells = (0..grid.len()).filter(|&k| field.pressure[k] > 0.0).filter_map(|k| {
-                let (x, y) = (1e3 * grid.x(k % grid.along), 1e3 * grid.y(k / grid.along));
-                let (dx, dy) = (0.5e3 * grid.dx, 0.5e3 * grid.dy);
+            let colour = |k: usize| {
                 let [px, py] = field.traction[k];
-                let style = match quantity {
-                    Quantity::Pressure => color(1e-6 * field.pressure[k] / greatest),
+                match quantity {
+                    _ if field.pressure[k] <= 0.0 => None,
+                    Quantity::Pressure => Some(shade(1e-6 * field.pressure[k] / greatest)),
                     Quantity::Traction => {
                         let scale = (self.friction * greatest).max(1e-9);
-                        color(1e-6 * px.hypot(py) / scale)
+                        Some(shade(1e-6 * px.hypot(py) / scale))
                     }
                     Quantity::State => match field.adherence[k] {
-                        Adherence::None => return None,
-                        Adherence::Adhesion => ADHESION,
-                        Adherence::Slip => SLIP,
+                        Adherence::None => None,
+                        Adherence::Adhesion => Some(ADHESION),
+                        Adherence::Slip => Some(SLIP),
                     },
-                };
-                Some(Rectangle::new([(y - dy, x - dx), (y + dy, x + dx)], style.filled()))
-            });
+                }
+            };
+            let cells = runs(field, colour)
+                .into_iter()
+                .map(|(corners, colour)| Rectangle::new(corners, colour.filled()));
             chart.draw_series(cells)?;
             let arrows = match quantity {
                 Quantity::Pressure => None,
@@ -193,6 +193,42 @@ impl Figure {
         }
         Ok(())
     }
+}
+
+/// Colours that differ by less are not told apart.
+const SHADES: f64 = 48.0;
+
+fn shade(share: f64) -> RGBColor {
+    color((share * SHADES).round() / SHADES)
+}
+
+/// Corners (y, x) [mm] of the rectangles of one colour along the rows of a field. Each reaches a little under the next, so that no seam
+/// shows.
+fn runs(
+    field: &ContactField,
+    colour: impl Fn(usize) -> Option<RGBColor>,
+) -> Vec<([(f64, f64); 2], RGBColor)> {
+    let grid = &field.grid;
+    let mut rectangles = Vec::new();
+    for j in 0..grid.across {
+        let mut i = 0;
+        while i < grid.along {
+            let own = colour(j * grid.along + i);
+            let first = i;
+            while i < grid.along && colour(j * grid.along + i) == own {
+                i += 1;
+            }
+            let Some(own) = own else { continue };
+            let (y, over) = (grid.y(j), 0.04);
+            let right = if j + 1 < grid.across { 0.5 + over } else { 0.5 };
+            let corners = [
+                (1e3 * (y - 0.5 * grid.dy), 1e3 * (grid.x(i - 1) - 0.5 * grid.dx)),
+                (1e3 * (y + right * grid.dy), 1e3 * (grid.x(first) + (0.5 + over) * grid.dx)),
+            ];
+            rectangles.push((corners, own));
+        }
+    }
+    rectangles
 }
 
 /// Arrows (y, x) [mm] for every few elements, the longest as long as their distance.

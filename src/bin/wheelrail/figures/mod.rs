@@ -2,6 +2,7 @@
 
 pub mod conicity;
 pub mod contact;
+pub mod errors;
 pub mod motion;
 pub mod patches;
 

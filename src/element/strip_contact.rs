@@ -1,0 +1,158 @@
+//! The strip model on a wheel and a rail: all places where they overlap are one problem.
+//!
+//! The overlap is taken along the local normal, the distance of the contact line from the nearest point of the rail, and the
+//! coordinate across is the arc along the rail. No contact frame is chosen beforehand, so that nothing changes over when another
+//! place becomes the deepest, or when overlaps join or part. Each loaded zone then gets its frame from its own load.
+
+use super::models::Models;
+use crate::geometry::contact::Contact;
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::separation::Probe;
+use crate::normal::strips::{Line, LinePlace};
+
+/// Last Newton step towards a nearest point [m]: the error is of second order in it.
+const NEAREST: f64 = 1e-8;
+
+/// Overlap of a wheel's contact line with a rail along the local normals.
+struct LocalLine<'a> {
+    line: &'a ContactLine<'a>,
+    rail: &'a PlacedRail,
+    /// Parameter of the line and of the rail at the last place, and derivative of the one by the other.
+    near: [f64; 3],
+}
+
+impl<'a> LocalLine<'a> {
+    fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: &Contact) -> Self {
+        Self { line, rail, near: [contact.u, contact.rail_s, 1.0] }
+    }
+}
+
+impl Line for LocalLine<'_> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let [start, end] = self.line.range();
+        let u = u.clamp(start, end);
+        let (at, derivative) = self.line.even_with_derivative(u);
+        let [near_u, near_s, rate] = self.near;
+        // Far from the last place the guess may be anywhere.
+        let guess = if (u - near_u).abs() < FAR {
+            near_s + rate * (u - near_u)
+        } else {
+            self.rail.coarse_nearest(at.point)
+        };
+        let nearest = self.rail.nearest(at.point, guess, NEAREST);
+        let along = |v: [f64; 2]| v[0] * derivative[0] + v[1] * derivative[1];
+        let tangent = nearest.tangent;
+        let dy = (nearest.ratio * along(tangent)).max(LEAST_RATE);
+        self.near = [u, nearest.s, dy];
+        let away = [tangent[1], -tangent[0]];
+        LinePlace {
+            y: nearest.s,
+            dy,
+            overlap: -nearest.distance,
+            overlap_slope: -along(away),
+            x: at.x,
+            tangent,
+            radius: self.line.wheel_point(u).section_radius,
+        }
+    }
+}
+
+/// Distance along the contact line beyond which a nearest point is looked for anew [m].
+const FAR: f64 = 8e-3;
+/// Least rate at which the nearest point moves with the contact line: where bodies end it may stand still.
+const LEAST_RATE: f64 = 0.05;
+
+/// Solves for all zones of one rail into `models.rail_strips`; false where no solution was found.
+pub fn solve(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    search: &ContactSearch,
+    probes: &mut Vec<Probe>,
+    models: &mut Models,
+) -> bool {
+    probes.clear();
+    for contact in search.contacts.iter() {
+        let own = &search.probes[contact.probes[0]..contact.probes[1]];
+        for probe in own {
+            // Contacts that were split at a ridge share it.
+            let known = probes.last().is_some_and(|last| last.u >= probe.u);
+            if !known && probes.len() < probes.capacity() {
+                probes.push(Probe { u: probe.u, f: probe.f - contact.penetration });
+            }
+        }
+    }
+    let Models { strip_solver, rail_strips, material, .. } = models;
+    rail_strips.clear();
+    let mut local = LocalLine::new(line, rail, &search.contacts[0]);
+    let modulus = material.contact_modulus;
+    strip_solver
+        .as_mut()
+        .is_some_and(|solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
+}
+
+/// Load of all zones and deepest penetration of all contacts [N, m].
+pub fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
+    let deepest = search.contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
+    [models.rail_strips.load(), deepest]
+}
+
+/// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: through the centroid of its load, its normal along
+/// the resultant.
+pub fn take_zone(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    index: usize,
+    models: &mut Models,
+) -> Contact {
+    let Models { strips, rail_strips: all, .. } = models;
+    strips.clear();
+    let mut zone = all.zones[index];
+    let range = zone.first..zone.first + zone.count;
+    let (mut sum, mut tangent, mut origin) = (0.0, [0.0; 2], [0.0; 2]);
+    let mut penetration: f64 = 0.0;
+    let contact = Contact {
+        u: all.u[zone.first],
+        rail_s: all.y[zone.first],
+        penetration: 0.0,
+        origin,
+        tangent,
+        probes: [0, 0],
+    };
+    let mut local = LocalLine::new(line, rail, &contact);
+    for j in range.clone() {
+        let load = all.half_length[j] * all.width[j] * all.pressure[j];
+        let place = local.place(all.u[j]);
+        let point = line.at(all.u[j]).point;
+        sum += load;
+        for axis in 0..2 {
+            tangent[axis] += load * place.tangent[axis];
+            origin[axis] += load * point[axis];
+        }
+        penetration = penetration.max(place.overlap);
+    }
+    let resultant = tangent[0].hypot(tangent[1]);
+    let center = zone.y;
+    // Normals that diverge carry less together.
+    let share = if sum > 0.0 { resultant / sum } else { 0.0 };
+    for j in range {
+        strips.y.push(all.y[j] - center);
+        strips.width.push(all.width[j]);
+        strips.x.push(all.x[j]);
+        strips.half_length.push(all.half_length[j]);
+        strips.pressure.push(share * all.pressure[j]);
+        strips.u.push(all.u[j]);
+    }
+    zone.load *= share;
+    (zone.first, zone.y) = (0, 0.0);
+    strips.zones.push(zone);
+    Contact {
+        u: zone.u,
+        rail_s: center,
+        penetration,
+        origin: origin.map(|o| o / sum.max(f64::MIN_POSITIVE)),
+        tangent: tangent.map(|t| t / resultant.max(f64::MIN_POSITIVE)),
+        probes: [0, 0],
+    }
+}

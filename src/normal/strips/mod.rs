@@ -1,0 +1,86 @@
+//! Strips that all satisfy the contact condition.
+//!
+//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one point, the displacement of the half-space
+//! meets the overlap of the bodies on every strip, and its curvature along x that of the wheel. With q the pressure and a the half length
+//! of a strip, κ = q/a varies slowly over a lobe (it is constant on an ellipse, and E*/(2R) wherever a strip is much shorter than the
+//! patch is wide), so that a = q/κ with few terms for κ ends the patch where its pressure ends:
+//!
+//! ```text
+//! p(x, y) = κ(y) sqrt(a(y)² - (x - x_0(y))²),   κ = E*/(2R) exp(Σ_l κ_l P_l(t))
+//! u_n(y_i) = overlap(y_i),   Σ_i ω_i P_l(t_i) (R ∂²u_n/∂x² + 1) = 0,   q ~ sqrt of the distance at free edges
+//! ```
+//!
+//! Unknowns are q at the Gauss-Legendre nodes of each lobe, its two edges and κ_l; Newton's method with derivatives in closed form. Lobes are
+//! coupled through the half-space, the displacement at a strip being taken along its own normal.
+
+mod cell;
+mod influence;
+mod pair_sums;
+mod rule;
+mod solver;
+mod system;
+
+pub use solver::{StripSolver, Work};
+
+use crate::geometry::separation::{Probe, Separation};
+use crate::normal::{NormalProblem, Strips};
+
+/// What is to be known about one place of the contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinePlace {
+    /// Coordinate across, along the surface [m].
+    pub y: f64,
+    /// Derivative of `y` by the parameter of the line, > 0 [-].
+    pub dy: f64,
+    /// Overlap of the undeformed bodies along their common normal, negative where they are apart [m].
+    pub overlap: f64,
+    /// Derivative of the overlap by the parameter of the line [-].
+    pub overlap_slope: f64,
+    /// Place along the track [m].
+    pub x: f64,
+    /// Unit tangent (y, z) of the surface across, which turns with the normal.
+    pub tangent: [f64; 2],
+    /// Radius of the normal section of the wheel along x, > 0 [m].
+    pub radius: f64,
+}
+
+/// The overlap of two bodies along their contact line.
+pub trait Line {
+    /// At parameter `u` [m].
+    fn place(&mut self, u: f64) -> LinePlace;
+}
+
+/// The separation in one contact frame as a line: all normals are parallel.
+struct FrameLine<'a, S> {
+    separation: &'a mut S,
+    approach: f64,
+    radius: f64,
+}
+
+impl<S: Separation> Line for FrameLine<'_, S> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let (at, slope) = self.separation.with_slope(u);
+        LinePlace {
+            y: at.y,
+            dy: at.dy,
+            overlap: self.approach - at.f,
+            overlap_slope: -slope,
+            x: at.x,
+            tangent: [1.0, 0.0],
+            radius: self.radius,
+        }
+    }
+}
+
+/// Solves for the zones of one contact frame; false where no solution was found, `strips` is then as before.
+pub fn solve_in_frame(
+    solver: &mut StripSolver,
+    problem: &NormalProblem,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    strips: &mut Strips,
+) -> bool {
+    let (approach, radius) = (problem.approach, problem.radius);
+    let mut line = FrameLine { separation, approach, radius };
+    solver.solve(&mut line, probes, approach, problem.contact_modulus, strips)
+}

@@ -1,0 +1,111 @@
+//! The nodes of a lobe, -1 to 1 between its edges, and what goes with them.
+
+use super::cell::TERMS;
+use super::influence::logarithm_corrections;
+use crate::math::quadrature::GaussLegendre;
+
+/// Quadrature, extrapolation and differentiation on the nodes of a lobe.
+#[derive(Clone, Debug)]
+pub struct LobeRule {
+    /// Nodes t = sin(π s/2) and weights: Gauss-Legendre in s, in which the root at an edge is smooth.
+    pub nodes: Vec<f64>,
+    /// Weights, with dt/ds in them.
+    pub weights: Vec<f64>,
+    /// Terms of the shape, as many as the nodes carry.
+    pub terms: usize,
+    /// See [`logarithm_corrections`].
+    pub corrections: Vec<f64>,
+    /// Values of the two outermost nodes from the next three.
+    pub extrapolation: [[f64; 3]; 2],
+    /// Legendre polynomials at the nodes.
+    pub legendre: Vec<Vec<f64>>,
+    /// How far a node travels with the left and the right edge.
+    pub travel: [Vec<f64>; 2],
+    /// Derivative at node i from the values at nodes j, rows i.
+    pub derivative: Vec<f64>,
+}
+
+impl LobeRule {
+    /// A rule of `count` ≥ 5 nodes.
+    #[must_use]
+    pub fn new(count: usize) -> Self {
+        let gauss = GaussLegendre::new(count);
+        let angle = |s: &f64| std::f64::consts::FRAC_PI_2 * s;
+        let rate: Vec<f64> =
+            gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
+        let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
+        let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
+        let mut corrections = logarithm_corrections(&gauss);
+        let mut derivative = differentiation(&gauss);
+        for i in 0..count {
+            for j in 0..count {
+                corrections[i * count + j] *= rate[j];
+                derivative[i * count + j] /= rate[i];
+            }
+        }
+        let terms = TERMS.min(count - 3);
+        let legendre: Vec<Vec<f64>> = (0..terms)
+            .map(|l| {
+                t.iter()
+                    .map(|&x| match l {
+                        0 => 1.0,
+                        1 => x,
+                        2 => 1.5 * x * x - 0.5,
+                        _ => (2.5 * x * x - 1.5) * x,
+                    })
+                    .collect()
+            })
+            .collect();
+        let near = [t[2], t[3], t[4]];
+        let lagrange = |x: f64, k: usize| -> f64 {
+            (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
+        };
+        let extrapolation = [0, 1].map(|outer| std::array::from_fn(|k| lagrange(t[outer], k)));
+        let travel = [
+            t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
+            t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
+        ];
+        Self { terms, corrections, extrapolation, legendre, travel, derivative, nodes: t, weights }
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.nodes.len()
+    }
+}
+
+/// Differentiation matrix on Gauss-Legendre nodes from barycentric weights (-1)^i sqrt((1 - t²) w).
+fn differentiation(gauss: &GaussLegendre) -> Vec<f64> {
+    let (t, n) = (&gauss.nodes, gauss.nodes.len());
+    let weight = |i: usize| {
+        let size = ((1.0 - t[i] * t[i]) * gauss.weights[i]).sqrt();
+        if i.is_multiple_of(2) { size } else { -size }
+    };
+    let mut matrix = vec![0.0; n * n];
+    for i in 0..n {
+        for j in (0..n).filter(|&j| j != i) {
+            let entry = weight(j) / weight(i) / (t[i] - t[j]);
+            matrix[i * n + j] = entry;
+            matrix[i * n + i] -= entry;
+        }
+    }
+    matrix
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cubics_are_differentiated_and_parabolas_extrapolated() {
+        let rule = LobeRule::new(12);
+        let t = &rule.nodes;
+        for i in 0..12 {
+            let slope: f64 = (0..12).map(|j| rule.derivative[i * 12 + j] * t[j].powi(3)).sum();
+            approx::assert_relative_eq!(slope, 3.0 * t[i] * t[i], epsilon = 3e-2);
+        }
+        let outer: f64 = (0..3).map(|k| rule.extrapolation[0][k] * t[k + 2] * t[k + 2]).sum();
+        approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
+    }
+}

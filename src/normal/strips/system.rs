@@ -1,0 +1,458 @@
+//! The system of equations of all lobes: residuals and their derivatives.
+//!
+//! At node i, in lengths after division by π E*, with the trailing sums over the nodes of its own lobe
+//!
+//! ```text
+//! u_i = Σ_j≠i w_j q_j D_ij cos_ij - q_i Σ_j≠i w_j D(Δy_ij ν/a_i) + q_i a_i/ν [Ψ(ν S_left/a_i) + Ψ(ν S_right/a_i)]
+//!       - 2 Σ_j C_ij (q_j B_ij - q_i B'_ij)
+//! ```
+//!
+//! The second and third term take the singularity out of the sum and put its integral in its place; the last one mends the sum for
+//! the logarithm that is left. ν = sqrt(1 + (dx/dy)²) is the slant of the strips' centres, cos_ij that of the angle between the normals.
+//! The curvature along x follows in the same way with D/(a² + Δy²) for D.
+
+use super::cell::{Cell, TERMS};
+use std::ops::Range;
+
+use super::influence::{Integrals, skewed, straight};
+use super::pair_sums::{self, OWN_COLUMNS, PAIR_COLUMNS, Point, Sources};
+use super::rule::LobeRule;
+
+/// Nodes of all lobes, as columns.
+#[derive(Clone, Debug, Default)]
+pub struct Nodes {
+    /// Parameter of the contact line [m].
+    pub u: Vec<f64>,
+    /// Lateral coordinate and its derivative by `u`.
+    pub y: Vec<f64>,
+    pub dy: Vec<f64>,
+    /// Place along x [m].
+    pub x: Vec<f64>,
+    /// Unit tangent across.
+    pub tangent: Vec<[f64; 2]>,
+    /// Overlap and its derivative by u.
+    pub overlap: Vec<f64>,
+    pub overlap_slope: Vec<f64>,
+    /// Radius of the normal section along x [m].
+    pub radius: Vec<f64>,
+    /// Weight across [m].
+    pub width: Vec<f64>,
+    /// Shape of the pressure at free edges, sqrt(1 - t²) or one factor of it.
+    pub edge_shape: Vec<f64>,
+    /// q over π E* over the edge shape [-].
+    pub ratio: Vec<f64>,
+    /// q over π E*, not below zero [-].
+    pub pressure: Vec<f64>,
+    /// Half length, above zero [m].
+    pub half_length: Vec<f64>,
+    /// Slant ν.
+    pub slant: Vec<f64>,
+    /// Number of the lobe.
+    pub lobe: Vec<usize>,
+    /// Ratios while lobes are laid out anew.
+    pub spare: Vec<f64>,
+}
+
+impl Nodes {
+    /// No nodes, with room for `count`.
+    pub fn with_capacity(count: usize) -> Self {
+        let column = || Vec::with_capacity(count);
+        Self {
+            u: column(),
+            y: column(),
+            dy: column(),
+            x: column(),
+            tangent: Vec::with_capacity(count),
+            overlap: column(),
+            overlap_slope: column(),
+            radius: column(),
+            width: column(),
+            edge_shape: column(),
+            ratio: column(),
+            pressure: column(),
+            half_length: column(),
+            slant: column(),
+            lobe: Vec::with_capacity(count),
+            spare: column(),
+        }
+    }
+
+    /// Makes all columns `count` long.
+    pub fn resize(&mut self, count: usize) {
+        for column in [
+            &mut self.u,
+            &mut self.y,
+            &mut self.dy,
+            &mut self.x,
+            &mut self.overlap,
+            &mut self.overlap_slope,
+            &mut self.radius,
+            &mut self.width,
+            &mut self.edge_shape,
+            &mut self.ratio,
+            &mut self.pressure,
+            &mut self.half_length,
+            &mut self.slant,
+        ] {
+            column.resize(count, 0.0);
+        }
+        self.tangent.resize(count, [1.0, 0.0]);
+        self.lobe.resize(count, 0);
+    }
+}
+
+/// One active lobe: its cell and where its nodes and unknowns begin.
+#[derive(Clone, Copy, Debug)]
+pub struct Lobe {
+    /// Index of the cell.
+    pub cell: usize,
+    /// First node.
+    pub first: usize,
+    /// y of both edges [m].
+    pub edge_y: [f64; 2],
+    /// Derivative of y by u at both edges.
+    pub edge_dy: [f64; 2],
+}
+
+/// Matrices of one assembly; `stride` entries a row.
+#[derive(Clone, Debug, Default)]
+pub struct Matrices {
+    /// D of pairs and its slope d(a D)/da, then those of the own half length.
+    pub d: Vec<f64>,
+    pub slope: Vec<f64>,
+    pub own_d: Vec<f64>,
+    pub own_slope: Vec<f64>,
+    /// Scratch for one row.
+    row: Vec<f64>,
+    pairs: [Vec<f64>; PAIR_COLUMNS],
+    own: [Vec<f64>; OWN_COLUMNS],
+    logarithm: Vec<f64>,
+    /// The Newton matrix.
+    pub newton: Vec<f64>,
+    /// Its right side: residuals, then the step.
+    pub right: Vec<f64>,
+}
+
+impl Matrices {
+    /// Room for `nodes` nodes, `strips` a lobe, and `unknowns` unknowns.
+    pub fn new(strips: usize, nodes: usize, unknowns: usize) -> Self {
+        let square = || vec![0.0; nodes * nodes];
+        Self {
+            d: square(),
+            slope: square(),
+            own_d: square(),
+            own_slope: square(),
+            row: vec![0.0; nodes],
+            pairs: std::array::from_fn(|_| vec![0.0; nodes]),
+            own: std::array::from_fn(|_| vec![0.0; strips]),
+            logarithm: vec![0.0; strips],
+            newton: vec![0.0; unknowns * unknowns],
+            right: vec![0.0; unknowns],
+        }
+    }
+}
+
+/// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
+const SHAPE_REGULARISATION: f64 = 1e-3;
+
+/// What the assembly needs beside nodes and lobes.
+pub struct Assembly<'a> {
+    pub rule: &'a LobeRule,
+    pub integrals: &'a Integrals,
+    pub cells: &'a [Cell],
+    pub lobes: &'a [Lobe],
+    pub nodes: &'a Nodes,
+    /// Whether strips are centred beside each other's ends, on a yawed wheel.
+    pub skewed: bool,
+    /// Greatest overlap [m].
+    pub depth: f64,
+    /// Typical ratio q over π E* [-].
+    pub scale: f64,
+}
+
+impl Assembly<'_> {
+    /// Unknowns of one lobe: ratios at the nodes, left and right edge, shape.
+    pub fn unknowns_per_lobe(&self) -> usize {
+        self.rule.count() + 2 + self.rule.terms
+    }
+
+    /// Influence of all nodes on all nodes.
+    pub fn influences(&self, m: &mut Matrices) {
+        let nodes = self.nodes;
+        let count = nodes.y.len();
+        for i in 0..count {
+            let row = i * count..(i + 1) * count;
+            let (d, slope) = (&mut m.d[row.clone()], &mut m.slope[row.clone()]);
+            if self.skewed {
+                let at = [nodes.x[i], nodes.y[i]];
+                skewed(at, &nodes.x, &nodes.y, &nodes.half_length, d, slope);
+                let own = &mut m.row[..count];
+                own.fill(nodes.half_length[i] / nodes.slant[i]);
+                let (d, slope) = (&mut m.own_d[row.clone()], &mut m.own_slope[row]);
+                straight(nodes.y[i], &nodes.y, own, d, slope);
+            } else {
+                straight(nodes.y[i], &nodes.y, &nodes.half_length, d, slope);
+            }
+        }
+        if !self.skewed {
+            for i in 0..count {
+                for j in 0..count {
+                    m.own_d[i * count + j] = m.d[j * count + i];
+                    m.own_slope[i * count + j] = m.slope[j * count + i];
+                }
+            }
+        }
+    }
+
+    /// Fills the Newton matrix and its right side (minus the residuals).
+    pub fn assemble(&self, m: &mut Matrices) {
+        let unknowns = self.lobes.len() * self.unknowns_per_lobe();
+        m.newton[..unknowns * unknowns].fill(0.0);
+        m.right[..unknowns].fill(0.0);
+        let n = self.rule.count();
+        for lobe in 0..self.lobes.len() {
+            for t in 0..n {
+                self.node_row(m, unknowns, lobe, t);
+            }
+            self.edge_rows(m, unknowns, lobe);
+        }
+    }
+
+    /// Equation of one node and its share of the curvature equations of its lobe.
+    #[allow(clippy::too_many_lines)] // one formula and its derivatives, term by term
+    fn node_row(&self, m: &mut Matrices, unknowns: usize, lobe: usize, t: usize) {
+        let (nodes, rule) = (self.nodes, self.rule);
+        let (n, count) = (rule.count(), nodes.y.len());
+        let Lobe { first, edge_y, edge_dy, cell } = self.lobes[lobe];
+        let i = first + t;
+        let pairs = i * count..(i + 1) * count;
+        let (d, slope) = (&m.d[pairs.clone()], &m.slope[pairs.clone()]);
+        let (own_d, own_slope) = (&m.own_d[pairs.clone()], &m.own_slope[pairs]);
+        let (y, x, q_i, a_i) = (nodes.y[i], nodes.x[i], nodes.pressure[i], nodes.half_length[i]);
+        let slant = nodes.slant[i];
+        let at = Point {
+            y,
+            x,
+            tangent: nodes.tangent[i],
+            pressure: q_i,
+            own_length: a_i / slant,
+            straightness: 1.0 / (slant * slant),
+        };
+        let sources = |range: Range<usize>| Sources {
+            y: &nodes.y[range.clone()],
+            x: &nodes.x[range.clone()],
+            tangent: &nodes.tangent[range.clone()],
+            width: &nodes.width[range.clone()],
+            pressure: &nodes.pressure[range.clone()],
+            half_length: &nodes.half_length[range.clone()],
+            d: &d[range.clone()],
+            slope: &slope[range],
+        };
+        // All strips but the node's own.
+        pair_sums::pairs(&at, &sources(0..count), &mut m.pairs);
+        for column in &mut m.pairs {
+            column[i] = 0.0;
+        }
+        let sum = |column: &[f64]| column.iter().sum::<f64>();
+        let mut u = sum(&m.pairs[0][..count]);
+        let mut curvature = sum(&m.pairs[1][..count]);
+        // Singularity of its own lobe: taken out of the sum, integrated instead; derivatives by the scale of the lobe.
+        let half = 0.5 * (self.cells[cell].edges[1] - self.cells[cell].edges[0]);
+        let corrections = &rule.corrections[t * n..(t + 1) * n];
+        for (k, (weight, correction)) in m.logarithm.iter_mut().zip(corrections).enumerate() {
+            *weight = -2.0 * correction * half * nodes.dy[first + k];
+        }
+        let range = first..first + n;
+        let (near_d, near_slope) = (&own_d[range.clone()], &own_slope[range.clone()]);
+        pair_sums::own(&at, &sources(range), near_d, near_slope, &m.logarithm, &mut m.own);
+        for column in &mut m.own {
+            column[t] = 0.0;
+        }
+        let own: [f64; 8] = std::array::from_fn(|k| sum(&m.own[k][..n]));
+        let [own_u, own_q, own_a, own_x, own_xq, own_xa, scaled_u, scaled_x] = own;
+        // The logarithm of the pairs.
+        for k in 0..n {
+            let j = first + k;
+            let a2 = nodes.half_length[j] * nodes.half_length[j];
+            let share = a2 / (a2 + (y - nodes.y[j]) * (y - nodes.y[j]));
+            let weight = if k == t { 0.0 } else { m.logarithm[k] * nodes.pressure[j] * share };
+            u += weight;
+            curvature += weight * share / a2;
+        }
+        let [_, _, row_q, row_a, row_xq, row_xa] = &mut m.pairs;
+        for k in 0..n {
+            row_q[first + k] += m.own[8][k];
+            row_a[first + k] += m.own[9][k];
+            row_xq[first + k] += m.own[10][k];
+            row_xa[first + k] += m.own[11][k];
+        }
+        u -= q_i * own_u;
+        curvature -= q_i * own_x;
+        row_q[i] -= own_q;
+        row_a[i] -= q_i * own_a;
+        row_xq[i] -= own_xq;
+        row_xa[i] -= q_i * own_xa;
+        let mut edge_slope = [0.0; 2];
+        let mut edge_slope_x = [0.0; 2];
+        for side in 0..2 {
+            let reach = (edge_y[side] - y).abs();
+            let sigma = slant * reach / a_i;
+            let [psi, weighted, at] = self.integrals.at(sigma);
+            let length = a_i / slant;
+            u += q_i * length * psi;
+            row_q[i] += length * (2.0 * psi - sigma * at);
+            row_a[i] += q_i * length * (psi - sigma * at);
+            edge_slope[side] = q_i * at;
+            let inverse = 1.0 / (slant * a_i);
+            let falling = sigma * at / (1.0 + sigma * sigma);
+            curvature += q_i * inverse * weighted;
+            row_xq[i] -= inverse * falling;
+            row_xa[i] -= q_i * inverse * (weighted + falling);
+            edge_slope_x[side] = q_i * at / ((1.0 + sigma * sigma) * a_i * a_i);
+        }
+        let load: f64 = (first..first + n)
+            .map(|j| nodes.width[j] * nodes.pressure[j] * nodes.half_length[j])
+            .sum();
+        // Into the system.
+        let block = self.unknowns_per_lobe();
+        let loaded = nodes.ratio[i] > 0.0;
+        let equation = lobe * block + t;
+        let inverse_depth = 1.0 / self.depth;
+        let radius = nodes.radius[i];
+        let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
+        let error = radius * curvature - 1.0;
+        m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
+        let finds_edge = [1, n - 2]
+            .iter()
+            .zip(self.cells[cell].pinned)
+            .any(|(&second, pinned)| t == second && !pinned);
+        if !loaded && !finds_edge {
+            // An unloaded node may lie apart: its ratio below zero is that distance.
+            m.right[equation] -= nodes.ratio[i] / self.scale;
+            m.newton[equation * unknowns + equation] += 1.0 / self.scale;
+        }
+        for term in 0..rule.terms {
+            let row = lobe * block + n + 2 + term;
+            let weight = share * rule.legendre[term][t];
+            m.right[row] -= weight * error;
+            // The weight is a load, q a.
+            if loaded {
+                m.newton[row * unknowns + equation] += weight * error * 2.0 / nodes.ratio[i];
+                for l in 0..rule.terms {
+                    m.newton[row * unknowns + lobe * block + n + 2 + l] -=
+                        weight * error * rule.legendre[l][t];
+                }
+            }
+        }
+        let weights: [f64; TERMS] =
+            std::array::from_fn(|l| rule.legendre.get(l).map_or(0.0, |p| share * p[t] * radius));
+        let Matrices { newton, pairs, own, .. } = m;
+        let [_, _, row_q, row_a, row_xq, row_xa] = pairs;
+        let [moved_q, moved_x, ..] = own;
+        let (moved_q, moved_x) = (&mut moved_q[..n], &mut moved_x[..n]);
+        for (other, source) in self.lobes.iter().enumerate() {
+            let column = other * block;
+            let range = source.first..source.first + n;
+            // What is not loaded does not act.
+            for (k, j) in range.clone().enumerate() {
+                let factor = if nodes.ratio[j] > 0.0 { nodes.edge_shape[j] } else { 0.0 };
+                moved_q[k] = row_q[j] * factor * inverse_depth;
+                moved_x[k] = row_xq[j] * factor;
+            }
+            let at = equation * unknowns + column;
+            for (entry, value) in newton[at..at + n].iter_mut().zip(moved_q.iter()) {
+                *entry += value;
+            }
+            for (term, weight) in weights.iter().enumerate().take(rule.terms) {
+                let at = (lobe * block + n + 2 + term) * unknowns + column;
+                for (entry, value) in newton[at..at + n].iter_mut().zip(moved_x.iter()) {
+                    *entry += weight * value;
+                }
+            }
+            for (term, polynomial) in rule.legendre.iter().enumerate() {
+                let dot = |row: &[f64]| -> f64 {
+                    row[range.clone()].iter().zip(polynomial).map(|(a, p)| a * p).sum()
+                };
+                let (by_u, by_x) = (dot(row_a), dot(row_xa));
+                let at = column + n + 2 + term;
+                newton[equation * unknowns + at] -= by_u * inverse_depth;
+                for (l, weight) in weights.iter().enumerate().take(rule.terms) {
+                    newton[(lobe * block + n + 2 + l) * unknowns + at] -= weight * by_x;
+                }
+            }
+            // Edges of that lobe.
+            let half = 0.5 * (self.cells[source.cell].edges[1] - self.cells[source.cell].edges[0]);
+            for side in 0..2 {
+                let stretch = if side == 1 { 0.5 / half } else { -0.5 / half };
+                let (mut by_u, mut by_x) = (0.0, 0.0);
+                if other == lobe {
+                    by_u += scaled_u * stretch;
+                    by_x += scaled_x * stretch;
+                    let moved = rule.travel[side][t] * nodes.dy[i];
+                    by_u += edge_slope[0] * (moved - if side == 0 { edge_dy[0] } else { 0.0 });
+                    by_u += edge_slope[1] * (if side == 1 { edge_dy[1] } else { 0.0 } - moved);
+                    by_x += edge_slope_x[0] * (moved - if side == 0 { edge_dy[0] } else { 0.0 });
+                    by_x += edge_slope_x[1] * (if side == 1 { edge_dy[1] } else { 0.0 } - moved);
+                    by_u -= nodes.overlap_slope[i] * rule.travel[side][t];
+                    // Sources elsewhere are passed.
+                    for j in (0..count).filter(|&j| nodes.lobe[j] != lobe) {
+                        let dy = y - nodes.y[j];
+                        let steep = nodes.width[j] * nodes.pressure[j] * (d[j] - slope[j]);
+                        by_u += steep * moved * dy / (dy * dy + (x - nodes.x[j]).powi(2));
+                    }
+                } else {
+                    for k in 0..n {
+                        let j = source.first + k;
+                        let dy = y - nodes.y[j];
+                        let load = nodes.width[j] * nodes.pressure[j];
+                        let moved = rule.travel[side][k] * nodes.dy[j];
+                        by_u += load * d[j] * stretch;
+                        by_u -= load * (d[j] - slope[j]) * moved * dy
+                            / (dy * dy + (x - nodes.x[j]).powi(2));
+                    }
+                }
+                let at = column + n + side;
+                newton[equation * unknowns + at] += by_u * inverse_depth;
+                for l in 0..rule.terms {
+                    let row = lobe * block + n + 2 + l;
+                    newton[row * unknowns + at] += share * rule.legendre[l][t] * radius * by_x;
+                }
+            }
+        }
+    }
+
+    /// Closure of the edges, or their place on the ridge, and the regularisation of the shape.
+    fn edge_rows(&self, m: &mut Matrices, unknowns: usize, lobe: usize) {
+        let (rule, nodes) = (self.rule, self.nodes);
+        let n = rule.count();
+        let begin = lobe * self.unknowns_per_lobe();
+        let Lobe { first, cell, .. } = self.lobes[lobe];
+        let cell = &self.cells[cell];
+        for side in 0..2 {
+            let row = begin + n + side;
+            if cell.pinned[side] {
+                m.newton[row * unknowns + begin + n + side] = 1.0 / (cell.edges[1] - cell.edges[0]);
+                continue;
+            }
+            let place = |k: usize| if side == 0 { k } else { n - 1 - k };
+            // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
+            // the condition of the second one finds the edge.
+            let outermost = begin + place(0);
+            m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
+            m.right[outermost] = 0.0;
+            for (k, row) in [row, outermost].into_iter().enumerate() {
+                let e = &rule.extrapolation[k];
+                for (c, from) in [(1.0, k), (-e[0], 2), (-e[1], 3), (-e[2], 4)] {
+                    let at = place(from);
+                    m.newton[row * unknowns + begin + at] = c / self.scale;
+                    m.right[row] -= c * nodes.ratio[first + at] / self.scale;
+                }
+            }
+        }
+        for term in 1..rule.terms {
+            let row = begin + n + 2 + term;
+            m.newton[row * unknowns + row] += SHAPE_REGULARISATION;
+            m.right[row] -= SHAPE_REGULARISATION * cell.shape[term];
+        }
+    }
+}
