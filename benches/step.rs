@@ -76,6 +76,19 @@ fn models(c: &mut Criterion) {
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
 
+/// The strip model by its number of strips; 15 elements along.
+fn strips(c: &mut Criterion) {
+    for strips in [11, 15, 21, 31, 41] {
+        let parameters = Parameters {
+            normal_model: NormalModel::Strips,
+            strips,
+            elements_along: 15,
+            ..Parameters::default()
+        };
+        evaluate(c, &format!("strips_{strips}+fastsim"), &parameters);
+    }
+}
+
 /// One option at a time on top of the default models.
 fn options(c: &mut Criterion) {
     let with = |change: fn(&mut Parameters)| {
@@ -103,5 +116,5 @@ fn options(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, models, options);
+criterion_group!(benches, models, strips, options);
 criterion_main!(benches);

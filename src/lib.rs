@@ -78,7 +78,7 @@
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage
-//! normal      hertz, piotrowski_kik, damping: separation to loaded strips
+//! normal      hertz, piotrowski_kik, strips, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output

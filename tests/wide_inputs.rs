@@ -118,6 +118,7 @@ fn element(
         creepage_model,
         tangential_model,
         vertical_mode,
+        strips: if normal_model == NormalModel::Strips { 9 } else { 30 },
         ..Parameters::default()
     };
     Element::new(&parameters, &Input::default(), &[]).expect("built-in profiles")

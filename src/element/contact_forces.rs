@@ -71,11 +71,8 @@ impl ContactForces<'_> {
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
         let even_axes = self.axes();
         let lifting = separation.lifting();
-        let [load, penetration] =
-            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
-        let load_factor = if load > 0.0 { damped / load } else { 0.0 };
+        let load_factor = self.load_factor(closing_speed, models);
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
             if zone.load <= 0.0 || zone.width <= 0.0 {
@@ -178,6 +175,14 @@ impl ContactForces<'_> {
             self.frame.direction(self.contact.tangent),
             self.frame.direction(self.contact.normal()),
         )
+    }
+
+    /// Normal force with damping over that without [-].
+    fn load_factor(&self, closing_speed: f64, models: &Models) -> f64 {
+        let [load, penetration] =
+            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
+        if load > 0.0 { damped / load } else { 0.0 }
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].

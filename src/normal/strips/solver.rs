@@ -18,7 +18,7 @@ const MOST_LOBES: usize = 6;
 /// Overlap, over the deepest, from which a cell has a lobe from the start.
 const FIRST_LOBES: f64 = 0.4;
 /// Most Newton steps for one set of lobes, and most changes of that set.
-const MOST_STEPS: usize = 60;
+const MOST_STEPS: usize = 40;
 const MOST_CHANGES: usize = 16;
 /// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square.
 const LAST_STEP: f64 = 3e-6;
