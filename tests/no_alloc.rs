@@ -15,12 +15,8 @@ const TWO_PATCHES_Z: f64 = -0.460_228;
 /// A wheel on its way over the rail: lifted, on the tread, on two patches, on the flange.
 fn path(step: u32) -> Input {
     let t = f64::from(step);
-<<<<<<< HEAD
-    let mut input = Input { wheel_load: 8e4 * (0.41 * t).sin(), ..Input::default() };
-=======
     let mut input =
         Input { wheel_load: 8e4 * (0.41 * t).sin(), track_s: 0.37 * t, ..Input::default() };
->>>>>>> main
     let wheel = &mut input.wheel;
     wheel.position[1] = 0.75 + 7e-3 * (0.037 * t).sin();
     wheel.position[2] = -0.46 + 3e-4 * (1.0 + (0.41 * t).sin());
