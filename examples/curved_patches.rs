@@ -64,7 +64,7 @@ fn pair(wheel: &str, rail: &str) -> Parameters {
     parameters
 }
 
-/// Distance [m] and lateral displacement [mm], and the heat turned out behind the ramp [J].
+/// Distances [m] and lateral displacements [mm], and the heat turned out behind the ramp [J].
 type Run = (Vec<[f64; 2]>, f64);
 
 /// A run behind the ramp.
