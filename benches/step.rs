@@ -25,9 +25,8 @@ const SCENES: [Scene; 5] = [
 ];
 
 fn scene(scene: &Scene, parameters: &Parameters) -> (Element, Input) {
-    let mut input = Input::default();
     // On the front of a corrugation, and beside a flat.
-    input.track_s = 0.008;
+    let mut input = Input { track_s: 0.008, ..Input::default() };
     input.wheel.position[1] += scene.shift;
     input.wheel.yaw = scene.yaw;
     input.wheel.velocity = [20.0, 0.0, 0.0];

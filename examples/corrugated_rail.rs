@@ -27,16 +27,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         parameters.rails[0].inclination = 0.1;
         let corrugation = &mut parameters.rails[0].corrugation;
         (corrugation.amplitude, corrugation.wavelength) = (amplitude, WAVELENGTH);
-        let mut element = Element::new(&parameters, &Input::default(), &[])?;
-        for step in 0..=264 {
-            let mut input =
-                Input { track_s: 2.5e-4 * f64::from(step), friction: 0.4, ..Input::default() };
-            input.wheel.position[1] = 0.7525;
+        let mut start = Input { friction: 0.4, ..Input::default() };
+        start.wheel.position[1] = 0.7525;
+        let mut element = Element::new(&parameters, &start, &[])?;
+        for step in 0..=100 {
+            let mut input = start;
+            input.track_s = WAVELENGTH / 100.0 * f64::from(step);
             input.wheel.velocity[0] = SPEED;
             input.wheel.pitch_rate = -SPEED / 0.5;
             let mut output = Output::default();
             // What is left of creepage at the patch is taken out by the motion of the wheel.
-            for _ in 0..3 {
+            for _ in 0..2 {
                 press(&mut element, &mut input, &mut output)?;
                 let load: f64 = output.patches.iter().map(|p| p.normal_force).sum();
                 let mean = |k: usize| {
@@ -71,7 +72,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if let Some(path) = std::env::args().nth(1) {
         let x = "station of the axle [mm], crest at 0";
-        let chart = |title, y, series| Chart { title, x, y, downwards: false, height: 300, series };
+        let chart = |title, y, series| Chart {
+            title,
+            x,
+            y,
+            downwards: false,
+            legend_below: false,
+            height: 300,
+            series,
+        };
         let first = chart(
             "Pure spin of 0.0002 1/mm under 50 kN, wavelength 33 mm",
             "lateral creep force [kN]",
@@ -90,9 +99,8 @@ fn press(
     input: &mut Input,
     output: &mut Output,
 ) -> Result<(), Box<dyn Error>> {
-    let touching = element.touching_height(input);
-    let (mut low, mut high) = (touching, touching + 4e-4);
-    for _ in 0..40 {
+    let (mut low, mut high) = (element.nominal_wheel_z() - 1e-4, element.nominal_wheel_z() + 4e-4);
+    for _ in 0..36 {
         input.wheel.position[2] = 0.5 * (low + high);
         element.evaluate(input, output)?;
         let load: f64 = output.patches.iter().map(|p| p.normal_force).sum();

@@ -44,7 +44,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             series.push(Series::line(format!("{model:?}").to_lowercase(), points));
         }
         let (x, y) = ("distance [m]", "lateral displacement [mm]");
-        charts.push(Chart { title, x, y, downwards: false, height: 260, series });
+        charts.push(Chart {
+            title,
+            x,
+            y,
+            downwards: false,
+            height: 260,
+            legend_below: false,
+            series,
+        });
     }
     figure.map_or(Ok(()), |path| chart::save(path, &charts))
 }

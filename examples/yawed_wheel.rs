@@ -51,9 +51,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (y, x) = ("lateral coordinate from the wheel marker [mm]", "ahead of the axle [mm]");
         let z = "below the axle [mm]";
         let title = "S1002 turned about z: what the rail sees of it";
-        let first = Chart { title, x: y, y: z, downwards: true, height: 300, series: seen };
+        let first = Chart {
+            title,
+            x: y,
+            y: z,
+            downwards: true,
+            legend_below: true,
+            height: 300,
+            series: seen,
+        };
         let title = "The same lines from above, and where patches lie";
-        let second = Chart { title, x: y, y: x, downwards: false, height: 320, series: above };
+        let second = Chart {
+            title,
+            x: y,
+            y: x,
+            downwards: false,
+            legend_below: false,
+            height: 320,
+            series: above,
+        };
         chart::save(path, &[first, second])?;
     }
     Ok(())

@@ -357,7 +357,7 @@ fn cattaneo_is_approached_with_an_order() {
         * (1.0 - (1.0 - share).powf(2.0 / 3.0));
     let mut report = String::from("elements,force,stick_radius\n");
     let mut errors = Vec::new();
-    for count in [12, 24, 48] {
+    for count in [8, 16, 32] {
         let grid = Grid::over([-a, a], [-a, a], count, count);
         let bound = grid.sample(|x, y| friction * p0 * (1.0 - x * x - y * y).max(0.0).sqrt());
         let scale = friction * load / (bound.iter().sum::<f64>() * grid.element_area());
@@ -482,10 +482,14 @@ fn the_element_takes_boundary_elements() {
         (solve(&coarse, &input), solve(&exact, &input), solve(&mixed, &input));
     let load = found.patches[0].normal_force;
     assert!((fast.patches[0].normal_force / load - 1.0).abs() < tolerance::BOUNDARY_ELEMENT_LOAD);
+    // Loads differ at the same height: compared is the share of the limit.
+    let share = |output: &Output, c: usize| {
+        output.patches[0].creep_force[c] / (0.3 * output.patches[0].normal_force)
+    };
     for (output, bound) in [(&fast, 2.0), (&spread, 1.0)] {
         for c in 0..2 {
-            let missed = output.patches[0].creep_force[c] - found.patches[0].creep_force[c];
-            assert!(missed.abs() <= bound * tolerance::BOUNDARY_ELEMENT_CREEP * 0.3 * load);
+            let missed = share(output, c) - share(&found, c);
+            assert!(missed.abs() <= bound * tolerance::BOUNDARY_ELEMENT_CREEP, "{missed}");
         }
     }
     // Lifted, and the same again afterwards: nothing is remembered.

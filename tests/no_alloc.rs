@@ -15,8 +15,8 @@ const TWO_PATCHES_Z: f64 = -0.460_228;
 /// A wheel on its way over the rail: lifted, on the tread, on two patches, on the flange.
 fn path(step: u32) -> Input {
     let t = f64::from(step);
-    let mut input = Input::default();
-    input.wheel_load = 8e4 * (0.41 * t).sin();
+    let mut input =
+        Input { wheel_load: 8e4 * (0.41 * t).sin(), track_s: 0.37 * t, ..Input::default() };
     let wheel = &mut input.wheel;
     wheel.position[1] = 0.75 + 7e-3 * (0.037 * t).sin();
     wheel.position[2] = -0.46 + 3e-4 * (1.0 + (0.41 * t).sin());
@@ -95,6 +95,28 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
         assert_eq!(allocations::count(), before);
         println!("none, one, several patches, flange: {seen:?}");
         assert!(seen.iter().all(|&n| n >= 20), "the path is too dull: {seen:?}");
+    }
+}
+
+#[test]
+fn uneven_bodies_and_a_second_rail_allocate_nothing_either() {
+    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz] {
+        let mut parameters = Parameters { normal_model, ..Parameters::default() };
+        parameters.rails[1].enabled = true;
+        parameters.rails[0].corrugation.amplitude = 1e-4;
+        parameters.wheel.flat.length = 0.05;
+        let mut element = Element::new(&parameters, &path(0), &[]).unwrap();
+        let mut output = Output::default();
+        let mut most = 0;
+        let before = allocations::count();
+        for step in 0..300 {
+            let mut input = path(step);
+            input.wheel.pitch = 0.05 * (0.3 * f64::from(step)).sin();
+            element.evaluate(&input, &mut output).unwrap();
+            most = most.max(output.patch_count);
+        }
+        assert_eq!(allocations::count(), before);
+        assert!(most > 1, "{most} patches at once");
     }
 }
 

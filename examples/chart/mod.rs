@@ -44,6 +44,8 @@ pub struct Chart {
     pub y: &'static str,
     /// Whether growing values of y go down.
     pub downwards: bool,
+    /// Whether the legend stands at the lower right instead of the upper right.
+    pub legend_below: bool,
     /// Height [pixels].
     pub height: u32,
     pub series: Vec<Series>,
@@ -124,7 +126,11 @@ fn draw(
     if chart.series.len() > 1 {
         context
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperMiddle)
+            .position(if chart.legend_below {
+                SeriesLabelPosition::LowerRight
+            } else {
+                SeriesLabelPosition::UpperRight
+            })
             .margin(px(6))
             .legend_area_size(px(24))
             .background_style(WHITE.mix(0.85))

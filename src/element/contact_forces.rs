@@ -14,7 +14,9 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::placed_rail::PlacedRail;
-use crate::kinematics::creepage::{ContactAxes, RelativeMotion, kinematic_creepage, rolling_speed};
+use crate::kinematics::creepage::{
+    ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
+};
 use crate::normal::{NormalModel, Strips, Zone, damping};
 use crate::tangential::RollingState;
 
@@ -32,10 +34,22 @@ pub struct ContactForces<'a> {
     pub rail: &'a PlacedRail,
     /// The contact.
     pub contact: Contact,
-    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
-    pub damped_with: Option<[f64; 2]>,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
+    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
+    pub damped_with: Option<[f64; 2]>,
+}
+
+/// A loaded zone and how it rolls.
+struct ZoneRolling {
+    zone: Zone,
+    /// Centroid of its load, x from the wheel marker [m].
+    position: Vector3<f64>,
+    axes: ContactAxes,
+    rolling_radius: f64,
+    speed: RollingSpeed,
+    /// Normal force with damping over that without [-].
+    load_factor: f64,
 }
 
 impl ContactForces<'_> {
@@ -57,11 +71,8 @@ impl ContactForces<'_> {
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
         let even_axes = self.axes();
         let lifting = separation.lifting();
-        let [load, penetration] =
-            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
-        let load_factor = if load > 0.0 { damped / load } else { 0.0 };
+        let load_factor = self.load_factor(closing_speed, models);
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
             if zone.load <= 0.0 || zone.width <= 0.0 {
@@ -81,39 +92,8 @@ impl ContactForces<'_> {
                 rolling_radius,
                 models.minimum_speed,
             );
-            let slip = match models.creepage {
-                CreepageModel::Flat => motion.creepage(position, &axes, speed.reference),
-                CreepageModel::Kinematic => kinematic_creepage(
-                    wheel.velocity[0],
-                    wheel.pitch_rate,
-                    rolling_radius,
-                    speed.reference,
-                ),
-                CreepageModel::Curved => {
-                    let place = |u, x| self.surface(u, x);
-                    models.curved_zone.place(&zone, &models.strips, &motion, speed.reference, place)
-                }
-            };
-            let state = RollingState {
-                creepage: slip,
-                forward_share: speed.forward_share,
-                friction: self.input.friction,
-                load_factor,
-            };
-            let tractions = if models.creepage == CreepageModel::Curved {
-                models.curved_zone.tractions(
-                    &zone,
-                    &models.strips,
-                    &models.tangential,
-                    &models.material,
-                    &state,
-                    position,
-                )
-            } else {
-                let force =
-                    models.tangential.creep_force(&zone, &models.strips, &models.material, &state);
-                force.map(|force| Tractions::flat(&force, &slip, &axes))
-            };
+            let rolling = ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor };
+            let (slip, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
             fallbacks += u64::from(tractions.fell_back);
@@ -151,12 +131,58 @@ impl ContactForces<'_> {
         fallbacks
     }
 
+    /// Creepage of a zone, and its tractions on the wheel where there are any.
+    fn tractions(
+        &self,
+        motion: &RelativeMotion,
+        models: &mut Models,
+        rolling: &ZoneRolling,
+    ) -> (Creepage, Option<Tractions>) {
+        let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor } = rolling;
+        let wheel = &self.input.wheel;
+        let Models { curved_zone, strips, tangential, material, .. } = models;
+        let creepage = match models.creepage {
+            CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
+            CreepageModel::Kinematic => kinematic_creepage(
+                wheel.velocity[0],
+                wheel.pitch_rate,
+                *rolling_radius,
+                speed.reference,
+            ),
+            CreepageModel::Curved => {
+                let place = |u, x| self.surface(u, x);
+                curved_zone.place(zone, strips, motion, speed.reference, place)
+            }
+        };
+        let state = RollingState {
+            creepage,
+            forward_share: speed.forward_share,
+            friction: self.input.friction,
+            load_factor: *load_factor,
+        };
+        let tractions = if models.creepage == CreepageModel::Curved {
+            curved_zone.tractions(zone, strips, tangential, material, &state, *position)
+        } else {
+            let force = tangential.creep_force(zone, strips, material, &state);
+            force.map(|force| Tractions::flat(&force, &creepage, axes))
+        };
+        (creepage, tractions)
+    }
+
     /// The axes of the contact frame in the track frame.
     pub(super) fn axes(&self) -> ContactAxes {
         ContactAxes::along_track(
             self.frame.direction(self.contact.tangent),
             self.frame.direction(self.contact.normal()),
         )
+    }
+
+    /// Normal force with damping over that without [-].
+    fn load_factor(&self, closing_speed: f64, models: &Models) -> f64 {
+        let [load, penetration] =
+            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
+        let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
+        if load > 0.0 { damped / load } else { 0.0 }
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].

@@ -113,9 +113,16 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let radius = line.wheel_point(contact.u).section_radius;
-            let (rail, slopes, damped_with) = (&self.rail, [0.0; 2], None);
-            let forces =
-                ContactForces { k, input, frame, line, rail, contact, damped_with, slopes };
+            let forces = ContactForces {
+                k,
+                input,
+                frame,
+                line,
+                rail: &self.rail,
+                contact,
+                slopes: [0.0; 2],
+                damped_with: None,
+            };
             forces.flattened(&mut separation, radius, minimum_speed)
         });
         contacts.collect()
@@ -145,15 +152,15 @@ impl RailContact {
         work.searches += 1;
         work.distances += self.search.evaluations - before.0;
         let mut left_out = self.search.left_out - before.1;
-        let forces = |contact, damped_with, slopes| ContactForces {
+        let forces = |contact, slopes, damped_with| ContactForces {
             k,
             input,
             frame,
             line,
             rail: &self.rail,
             contact,
-            damped_with,
             slopes,
+            damped_with,
         };
         if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
             if strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models) {
@@ -161,7 +168,7 @@ impl RailContact {
                 for zone in 0..models.rail_strips.zones.len() {
                     let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
                     let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                    left_out += forces(contact, Some(whole), [0.0; 2]).add(
+                    left_out += forces(contact, [0.0; 2], Some(whole)).add(
                         &mut separation,
                         models,
                         output,
@@ -220,7 +227,7 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            left_out += forces(contact, None, slopes).add(&mut separation, models, output, work);
+            left_out += forces(contact, slopes, None).add(&mut separation, models, output, work);
         }
         left_out
     }

@@ -155,7 +155,7 @@ impl ContactSearch {
     /// How far the line may be followed without passing a penetration.
     fn step(&self, from: &Sample, line: &ContactLine, rail_concavity: f64) -> f64 {
         if from.distance <= 0.0 {
-            return if line.has_kinks() { KINKED_STEP } else { INSIDE_STEP };
+            return self.inside_step(from, line);
         }
         let [start, end] = line.range();
         let per_factor = line.stretch_per_factor();
@@ -178,20 +178,32 @@ impl ContactSearch {
         let mut step = u.min(end) - from.u;
         // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond its centre without bound.
         let hollow = rail_concavity * from.distance;
-        if !from.beyond_end && hollow < MOST_HOLLOW && !line.has_kinks() {
+        if !from.beyond_end && hollow < MOST_HOLLOW {
             let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);
+            // A lift may turn from rising to falling at any kink.
+            let slope = from.slope - 2.0 * line.most_lift_slope(self.stretch[here]);
             // d + slope·t - concavity·t²/2 vanishes no sooner than at:
-            let root = (from.slope * from.slope + 2.0 * concavity * from.distance).sqrt();
-            let bound = if from.slope < 0.0 {
-                2.0 * from.distance / (root - from.slope)
+            let root = (slope * slope + 2.0 * concavity * from.distance).sqrt();
+            let bound = if slope < 0.0 {
+                2.0 * from.distance / (root - slope)
             } else {
-                (from.slope + root) / concavity.max(1e-3)
+                (slope + root) / concavity.max(1e-3)
             };
             // The bounds hold to the end of the next bin.
             let reach = start + (here + 2) as f64 * BIN - from.u;
             step = step.max(STEP_SHARE * bound.min(reach) / stretch_over(here));
         }
         step.max(LEAST_STEP)
+    }
+
+    /// Step inside an interval of penetration [m].
+    fn inside_step(&self, from: &Sample, line: &ContactLine) -> f64 {
+        let Some(deviations) = line.deviations() else { return INSIDE_STEP };
+        let last = self.stretch.len() - 1;
+        let here = (((from.u - line.range()[0]) / BIN) as usize).min(last);
+        // A yawed wheel passes several waves along the track where its line runs ahead fast.
+        let quarter_wave = 4.0 * deviations.spacing();
+        (quarter_wave / line.most_advance(self.stretch[here])).clamp(KINKED_STEP, INSIDE_STEP)
     }
 
     #[inline]

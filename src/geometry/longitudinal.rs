@@ -105,6 +105,12 @@ impl Longitudinal {
         self.reach
     }
 
+    /// Distance of the samples, a sixteenth of the shortest wave or less [m].
+    #[must_use]
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
     /// Takes the samples for a wheel marker at `station` [m] and a wheel turned by `pitch` [rad], for points of the contact line
     /// up to `ahead` from the marker [m].
     pub fn place(&mut self, station: f64, pitch: f64, ahead: f64) {

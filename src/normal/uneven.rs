@@ -26,7 +26,7 @@ use crate::math::room::Room;
 /// Most stretches of a strip.
 const MOST_STRETCHES: usize = 16;
 /// Points of the quadrature along a stretch, or to either side of the place of first touch.
-const POINTS: usize = 10;
+const POINTS: usize = 7;
 
 /// A stretch of a strip on which the bodies overlap.
 #[derive(Clone, Copy, Debug, Default)]

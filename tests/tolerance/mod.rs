@@ -234,7 +234,7 @@ pub const BOUNDARY_KALKER: f64 = 0.01;
 pub const BOUNDARY_CARTER: f64 = 0.002;
 pub const BOUNDARY_CARTER_ORDER: f64 = 0.8;
 
-/// Cattaneo's force at 48x48 elements, share of the friction limit, and least observed order.
+/// Cattaneo's force at 32x32 elements, share of the friction limit, and least observed order.
 pub const BOUNDARY_CATTANEO: f64 = 0.003;
 pub const BOUNDARY_CATTANEO_ORDER: f64 = 0.8;
 

@@ -34,10 +34,23 @@ impl<'a> ContactLine<'a> {
         (normal[0] * self.down[0] + normal[1] * self.down[1]).max(LEAST_SHARE)
     }
 
-    /// Whether the line may have kinks: where a yawed wheel changes from one crest to the next.
+    /// Bound of the derivative of x with respect to the parameter, where [`stretch_factor`](Self::stretch_factor) is at most
+    /// `stretch` [1/m].
     #[must_use]
-    pub(crate) fn has_kinks(&self) -> bool {
-        self.deviations.is_some() && self.lead != 0.0
+    pub(crate) fn most_advance(&self, stretch: f64) -> f64 {
+        self.lead.abs() * (2.0 + 2.0 * self.nominal_radius * stretch)
+    }
+
+    /// Bound of the derivative of the lift with respect to the parameter; 0 without deviations.
+    #[inline]
+    #[must_use]
+    pub(crate) fn most_lift_slope(&self, stretch: f64) -> f64 {
+        self.deviations.map_or(0.0, |d| self.steepest(d) * self.most_advance(stretch))
+    }
+
+    /// Bound of the slope of the lift along the track.
+    fn steepest(&self, deviations: &Longitudinal) -> f64 {
+        deviations.reach() / (0.5 * self.nominal_radius)
     }
 
     /// The point at parameter `s` [m], lowered by the lift; x is that of the even line.
@@ -74,7 +87,6 @@ impl<'a> ContactLine<'a> {
 
     /// How much longer than the even line the lifted one can be, over [`stretch_factor`](Self::stretch_factor) [m].
     pub(super) fn lift_stretch(&self, deviations: &Longitudinal) -> f64 {
-        let steepest = deviations.reach() / (0.5 * self.nominal_radius);
-        2.0 * self.nominal_radius * self.lead.abs() * steepest
+        2.0 * self.nominal_radius * self.lead.abs() * self.steepest(deviations)
     }
 }
