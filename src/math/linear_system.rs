@@ -1,10 +1,13 @@
 //! Dense systems of linear equations, solved in place.
 
+use multiversion::multiversion;
+
 /// Solves A x = b by Gaussian elimination with partial pivoting; `matrix` holds A by rows of length `stride` ≥ n, n the length of
 /// `right`. A is destroyed, `right` becomes x.
 ///
 /// Returns false, with `right` unusable, where A is singular to working precision.
 #[must_use]
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
 pub fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) -> bool {
     let n = right.len();
     for column in 0..n {

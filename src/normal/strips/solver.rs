@@ -20,8 +20,11 @@ const FIRST_LOBES: f64 = 0.4;
 /// Most Newton steps for one set of lobes, and most changes of that set.
 const MOST_STEPS: usize = 40;
 const MOST_CHANGES: usize = 16;
-/// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square.
+/// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square. A longer step is the last one
+/// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 3e-6;
+const LONGEST_LAST_STEP: f64 = 1e-4;
+const LEFT_OVER: f64 = 1e-9;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
@@ -302,6 +305,7 @@ impl StripSolver {
         let n = self.rule.count();
         let block = n + 2 + self.rule.terms;
         let depth = self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
+        let mut before = f64::INFINITY;
         for _ in 0..MOST_STEPS {
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
@@ -329,7 +333,11 @@ impl StripSolver {
             let (share, change) = self.step_share(scale);
             let caution = if change < 0.03 { 1.0 } else { self.caution };
             self.advance(share * caution, scale);
-            if share >= 1.0 && change < LAST_STEP {
+            // A change c leaves about k c².
+            let k = (change / (before * before)).max(1.0);
+            let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
+            before = change;
+            if share >= 1.0 && (change < LAST_STEP || near) {
                 self.place_nodes(line);
                 return true;
             }

@@ -11,9 +11,11 @@
 //! the logarithm that is left. ν = sqrt(1 + (dx/dy)²) is the slant of the strips' centres, cos_ij that of the angle between the normals.
 //! The curvature along x follows in the same way with D/(a² + Δy²) for D.
 
-use super::cell::{Cell, TERMS};
 use std::ops::Range;
 
+use multiversion::multiversion;
+
+use super::cell::{Cell, TERMS};
 use super::influence::{Integrals, skewed, straight};
 use super::pair_sums::{self, OWN_COLUMNS, PAIR_COLUMNS, Point, Sources};
 use super::rule::LobeRule;
@@ -206,20 +208,13 @@ impl Assembly<'_> {
 
     /// Fills the Newton matrix and its right side (minus the residuals).
     pub fn assemble(&self, m: &mut Matrices) {
-        let unknowns = self.lobes.len() * self.unknowns_per_lobe();
-        m.newton[..unknowns * unknowns].fill(0.0);
-        m.right[..unknowns].fill(0.0);
-        let n = self.rule.count();
-        for lobe in 0..self.lobes.len() {
-            for t in 0..n {
-                self.node_row(m, unknowns, lobe, t);
-            }
-            self.edge_rows(m, unknowns, lobe);
-        }
+        assemble(self, m);
     }
 
     /// Equation of one node and its share of the curvature equations of its lobe.
-    #[allow(clippy::too_many_lines)] // one formula and its derivatives, term by term
+    // One formula and its derivatives, term by term; inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::too_many_lines, clippy::inline_always)]
+    #[inline(always)]
     fn node_row(&self, m: &mut Matrices, unknowns: usize, lobe: usize, t: usize) {
         let (nodes, rule) = (self.nodes, self.rule);
         let (n, count) = (rule.count(), nodes.y.len());
@@ -454,5 +449,20 @@ impl Assembly<'_> {
             m.newton[row * unknowns + row] += SHAPE_REGULARISATION;
             m.right[row] -= SHAPE_REGULARISATION * cell.shape[term];
         }
+    }
+}
+
+/// See [`Assembly::assemble`].
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+fn assemble(assembly: &Assembly, m: &mut Matrices) {
+    let unknowns = assembly.lobes.len() * assembly.unknowns_per_lobe();
+    m.newton[..unknowns * unknowns].fill(0.0);
+    m.right[..unknowns].fill(0.0);
+    let n = assembly.rule.count();
+    for lobe in 0..assembly.lobes.len() {
+        for t in 0..n {
+            assembly.node_row(m, unknowns, lobe, t);
+        }
+        assembly.edge_rows(m, unknowns, lobe);
     }
 }
