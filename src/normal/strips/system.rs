@@ -124,8 +124,8 @@ pub struct Matrices {
     pub slope: Vec<f64>,
     pub own_d: Vec<f64>,
     pub own_slope: Vec<f64>,
-    /// Scratch for one row.
-    row: Vec<f64>,
+    /// Scratch for columns and rows of whole vectors.
+    padded: [Vec<f64>; 7],
     pairs: [Vec<f64>; PAIR_COLUMNS],
     own: [Vec<f64>; OWN_COLUMNS],
     logarithm: Vec<f64>,
@@ -144,7 +144,7 @@ impl Matrices {
             slope: square(),
             own_d: square(),
             own_slope: square(),
-            row: vec![0.0; nodes],
+            padded: std::array::from_fn(|_| vec![0.0; nodes.next_multiple_of(LANES)]),
             pairs: std::array::from_fn(|_| vec![0.0; nodes]),
             own: std::array::from_fn(|_| vec![0.0; strips]),
             logarithm: vec![0.0; strips],
@@ -153,6 +153,9 @@ impl Matrices {
         }
     }
 }
+
+/// Numbers in the longest vectors: rows of so many have no remainder, which would be taken one by one.
+const LANES: usize = 8;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 const SHAPE_REGULARISATION: f64 = 1e-3;
@@ -182,26 +185,50 @@ impl Assembly<'_> {
     pub fn influences(&self, m: &mut Matrices) {
         let nodes = self.nodes;
         let count = nodes.y.len();
+        let padded = count.next_multiple_of(LANES);
+        let Matrices { d, slope, own_d, own_slope, padded: columns, .. } = m;
+        let [y, x, a, own, near, row_d, row_slope] = columns;
+        for (to, from) in [(&mut *y, &nodes.y), (x, &nodes.x), (a, &nodes.half_length)] {
+            to[..count].copy_from_slice(from);
+            to[count..padded].fill(from[count - 1]);
+        }
+        let (y, x, a) = (&y[..padded], &x[..padded], &a[..padded]);
+        let (row_d, row_slope) = (&mut row_d[..padded], &mut row_slope[..padded]);
         for i in 0..count {
             let row = i * count..(i + 1) * count;
-            let (d, slope) = (&mut m.d[row.clone()], &mut m.slope[row.clone()]);
             if self.skewed {
-                let at = [nodes.x[i], nodes.y[i]];
-                skewed(at, &nodes.x, &nodes.y, &nodes.half_length, d, slope);
-                let own = &mut m.row[..count];
-                own.fill(nodes.half_length[i] / nodes.slant[i]);
-                let (d, slope) = (&mut m.own_d[row.clone()], &mut m.own_slope[row]);
-                straight(nodes.y[i], &nodes.y, own, d, slope);
+                skewed([nodes.x[i], nodes.y[i]], x, y, a, row_d, row_slope);
             } else {
-                straight(nodes.y[i], &nodes.y, &nodes.half_length, d, slope);
+                straight(nodes.y[i], y, a, row_d, row_slope);
             }
+            d[row.clone()].copy_from_slice(&row_d[..count]);
+            slope[row].copy_from_slice(&row_slope[..count]);
         }
         if !self.skewed {
             for i in 0..count {
                 for j in 0..count {
-                    m.own_d[i * count + j] = m.d[j * count + i];
-                    m.own_slope[i * count + j] = m.slope[j * count + i];
+                    own_d[i * count + j] = d[j * count + i];
+                    own_slope[i * count + j] = slope[j * count + i];
                 }
+            }
+            return;
+        }
+        // Only those of the own lobe are asked for.
+        let n = self.rule.count();
+        let padded = n.next_multiple_of(LANES);
+        for lobe in self.lobes {
+            let range = lobe.first..lobe.first + n;
+            let near = &mut near[..padded];
+            near[..n].copy_from_slice(&nodes.y[range.clone()]);
+            near[n..].fill(nodes.y[range.end - 1]);
+            for i in range.clone() {
+                let own = &mut own[..padded];
+                own.fill(nodes.half_length[i] / nodes.slant[i]);
+                let (row_d, row_slope) = (&mut row_d[..padded], &mut row_slope[..padded]);
+                straight(nodes.y[i], near, own, row_d, row_slope);
+                let row = i * count + range.start..i * count + range.end;
+                own_d[row.clone()].copy_from_slice(&row_d[..n]);
+                own_slope[row].copy_from_slice(&row_slope[..n]);
             }
         }
     }
