@@ -24,7 +24,7 @@ const MOST_CHANGES: usize = 16;
 /// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 3e-6;
 const LONGEST_LAST_STEP: f64 = 1e-4;
-const LEFT_OVER: f64 = 1e-9;
+const LEFT_OVER: f64 = 1e-10;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
