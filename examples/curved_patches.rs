@@ -64,12 +64,11 @@ fn pair(wheel: &str, rail: &str) -> Parameters {
     parameters
 }
 
-/// Distance [m] and lateral displacement [mm], and the heat turned out behind the ramp [J].
-fn run(
-    pair: &Parameters,
-    model: CreepageModel,
-    length: f64,
-) -> Result<(Vec<[f64; 2]>, f64), Box<dyn Error>> {
+/// Distances [m] and lateral displacements [mm], and the heat turned out behind the ramp [J].
+type Run = (Vec<[f64; 2]>, f64);
+
+/// A run behind the ramp.
+fn run(pair: &Parameters, model: CreepageModel, length: f64) -> Result<Run, Box<dyn Error>> {
     let mut wheelset = FreeWheelset::new(pair, model)?;
     let mut state = wheelset.start()?;
     let (mut points, mut heat) = (Vec::new(), 0.0);

@@ -72,15 +72,17 @@ fn no_path_of_this_machine_is_in_a_library() {
     }
 }
 
-/// The client for a platform, made by its compiler.
-fn client(compiler: &str, name: &str, options: &[&str]) -> PathBuf {
-    let client = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/portable/client.c");
+/// A program or library for a platform, made by its compiler from a file beside.
+fn compiled(compiler: &str, source: &str, name: &str, options: &[&str]) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("portable-host");
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join(name);
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/portable").join(source);
     let mut command = Command::new(compiler);
-    command.arg("-O1").arg("-o").arg(&client).arg(source).args(options);
+    command.arg("-O1").arg("-o").arg(&file).arg(source).args(options);
     let output = command.output().unwrap_or_else(|e| panic!("{compiler}: {e}"));
     assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
-    client
+    file
 }
 
 /// Rows of outputs of a client for the positions of the importers' tests.
@@ -123,15 +125,18 @@ fn wine() -> PathBuf {
 #[ignore = "needs tools of other platforms"]
 fn windows_gets_the_forces_of_linux() {
     let resources = unpacked().join("resources").display().to_string();
-    let here = client("cc", "client", &["-ldl"]);
+    let here = compiled("cc", "client.c", "client", &["-ldl"]);
     let linux = answers(
         &mut Command::new(here),
         "binaries/linux64/WheelRail.so",
         &format!("file://{resources}"),
     );
+    let compiler = "x86_64-w64-mingw32-gcc";
     // Prints 64-bit numbers as C99 does, not as the old Windows library.
-    let options = ["-D__USE_MINGW_ANSI_STDIO=1"];
-    let there = client("x86_64-w64-mingw32-gcc", "client.exe", &options);
+    let there = compiled(compiler, "client.c", "client.exe", &["-D__USE_MINGW_ANSI_STDIO=1"]);
+    // Found beside the program; wine 8 has none of its own.
+    let stub = ["-shared", "-ladvapi32"];
+    compiled(compiler, "bcryptprimitives.c", "bcryptprimitives.dll", &stub);
     let prefix = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wine");
     let windows = answers(
         Command::new(wine()).arg(there).env("WINEPREFIX", prefix).env("WINEDEBUG", "-all"),

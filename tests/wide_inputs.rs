@@ -135,8 +135,10 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
         (NormalModel::PiotrowskiKik, CreepageModel::Flat, fastsim, VerticalMode::Load),
         (NormalModel::Strips, CreepageModel::Flat, fastsim, given),
     ] {
+        // A wheel centimetres inside a rail is beyond the strip model, which takes long to give up.
+        let cases = if normal == NormalModel::Strips { 200 } else { 4000 };
         let shared = std::cell::RefCell::new(element(normal, creepage, tangential, vertical));
-        proptest!(ProptestConfig::with_cases(4000), |(input in near_the_rail())| {
+        proptest!(ProptestConfig::with_cases(cases), |(input in near_the_rail())| {
             check(&mut shared.borrow_mut(), &input)?;
         });
         proptest!(ProptestConfig::with_cases(1000), |(input in anywhere())| {

@@ -189,3 +189,56 @@ fn at_the_bound(p: [f64; 2], s: [f64; 2], stiffness: [f64; 2], g: f64) -> [f64; 
     }
     if size > 0.0 { [new[0] * g / size, new[1] * g / size] } else { p }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::{Material, MaterialPair};
+    use approx::assert_relative_eq;
+
+    fn solved(rigid: [f64; 2], tolerance: f64) -> (Grid, Tractions) {
+        let steel = Material { young_modulus: 2.0, poisson_ratio: 0.3 };
+        let grid = Grid::over([-1.0, 1.0], [-1.0, 1.0], 6, 5);
+        let influence = TangentialInfluence::rolling_slip(&grid, &MaterialPair::new(steel, steel));
+        let bound = grid.sample(|x, y| if x * x + y * y < 1.0 { 0.1 } else { 0.0 });
+        let problem = FrictionProblem {
+            grid: &grid,
+            influence: &influence,
+            bound: &bound,
+            rigid: &vec![rigid; grid.len()],
+            rolling: true,
+            tolerance,
+        };
+        (grid, solve(&problem, None))
+    }
+
+    #[test]
+    fn sweeps_that_do_not_reach_the_tolerance_say_so() {
+        let (_, found) = solved([0.02, 0.01], -1.0);
+        assert!(!found.converged && found.sweeps == MOST_SWEEPS);
+        assert!(found.x.iter().chain(&found.y).all(|p| p.is_finite()));
+    }
+
+    #[test]
+    fn without_slip_nothing_moves_and_with_much_all_slides() {
+        let (_, still) = solved([0.0; 2], TOLERANCE);
+        assert!(still.converged && still.sweeps == 1);
+        assert!(still.x.iter().all(|&p| p == 0.0));
+        let (_, sliding) = solved([30.0, -40.0], TOLERANCE);
+        assert!(sliding.converged);
+        for k in (0..sliding.x.len()).filter(|&k| sliding.slips[k]) {
+            assert_relative_eq!(sliding.x[k], -0.06, max_relative = 0.02);
+            assert_relative_eq!(sliding.y[k], 0.08, max_relative = 0.02);
+        }
+    }
+
+    #[test]
+    fn the_traction_at_the_bound_is_opposite_to_the_slip_it_leaves() {
+        let (p, s, stiffness, g) = ([0.3, 0.1], [2.0, -1.0], [1.5, 1.1], 0.4);
+        let new = at_the_bound(p, s, stiffness, g);
+        assert_relative_eq!(new[0].hypot(new[1]), g, max_relative = 1e-12);
+        let left = [0, 1].map(|c| s[c] + stiffness[c] * (new[c] - p[c]));
+        assert_relative_eq!(left[0] * new[1], left[1] * new[0], epsilon = 1e-9);
+        assert!(left[0] * new[0] + left[1] * new[1] < 0.0);
+    }
+}
