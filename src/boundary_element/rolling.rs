@@ -13,7 +13,7 @@
 //! limit. In both the particle's past alone counts, and the operator stays monotone: its symbol has the real part Â(k) (1 - cos k h) or
 //! Â(k) (1 - cos k h)², so that there is one solution for every creepage.
 //!
-//! The tractions come from [`friction`](super::friction); starts come from grids of half the resolution.
+//! The tractions come from [`super::friction`]; starts come from grids of half the resolution.
 
 use super::friction::{self, FrictionProblem, TOLERANCE, Tractions};
 use super::grid::Grid;

@@ -11,7 +11,7 @@
 //!
 //! This is the outline of the wheel as seen along the rail (Piotrowski and Kik 2008, figure 16). Its points lie ahead of or
 //! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
-//! than 87 degrees, a flange back, touches with its rim: see [`rim`].
+//! than 87 degrees, a flange back, touches with its rim: see `contact_line::rim`.
 
 mod lifted;
 mod rim;

@@ -372,8 +372,8 @@ mod tests {
     #[test]
     fn first_touch_is_where_a_scan_of_the_surfaces_finds_it() {
         for mut case in cases() {
-            for step in 0..60 {
-                let station = 1.1e-3 * f64::from(step) - 0.03;
+            for step in 0..24 {
+                let station = 2.7e-3 * f64::from(step) - 0.03;
                 case.place(station, -station / RADIUS, 0.01);
                 for centre in [0.0, -0.004, 0.3] {
                     let lift = case.lift(centre, RADIUS);
@@ -392,8 +392,8 @@ mod tests {
     fn stretches_are_those_of_a_scan() {
         let mut several = 0;
         for mut case in cases() {
-            for step in 0..50 {
-                let station = 1.3e-3 * f64::from(step) - 0.03;
+            for step in 0..24 {
+                let station = 2.7e-3 * f64::from(step) - 0.03;
                 case.place(station, -station / RADIUS, 0.0);
                 let lift = case.lift(0.0, RADIUS).height;
                 for depth in [1e-7, 5e-6, 5e-5] {
@@ -411,7 +411,7 @@ mod tests {
                 }
             }
         }
-        assert!(several > 5, "{several}");
+        assert!(several > 2, "{several}");
     }
 
     #[test]

@@ -19,7 +19,7 @@
 //!
 //! and slips behind, where the traction is μ p in the direction that FASTSIM gives it. Where strip theory
 //! exceeds μ p, which spin can make it do, it is cut back to it. It has no solution for |φ| ≥ 1, where spin alone makes the strip
-//! slip: from [`SPIN_FROM`] to [`SPIN_TO`] it is faded into FASTSIM.
+//! slip: from 0.85 to 0.98 it is faded into FASTSIM.
 //!
 //! Departure from the source: FASTSIM marches with the elliptic bound and, if asked for, blended flexibilities. With a parabola
 //! and three flexibilities the error on 300 Hertzian ellipses is 2.0 % of the friction limit in the mean, 8 % at 95 %; so it is
