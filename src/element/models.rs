@@ -4,7 +4,7 @@ use super::curved_zone::CurvedZone;
 use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use crate::geometry::contact_search::MOST_CONTACTS;
-use crate::material::{Material, MaterialPair};
+use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
 use crate::normal::strips::StripSolver;
@@ -55,14 +55,7 @@ impl Models {
     /// The models that checked `parameters` ask for.
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
-        let wheel = Material {
-            young_modulus: parameters.wheel.young_modulus,
-            poisson_ratio: parameters.wheel.poisson_ratio,
-        };
-        let rail = Material {
-            young_modulus: parameters.rail_young_modulus,
-            poisson_ratio: parameters.rail_poisson_ratio,
-        };
+        let [wheel, rail] = parameters.materials();
         // Patches of uneven bodies split along the track too; strips that all meet a wheel's circle are not for them.
         let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
         let is_strips = parameters.normal_model == NormalModel::Strips && !parameters.is_uneven();

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use wheelrail::element::parameters::{NormalModel, Parameters, TangentialModel, VerticalMode};
+use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, FlatContact, Output};
-use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase, fields};
 use wheelrail::tangential::field::{Adherence, ContactField};
 use wheelrail::variables::Values;
@@ -80,7 +79,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             values.parameters.rails[contact.rail as usize - 1].profile,
             contact.contact_angle.to_degrees()
         );
-        let case = planar_case(&values.parameters, contact, values.input.friction);
+        let case = values.parameters.planar_case(
+            &contact.separation,
+            contact.radius,
+            Indentation::Approach(contact.penetration),
+            contact.creepage,
+            values.input.friction,
+        );
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
         draw(arguments, &case, title, contacts.clone(), index, load_given)
     }
@@ -102,37 +107,6 @@ fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatCo
     match order.get(number.wrapping_sub(1)) {
         Some(&index) => Ok((contacts, index)),
         None => bail!("--contact {number}: the wheel has {} contacts", contacts.len()),
-    }
-}
-
-fn planar_case<'a>(
-    parameters: &Parameters,
-    contact: &'a FlatContact,
-    friction: f64,
-) -> PlanarCase<'a> {
-    PlanarCase {
-        separation: &contact.separation,
-        radius: contact.radius,
-        indentation: Indentation::Approach(contact.penetration),
-        creepage: contact.creepage,
-        friction,
-        wheel_material: Material {
-            young_modulus: parameters.wheel.young_modulus,
-            poisson_ratio: parameters.wheel.poisson_ratio,
-        },
-        rail_material: Material {
-            young_modulus: parameters.rail_young_modulus,
-            poisson_ratio: parameters.rail_poisson_ratio,
-        },
-        normal_model: parameters.normal_model,
-        virtual_penetration: parameters.virtual_penetration,
-        shape_fit: parameters.shape_fit,
-        tangential_model: parameters.tangential_model,
-        strips: parameters.strips,
-        elements_along: parameters.elements_along,
-        elements: parameters.normal_elements,
-        bound: parameters.bound,
-        flexibilities: parameters.flexibilities,
     }
 }
 

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use wheelrail::element::Parameters;
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
-use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::variables::{Values, find};
 
@@ -129,31 +128,8 @@ impl Case {
 
     /// The case with the points of its separation file.
     pub fn planar<'a>(&self, separation: &'a [[f64; 2]]) -> PlanarCase<'a> {
-        let parameters = &self.parameters;
-        PlanarCase {
-            separation,
-            radius: self.radius,
-            indentation: self.indentation,
-            creepage: self.creepage,
-            friction: self.friction,
-            wheel_material: Material {
-                young_modulus: parameters.wheel.young_modulus,
-                poisson_ratio: parameters.wheel.poisson_ratio,
-            },
-            rail_material: Material {
-                young_modulus: parameters.rail_young_modulus,
-                poisson_ratio: parameters.rail_poisson_ratio,
-            },
-            normal_model: parameters.normal_model,
-            virtual_penetration: parameters.virtual_penetration,
-            shape_fit: parameters.shape_fit,
-            tangential_model: parameters.tangential_model,
-            strips: parameters.strips,
-            elements_along: parameters.elements_along,
-            elements: parameters.normal_elements,
-            bound: parameters.bound,
-            flexibilities: parameters.flexibilities,
-        }
+        let Self { radius, indentation, creepage, friction, .. } = *self;
+        self.parameters.planar_case(separation, radius, indentation, creepage, friction)
     }
 }
 
