@@ -47,7 +47,9 @@ const SCENES: [Scene; 3] = [
 ];
 
 /// Models by name, with their changes of the default parameters.
-const MODELS: [(&str, fn(&mut Parameters)); 5] = [
+type Models = (&'static str, fn(&mut Parameters));
+
+const MODELS: [Models; 5] = [
     ("hertz + fastsim 20", |p| {
         choose(p, NormalModel::Hertz, 12, TangentialModel::Fastsim, 20);
     }),
