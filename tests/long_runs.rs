@@ -136,6 +136,8 @@ impl Counters {
 
 /// Models with the share of the evaluations that each gets, and whether they jump by nature where the deepest of two minima changes.
 fn models() -> [(&'static str, Parameters, f64, bool); 7] {
+    use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
+    use TangentialModel::{Fastrip, Fastsim, Linear, None};
     let with = |normal_model, strips, tangential_model| Parameters {
         normal_model,
         strips,
@@ -143,8 +145,6 @@ fn models() -> [(&'static str, Parameters, f64, bool); 7] {
         tangential_model,
         ..Parameters::default()
     };
-    use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
-    use TangentialModel::{Fastrip, Fastsim, Linear, None};
     [
         ("hertz + none", with(Hertz, 8, None), 1.0, true),
         ("hertz + fastsim", with(Hertz, 8, Fastsim), 1.0, true),

@@ -15,8 +15,11 @@ pub mod planar;
 pub mod profile_file;
 pub mod values;
 
-/// All of them by the names of their corpora.
-pub const ALL: [(&str, fn(&[u8])); 6] = [
+/// The name of a corpus and what is done with its bytes.
+pub type Subject = (&'static str, fn(&[u8]));
+
+/// All of them.
+pub const ALL: [Subject; 6] = [
     ("profile_file", profile_file::check),
     ("deviation_file", deviation_file::check),
     ("case_table", case_table::check),
