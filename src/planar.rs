@@ -10,7 +10,7 @@ use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
-use crate::normal::strips::{StripSolver, solve_in_frame};
+use crate::normal::strips::{LEAST_STRIPS, StripSolver, solve_in_frame};
 use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::field::ContactField;
@@ -137,7 +137,7 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let mut line = PlanarLine::new(case.separation);
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
-    let mut strips = Strips::with_capacity(MOST_ZONES, case.strips);
+    let mut strips = Strips::with_capacity(MOST_ZONES, case.strips.max(LEAST_STRIPS));
     let mut solver =
         (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);

@@ -29,6 +29,8 @@ pub struct Work {
     pub zones: u64,
     /// Zones marched through by the tangential model.
     pub marches: u64,
+    /// Rails on which the strip model found no edges of its zones and took strips that stay where they are.
+    pub fixed_strips: u64,
 }
 
 /// A wheel and the rails under it, ready to be evaluated.

@@ -7,7 +7,7 @@ use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::room::Room;
-use crate::normal::strips::StripSolver;
+use crate::normal::strips::{LEAST_STRIPS, StripSolver};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
@@ -59,6 +59,8 @@ impl Models {
         // Patches of uneven bodies split along the track too; strips that all meet a wheel's circle are not for them.
         let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
         let is_strips = parameters.normal_model == NormalModel::Strips && !parameters.is_uneven();
+        let strips =
+            if is_strips { parameters.strips.max(LEAST_STRIPS) } else { parameters.strips };
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -77,21 +79,18 @@ impl Models {
             ),
             creepage: parameters.creepage_model,
             curved_zone: CurvedZone::with_capacity(if is_strips {
-                MOST_ZONES * parameters.strips
+                MOST_ZONES * strips
             } else {
-                parameters.strips
+                strips
             }),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
             rule: GaussLegendre::new(parameters.strips),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
-            strips: Strips::with_capacity(zones, parameters.strips),
-            strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
-            rail_strips: Strips::with_capacity(
-                if is_strips { MOST_ZONES } else { 0 },
-                parameters.strips,
-            ),
+            strips: Strips::with_capacity(zones, strips),
+            strip_solver: is_strips.then(|| StripSolver::new(strips)),
+            rail_strips: Strips::with_capacity(if is_strips { MOST_ZONES } else { 0 }, strips),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
         }
     }

@@ -163,7 +163,12 @@ impl RailContact {
             damped_with,
         };
         if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
-            if strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models) {
+            let fixed = |m: &Models| m.strip_solver.as_ref().map_or(0, |s| s.work.fixed);
+            let before = fixed(models);
+            let solved =
+                strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models);
+            work.fixed_strips += fixed(models) - before;
+            if solved {
                 let whole = strip_contact::whole(models, &self.search);
                 for zone in 0..models.rail_strips.zones.len() {
                     let contact = strip_contact::take_zone(&line, &self.rail, zone, models);

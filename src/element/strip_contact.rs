@@ -48,6 +48,7 @@ impl Line for LocalLine<'_> {
         self.near = [u, nearest.s, dy];
         let away = [tangent[1], -tangent[0]];
         LinePlace {
+            u,
             y: nearest.s,
             dy,
             overlap: -nearest.distance,

@@ -14,14 +14,15 @@ pub const TERMS: usize = 4;
 /// A cell and the lobe in it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cell {
-    /// First and last parameter [m].
+    /// First and last parameter, and coordinates there [m].
+    pub range: [f64; 2],
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
     /// Whether its bounds are ridges, and how often an edge came to them.
     pub at_ridge: [bool; 2],
     pub hits: [u8; 2],
-    /// Deepest place and overlap there [m].
+    /// Parameter of the deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
@@ -34,8 +35,9 @@ pub struct Cell {
     pub releases: u8,
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
-    /// Ends of the lobe [m].
+    /// Ends of the lobe, and parameters of the line near them at the start [m].
     pub edges: [f64; 2],
+    pub near: [f64; 2],
     /// Logarithm of pressure over half length, in units of E*/(2R): Legendre coefficients.
     pub shape: [f64; TERMS],
     /// Width with which the lobe began [m].
@@ -96,12 +98,12 @@ fn interval(
     let mut peak = at(first);
     let mut ridge: Option<Extremum> = None;
     let mut start = left;
-    let push = |cells: &mut Room<Cell>, bounds: [f64; 2], peak: Extremum, joined: bool| {
+    let push = |cells: &mut Room<Cell>, range: [f64; 2], peak: Extremum, joined: bool| {
         if cells.len() < cells.capacity() {
-            cells.push(Cell { bounds, joined, deepest: [peak.u, peak.overlap], ..Cell::default() });
+            cells.push(Cell { range, joined, deepest: [peak.u, peak.overlap], ..Cell::default() });
         } else if let Some(cell) = cells.last_mut() {
             // No room: the last cell reaches over the rest.
-            cell.bounds[1] = bounds[1];
+            cell.range[1] = range[1];
             cell.joined = joined;
         }
     };
@@ -168,9 +170,9 @@ pub fn places(
     };
     let from = first.saturating_sub(1);
     let to = (last + 1).min(probes.len() - 1);
-    let left = walk(&mut (from..=to).rev().filter(|&i| probes[i].u < deepest), cell.bounds[0]);
-    let right = walk(&mut (from..=to).filter(|&i| probes[i].u > deepest), cell.bounds[1]);
-    [left.max(cell.bounds[0]), right.min(cell.bounds[1])]
+    let left = walk(&mut (from..=to).rev().filter(|&i| probes[i].u < deepest), cell.range[0]);
+    let right = walk(&mut (from..=to).filter(|&i| probes[i].u > deepest), cell.range[1]);
+    [left.max(cell.range[0]), right.min(cell.range[1])]
 }
 
 /// Share of the distance between two probes to which a place is found.
@@ -190,7 +192,7 @@ mod tests {
         let next = fill(&probes(|u| u * u), 4e-6, 0.1, &mut cells);
         assert!(next.is_infinite() && cells.len() == 1);
         let cell = cells[0];
-        assert!(cell.bounds[1] >= 2e-3 && cell.bounds[1] < 2.2e-3);
+        assert!(cell.range[1] >= 2e-3 && cell.range[1] < 2.2e-3);
         let half = places(&probes(|u| u * u), 4e-6, &cell, 0.5, |u| 4e-6 - u * u);
         approx::assert_relative_eq!(half[0], -(2e-6f64.sqrt()), max_relative = 1e-2);
     }
@@ -203,7 +205,7 @@ mod tests {
         approx::assert_relative_eq!(next, 0.5, max_relative = 1e-9);
         assert_eq!(cells.len(), 2);
         assert!(cells[0].joined && !cells[1].joined);
-        assert!(cells[0].bounds[1].abs() < 1e-12);
+        assert!(cells[0].range[1].abs() < 1e-12);
         assert!(fill(&probes(f), 4e-6, 0.5, &mut cells).is_infinite() && cells.len() == 1);
         // Apart: two intervals.
         fill(&probes(f), 1e-6, 0.1, &mut cells);

@@ -14,20 +14,30 @@
 //! coupled through the half-space, the displacement at a strip being taken along its own normal.
 
 mod cell;
+mod changes;
+mod fixed;
 mod influence;
+mod lobes;
+mod nodes;
 mod pair_sums;
 mod rule;
 mod solver;
 mod system;
+mod zones;
 
 pub use solver::{StripSolver, Work};
 
 use crate::geometry::separation::{Probe, Separation};
 use crate::normal::{NormalProblem, Strips};
 
+/// Least strips of a lobe: each end follows three inner ones, and neither those of the other end.
+pub const LEAST_STRIPS: usize = 7;
+
 /// What is to be known about one place of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinePlace {
+    /// Parameter of the line [m].
+    pub u: f64,
     /// Coordinate across, along the surface [m].
     pub y: f64,
     /// Derivative of `y` by the parameter of the line, > 0 [-].
@@ -48,7 +58,30 @@ pub struct LinePlace {
 pub trait Line {
     /// At parameter `u` [m].
     fn place(&mut self, u: f64) -> LinePlace;
+
+    /// At coordinate `y` across, for a parameter near `guess` [m].
+    ///
+    /// The overlap over `y` is as smooth as the surfaces; over the parameter it is not, where the contact line of a yawed wheel changes
+    /// its speed with the curvature of the profile.
+    fn across(&mut self, y: f64, guess: f64) -> LinePlace {
+        let mut place = self.place(guess);
+        for _ in 0..MOST_PLACES {
+            let step = (y - place.y) / place.dy;
+            if step.abs() <= NEAR {
+                place.overlap += place.overlap_slope * step;
+                place.u += step;
+                place.y = y;
+                break;
+            }
+            place = self.place(place.u + step);
+        }
+        place
+    }
 }
+
+/// Most places tried to find one at a given coordinate, and last step to it [m].
+const MOST_PLACES: usize = 20;
+const NEAR: f64 = 1e-8;
 
 /// The separation in one contact frame as a line: all normals are parallel.
 struct FrameLine<'a, S> {
@@ -61,6 +94,7 @@ impl<S: Separation> Line for FrameLine<'_, S> {
     fn place(&mut self, u: f64) -> LinePlace {
         let (at, slope) = self.separation.with_slope(u);
         LinePlace {
+            u,
             y: at.y,
             dy: at.dy,
             overlap: self.approach - at.f,

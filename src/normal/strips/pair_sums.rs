@@ -30,11 +30,9 @@ pub struct Point {
     pub x: f64,
     /// Unit tangent across.
     pub tangent: [f64; 2],
-    /// Its own pressure and its half length over the slant.
+    /// Its own pressure and half length.
     pub pressure: f64,
     pub own_length: f64,
-    /// One over the square of the slant.
-    pub straightness: f64,
 }
 
 /// Columns of [`pairs`]: displacement, curvature, and derivatives of both by pressure and by the logarithm of the half length.
@@ -42,6 +40,26 @@ pub const PAIR_COLUMNS: usize = 6;
 /// Columns of [`own`]: what its own half length adds to displacement and curvature, their derivatives, changes with the scale of the
 /// lobe, and what the logarithm adds to the entries of [`pairs`].
 pub const OWN_COLUMNS: usize = 12;
+
+/// -∂²D/∂x² over D [1/m²] at distances `dx` along and `dy` across from a strip of half length `a`.
+///
+/// ```text
+/// (1 + c η²)/(a ζ)²,   c = -3 + 3.35 m + 0.75 m³,   m = 1/ζ²
+/// ```
+///
+/// with the spheroidal coordinates of the strip: exact for η = 0 and far away, fitted in between: 1 % off for η = 0.3, 6 % for η = 0.4, on
+/// the strip itself and less elsewhere.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn bend(a: f64, dx: f64, dy: f64) -> f64 {
+    let (a2, dx2) = (a * a, dx * dx);
+    let sum = a2 + dx2 + dy * dy;
+    let zeta2 = 0.5 * (sum + (sum * sum - 4.0 * a2 * dx2).max(0.0).sqrt());
+    let inverse = 1.0 / zeta2;
+    let m = a2 * inverse;
+    (1.0 + dx2 * inverse * (m * (3.35 + 0.75 * m * m) - 3.0)) * inverse
+}
 
 /// Entries of all sources.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
@@ -58,10 +76,9 @@ pub fn pairs(at: &Point, s: &Sources, out: &mut [Vec<f64>; PAIR_COLUMNS]) {
         let w = width[j] * cosine;
         let (a, q) = (half_length[j], pressure[j]);
         let (dy, dx) = (at.y - y[j], at.x - x[j]);
-        let (a2, dy2, dx2) = (a * a, dy * dy, dx * dx);
-        let sum = 1.0 / (a2 + dy2 + dx2);
-        let bend = (a2 + dy2 - 2.0 * dx2) * sum * sum;
-        let turn = 2.0 * a2 * sum * sum * d[j];
+        let (a2, bend) = (a * a, bend(a, dx, dy));
+        // Exact straight across.
+        let turn = 2.0 * a2 * bend * bend * d[j];
         u[j] = w * q * d[j];
         curvature[j] = w * q * d[j] * bend;
         q_u[j] = w * slope[j];
@@ -99,7 +116,7 @@ pub fn own(
         let a2 = a * a;
         let sum = 1.0 / (own2 + square);
         let pair_sum = 1.0 / (a2 + square);
-        let bend = at.straightness * sum;
+        let bend = sum;
         let turn = 2.0 * own2 * bend * sum * own_d[j];
         let (b, own_b) = (a2 * pair_sum, own2 * sum);
         let (e, own_e) = (b * pair_sum, own_b * bend);

@@ -4,7 +4,7 @@ use super::cell::TERMS;
 use super::influence::logarithm_corrections;
 use crate::math::quadrature::GaussLegendre;
 
-/// Quadrature, extrapolation and differentiation on the nodes of a lobe.
+/// Quadrature and extrapolation on the nodes of a lobe.
 #[derive(Clone, Debug)]
 pub struct LobeRule {
     /// Nodes t = sin(π s/2) and weights: Gauss-Legendre in s, in which the root at an edge is smooth.
@@ -21,12 +21,10 @@ pub struct LobeRule {
     pub legendre: Vec<Vec<f64>>,
     /// How far a node travels with the left and the right edge.
     pub travel: [Vec<f64>; 2],
-    /// Derivative at node i from the values at nodes j, rows i.
-    pub derivative: Vec<f64>,
 }
 
 impl LobeRule {
-    /// A rule of `count` ≥ 5 nodes.
+    /// A rule of `count` ≥ 7 nodes.
     #[must_use]
     pub fn new(count: usize) -> Self {
         let gauss = GaussLegendre::new(count);
@@ -36,11 +34,9 @@ impl LobeRule {
         let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
         let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
         let mut corrections = logarithm_corrections(&gauss);
-        let mut derivative = differentiation(&gauss);
         for i in 0..count {
             for j in 0..count {
                 corrections[i * count + j] *= rate[j];
-                derivative[i * count + j] /= rate[i];
             }
         }
         let terms = TERMS.min(count - 3);
@@ -65,7 +61,7 @@ impl LobeRule {
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self { terms, corrections, extrapolation, legendre, travel, derivative, nodes: t, weights }
+        Self { terms, corrections, extrapolation, legendre, travel, nodes: t, weights }
     }
 
     /// Number of nodes.
@@ -75,36 +71,14 @@ impl LobeRule {
     }
 }
 
-/// Differentiation matrix on Gauss-Legendre nodes from barycentric weights (-1)^i sqrt((1 - t²) w).
-fn differentiation(gauss: &GaussLegendre) -> Vec<f64> {
-    let (t, n) = (&gauss.nodes, gauss.nodes.len());
-    let weight = |i: usize| {
-        let size = ((1.0 - t[i] * t[i]) * gauss.weights[i]).sqrt();
-        if i.is_multiple_of(2) { size } else { -size }
-    };
-    let mut matrix = vec![0.0; n * n];
-    for i in 0..n {
-        for j in (0..n).filter(|&j| j != i) {
-            let entry = weight(j) / weight(i) / (t[i] - t[j]);
-            matrix[i * n + j] = entry;
-            matrix[i * n + i] -= entry;
-        }
-    }
-    matrix
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn cubics_are_differentiated_and_parabolas_extrapolated() {
+    fn parabolas_are_extrapolated() {
         let rule = LobeRule::new(12);
         let t = &rule.nodes;
-        for i in 0..12 {
-            let slope: f64 = (0..12).map(|j| rule.derivative[i * 12 + j] * t[j].powi(3)).sum();
-            approx::assert_relative_eq!(slope, 3.0 * t[i] * t[i], epsilon = 3e-2);
-        }
         let outer: f64 = (0..3).map(|k| rule.extrapolation[0][k] * t[k + 2] * t[k + 2]).sum();
         approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
     }

@@ -3,12 +3,13 @@
 //! At node i, in lengths after division by π E*, with the trailing sums over the nodes of its own lobe
 //!
 //! ```text
-//! u_i = Σ_j≠i w_j q_j D_ij cos_ij - q_i Σ_j≠i w_j D(Δy_ij ν/a_i) + q_i a_i/ν [Ψ(ν S_left/a_i) + Ψ(ν S_right/a_i)]
+//! u_i = Σ_j≠i w_j q_j D_ij cos_ij - q_i Σ_j≠i w_j D(Δy_ij/a_i) + q_i a_i [Ψ(S_left/a_i) + Ψ(S_right/a_i)]
 //!       - 2 Σ_j C_ij (q_j B_ij - q_i B'_ij)
 //! ```
 //!
 //! The second and third term take the singularity out of the sum and put its integral in its place; the last one mends the sum for
-//! the logarithm that is left. ν = sqrt(1 + (dx/dy)²) is the slant of the strips' centres, cos_ij that of the angle between the normals.
+//! the logarithm that is left. Strips shifted along x lie no further apart for that, so that the singularity is that of straight ones;
+//! cos_ij is that of the angle between the normals.
 //! The curvature along x follows in the same way with D/(a² + Δy²) for D.
 
 use std::ops::Range;
@@ -17,148 +18,12 @@ use multiversion::multiversion;
 
 use super::cell::{Cell, TERMS};
 use super::influence::{Integrals, skewed, straight};
-use super::pair_sums::{self, OWN_COLUMNS, PAIR_COLUMNS, Point, Sources};
+use super::nodes::{LANES, Lobe, Matrices, Nodes};
+use super::pair_sums::{self, Point, Sources};
 use super::rule::LobeRule;
 
-/// Nodes of all lobes, as columns.
-#[derive(Clone, Debug, Default)]
-pub struct Nodes {
-    /// Parameter of the contact line [m].
-    pub u: Vec<f64>,
-    /// Lateral coordinate and its derivative by `u`.
-    pub y: Vec<f64>,
-    pub dy: Vec<f64>,
-    /// Place along x [m].
-    pub x: Vec<f64>,
-    /// Unit tangent across.
-    pub tangent: Vec<[f64; 2]>,
-    /// Overlap and its derivative by u.
-    pub overlap: Vec<f64>,
-    pub overlap_slope: Vec<f64>,
-    /// Radius of the normal section along x [m].
-    pub radius: Vec<f64>,
-    /// Weight across [m].
-    pub width: Vec<f64>,
-    /// Shape of the pressure at free edges, sqrt(1 - t²) or one factor of it.
-    pub edge_shape: Vec<f64>,
-    /// q over π E* over the edge shape [-].
-    pub ratio: Vec<f64>,
-    /// q over π E*, not below zero [-].
-    pub pressure: Vec<f64>,
-    /// Half length, above zero [m].
-    pub half_length: Vec<f64>,
-    /// Slant ν.
-    pub slant: Vec<f64>,
-    /// Number of the lobe.
-    pub lobe: Vec<usize>,
-    /// Ratios while lobes are laid out anew.
-    pub spare: Vec<f64>,
-}
-
-impl Nodes {
-    /// No nodes, with room for `count`.
-    pub fn with_capacity(count: usize) -> Self {
-        let column = || Vec::with_capacity(count);
-        Self {
-            u: column(),
-            y: column(),
-            dy: column(),
-            x: column(),
-            tangent: Vec::with_capacity(count),
-            overlap: column(),
-            overlap_slope: column(),
-            radius: column(),
-            width: column(),
-            edge_shape: column(),
-            ratio: column(),
-            pressure: column(),
-            half_length: column(),
-            slant: column(),
-            lobe: Vec::with_capacity(count),
-            spare: column(),
-        }
-    }
-
-    /// Makes all columns `count` long.
-    pub fn resize(&mut self, count: usize) {
-        for column in [
-            &mut self.u,
-            &mut self.y,
-            &mut self.dy,
-            &mut self.x,
-            &mut self.overlap,
-            &mut self.overlap_slope,
-            &mut self.radius,
-            &mut self.width,
-            &mut self.edge_shape,
-            &mut self.ratio,
-            &mut self.pressure,
-            &mut self.half_length,
-            &mut self.slant,
-        ] {
-            column.resize(count, 0.0);
-        }
-        self.tangent.resize(count, [1.0, 0.0]);
-        self.lobe.resize(count, 0);
-    }
-}
-
-/// One active lobe: its cell and where its nodes and unknowns begin.
-#[derive(Clone, Copy, Debug)]
-pub struct Lobe {
-    /// Index of the cell.
-    pub cell: usize,
-    /// First node.
-    pub first: usize,
-    /// y of both edges [m].
-    pub edge_y: [f64; 2],
-    /// Derivative of y by u at both edges.
-    pub edge_dy: [f64; 2],
-}
-
-/// Matrices of one assembly; `stride` entries a row.
-#[derive(Clone, Debug, Default)]
-pub struct Matrices {
-    /// D of pairs and its slope d(a D)/da, then those of the own half length.
-    pub d: Vec<f64>,
-    pub slope: Vec<f64>,
-    pub own_d: Vec<f64>,
-    pub own_slope: Vec<f64>,
-    /// Scratch for columns and rows of whole vectors.
-    padded: [Vec<f64>; 7],
-    pairs: [Vec<f64>; PAIR_COLUMNS],
-    own: [Vec<f64>; OWN_COLUMNS],
-    logarithm: Vec<f64>,
-    /// The Newton matrix.
-    pub newton: Vec<f64>,
-    /// Its right side: residuals, then the step.
-    pub right: Vec<f64>,
-}
-
-impl Matrices {
-    /// Room for `nodes` nodes, `strips` a lobe, and `unknowns` unknowns.
-    pub fn new(strips: usize, nodes: usize, unknowns: usize) -> Self {
-        let square = || vec![0.0; nodes * nodes];
-        Self {
-            d: square(),
-            slope: square(),
-            own_d: square(),
-            own_slope: square(),
-            padded: std::array::from_fn(|_| vec![0.0; nodes.next_multiple_of(LANES)]),
-            pairs: std::array::from_fn(|_| vec![0.0; nodes]),
-            own: std::array::from_fn(|_| vec![0.0; strips]),
-            logarithm: vec![0.0; strips],
-            newton: vec![0.0; unknowns * unknowns],
-            right: vec![0.0; unknowns],
-        }
-    }
-}
-
-/// Numbers in the longest vectors: rows of so many have no remainder, which would be taken one by one.
-const LANES: usize = 8;
-
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
-const SHAPE_REGULARISATION: f64 = 1e-3;
+const SHAPE_REGULARISATION: f64 = 1e-5;
 
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
@@ -223,7 +88,7 @@ impl Assembly<'_> {
             near[n..].fill(nodes.y[range.end - 1]);
             for i in range.clone() {
                 let own = &mut own[..padded];
-                own.fill(nodes.half_length[i] / nodes.slant[i]);
+                own.fill(nodes.half_length[i]);
                 let (row_d, row_slope) = (&mut row_d[..padded], &mut row_slope[..padded]);
                 straight(nodes.y[i], near, own, row_d, row_slope);
                 let row = i * count + range.start..i * count + range.end;
@@ -245,21 +110,14 @@ impl Assembly<'_> {
     fn node_row(&self, m: &mut Matrices, unknowns: usize, lobe: usize, t: usize) {
         let (nodes, rule) = (self.nodes, self.rule);
         let (n, count) = (rule.count(), nodes.y.len());
-        let Lobe { first, edge_y, edge_dy, cell } = self.lobes[lobe];
+        let Lobe { first, cell } = self.lobes[lobe];
+        let edge_y = self.cells[cell].edges;
         let i = first + t;
         let pairs = i * count..(i + 1) * count;
         let (d, slope) = (&m.d[pairs.clone()], &m.slope[pairs.clone()]);
         let (own_d, own_slope) = (&m.own_d[pairs.clone()], &m.own_slope[pairs]);
         let (y, x, q_i, a_i) = (nodes.y[i], nodes.x[i], nodes.pressure[i], nodes.half_length[i]);
-        let slant = nodes.slant[i];
-        let at = Point {
-            y,
-            x,
-            tangent: nodes.tangent[i],
-            pressure: q_i,
-            own_length: a_i / slant,
-            straightness: 1.0 / (slant * slant),
-        };
+        let at = Point { y, x, tangent: nodes.tangent[i], pressure: q_i, own_length: a_i };
         let sources = |range: Range<usize>| Sources {
             y: &nodes.y[range.clone()],
             x: &nodes.x[range.clone()],
@@ -281,8 +139,8 @@ impl Assembly<'_> {
         // Singularity of its own lobe: taken out of the sum, integrated instead; derivatives by the scale of the lobe.
         let half = 0.5 * (self.cells[cell].edges[1] - self.cells[cell].edges[0]);
         let corrections = &rule.corrections[t * n..(t + 1) * n];
-        for (k, (weight, correction)) in m.logarithm.iter_mut().zip(corrections).enumerate() {
-            *weight = -2.0 * correction * half * nodes.dy[first + k];
+        for (weight, correction) in m.logarithm.iter_mut().zip(corrections) {
+            *weight = -2.0 * correction * half;
         }
         let range = first..first + n;
         let (near_d, near_slope) = (&own_d[range.clone()], &own_slope[range.clone()]);
@@ -318,14 +176,13 @@ impl Assembly<'_> {
         let mut edge_slope_x = [0.0; 2];
         for side in 0..2 {
             let reach = (edge_y[side] - y).abs();
-            let sigma = slant * reach / a_i;
+            let sigma = reach / a_i;
             let [psi, weighted, at] = self.integrals.at(sigma);
-            let length = a_i / slant;
-            u += q_i * length * psi;
-            row_q[i] += length * (2.0 * psi - sigma * at);
-            row_a[i] += q_i * length * (psi - sigma * at);
+            u += q_i * a_i * psi;
+            row_q[i] += a_i * (2.0 * psi - sigma * at);
+            row_a[i] += q_i * a_i * (psi - sigma * at);
             edge_slope[side] = q_i * at;
-            let inverse = 1.0 / (slant * a_i);
+            let inverse = 1.0 / a_i;
             let falling = sigma * at / (1.0 + sigma * sigma);
             curvature += q_i * inverse * weighted;
             row_xq[i] -= inverse * falling;
@@ -410,11 +267,11 @@ impl Assembly<'_> {
                 if other == lobe {
                     by_u += scaled_u * stretch;
                     by_x += scaled_x * stretch;
-                    let moved = rule.travel[side][t] * nodes.dy[i];
-                    by_u += edge_slope[0] * (moved - if side == 0 { edge_dy[0] } else { 0.0 });
-                    by_u += edge_slope[1] * (if side == 1 { edge_dy[1] } else { 0.0 } - moved);
-                    by_x += edge_slope_x[0] * (moved - if side == 0 { edge_dy[0] } else { 0.0 });
-                    by_x += edge_slope_x[1] * (if side == 1 { edge_dy[1] } else { 0.0 } - moved);
+                    let moved = rule.travel[side][t];
+                    by_u += edge_slope[0] * (moved - if side == 0 { 1.0 } else { 0.0 });
+                    by_u += edge_slope[1] * (if side == 1 { 1.0 } else { 0.0 } - moved);
+                    by_x += edge_slope_x[0] * (moved - if side == 0 { 1.0 } else { 0.0 });
+                    by_x += edge_slope_x[1] * (if side == 1 { 1.0 } else { 0.0 } - moved);
                     by_u -= nodes.overlap_slope[i] * rule.travel[side][t];
                     // Sources elsewhere are passed.
                     for j in (0..count).filter(|&j| nodes.lobe[j] != lobe) {
@@ -427,7 +284,7 @@ impl Assembly<'_> {
                         let j = source.first + k;
                         let dy = y - nodes.y[j];
                         let load = nodes.width[j] * nodes.pressure[j];
-                        let moved = rule.travel[side][k] * nodes.dy[j];
+                        let moved = rule.travel[side][k];
                         by_u += load * d[j] * stretch;
                         by_u -= load * (d[j] - slope[j]) * moved * dy
                             / (dy * dy + (x - nodes.x[j]).powi(2));

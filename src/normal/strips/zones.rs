@@ -1,0 +1,70 @@
+//! Loaded zones out of the lobes.
+
+use std::f64::consts::PI;
+
+use super::solver::StripSolver;
+use crate::normal::{Strips, Zone};
+
+impl StripSolver {
+    /// Greatest pressure over π E* of the lobe that begins at node `first`: the vertex of the parabola of its square, exact on ellipses.
+    pub(super) fn greatest_pressure(&self, first: usize) -> f64 {
+        let n = self.rule.count();
+        let q = &self.nodes.pressure[first..first + n];
+        let most = (0..n).fold(0, |best, t| if q[t] > q[best] { t } else { best });
+        if most == 0 || most == n - 1 {
+            return q[most];
+        }
+        let t = &self.rule.nodes[most - 1..=most + 1];
+        let square = [most - 1, most, most + 1].map(|k| q[k] * q[k]);
+        let (left, right) = (t[0] - t[1], t[2] - t[1]);
+        let slopes = [(square[0] - square[1]) / left, (square[2] - square[1]) / right];
+        let bend = (slopes[1] - slopes[0]) / (right - left);
+        let slope = slopes[0] - bend * left;
+        let vertex = if bend < 0.0 { (-0.5 * slope / bend).clamp(left, right) } else { 0.0 };
+        (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
+    }
+
+    /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
+    pub(super) fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
+        let n = self.rule.count();
+        let mut number = 0;
+        while number < self.lobes.len() {
+            let begin = number;
+            while number + 1 < self.lobes.len() {
+                let (here, next) = (self.lobes[number].cell, self.lobes[number + 1].cell);
+                let meets = next == here + 1
+                    && self.cells[here].joined
+                    && self.cells[here].pinned[1]
+                    && self.cells[next].pinned[0];
+                if !meets {
+                    break;
+                }
+                number += 1;
+            }
+            number += 1;
+            let count = (number - begin) * n;
+            if !strips.has_room_for(count) {
+                continue;
+            }
+            let mut zone = Zone { first: strips.y.len(), count, ..Zone::default() };
+            for lobe in &self.lobes[begin..number] {
+                for i in lobe.first..lobe.first + n {
+                    let nodes = &self.nodes;
+                    strips.y.push(nodes.y[i]);
+                    strips.width.push(nodes.width[i]);
+                    strips.x.push(nodes.x[i]);
+                    strips.half_length.push(nodes.half_length[i]);
+                    strips.pressure.push(PI * contact_modulus * nodes.pressure[i]);
+                    strips.u.push(nodes.u[i]);
+                    zone.length = zone.length.max(2.0 * nodes.half_length[i]);
+                }
+                let greatest = PI * contact_modulus * self.greatest_pressure(lobe.first);
+                zone.max_pressure = zone.max_pressure.max(greatest);
+            }
+            zone.width = self.cells[self.lobes[number - 1].cell].edges[1]
+                - self.cells[self.lobes[begin].cell].edges[0];
+            strips.summarise(&mut zone);
+            strips.zones.push(zone);
+        }
+    }
+}
