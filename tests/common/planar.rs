@@ -1,6 +1,8 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
-use wheelrail::element::parameters::{Flexibilities, NormalModel, ShapeFit, TangentialModel};
+use wheelrail::element::parameters::{
+    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+};
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::tangential::fastsim::TractionBound;
@@ -78,6 +80,8 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         elements: [20, 20],
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
+        friction_law: FrictionLaw::default(),
+        speed: 0.0,
     }
 }
 
