@@ -1,6 +1,7 @@
 //! Forces that a zone gets from the ellipse that stands for it: those of the table, and the correction of FASTSIM.
 
 use super::equivalent_ellipse::LoadedPart;
+use super::fastsim_correction::EllipseStrips;
 use super::rigid_slip::RigidSlip;
 use super::tables::CreepForceTable;
 use super::waist::Waist;
@@ -9,8 +10,8 @@ use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 
 impl Tangential {
-    /// The force of the ellipse that stands for `zone`, or of those for its lobes: that of the table, less that of FASTSIM where it is a
-    /// correction. `state.creepage` is the mean creepage.
+    /// The force of the ellipse that stands for `zone`, or of those for its lobes; where FASTSIM gave the zone the force `marched`, what corrects
+    /// that. `state.creepage` is the mean creepage.
     pub(super) fn ellipse_force(
         &self,
         zone: &Zone,
@@ -18,54 +19,51 @@ impl Tangential {
         material: &MaterialPair,
         slip: &impl RigidSlip,
         state: &RollingState,
+        marched: Option<&CreepForce>,
     ) -> Option<CreepForce> {
         let table = self.table?;
         (state.friction * zone.load * state.load_factor > 0.0).then_some(())?;
         let mut total = CreepForce::default();
         let waist = Waist::of(zone, strips);
         let lobes = waist.map_or(0.0, |waist| waist.share);
+        let whole = LoadedPart::whole(zone, strips, state.creepage);
         if lobes < 1.0 {
-            let whole = LoadedPart::whole(zone, strips, state.creepage);
-            self.add_part(&mut total, table, material, zone, &whole, state, 1.0 - lobes);
+            add_part(&mut total, table, material, zone, &whole, state, 1.0 - lobes);
         }
         if let Some(waist) = waist {
             let left = LoadedPart::of(zone, strips, slip, |y| waist.left(y));
             let right = LoadedPart::of(zone, strips, slip, |y| 1.0 - waist.left(y));
             for part in [left, right].iter().flatten() {
-                self.add_part(&mut total, table, material, zone, part, state, lobes);
+                add_part(&mut total, table, material, zone, part, state, lobes);
             }
+        }
+        if let Some((circle, marched)) = self.ellipse_strips.as_ref().zip(marched) {
+            let approximate = self.marched_on(circle, material, zone, &whole, state);
+            total.add_share(&approximate, -(1.0 - lobes));
+            // FASTSIM gives a zone with a waist the flexibilities of one ellipse, which is no likeness of it: lobes have the force of the table.
+            total.add_share(marched, -lobes);
+            // What slips is what slips on the zone.
+            total.slip_area = 0.0;
         }
         Some(total)
     }
 
-    /// Adds `weight` times the force of one part, about the centroid of the zone.
-    #[allow(clippy::too_many_arguments)] // what a part is and how it moves
-    fn add_part(
+    /// The force of FASTSIM on the ellipse of the whole zone.
+    fn marched_on(
         &self,
-        total: &mut CreepForce,
-        table: &CreepForceTable,
+        circle: &EllipseStrips,
         material: &MaterialPair,
         zone: &Zone,
-        part: &LoadedPart,
+        whole: &LoadedPart,
         state: &RollingState,
-        weight: f64,
-    ) {
-        let LoadedPart { share, centre, ellipse, creepage } = part;
-        let limit = share * state.friction * zone.load * state.load_factor;
-        for (rolling, direction) in [
-            (Rolling::Forward, state.forward_share),
-            (Rolling::Backward, 1.0 - state.forward_share),
-        ] {
-            let weight = weight * direction;
-            if weight <= 0.0 {
-                continue;
-            }
-            let area = share * zone.area;
-            let mut force =
-                ellipse.tabulated_force(table, material, creepage, rolling, limit, area);
-            if let Some(strips) = &self.ellipse_strips {
+    ) -> CreepForce {
+        let LoadedPart { ellipse, creepage, .. } = whole;
+        let limit = state.friction * zone.load * state.load_factor;
+        let mut total = CreepForce::default();
+        for (rolling, weight) in directions(state) {
+            if weight > 0.0 {
                 let (fastsim, flexibilities) = (&self.fastsim, self.flexibilities);
-                let approximate = strips.force(
+                let force = circle.force(
                     fastsim,
                     ellipse,
                     flexibilities,
@@ -74,13 +72,38 @@ impl Tangential {
                     rolling,
                     limit,
                 );
-                force.add_share(&approximate, -1.0);
-                // What slips is what slips on the zone.
-                force.slip_area = 0.0;
+                total.add_share(&force, weight);
             }
-            force.spin_moment += centre[0] * force.lateral - centre[1] * force.longitudinal;
-            total.add_share(&force, weight);
         }
+        total
+    }
+}
+
+fn directions(state: &RollingState) -> [(Rolling, f64); 2] {
+    [(Rolling::Forward, state.forward_share), (Rolling::Backward, 1.0 - state.forward_share)]
+}
+
+/// Adds `weight` times the tabulated force of one part, about the centroid of the zone.
+fn add_part(
+    total: &mut CreepForce,
+    table: &CreepForceTable,
+    material: &MaterialPair,
+    zone: &Zone,
+    part: &LoadedPart,
+    state: &RollingState,
+    weight: f64,
+) {
+    let LoadedPart { share, centre, ellipse, creepage } = part;
+    let limit = share * state.friction * zone.load * state.load_factor;
+    for (rolling, direction) in directions(state) {
+        let weight = weight * direction;
+        if weight <= 0.0 {
+            continue;
+        }
+        let area = share * zone.area;
+        let mut force = ellipse.tabulated_force(table, material, creepage, rolling, limit, area);
+        force.spin_moment += centre[0] * force.lateral - centre[1] * force.longitudinal;
+        total.add_share(&force, weight);
     }
 }
 
@@ -93,13 +116,13 @@ impl CreepForce {
     }
 
     /// Changes this correction so that with it the force `marched` is not greater than `limit` [N].
-    pub(super) fn keep_within(&mut self, limit: f64, marched: [f64; 2]) {
-        let whole = [marched[0] + self.longitudinal, marched[1] + self.lateral];
+    pub(super) fn keep_within(&mut self, limit: f64, marched: &Self) {
+        let whole = [marched.longitudinal + self.longitudinal, marched.lateral + self.lateral];
         let magnitude = whole[0].hypot(whole[1]);
         if magnitude > limit {
             let ratio = limit / magnitude;
-            self.longitudinal = ratio * whole[0] - marched[0];
-            self.lateral = ratio * whole[1] - marched[1];
+            self.longitudinal = ratio * whole[0] - marched.longitudinal;
+            self.lateral = ratio * whole[1] - marched.lateral;
         }
     }
 }

@@ -221,7 +221,7 @@ impl Tangential {
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
             let (state, material) = self.under_law(zone, material, state);
-            return self.ellipse_force(zone, strips, &material, &slip, &state);
+            return self.ellipse_force(zone, strips, &material, &slip, &state, None);
         }
         let mut total = CreepForce::default();
         let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
@@ -255,7 +255,7 @@ impl Tangential {
             return None;
         }
         if self.model == TangentialModel::Tables {
-            let force = self.ellipse_force(zone, strips, material, slip, state)?;
+            let force = self.ellipse_force(zone, strips, material, slip, state, None)?;
             spread_by_load(zone, strips, &force, each);
             return Some(Outcome::Solved);
         }
@@ -268,7 +268,7 @@ impl Tangential {
         let elements = (self.model == TangentialModel::BoundaryElement)
             .then(|| LoadedElements::of(zone, strips, self.elements));
         let backward_share = 1.0 - forward_share;
-        let mut marched = [0.0; 2];
+        let mut marched = CreepForce::default();
         for (rolling, share) in
             [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
         {
@@ -300,8 +300,7 @@ impl Tangential {
                 TangentialModel::FastsimCorrected => {
                     let add = |j, force: StripForce| {
                         let force = force.times(share);
-                        marched[0] += force.longitudinal;
-                        marched[1] += force.lateral;
+                        marched.add(zone, strips, j, &force);
                         each(j, force);
                     };
                     let march = &self.fastsim;
@@ -321,9 +320,10 @@ impl Tangential {
             }
         }
         if self.model == TangentialModel::FastsimCorrected
-            && let Some(mut force) = self.ellipse_force(zone, strips, material, slip, state)
+            && let Some(mut force) =
+                self.ellipse_force(zone, strips, material, slip, state, Some(&marched))
         {
-            force.keep_within(limit, marched);
+            force.keep_within(limit, &marched);
             spread_by_load(zone, strips, &force, each);
         }
         Some(outcome)

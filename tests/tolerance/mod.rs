@@ -309,3 +309,11 @@ pub const TABLE_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
 pub const TABLE_PROFILES_MOMENT: f64 = 0.008;
 pub const CORRECTED_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
 pub const CORRECTED_PROFILES_MOMENT: f64 = 0.008;
+
+/// The same for strips with tables and with corrected FASTSIM: 15 strips.
+pub const MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.14];
+pub const MANCHESTER_TABLES_FY: [f64; 2] = [0.0015, 0.05];
+
+/// Jump of the creep force where two zones of strips join, 15 strips, over the friction limit; FASTSIM has flexibilities of each zone.
+pub const JOINING_ZONES: f64 = 5e-3;
+pub const JOINING_ZONES_CORRECTED: f64 = 5e-2;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
@@ -17,8 +17,8 @@ use crate::output;
 
 /// Make the table of creep forces of tangential.model = tables, or measure it
 ///
-/// Some 34000 boundary element solutions on all cores, ten to twenty minutes on two. A build of the library then takes the new file. With
-/// --check the table that is built in is compared with solutions at states between its nodes.
+/// Some 34000 boundary element solutions on each of two grids, on all cores: five to ten minutes of two. A build of the library then takes
+/// the new file. With --check the table that is built in is compared with solutions at states between its nodes.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Poisson's ratio of the comparison
     #[arg(long, default_value_t = POISSON_RATIO)]
     poisson_ratio: f64,
-    /// Elements along and across on the two grids of the comparison
+    /// Elements along and across on the two grids
     #[arg(long, value_delimiter = ',', num_args = 1, default_values_t = ELEMENTS)]
     elements: Vec<usize>,
     /// Greatest a/b, and inverse of the least, in the comparison
@@ -47,39 +47,46 @@ pub struct Arguments {
 /// # Errors
 /// If a solution does not converge or the file cannot be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
+    let &[coarse, fine] = &arguments.elements[..] else {
+        bail!("--elements: write two numbers, as 16,24");
+    };
+    ensure!(
+        (4..=200).contains(&coarse) && (coarse + 1..=200).contains(&fine),
+        "--elements: two numbers from 4 to 200, the second greater than the first"
+    );
+    let elements = [coarse, fine];
     match (&arguments.output, arguments.check) {
         (Some(path), _) => {
-            let nodes = generate()?;
-            fs::write(path, nodes.to_bytes(&head(&nodes, &arguments.date)))
+            let nodes = generate(elements)?;
+            fs::write(path, nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
                 .with_context(|| format!("cannot write {}", path.display()))
         }
-        (None, Some(states)) => check(arguments, states),
+        (None, Some(states)) => check(arguments, elements, states),
         (None, None) => Ok(()),
     }
 }
 
-fn head(nodes: &Nodes, date: &str) -> String {
+fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
     let mut errors = nodes.error.clone();
     errors.sort_by(f64::total_cmp);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     let at = |share: f64| errors[(share * (errors.len() - 1) as f64) as usize];
     format!(
         "Creep forces of Hertzian ellipses in steady rolling, boundary elements, for tangential.model = tables.\n\
-         Made by: wheelrail tables -o creep_forces.table, version {}, {date}.\n\
-         Elements {} and {} along and across, extrapolated with the power 3/2 of their size; Poisson's ratio {POISSON_RATIO}.\n\
+         Made by: wheelrail tables -o creep_forces.table --elements {coarse},{fine}, version {}, {date}.\n\
+         Elements {coarse} and {fine} along and across, extrapolated with the power 3/2 of their size; Poisson's ratio {POISSON_RATIO}.\n\
          a/b 0.05 to 20 in {RATIOS} steps of equal ratio, {SATURATIONS} saturations, {RING} directions: {CREEP_NODES} nodes.\n\
          Estimated error of the force over friction limit: mean {mean:.4}, 95 % {:.4}, greatest {:.4}.\n\
          What stands where: src/tangential/tables/nodes.rs. Binary from the empty line on.",
         env!("CARGO_PKG_VERSION"),
-        ELEMENTS[0],
-        ELEMENTS[1],
         at(0.95),
         at(1.0),
     )
 }
 
-fn generate() -> Result<Nodes> {
-    let ellipses: Vec<EllipseNodes> = (0..RATIOS).map(EllipseNodes::number).collect();
+fn generate(elements: [usize; 2]) -> Result<Nodes> {
+    let ellipses: Vec<EllipseNodes> =
+        (0..RATIOS).map(|i| EllipseNodes::number(i, elements)).collect();
     let bar = output::progress(CREEP_NODES, Some("file".as_ref()))?;
     let creep = (0..CREEP_NODES).into_par_iter().map(|n| {
         let (i, j, k) = (n / (SATURATIONS * RING), n / RING % SATURATIONS + 1, n % RING);
@@ -108,9 +115,10 @@ fn even(state: usize, dimension: usize) -> f64 {
     (0.5 + STEPS[dimension] * (state + 1) as f64).fract()
 }
 
-fn check(arguments: &Arguments, states: usize) -> Result<()> {
-    ensure!(arguments.elements.len() == 2, "--elements: write two numbers, as 24,36");
-    let elements = [arguments.elements[0], arguments.elements[1]];
+fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<()> {
+    ensure!(arguments.axis_ratio >= 1.0, "--axis-ratio: at least 1");
+    ensure!(states > 0, "--check: at least one state");
+    ensure!((0.0..=0.5).contains(&arguments.poisson_ratio), "--poisson-ratio: 0 to 0.5");
     let bar: ProgressBar = output::progress(states, Some("file".as_ref()))?;
     let errors = (0..states).into_par_iter().map(|state| {
         let greatest = arguments.axis_ratio.ln().min(LOG_RATIO);

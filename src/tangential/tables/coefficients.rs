@@ -43,9 +43,26 @@ impl Coefficients {
         value_and_slopes(&self.values, [n1 * n2 * n3, n2 * n3, n3], n1.min(4), places)
     }
 
-    /// The same along the first two coordinates alone, where the others have one coefficient; the last two derivatives are 0.
+    /// The value along the first two coordinates alone, where the others have one coefficient.
     #[must_use]
-    pub fn plane_value_and_slopes(&self, places: &[Place; 4]) -> Sums {
+    pub fn plane_value(&self, places: [&Place; 2]) -> Channels {
+        let mut sum = [0.0; 4];
+        for i in 0..4 {
+            let from = (places[0].first + i) * self.counts[1] + places[1].first;
+            let Some(row) = self.values.get(from..from + 4) else { continue };
+            for (j, knot) in row.iter().enumerate() {
+                let weight = places[0].weights[i] * places[1].weights[j];
+                for (sum, value) in sum.iter_mut().zip(knot) {
+                    *sum += weight * f64::from(*value);
+                }
+            }
+        }
+        sum
+    }
+
+    /// The same with derivatives; the last two are 0.
+    #[must_use]
+    pub fn plane_value_and_slopes(&self, places: [&Place; 2]) -> Sums {
         let mut sums = [[0.0; 4]; 5];
         for i in 0..4 {
             for j in 0..4 {

@@ -9,8 +9,8 @@ use super::{Scales, scales, sliding};
 
 /// Poisson's ratio of the table.
 pub const POISSON_RATIO: f64 = 0.28;
-/// Elements along and across on the two grids.
-pub const ELEMENTS: [usize; 2] = [24, 36];
+/// Elements along and across on the two grids of the committed table.
+pub const ELEMENTS: [usize; 2] = [16, 24];
 /// Power of the element size with which the error falls: measured between 11x11 and 44x44 on 300 ellipses.
 const ORDER: f64 = 1.5;
 
@@ -44,10 +44,10 @@ impl EllipseNodes {
         }
     }
 
-    /// Ellipse number `i` of the table.
+    /// Ellipse number `i` of a table from square grids of `elements`.
     #[must_use]
-    pub fn number(i: usize) -> Self {
-        Self::new(log_ratio(i), POISSON_RATIO, ELEMENTS)
+    pub fn number(i: usize, elements: [usize; 2]) -> Self {
+        Self::new(log_ratio(i), POISSON_RATIO, elements)
     }
 
     /// The force for creepages v; `None` where a solution did not converge.

@@ -189,7 +189,7 @@ impl CreepForceTable {
             place(along.elevation * PER_ELEVATION[0], ELEVATION_CELLS),
             place(along.azimuth * PER_AZIMUTH[0], AZIMUTH_CELLS),
         ]);
-        let [planes, ..] = self.splines.planes.plane_value_and_slopes(&[ratio, radius, NONE, NONE]);
+        let planes = self.splines.planes.plane_value([&ratio, &radius]);
         let unfold = signs(along.signs);
         let [y, z] = [scaled[1] / along.length, scaled[2] / along.length];
         let plane = [0.0, planes[0] * y + planes[1] * z, planes[2] * y + planes[3] * z];
@@ -235,7 +235,7 @@ impl CreepForceTable {
             place(along.elevation * PER_ELEVATION[0], ELEVATION_CELLS),
             place(along.azimuth * PER_AZIMUTH[0], AZIMUTH_CELLS),
         ]);
-        let planes = self.splines.planes.plane_value_and_slopes(&[ratio, radius, NONE, NONE]);
+        let planes = self.splines.planes.plane_value_and_slopes([&ratio, &radius]);
         let unfold = signs(along.signs);
         let unit = scaled.map(|x| x / length);
         let slip = Direction::of(v);
