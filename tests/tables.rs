@@ -65,7 +65,7 @@ fn small_creepages_follow_the_linear_law_whatever_poissons_ratio() {
 #[test]
 fn great_creepages_slide_in_full() {
     let mut random = Random::new(2);
-    let mut worst = [0f64; 2];
+    let mut errors = [Vec::new(), Vec::new()];
     for _ in 0..2000 {
         let log_ratio = random.about(2.9);
         let v = random_creepage(&mut random);
@@ -73,8 +73,8 @@ fn great_creepages_slide_in_full() {
         let great = v.map(|v| 1e9 * v / length);
         let found = table().force(&scales(log_ratio, 0.1), great).force;
         let exact = sliding_force(log_ratio, v);
-        worst[0] = worst[0].max((found[0] - exact[0]).hypot(found[1] - exact[1]));
-        worst[1] = worst[1].max((found[2] - exact[2]).abs());
+        errors[0].push((found[0] - exact[0]).hypot(found[1] - exact[1]));
+        errors[1].push((found[2] - exact[2]).abs());
         // Without spin the limit is met to rounding.
         let found = table().force(&scales(log_ratio, 0.1), [great[0], great[1], 0.0]).force;
         let slip = v[0].hypot(v[1]);
@@ -82,8 +82,11 @@ fn great_creepages_slide_in_full() {
         assert_abs_diff_eq!(found[1], -v[1] / slip, epsilon = 1e-7);
         assert_abs_diff_eq!(found[2], 0.0, epsilon = 1e-7);
     }
-    println!("full sliding: force {:.5}, moment {:.5} at worst", worst[0], worst[1]);
-    assert!(worst[0] <= tolerance::TABLE_SLIDING[0] && worst[1] <= tolerance::TABLE_SLIDING[1]);
+    for (errors, bounds) in errors.into_iter().zip(tolerance::TABLE_SLIDING) {
+        let [mean, p95, worst] = quantiles(errors);
+        println!("full sliding: mean {mean:.5}, 95 % {p95:.5}, worst {worst:.5}");
+        assert!(mean <= bounds[0] && worst <= bounds[1]);
+    }
 }
 
 #[test]

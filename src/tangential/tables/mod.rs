@@ -39,8 +39,8 @@ use splines::Splines;
 /// The committed table.
 const FILE: &[u8] = include_bytes!("creep_forces.table");
 
-/// Width over which ln(a/b) is brought to rest at the ends of the table.
-const END: f64 = 0.2;
+/// How far ln(a/b) goes on beyond the ends of the table before it rests; splines are carried on that far.
+const END: f64 = 0.1;
 
 /// Creepages beyond this are full sliding to rounding.
 const MOST_CREEPAGE: f64 = 1e60;
@@ -117,15 +117,15 @@ impl Scales {
     }
 }
 
-/// ln(a/b) brought to rest at the ends of the table, and its derivative.
+/// ln(a/b) brought to rest beyond the ends of the table, and its derivative.
 fn at_rest_beyond(log_ratio: f64) -> [f64; 2] {
-    let over = log_ratio.abs() - (LOG_RATIO - END);
+    let over = log_ratio.abs() - LOG_RATIO;
     if over <= 0.0 {
         return [log_ratio, 1.0];
     }
     let over = over.min(2.0 * END);
-    let inside = LOG_RATIO - END + over - over * over / (4.0 * END);
-    [inside.min(LOG_RATIO).copysign(log_ratio), 1.0 - over / (2.0 * END)]
+    let inside = LOG_RATIO + over - over * over / (4.0 * END);
+    [inside.copysign(log_ratio), 1.0 - over / (2.0 * END)]
 }
 
 fn place(u: f64, cells: usize) -> Place {
