@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{compare, conicity, evaluate, patch, plot, simulate, tables};
+use crate::{compare, conicity, evaluate, patch, plot, simulate, sweep, tables};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -28,6 +28,7 @@ pub enum Command {
     Compare(compare::Arguments),
     Plot(plot::Arguments),
     Tables(tables::Arguments),
+    Sweep(sweep::Arguments),
 }
 
 /// Where the commands on tables read and write; its help is shown with theirs.

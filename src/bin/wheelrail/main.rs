@@ -12,6 +12,7 @@ mod output;
 mod patch;
 mod plot;
 mod simulate;
+mod sweep;
 mod tables;
 mod wheelset;
 
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Tables(arguments) => tables::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
