@@ -104,7 +104,7 @@ impl EllipseNodes {
         if k == SLIDING_RING - 1 || k.is_multiple_of(SLIDING_AZIMUTH_CELLS) {
             return [0.0; 3];
         }
-        let (exact, (closed, _)) =
+        let (exact, closed) =
             (sliding::sliding_force(self.log_ratio, v), sliding::closed_form(self.log_ratio, v));
         let [x, y, m] = [0, 1, 2].map(|n| exact[n] - closed[n]);
         [if k < SLIDING_AZIMUTH_CELLS { 0.0 } else { x }, y, m]

@@ -202,7 +202,7 @@ impl CreepForceTable {
             place(slip.azimuth * PER_AZIMUTH[1], SLIDING_AZIMUTH_CELLS),
         ]);
         let unfold_slip = signs(slip.signs);
-        let (closed, _) = sliding::closed_form(inside, v);
+        let closed = sliding::closed_form(inside, v);
         let linear = scales.linear(v);
         let mut force = [0.0; 3];
         for k in 0..3 {
@@ -246,7 +246,7 @@ impl CreepForceTable {
             place(slip.azimuth * PER_AZIMUTH[1], SLIDING_AZIMUTH_CELLS),
         ]);
         let unfold_slip = signs(slip.signs);
-        let (closed, closed_slopes) = sliding::closed_form(inside, v);
+        let (closed, closed_slopes) = sliding::closed_form_and_slopes(inside, v);
         let (linear, linear_slopes) = (scales.linear(v), scales.linear_slopes(v));
         // dX/dv is diagonal; dX/dt.
         let scale = [scales.kalker[0], scales.kalker[1], scales.spin];

@@ -92,26 +92,40 @@ impl Ellipse {
     }
 }
 
-/// A closed form near it: exact without spin, and to first order in the spin for longitudinal creepage; with derivatives of each component
-/// by (ξ, η, c φ) and ln(a/b).
+/// A closed form near it: exact without spin, and to first order in the spin for longitudinal creepage.
 #[must_use]
-pub fn closed_form(log_axis_ratio: f64, creepage: [f64; 3]) -> ([f64; 3], [[f64; 4]; 3]) {
+pub fn closed_form(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
+    let a2 = log_axis_ratio.exp();
+    let b2 = 1.0 / a2;
+    let q2 = 0.2 * (a2 + b2);
+    let u2 = xi * xi + eta * eta + q2 * phi * phi;
+    let per_u = 1.0 / u2.sqrt();
+    let arm = 0.2 * (a2 * xi * xi + b2 * eta * eta) + q2 * q2 * phi * phi;
+    [-xi * per_u, -eta * per_u, -arm / u2 * phi * per_u]
+}
+
+/// The closed form with derivatives of each component by (ξ, η, c φ) and ln(a/b).
+#[must_use]
+pub fn closed_form_and_slopes(
+    log_axis_ratio: f64,
+    creepage: [f64; 3],
+) -> ([f64; 3], [[f64; 4]; 3]) {
     let [xi, eta, phi] = creepage;
-    let (a2, b2) = (log_axis_ratio.exp(), (-log_axis_ratio).exp());
+    let force = closed_form(log_axis_ratio, creepage);
+    let a2 = log_axis_ratio.exp();
+    let b2 = 1.0 / a2;
     let (q2, q2_by_t) = (0.2 * (a2 + b2), 0.2 * (a2 - b2));
     let u2 = xi * xi + eta * eta + q2 * phi * phi;
     let u = u2.sqrt();
-    // u du = weights · dv
+    // Logarithmic derivative of u.
     let by = [xi / u2, eta / u2, q2 * phi / u2, 0.5 * q2_by_t * phi * phi / u2];
-    let arm = 0.2 * (a2 * xi * xi + b2 * eta * eta) + q2 * q2 * phi * phi;
+    let m = (0.2 * (a2 * xi * xi + b2 * eta * eta) + q2 * q2 * phi * phi) / u2;
     let arm_by = [
         0.4 * a2 * xi,
         0.4 * b2 * eta,
         2.0 * q2 * q2 * phi,
         0.2 * (a2 * xi * xi - b2 * eta * eta) + 2.0 * q2 * q2_by_t * phi * phi,
     ];
-    let m = arm / u2;
-    let force = [-xi / u, -eta / u, -m * phi / u];
     let mut slopes = [[0.0; 4]; 3];
     for k in 0..4 {
         let unit = |n: usize| if k == n { 1.0 / u } else { 0.0 };
@@ -153,9 +167,9 @@ mod tests {
 
     #[test]
     fn the_closed_form_has_the_slopes_of_differences() {
-        let at = |t: f64, v: [f64; 3]| closed_form(t, v).0;
+        let at = |t: f64, v: [f64; 3]| closed_form(t, v);
         for (t, v) in [(0.7, [0.4, -1.0, 0.6]), (-1.2, [1.0, 0.2, -2.0])] {
-            let slopes = closed_form(t, v).1;
+            let slopes = closed_form_and_slopes(t, v).1;
             let h = 1e-6;
             for k in 0..4 {
                 let shifted = |h: f64| {
