@@ -146,11 +146,19 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
     ];
     let mut report =
         String::from("model,direction,shift_mm,yaw_mrad,depth_um,angle_deg,roughness\n");
-    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz, NormalModel::Strips] {
+    for (normal_model, tangential_model) in [
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim),
+        (NormalModel::Hertz, TangentialModel::Fastsim),
+        (NormalModel::Strips, TangentialModel::Fastsim),
+        (NormalModel::PiotrowskiKik, TangentialModel::Tables),
+        (NormalModel::PiotrowskiKik, TangentialModel::FastsimCorrected),
+        (NormalModel::Strips, TangentialModel::Tables),
+    ] {
         // The strip model takes longer: fewer poses and strips.
         let (strips, poses, least_flanges) =
             if normal_model == NormalModel::Strips { (9, 14, 0) } else { (30, 70, 5) };
-        let parameters = Parameters { normal_model, strips, ..Parameters::default() };
+        let parameters =
+            Parameters { normal_model, tangential_model, strips, ..Parameters::default() };
         let mut element = common::wheel::element(&parameters);
         let mut random = Random::new(9);
         let mut all = Vec::new();
@@ -172,14 +180,16 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
                 let (depth, angle) = (1e6 * depth, angle.to_degrees());
                 writeln!(
                     report,
-                    "{normal_model:?},{direction},{shift:.3},{yaw:.2},{depth:.1},{angle:.2},{found:e}"
+                    "{normal_model:?}+{tangential_model:?},{direction},{shift:.3},{yaw:.2},{depth:.1},{angle:.2},{found:e}"
                 )
                 .unwrap();
                 all.push(found);
             }
         }
         let [median, worst] = median_and_worst(all);
-        println!("{normal_model:?}: roughness {median:e} in the median, {worst:e} at worst");
+        println!(
+            "{normal_model:?}+{tangential_model:?}: roughness {median:e} in the median, {worst:e} at worst"
+        );
         assert!(flanges > least_flanges, "{flanges} flange contacts are too few");
         assert!(worst < tolerance::ROUGHNESS, "{normal_model:?}: {worst:e}\n{report}");
     }

@@ -13,7 +13,8 @@ use wheelrail::normal::NormalModel;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
 use wheelrail::tangential::TangentialModel;
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
-use wheelrail::tangential::tables::generate::EllipseNodes;
+use wheelrail::tangential::tables::generate::{ELEMENTS, EllipseNodes};
+use wheelrail::tangential::tables::nodes::{RING, SATURATIONS, SLIDING_RING};
 use wheelrail::tangential::tables::sliding::sliding_force;
 use wheelrail::tangential::tables::{CreepForceTable, scales};
 
@@ -39,6 +40,23 @@ fn the_committed_table_knows_its_errors() {
     println!("estimated error of the nodes: mean {mean:.5}, 95 % {p95:.5}, worst {worst:.5}");
     let [most_mean, most_worst] = tolerance::TABLE_NODES;
     assert!(mean > 0.0 && mean <= most_mean && worst <= most_worst);
+}
+
+#[test]
+fn nodes_of_the_committed_table_are_what_the_generator_makes() {
+    let nodes = CreepForceTable::committed_nodes().unwrap();
+    for (i, j, k) in [(0, 11, 100), (3, 1, 30), (6, 5, 240), (8, 7, 5), (12, 3, 200)] {
+        let ellipse = EllipseNodes::number(i, ELEMENTS);
+        let (made, error) = ellipse.creep_node(j, k).unwrap();
+        let n = (i * SATURATIONS + j - 1) * RING + k;
+        // Kept as 16-bit integers and bytes.
+        assert_abs_diff_eq!(made[..], nodes.creep[n][..], epsilon = 5e-4);
+        assert_abs_diff_eq!(error, nodes.error[n], epsilon = 1.01e-4);
+    }
+    for (i, k) in [(0, 100), (5, 1000), (12, 777)] {
+        let made = EllipseNodes::number(i, ELEMENTS).sliding_node(k);
+        assert_abs_diff_eq!(made[..], nodes.sliding[i * SLIDING_RING + k][..], epsilon = 3e-5);
+    }
 }
 
 #[test]
