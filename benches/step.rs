@@ -72,6 +72,13 @@ fn models(c: &mut Criterion) {
     evaluate(c, "hertz+fastsim_30x30", &hertz);
     let fastrip = Parameters { tangential_model: TangentialModel::Fastrip, ..default.clone() };
     evaluate(c, "piotrowski_kik+fastrip_30x30", &fastrip);
+    for (name, tangential_model) in [
+        ("tables", TangentialModel::Tables),
+        ("fastsim_corrected", TangentialModel::FastsimCorrected),
+    ] {
+        let parameters = Parameters { tangential_model, ..default.clone() };
+        evaluate(c, &format!("piotrowski_kik+{name}"), &parameters);
+    }
     let coarse = Parameters { strips: 12, elements_along: 12, ..default };
     evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
@@ -86,6 +93,8 @@ fn strips(c: &mut Criterion) {
             ..Parameters::default()
         };
         evaluate(c, &format!("strips_{strips}+fastsim"), &parameters);
+        let parameters = Parameters { tangential_model: TangentialModel::Tables, ..parameters };
+        evaluate(c, &format!("strips_{strips}+tables"), &parameters);
     }
 }
 

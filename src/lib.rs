@@ -79,7 +79,7 @@
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage
 //! normal      hertz, piotrowski_kik, strips, damping: separation to loaded strips
-//! tangential  Kalker's coefficients, flexibilities, fastsim: strips and creepage to creep force
+//! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! element     one wheel: parameters, input, evaluation, output
 //! conicity    rolling radius difference and equivalent conicity of a wheelset

@@ -14,6 +14,7 @@ use crate::normal::strips::{LEAST_STRIPS, StripSolver, solve_in_frame};
 use crate::normal::{self, NormalModel, NormalProblem, ShapeFit, Strips};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::field::ContactField;
+use crate::tangential::friction_law::FrictionLaw;
 use crate::tangential::{Creepage, Flexibilities, RollingState, Tangential, TangentialModel};
 
 /// How deep the bodies are pressed together.
@@ -60,6 +61,10 @@ pub struct PlanarCase<'a> {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
+    /// How friction falls with sliding, and the initial slope on contaminated rails.
+    pub friction_law: FrictionLaw,
+    /// Rolling speed, ≥ 0: of falling friction alone [m/s].
+    pub speed: f64,
 }
 
 /// Solution of a planar contact problem; forces on the wheel.
@@ -249,6 +254,7 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
         case.elements_along,
         case.elements,
     )
+    .with_law(case.friction_law)
 }
 
 /// How a zone with its centroid at `y` rolls.
@@ -259,6 +265,7 @@ fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
         forward_share: 1.0,
         friction: case.friction,
         load_factor: 1.0,
+        speed: case.speed,
     }
 }
 
@@ -314,6 +321,19 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
         let nu = m.poisson_ratio;
         require(&format!("{body} poisson_ratio"), nu, (0.0..=0.5).contains(&nu), "0 to 0.5")?;
     }
+    require("speed", case.speed, case.speed >= 0.0, "a finite number, at least 0")?;
+    let law = &case.friction_law;
+    for (name, value) in
+        [("falling share", law.falling_share), ("reduction share", law.reduction_share)]
+    {
+        require(name, value, (0.0..=1.0).contains(&value), "0 to 1")?;
+    }
+    for (name, value) in
+        [("falling decay", law.falling_decay), ("reduction decay", law.reduction_decay)]
+    {
+        require(name, value, value >= 0.0, "a finite number, at least 0")?;
+    }
+    require("reduction", law.reduction, (1e-3..=1.0).contains(&law.reduction), "0.001 to 1")?;
     let epsilon = case.virtual_penetration;
     require("virtual_penetration", epsilon, epsilon > 0.0 && epsilon < 1.0, "between 0 and 1")?;
     let counts = 4..=200;

@@ -58,6 +58,7 @@ fn every_subcommand_explains_itself() {
     for arguments in [
         &["--help"][..],
         &["simulate", "--help"],
+        &["tables", "--help"],
         &["evaluate", "-h"],
         &["patch", "-h"],
         &["conicity", "-h"],
@@ -406,4 +407,36 @@ fn sweep_refuses_what_is_no_path() {
     assert!(failure(&["sweep", &path]).contains("at least two rows"));
     let (_folder, path) = written("wheel.y,normal.model\n0.75,hertz\n0.75,strips\n");
     assert!(failure(&["sweep", &path]).contains("row 2 has other parameters"));
+}
+
+#[test]
+fn tables_are_measured_against_solutions_and_refuse_what_they_cannot() {
+    let rows = success(&["tables", "--check", "4", "--elements", "8,12", "--axis-ratio", "3"]);
+    assert_eq!(rows.len(), 4);
+    assert!(rows.iter().all(|row| number(row, "mean") <= number(row, "worst")));
+    let force = rows.iter().find(|row| row["quantity"] == "force_over_limit").unwrap();
+    // Eight elements along are coarse.
+    assert!(number(force, "worst") > 0.0 && number(force, "worst") < 0.05, "{force:?}");
+    let message = failure(&["tables", "--check", "4", "--elements", "12,8"]);
+    assert!(message.contains("--elements"), "{message}");
+    let message = failure(&["tables", "--check", "4", "--poisson-ratio", "0.7"]);
+    assert!(message.contains("--poisson-ratio"), "{message}");
+}
+
+#[test]
+fn patch_takes_tables_and_falling_friction() {
+    let (folder, _) = written("");
+    let parabola = lines(-20..=20, ",", |y| y * y / 1000.0);
+    std::fs::write(folder.path().join("f.csv"), format!("y_mm,f_mm\n{parabola}")).unwrap();
+    let cases = folder.path().join("all.csv");
+    let head = "separation,radius_mm,load_n,creepage_longitudinal,tangential_model,falling_share,falling_decay_s_per_m,speed_m_s";
+    let text = format!(
+        "{head}\nf.csv,460,80000,0.1,tables,1,0,10\nf.csv,460,80000,0.1,fastsim_corrected,0.4,0.7,10\n"
+    );
+    std::fs::write(&cases, text).unwrap();
+    let rows = success(&["patch", cases.to_str().unwrap()]);
+    let share = |k: usize| -number(&rows[k], "fx_n") / number(&rows[k], "normal_force_n");
+    assert!((share(0) / 0.3 - 1.0).abs() < 1e-3, "{}", share(0));
+    let falling = 0.3 * (0.4 + 0.6 * (-0.7_f64).exp());
+    assert!((share(1) / falling - 1.0).abs() < 1e-3, "{} for {falling}", share(1));
 }

@@ -146,11 +146,19 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
     ];
     let mut report =
         String::from("model,direction,shift_mm,yaw_mrad,depth_um,angle_deg,roughness\n");
-    for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Hertz, NormalModel::Strips] {
+    for (normal_model, tangential_model) in [
+        (NormalModel::PiotrowskiKik, TangentialModel::Fastsim),
+        (NormalModel::Hertz, TangentialModel::Fastsim),
+        (NormalModel::Strips, TangentialModel::Fastsim),
+        (NormalModel::PiotrowskiKik, TangentialModel::Tables),
+        (NormalModel::PiotrowskiKik, TangentialModel::FastsimCorrected),
+        (NormalModel::Strips, TangentialModel::Tables),
+    ] {
         // The strip model takes longer: fewer poses and strips.
         let (strips, poses, least_flanges) =
             if normal_model == NormalModel::Strips { (9, 14, 0) } else { (30, 70, 5) };
-        let parameters = Parameters { normal_model, strips, ..Parameters::default() };
+        let parameters =
+            Parameters { normal_model, tangential_model, strips, ..Parameters::default() };
         let mut element = common::wheel::element(&parameters);
         let mut random = Random::new(9);
         let mut all = Vec::new();
@@ -172,16 +180,58 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
                 let (depth, angle) = (1e6 * depth, angle.to_degrees());
                 writeln!(
                     report,
-                    "{normal_model:?},{direction},{shift:.3},{yaw:.2},{depth:.1},{angle:.2},{found:e}"
+                    "{normal_model:?}+{tangential_model:?},{direction},{shift:.3},{yaw:.2},{depth:.1},{angle:.2},{found:e}"
                 )
                 .unwrap();
                 all.push(found);
             }
         }
         let [median, worst] = median_and_worst(all);
-        println!("{normal_model:?}: roughness {median:e} in the median, {worst:e} at worst");
+        println!(
+            "{normal_model:?}+{tangential_model:?}: roughness {median:e} in the median, {worst:e} at worst"
+        );
         assert!(flanges > least_flanges, "{flanges} flange contacts are too few");
         assert!(worst < tolerance::ROUGHNESS, "{normal_model:?}: {worst:e}\n{report}");
     }
     write_report("roughness.csv", &report);
+}
+
+#[test]
+fn creep_forces_do_not_jump_where_the_strips_of_two_zones_join() {
+    use wheelrail::planar::{Indentation, solve};
+    // Two lobes 6 mm apart that meet as they are pressed down.
+    let separation: Vec<[f64; 2]> = (-300..=300)
+        .map(|i| 4e-5 * f64::from(i))
+        .map(|y| [y, 2e-5 * (1.0 - (y / 3e-3).powi(2)).powi(2)])
+        .collect();
+    for (tangential_model, most) in [
+        (TangentialModel::Tables, tolerance::JOINING_ZONES),
+        (TangentialModel::FastsimCorrected, tolerance::JOINING_ZONES_CORRECTED),
+    ] {
+        let at = |approach: f64| {
+            let case = Parameters {
+                normal_model: NormalModel::Strips,
+                tangential_model,
+                strips: 15,
+                elements_along: 15,
+                ..Parameters::default()
+            };
+            let creepage = [3e-4, 3e-4, 0.3];
+            let indentation = Indentation::Approach(approach);
+            let found =
+                solve(&case.planar_case(&separation, 0.46, indentation, creepage, 0.3)).unwrap();
+            let limit = 0.3 * found.normal_force;
+            (found.patches, [found.fx / limit, found.fy / limit])
+        };
+        let (mut low, mut high) = (5e-6, 1.2e-4);
+        assert_eq!((at(low).0, at(high).0), (2, 1));
+        while high - low > 1e-9 {
+            let middle = 0.5 * (low + high);
+            if at(middle).0 == 2 { low = middle } else { high = middle }
+        }
+        let (before, after) = (at(low).1, at(high).1);
+        let jump = (after[0] - before[0]).hypot(after[1] - before[1]);
+        println!("{tangential_model:?}: zones join at {low:.3e} m, jump {jump:.2e} of the limit");
+        assert!(jump <= most, "{before:?} to {after:?}");
+    }
 }

@@ -135,9 +135,9 @@ impl Counters {
 }
 
 /// Models with the share of the evaluations that each gets, and whether they jump by nature where the deepest of two minima changes.
-fn models() -> [(&'static str, Parameters, f64, bool); 7] {
+fn models() -> [(&'static str, Parameters, f64, bool); 9] {
     use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
-    use TangentialModel::{Fastrip, Fastsim, Linear, None};
+    use TangentialModel::{Fastrip, Fastsim, FastsimCorrected, Linear, None, Tables};
     let with = |normal_model, strips, tangential_model| Parameters {
         normal_model,
         strips,
@@ -158,6 +158,13 @@ fn models() -> [(&'static str, Parameters, f64, bool); 7] {
         ),
         ("strips + fastsim", with(Strips, 11, Fastsim), 0.05, false),
         ("strips + fastrip", with(Strips, 11, Fastrip), 0.05, false),
+        ("piotrowski_kik + tables", with(PiotrowskiKik, 12, Tables), 0.5, true),
+        (
+            "piotrowski_kik + fastsim_corrected",
+            with(PiotrowskiKik, 12, FastsimCorrected),
+            0.25,
+            true,
+        ),
     ]
 }
 

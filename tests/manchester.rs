@@ -6,7 +6,7 @@ mod tolerance;
 use std::fmt::Write;
 
 use common::{Table, median_and_worst, read_table, value, write_report};
-use wheelrail::element::parameters::{NormalModel, Side, VerticalMode};
+use wheelrail::element::parameters::{NormalModel, Side, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::profile::{Profile, ProfileKind};
 use wheelrail::io::load_profile;
@@ -227,4 +227,45 @@ fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them()
     }
     write_report("manchester_a22.csv", &report);
     assert!(misses.is_empty(), "{misses:#?}\n{report}");
+}
+
+#[test]
+fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
+    let table = read_table("contact_25_1/manchester_a22.csv");
+    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    let mut report = String::from("tangential,side,y_ws_mm,fx_over_limit,fy_over_limit\n");
+    for tangential_model in
+        [TangentialModel::Tables, TangentialModel::FastsimCorrected, TangentialModel::Fastsim]
+    {
+        let mut columns: [Vec<f64>; 2] = Default::default();
+        for row in &table.rows {
+            let name = &row[common::column(&table, "side")];
+            let side = if name == "left" { Side::Left } else { Side::Right };
+            let input = wheel_input(&table, row, side);
+            let parameters = Parameters {
+                normal_model: NormalModel::Strips,
+                strips: 15,
+                tangential_model,
+                ..benchmark_parameters(side)
+            };
+            let rails = [Some(benchmark_rail()), None];
+            let mut element = Element::with_profiles(&parameters, &input, &wheel, &rails).unwrap();
+            let (found, expected) = (found(&mut element, &input), expected(&table, row, side));
+            let errors = errors(&found, &expected);
+            let y = value(&table, row, "y_ws_mm");
+            let [fx, fy] = [errors[5], errors[6]];
+            writeln!(report, "{tangential_model:?},{name},{y},{fx:.5},{fy:.5}").unwrap();
+            columns[0].push(fx);
+            columns[1].push(fy);
+        }
+        let [fx, fy] = columns.map(median_and_worst);
+        println!("{tangential_model:?}: longitudinal {fx:.4?}, lateral {fy:.4?}");
+        if tangential_model != TangentialModel::Fastsim {
+            let bounds = [tolerance::MANCHESTER_TABLES_FX, tolerance::MANCHESTER_TABLES_FY];
+            for (found, most) in [fx, fy].into_iter().zip(bounds) {
+                assert!(found[0] <= most[0] && found[1] <= most[1], "{report}");
+            }
+        }
+    }
+    write_report("manchester_tables.csv", &report);
 }

@@ -65,6 +65,12 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
         (NormalModel::Hertz, TangentialModel::Fastsim, plain),
         (NormalModel::PiotrowskiKik, TangentialModel::Fastrip, plain),
         (NormalModel::Strips, TangentialModel::Fastsim, plain),
+        (NormalModel::PiotrowskiKik, TangentialModel::Tables, plain),
+        (
+            NormalModel::PiotrowskiKik,
+            TangentialModel::FastsimCorrected,
+            (CreepageModel::Curved, Flexibilities::Blended),
+        ),
     ];
     for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
         variants.into_iter().enumerate()

@@ -134,6 +134,9 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
         (NormalModel::Hertz, CreepageModel::Curved, fastsim, given),
         (NormalModel::PiotrowskiKik, CreepageModel::Flat, fastsim, VerticalMode::Load),
         (NormalModel::Strips, CreepageModel::Flat, fastsim, given),
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat, TangentialModel::Tables, given),
+        (NormalModel::Hertz, CreepageModel::Curved, TangentialModel::Tables, VerticalMode::Load),
+        (NormalModel::PiotrowskiKik, CreepageModel::Flat, TangentialModel::FastsimCorrected, given),
     ] {
         // A wheel centimetres inside a rail is beyond the strip model, which takes long to give up.
         let cases = if normal == NormalModel::Strips { 200 } else { 4000 };

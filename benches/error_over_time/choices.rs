@@ -60,7 +60,7 @@ pub const WITHOUT: Rolling =
     rolling(TangentialModel::None, 4, TractionBound::Elliptic, Flexibilities::Blended);
 
 /// Tangential models that work in real time.
-pub const ROLLING: [Rolling; 7] = [
+pub const ROLLING: [Rolling; 9] = [
     rolling(TangentialModel::Linear, 4, TractionBound::Elliptic, Flexibilities::Blended),
     rolling(TangentialModel::Fastsim, 10, TractionBound::Elliptic, Flexibilities::Blended),
     rolling(TangentialModel::Fastsim, 20, TractionBound::Elliptic, Flexibilities::Blended),
@@ -68,6 +68,8 @@ pub const ROLLING: [Rolling; 7] = [
     rolling(TangentialModel::Fastsim, 20, TractionBound::Parabolic, Flexibilities::Three),
     rolling(TangentialModel::Fastrip, 10, TractionBound::Elliptic, Flexibilities::Blended),
     rolling(TangentialModel::Fastrip, 20, TractionBound::Elliptic, Flexibilities::Blended),
+    rolling(TangentialModel::Tables, 4, TractionBound::Elliptic, Flexibilities::Blended),
+    rolling(TangentialModel::FastsimCorrected, 20, TractionBound::Elliptic, Flexibilities::Blended),
 ];
 
 /// Boundary elements along and across.
@@ -121,6 +123,8 @@ impl Rolling {
             }
             TangentialModel::Fastsim => format!("fastsim {count}"),
             TangentialModel::Fastrip => format!("fastrip {count}"),
+            TangentialModel::Tables => "tables".into(),
+            TangentialModel::FastsimCorrected => format!("fastsim_corrected {count}"),
             TangentialModel::BoundaryElement => format!("boundary_element {count}"),
         }
     }

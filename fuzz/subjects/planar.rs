@@ -1,7 +1,9 @@
 //! Planar contact problems of any size and shape.
 
 use arbitrary::{Result, Unstructured};
-use wheelrail::element::parameters::{Flexibilities, NormalModel, ShapeFit, TangentialModel};
+use wheelrail::element::parameters::{
+    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+};
 use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
 use wheelrail::tangential::fastsim::TractionBound;
@@ -58,12 +60,16 @@ fn run(u: &mut Unstructured) -> Result<()> {
             TangentialModel::Linear,
             TangentialModel::Fastsim,
             TangentialModel::Fastrip,
+            TangentialModel::Tables,
+            TangentialModel::FastsimCorrected,
         ])?,
         strips: u.int_in_range(5..=12)?,
         elements_along: u.int_in_range(2..=40)?,
         elements: [8, 8],
         bound: *u.choose(&[TractionBound::Elliptic, TractionBound::Parabolic])?,
         flexibilities: *u.choose(&[Flexibilities::Three, Flexibilities::Blended])?,
+        friction_law: FrictionLaw::default(),
+        speed: 0.0,
     };
     if let Ok(found) = solve(&case) {
         let numbers =

@@ -47,6 +47,8 @@ impl Parameters {
             elements: self.normal_elements,
             bound: self.bound,
             flexibilities: self.flexibilities,
+            friction_law: self.friction_law,
+            speed: 0.0,
         }
     }
 }

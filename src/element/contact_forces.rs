@@ -159,6 +159,7 @@ impl ContactForces<'_> {
             forward_share: speed.forward_share,
             friction: self.input.friction,
             load_factor: *load_factor,
+            speed: speed.reference,
         };
         let tractions = if models.creepage == CreepageModel::Curved {
             curved_zone.tractions(zone, strips, tangential, material, &state, *position)

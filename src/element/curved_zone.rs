@@ -137,6 +137,11 @@ impl CurvedZone {
                 total.slip_area += strip.slip_area;
             })?;
         total.fell_back = outcome == Outcome::FellBack;
+        if tangential.is_corrected() {
+            // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
+            let limit = state.friction * zone.load * state.load_factor;
+            total.force *= (limit / total.force.norm()).min(1.0);
+        }
         Some(total)
     }
 }

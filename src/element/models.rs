@@ -76,7 +76,8 @@ impl Models {
                 parameters.bound,
                 parameters.elements_along,
                 parameters.normal_elements,
-            ),
+            )
+            .with_law(parameters.friction_law),
             creepage: parameters.creepage_model,
             curved_zone: CurvedZone::with_capacity(if is_strips {
                 MOST_ZONES * strips

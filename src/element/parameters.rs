@@ -5,6 +5,7 @@ use crate::error::ContactError;
 pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
+pub use crate::tangential::friction_law::FrictionLaw;
 pub use crate::tangential::{Flexibilities, TangentialModel};
 
 /// On which side of the track the wheel runs.
@@ -126,6 +127,8 @@ pub struct Parameters {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
+    /// How friction falls with sliding, and the initial slope on contaminated rails.
+    pub friction_law: FrictionLaw,
 }
 
 /// Number of rails an element can carry.
@@ -168,6 +171,7 @@ impl Default for Parameters {
             elements_along: 30,
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),
+            friction_law: FrictionLaw::default(),
         }
     }
 }
@@ -228,6 +232,20 @@ impl Parameters {
         ] {
             require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
         }
+        let law = &self.friction_law;
+        for (name, value) in
+            [("falling.share", law.falling_share), ("reduction.share", law.reduction_share)]
+        {
+            require(format!("friction.{name}"), value, (0.0..=1.0).contains(&value), "0 to 1")?;
+        }
+        for (name, value) in
+            [("falling.decay", law.falling_decay), ("reduction.decay", law.reduction_decay)]
+        {
+            require(format!("friction.{name}"), value, value >= 0.0, not_negative)?;
+        }
+        let (value, allowed) = (law.reduction, "0.001 to 1");
+        let fits = (1e-3..=1.0).contains(&value);
+        require("friction.reduction.initial".into(), value, fits, allowed)?;
         self.check_deviations()
     }
 }

@@ -1,5 +1,6 @@
 //! Mathematics without railway words.
 
+pub mod b_spline;
 pub mod elliptic;
 pub mod linear_system;
 pub mod logarithm;

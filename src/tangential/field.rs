@@ -37,7 +37,8 @@ pub struct ContactField {
 
 impl Tangential {
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where the normal model has boundary
-    /// elements. FASTSIM and boundary elements have tractions to show, other models pressure alone.
+    /// elements. FASTSIM and boundary elements have tractions to show, the tables and corrected FASTSIM those of FASTSIM without correction,
+    /// other models pressure alone.
     #[must_use]
     pub fn field(
         &self,
@@ -46,6 +47,8 @@ impl Tangential {
         material: &MaterialPair,
         state: &RollingState,
     ) -> ContactField {
+        let (state, material) = self.under_law(zone, material, state);
+        let (state, material) = (&state, &material);
         let elements = LoadedElements::of(zone, strips, self.elements);
         let count = elements.grid.len();
         let mut field = ContactField {
@@ -71,7 +74,9 @@ impl Tangential {
                     field.adherence[k] = adherence(found.slips[k]);
                 }
             }
-            TangentialModel::Fastsim => {
+            TangentialModel::Fastsim
+            | TangentialModel::FastsimCorrected
+            | TangentialModel::Tables => {
                 let mut flexibility = ZoneFlexibility::new(zone, strips, material);
                 if self.flexibilities == Flexibilities::Blended {
                     let limit = friction * zone.load;

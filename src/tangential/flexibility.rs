@@ -53,6 +53,20 @@ impl ZoneFlexibility {
         }
     }
 
+    /// Kalker's three flexibilities of an ellipse with semi-axes `along` and `across` > 0 [m].
+    #[must_use]
+    pub fn of_ellipse(along: f64, across: f64, material: &MaterialPair) -> Self {
+        let c = kalker_coefficients(along / across, material.poisson_ratio);
+        let scale = material.shear_modulus * along * across;
+        Self {
+            longitudinal: 8.0 * along / (3.0 * material.shear_modulus * c.c11),
+            lateral: 8.0 * along / (3.0 * material.shear_modulus * c.c22),
+            spin: PI * along * (along / across).sqrt() / (4.0 * material.shear_modulus * c.c23),
+            semi_axis_along: along,
+            stiffness: [scale * c.c11, scale * c.c22],
+        }
+    }
+
     /// The flexibilities blended towards a common one as the creepage grows to three times that of linear saturation.
     ///
     /// Source: Vollebregt and Voltr, Vehicle System Dynamics 61 (2023) 309-317. `friction_limit` is μ N > 0 [N].

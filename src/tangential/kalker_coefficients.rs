@@ -6,12 +6,12 @@
 //!
 //! Instead of Kalker's printed table a polynomial of ln c in t = ln(a/b) and ν, fitted to coefficients computed from
 //! first principles (Galin polynomials of degree 16 to 20) for 0 ≤ ν ≤ 0.5 and 0.05 ≤ a/b ≤ 20; greatest error
-//! 0.21, 0.13, 0.48 % of c11, c22, c23 (0.10, 0.08, 0.18 % at ν = 0.28). Beyond, it is carried smoothly into the asymptotes
+//! 0.21, 0.13, 0.48, 1.4 % of c11, c22, c23, c33 (0.10, 0.08, 0.18, 0.19 % at ν = 0.28). Beyond, it is carried smoothly into the asymptotes
 //! of the strip and of the slender ellipse (Kalker 1990, table E.3).
 
 use std::f64::consts::PI;
 
-/// The coefficients of longitudinal and lateral creepage and of spin on lateral force.
+/// The coefficients of longitudinal and lateral creepage and of spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KalkerCoefficients {
     /// Longitudinal force for longitudinal creepage.
@@ -20,29 +20,40 @@ pub struct KalkerCoefficients {
     pub c22: f64,
     /// Lateral force for spin.
     pub c23: f64,
+    /// Moment for spin.
+    pub c33: f64,
 }
 
 /// The coefficients of an ellipse with semi-axis ratio a/b > 0 (a along rolling) and 0 ≤ ν ≤ 0.5.
 #[must_use]
 pub fn kalker_coefficients(axis_ratio: f64, poisson_ratio: f64) -> KalkerCoefficients {
+    let [c11, c22, c23, c33] = logarithms(axis_ratio.ln(), poisson_ratio).map(|[c, _]| c.exp());
+    KalkerCoefficients { c11, c22, c23, c33 }
+}
+
+/// ln c11, ln c22, ln c23, ln c33 at t = ln(a/b), each with its derivative by t.
+#[must_use]
+pub fn logarithms(t: f64, poisson_ratio: f64) -> [[f64; 2]; 4] {
     // Logarithms far beyond any contact patch keep the asymptotes finite.
-    let t = axis_ratio.ln().clamp(-MOST_LOG_RATIO, MOST_LOG_RATIO);
-    let share = smooth_step((t.abs() - FIT_END) / (BLEND_END - FIT_END));
+    let inside = t.clamp(-MOST_LOG_RATIO, MOST_LOG_RATIO);
+    let x = (inside.abs() - FIT_END) / (BLEND_END - FIT_END);
+    let share = smooth_step(x);
     if share <= 0.0 {
-        return fitted(t, poisson_ratio).map_coefficients(f64::exp);
+        return fitted(inside, poisson_ratio);
     }
-    let asymptote =
-        if t < 0.0 { wide(t.exp(), poisson_ratio) } else { slender((-t).exp(), poisson_ratio) };
+    let limit =
+        if inside < 0.0 { wide(inside, poisson_ratio) } else { slender(inside, poisson_ratio) };
     if share >= 1.0 {
-        return asymptote;
+        let slope = if inside.abs() < MOST_LOG_RATIO { 1.0 } else { 0.0 };
+        return limit.map(|[c, by_t]| [c, slope * by_t]);
     }
-    let fit = fitted(t, poisson_ratio);
-    let blend = |fit: f64, limit: f64| ((1.0 - share) * fit + share * limit.ln()).exp();
-    KalkerCoefficients {
-        c11: blend(fit.c11, asymptote.c11),
-        c22: blend(fit.c22, asymptote.c22),
-        c23: blend(fit.c23, asymptote.c23),
-    }
+    let share_slope = inside.signum() * smooth_step_slope(x) / (BLEND_END - FIT_END);
+    let fit = fitted(inside, poisson_ratio);
+    let blend = |k: usize| {
+        let ([f, f_slope], [l, l_slope]) = (fit[k], limit[k]);
+        [f + share * (l - f), f_slope + share * (l_slope - f_slope) + share_slope * (l - f)]
+    };
+    [blend(0), blend(1), blend(2), blend(3)]
 }
 
 /// |ln(a/b)| up to which the fit holds: a/b = 20.
@@ -52,44 +63,56 @@ const BLEND_END: f64 = 3.806_662_489_770_32;
 /// Larger |ln(a/b)| are taken as this one: a/b = 1e6.
 const MOST_LOG_RATIO: f64 = 13.815_510_557_964_274;
 
-impl KalkerCoefficients {
-    fn map_coefficients(self, f: impl Fn(f64) -> f64) -> Self {
-        Self { c11: f(self.c11), c22: f(self.c22), c23: f(self.c23) }
-    }
+/// Logarithms of the coefficients by the joint fit, with their derivatives by t.
+fn fitted(t: f64, nu: f64) -> [[f64; 2]; 4] {
+    [&FIT_C11, &FIT_C22, &FIT_C23, &FIT_C33].map(|p| {
+        let mut value = [0.0; 2];
+        for i in (0..7).rev() {
+            let c = p[0][i] + nu * (p[1][i] + nu * p[2][i]);
+            value = [value[0] * t + c, value[1] * t + value[0]];
+        }
+        value
+    })
 }
 
-/// Logarithms of the coefficients by the joint fit.
-fn fitted(t: f64, nu: f64) -> KalkerCoefficients {
-    let row = |p: &[f64; 7]| p.iter().rev().fold(0.0, |sum, c| sum * t + c);
-    let value = |p: &[[f64; 7]; 3]| row(&p[0]) + nu * (row(&p[1]) + nu * row(&p[2]));
-    KalkerCoefficients { c11: value(&FIT_C11), c22: value(&FIT_C22), c23: value(&FIT_C23) }
+/// a/b = g → 0: every strip rolls like a cylinder. Logarithms with their derivatives by t = ln g.
+fn wide(t: f64, nu: f64) -> [[f64; 2]; 4] {
+    let spin = 1.0 + nu * (16f64.ln() - t - 5.0);
+    [
+        [(PI * PI / (4.0 * (1.0 - nu))).ln(), 0.0],
+        [(PI * PI / 4.0).ln(), 0.0],
+        [(PI / (3.0 * (1.0 - nu))).ln() + 0.5 * t + spin.ln(), 0.5 - nu / spin],
+        [(PI * PI / (16.0 * (1.0 - nu))).ln() - t, -1.0],
+    ]
 }
 
-/// a/b = g → 0: every strip rolls like a cylinder.
-fn wide(g: f64, nu: f64) -> KalkerCoefficients {
-    KalkerCoefficients {
-        c11: PI * PI / (4.0 * (1.0 - nu)),
-        c22: PI * PI / 4.0,
-        c23: PI * g.sqrt() / (3.0 * (1.0 - nu)) * (1.0 + nu * ((16.0 / g).ln() - 5.0)),
-    }
-}
-
-/// b/a = g → 0.
-fn slender(g: f64, nu: f64) -> KalkerCoefficients {
-    let log = (16.0 / (g * g)).ln();
+/// b/a = g → 0. Logarithms with their derivatives by t = -ln g. For c33 the value where the fit ends: it falls by 5 % up to a/b = 33.
+fn slender(t: f64, nu: f64) -> [[f64; 2]; 4] {
+    let log = 16f64.ln() + 2.0 * t;
     let rest = 3.0 - 4f64.ln();
-    let lateral = (1.0 - nu) * log + 2.0 * nu;
-    KalkerCoefficients {
-        c11: 2.0 * PI / ((log - 2.0 * nu) * g) * (1.0 + rest / (log - 2.0 * nu)),
-        c22: 2.0 * PI / (g * lateral) * (1.0 + (1.0 - nu) * rest / lateral),
-        c23: 2.0 * PI / (3.0 * g.powf(1.5) * ((1.0 - nu) * log - 2.0 + 4.0 * nu)),
-    }
+    // ln(2 π e^t/l (1 + r/l)) for l that grows by `rate`
+    let force = |l: f64, r: f64, rate: f64| {
+        [(2.0 * PI / l).ln() + t + (1.0 + r / l).ln(), 1.0 - rate / l - rate * r / (l * (l + r))]
+    };
+    let spin = (1.0 - nu) * log - 2.0 + 4.0 * nu;
+    [
+        force(log - 2.0 * nu, rest, 2.0),
+        force((1.0 - nu) * log + 2.0 * nu, (1.0 - nu) * rest, 2.0 * (1.0 - nu)),
+        [(2.0 * PI / (3.0 * spin)).ln() + 1.5 * t, 1.5 - 2.0 * (1.0 - nu) / spin],
+        [fitted(FIT_END, nu)[3][0], 0.0],
+    ]
 }
 
 /// 0 below 0, 1 above 1, twice continuously differentiable.
 fn smooth_step(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * x * (10.0 + x * (6.0 * x - 15.0))
+}
+
+/// Derivative of [`smooth_step`].
+fn smooth_step_slope(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    30.0 * (x * (1.0 - x)).powi(2)
 }
 
 /// Rows: powers 0, 1, 2 of ν; columns: powers 0 to 6 of ln(a/b).
@@ -180,6 +203,35 @@ const FIT_C23: [[f64; 7]; 3] = [
         6.778_079_05e-4,
     ],
 ];
+const FIT_C33: [[f64; 7]; 3] = [
+    [
+        1.886_689_35e-1,
+        -4.295_499_29e-1,
+        1.472_096_71e-1,
+        -5.745_669_97e-3,
+        -6.280_417_88e-3,
+        2.471_553_81e-4,
+        1.974_118_96e-4,
+    ],
+    [
+        -7.283_110_85e-2,
+        -6.153_818_98e-1,
+        1.350_141_96e-2,
+        6.715_909_32e-2,
+        2.504_679_75e-3,
+        -2.875_819_87e-3,
+        -1.326_428_61e-4,
+    ],
+    [
+        -1.974_891_27e-2,
+        -6.245_408_56e-1,
+        -3.005_277_20e-1,
+        -7.886_027_72e-2,
+        8.348_760_99e-3,
+        4.132_074_18e-3,
+        -1.477_226_72e-4,
+    ],
+];
 
 #[cfg(test)]
 mod tests {
@@ -192,6 +244,7 @@ mod tests {
         approx::assert_relative_eq!(c.c11, 4.1128, max_relative = 2.1e-3);
         approx::assert_relative_eq!(c.c22, 3.6683, max_relative = 1.3e-3);
         approx::assert_relative_eq!(c.c23, 1.4661, max_relative = 4.8e-3);
+        approx::assert_relative_eq!(c.c33, 1.1842, max_relative = 1.4e-2);
     }
 
     #[test]
@@ -200,11 +253,28 @@ mod tests {
             let mut before = kalker_coefficients(1e-7, nu);
             for i in 1..=14_000 {
                 let now = kalker_coefficients(1e-7 * 10f64.powf(f64::from(i) / 1000.0), nu);
-                for (b, n) in [(before.c11, now.c11), (before.c22, now.c22), (before.c23, now.c23)]
-                {
+                for (b, n) in [
+                    (before.c11, now.c11),
+                    (before.c22, now.c22),
+                    (before.c23, now.c23),
+                    (before.c33, now.c33),
+                ] {
                     assert!(n > 0.0 && (n / b - 1.0).abs() < 0.01, "ratio step {i}, {b} to {n}");
                 }
                 before = now;
+            }
+        }
+    }
+    #[test]
+    fn slopes_of_the_logarithms_are_those_of_differences() {
+        for nu in [0.0, 0.28, 0.5] {
+            for t in [-14.5, -6.0, -3.4, -3.1, -2.0, 0.0, 1.3, 3.05, 3.5, 5.0, 14.5] {
+                let h = 1e-5;
+                let [before, now, after] = [t - h, t, t + h].map(|t| logarithms(t, nu));
+                for k in 0..4 {
+                    let slope = (after[k][0] - before[k][0]) / (2.0 * h);
+                    approx::assert_abs_diff_eq!(now[k][1], slope, epsilon = 1e-8);
+                }
             }
         }
     }

@@ -1,22 +1,32 @@
 //! Tangential contact: creep forces of loaded zones.
 
 pub mod boundary_element;
+mod ellipse_force;
+pub mod equivalent_ellipse;
 pub mod fastrip;
 pub mod fastsim;
+pub mod fastsim_correction;
 pub mod field;
 pub mod flexibility;
+pub mod friction_law;
 pub mod kalker_coefficients;
 pub mod linear;
 pub mod rigid_slip;
+pub mod tables;
+pub mod waist;
 
 pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 use boundary_element::LoadedElements;
+use ellipse_force::spread_by_load;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
+use fastsim_correction::EllipseStrips;
 use flexibility::ZoneFlexibility;
+use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
+use tables::CreepForceTable;
 
 /// Tangential contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,6 +40,10 @@ pub enum TangentialModel {
     Fastsim,
     /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
     Fastrip,
+    /// The force of the ellipse with the same moments of load, from a table of boundary element solutions; no tractions.
+    Tables,
+    /// FASTSIM on the true patch, its force corrected by what it is wrong by on that ellipse.
+    FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
 }
@@ -125,6 +139,8 @@ pub struct RollingState {
     pub friction: f64,
     /// Normal force with damping over that without, ≥ 0 [-].
     pub load_factor: f64,
+    /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed alone.
+    pub speed: f64,
 }
 
 /// The chosen tangential model with its settings.
@@ -135,6 +151,11 @@ pub struct Tangential {
     fastsim: Fastsim,
     elements: [usize; 2],
     fastrip: Fastrip,
+    /// The table and a circle to stretch, for the models that use them.
+    table: Option<&'static CreepForceTable>,
+    ellipse_strips: Option<EllipseStrips>,
+    /// Where friction is not one coefficient on clean bodies.
+    law: Option<FrictionLaw>,
 }
 
 impl Tangential {
@@ -154,7 +175,36 @@ impl Tangential {
             fastsim: Fastsim::new(elements_along, bound),
             fastrip: Fastrip::new(elements_along),
             elements,
+            table: matches!(model, TangentialModel::Tables | TangentialModel::FastsimCorrected)
+                .then(CreepForceTable::shared),
+            ellipse_strips: (model == TangentialModel::FastsimCorrected)
+                .then(EllipseStrips::default),
+            law: None,
         }
+    }
+
+    /// The same with another law of friction.
+    #[must_use]
+    pub fn with_law(self, law: FrictionLaw) -> Self {
+        Self { law: law.is_on().then_some(law), ..self }
+    }
+
+    /// State and elastic constants of a zone as the law of friction has them.
+    fn under_law(
+        &self,
+        zone: &Zone,
+        material: &MaterialPair,
+        state: &RollingState,
+    ) -> (RollingState, MaterialPair) {
+        let Some(law) = &self.law else { return (*state, *material) };
+        let (friction, material) = law.applied(zone, material, state);
+        (RollingState { friction, ..*state }, material)
+    }
+
+    /// Whether the forces of the strips are corrected as a whole.
+    #[must_use]
+    pub fn is_corrected(&self) -> bool {
+        self.model == TangentialModel::FastsimCorrected
     }
 
     /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
@@ -167,9 +217,13 @@ impl Tangential {
         material: &MaterialPair,
         state: &RollingState,
     ) -> Option<CreepForce> {
-        let mut total = CreepForce::default();
-        let slip = FlatSlip { zone, strips, creepage: state.creepage };
         (!state.creepage.is_zero()).then_some(())?;
+        let slip = FlatSlip { zone, strips, creepage: state.creepage };
+        if self.model == TangentialModel::Tables {
+            let (state, material) = self.under_law(zone, material, state);
+            return self.ellipse_force(zone, strips, &material, &slip, &state, None);
+        }
+        let mut total = CreepForce::default();
         let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
             total.add(zone, strips, j, &force);
         })?;
@@ -190,12 +244,20 @@ impl Tangential {
         state: &RollingState,
         mut each: impl FnMut(usize, StripForce),
     ) -> Option<Outcome> {
+        let state = RollingState { creepage: slip.mean(), ..*state };
+        let (state, material) = self.under_law(zone, material, &state);
+        let (state, material) = (&state, &material);
         let RollingState { forward_share, friction, load_factor, .. } = *state;
         let limit = friction * zone.load * load_factor;
         let is_bounded = self.model != TangentialModel::Linear;
         let load = zone.load * load_factor;
         if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
             return None;
+        }
+        if self.model == TangentialModel::Tables {
+            let force = self.ellipse_force(zone, strips, material, slip, state, None)?;
+            spread_by_load(zone, strips, &force, each);
+            return Some(Outcome::Solved);
         }
         let mut flexibility = ZoneFlexibility::new(zone, strips, material);
         let three = flexibility;
@@ -206,6 +268,7 @@ impl Tangential {
         let elements = (self.model == TangentialModel::BoundaryElement)
             .then(|| LoadedElements::of(zone, strips, self.elements));
         let backward_share = 1.0 - forward_share;
+        let mut marched = CreepForce::default();
         for (rolling, share) in
             [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
         {
@@ -226,11 +289,20 @@ impl Tangential {
             let share = if is_bounded { share } else { share * load_factor.min(1.0) };
             let add = |j, force: StripForce| each(j, force.times(share));
             match self.model {
-                TangentialModel::None => {}
+                TangentialModel::None | TangentialModel::Tables => {}
                 TangentialModel::Linear => {
                     linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
                 }
                 TangentialModel::Fastsim | TangentialModel::BoundaryElement => {
+                    let march = &self.fastsim;
+                    march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
+                }
+                TangentialModel::FastsimCorrected => {
+                    let add = |j, force: StripForce| {
+                        let force = force.times(share);
+                        marched.add(zone, strips, j, &force);
+                        each(j, force);
+                    };
                     let march = &self.fastsim;
                     march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
                 }
@@ -246,6 +318,13 @@ impl Tangential {
                     add,
                 ),
             }
+        }
+        if self.model == TangentialModel::FastsimCorrected
+            && let Some(mut force) =
+                self.ellipse_force(zone, strips, material, slip, state, Some(&marched))
+        {
+            force.keep_within(limit, &marched);
+            spread_by_load(zone, strips, &force, each);
         }
         Some(outcome)
     }

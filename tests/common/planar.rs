@@ -1,6 +1,8 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
-use wheelrail::element::parameters::{Flexibilities, NormalModel, ShapeFit, TangentialModel};
+use wheelrail::element::parameters::{
+    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+};
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::normal::hertz;
 use wheelrail::planar::{Indentation, PlanarCase};
@@ -79,6 +81,8 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         elements: [20, 20],
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
+        friction_law: FrictionLaw::default(),
+        speed: 0.0,
     }
 }
 

@@ -288,3 +288,38 @@ pub const BOUNDARY_ELEMENT_CREEP: f64 = 0.05;
 
 /// Running backwards with boundary elements: the contact search passes through other roundings, and sweeps end within 1e-4 of the tractions.
 pub const BOUNDARY_BACKWARDS: f64 = 1e-3;
+
+/// Estimated errors of the nodes of the table of creep forces, over the friction limit: mean and worst.
+pub const TABLE_NODES: [f64; 2] = [2.5e-3, 0.022];
+
+/// Full sliding with spin, interpolated between exact values, a/b 0.055 to 18, mean and worst: force over μ N, moment over μ N c. The worst are
+/// ellipses of a/b near 18 that turn about a point beside their longer axis.
+pub const TABLE_SLIDING: [[f64; 2]; 2] = [[5e-4, 6e-3], [5e-4, 1.6e-2]];
+
+/// Derivatives of the table against central differences over 1e-6 of the creepage.
+pub const TABLE_SLOPES: f64 = 1e-7;
+
+/// The table against boundary elements of 12 and 18 across between its nodes, over the friction limit, mean and worst: the error of the coarse
+/// grids. And for ν = 0 and 0.5, where the linear coefficients alone know it.
+pub const TABLE_BETWEEN: [f64; 2] = [2e-3, 1e-2];
+pub const TABLE_POISSON: [f64; 2] = [1e-2, 6e-2];
+
+/// The table against CONTACT on 300 ellipses, over the friction limit: mean, 95 %, worst. The reference itself is uncertain by 0.003 in the
+/// mean, 0.014 at worst.
+pub const TABLE_ELLIPSES: [f64; 3] = [0.0035, 0.0075, 0.03];
+
+/// Strips with tables, and with FASTSIM corrected by them, against CONTACT on 656 states of 8 real patches: force over the friction limit,
+/// mean, 95 %, worst; mean of the spin moment over the limit times c.
+pub const TABLE_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
+pub const TABLE_PROFILES_MOMENT: f64 = 0.0083;
+pub const CORRECTED_PROFILES: [f64; 3] = [0.0085, 0.0235, 0.040];
+pub const CORRECTED_PROFILES_MOMENT: f64 = 0.0072;
+
+/// The same for strips with tables and with corrected FASTSIM: 15 strips.
+pub const MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.14];
+pub const MANCHESTER_TABLES_FY: [f64; 2] = [0.0015, 0.05];
+
+/// Jump of the creep force where two zones of strips join, 15 strips, over the friction limit: half the load is on either, and the strips themselves
+/// are 0.1 % off there. FASTSIM with its correction differs from the table by that much on lobes.
+pub const JOINING_ZONES: f64 = 5e-3;
+pub const JOINING_ZONES_CORRECTED: f64 = 3.5e-2;

@@ -13,6 +13,7 @@ mod patch;
 mod plot;
 mod simulate;
 mod sweep;
+mod tables;
 mod wheelset;
 
 use std::io::ErrorKind;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Conicity(arguments) => conicity::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
+        Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
     };
     match result {

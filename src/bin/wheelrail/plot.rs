@@ -86,6 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             contact.creepage,
             values.input.friction,
         );
+        let case = PlanarCase { speed: values.input.wheel.velocity[0].abs(), ..case };
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
         draw(arguments, &case, title, contacts.clone(), index, load_given)
     }

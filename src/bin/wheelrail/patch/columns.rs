@@ -12,7 +12,7 @@ use super::separation::number;
 use crate::cases::{Cases, Row};
 
 /// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
-const VARIABLE_COLUMNS: [(&str, &str, f64); 13] = [
+const VARIABLE_COLUMNS: [(&str, &str, f64); 18] = [
     ("friction", "friction.coefficient", 1.0),
     ("young_modulus_mpa", "wheel.young_modulus", 1e6),
     ("poisson_ratio", "wheel.poisson_ratio", 1.0),
@@ -26,9 +26,14 @@ const VARIABLE_COLUMNS: [(&str, &str, f64); 13] = [
     ("elements_across", "normal.elements_across", 0.0),
     ("bound", "tangential.bound", 0.0),
     ("flexibilities", "tangential.flexibilities", 0.0),
+    ("falling_share", "friction.falling.share", 1.0),
+    ("falling_decay_s_per_m", "friction.falling.decay", 1.0),
+    ("reduction_initial", "friction.reduction.initial", 1.0),
+    ("reduction_share", "friction.reduction.share", 1.0),
+    ("reduction_decay", "friction.reduction.decay", 1.0),
 ];
 
-const OTHER_COLUMNS: [&str; 7] = [
+const OTHER_COLUMNS: [&str; 8] = [
     "separation",
     "radius_mm",
     "approach_mm",
@@ -36,6 +41,7 @@ const OTHER_COLUMNS: [&str; 7] = [
     "creepage_longitudinal",
     "creepage_lateral",
     "spin_per_mm",
+    "speed_m_s",
 ];
 
 /// One planar case.
@@ -51,6 +57,7 @@ pub struct Case {
     indentation: Indentation,
     creepage: [f64; 3],
     friction: f64,
+    speed: f64,
     parameters: Parameters,
 }
 
@@ -116,6 +123,7 @@ impl Case {
             indentation,
             creepage,
             friction: values.input.friction,
+            speed: value("speed_m_s")?.unwrap_or(0.0),
             parameters: values.parameters,
         })
     }
@@ -128,8 +136,9 @@ impl Case {
 
     /// The case with the points of its separation file.
     pub fn planar<'a>(&self, separation: &'a [[f64; 2]]) -> PlanarCase<'a> {
-        let Self { radius, indentation, creepage, friction, .. } = *self;
-        self.parameters.planar_case(separation, radius, indentation, creepage, friction)
+        let Self { radius, indentation, creepage, friction, speed, .. } = *self;
+        let case = self.parameters.planar_case(separation, radius, indentation, creepage, friction);
+        PlanarCase { speed, ..case }
     }
 }
 

@@ -1,0 +1,107 @@
+//! What FASTSIM is wrong by on an ellipse, to be taken off its force on a zone that is like it.
+//!
+//! FASTSIM marches over the ellipse of the zone with the bound, the resolution along and the way of blending flexibilities that it has on the
+//! zone itself. The strips of all ellipses are those of one circle, stretched.
+
+use super::equivalent_ellipse::EquivalentEllipse;
+use super::fastsim::Fastsim;
+use super::flexibility::ZoneFlexibility;
+use super::rigid_slip::{Growth, RigidSlip};
+use super::{CreepForce, Creepage, Flexibilities, Rolling};
+use crate::material::MaterialPair;
+use crate::math::quadrature::GaussLegendre;
+use crate::normal::{Strips, Zone};
+
+/// Strips of the ellipse: as many as are marched at once.
+const STRIPS: usize = 32;
+
+/// The strips of a circle of radius 1 with Hertzian pressure of amplitude 1.
+#[derive(Clone, Debug)]
+pub struct EllipseStrips {
+    strips: Strips,
+    zone: Zone,
+}
+
+impl Default for EllipseStrips {
+    fn default() -> Self {
+        let mut strips = Strips::with_capacity(1, STRIPS);
+        let rule = GaussLegendre::new(STRIPS);
+        let mut load = 0.0;
+        for (y, width) in rule.nodes.iter().zip(&rule.weights) {
+            let half_length = (1.0 - y * y).sqrt();
+            strips.y.push(*y);
+            strips.u.push(*y);
+            strips.x.push(0.0);
+            strips.width.push(*width);
+            strips.half_length.push(half_length);
+            strips.pressure.push(half_length);
+            load += std::f64::consts::FRAC_PI_2 * width * half_length * half_length;
+        }
+        Self { strips, zone: Zone { count: STRIPS, load, ..Zone::default() } }
+    }
+}
+
+/// Rigid slip of an ellipse seen on the circle: lengths along in units of a, across in units of b.
+#[derive(Clone, Copy, Debug)]
+struct StretchedSlip<'a> {
+    circle: &'a Strips,
+    ellipse: EquivalentEllipse,
+    creepage: Creepage,
+}
+
+impl RigidSlip for StretchedSlip<'_> {
+    fn mean(&self) -> Creepage {
+        self.creepage
+    }
+
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+        let EquivalentEllipse { along, across } = self.ellipse;
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        let y = across * self.circle.y[j];
+        Growth {
+            longitudinal: along
+                * (longitudinal / flexibility.longitudinal - spin * y / flexibility.spin),
+            lateral: along * lateral / flexibility.lateral,
+            twist: along * along * spin / flexibility.spin,
+        }
+    }
+
+    fn creepage(&self, _: usize) -> Creepage {
+        self.creepage
+    }
+}
+
+impl EllipseStrips {
+    /// The force of FASTSIM on `ellipse`, moment about its centre; `limit` is μ N > 0 [N].
+    #[allow(clippy::too_many_arguments)] // what the ellipse is and how it moves
+    #[must_use]
+    pub fn force(
+        &self,
+        fastsim: &Fastsim,
+        ellipse: &EquivalentEllipse,
+        flexibilities: Flexibilities,
+        material: &MaterialPair,
+        creepage: &Creepage,
+        rolling: Rolling,
+        limit: f64,
+    ) -> CreepForce {
+        let mut flexibility = ZoneFlexibility::of_ellipse(ellipse.along, ellipse.across, material);
+        if flexibilities == Flexibilities::Blended {
+            flexibility = flexibility.blended(creepage, limit);
+        }
+        let slip = StretchedSlip { circle: &self.strips, ellipse: *ellipse, creepage: *creepage };
+        let area = ellipse.along * ellipse.across;
+        // Friction times amplitude of the pressure, which the circle has as 1.
+        let bound = limit / (area * self.zone.load);
+        let mut total = CreepForce::default();
+        let circle = &self.strips;
+        fastsim.strip_forces(&self.zone, circle, &flexibility, &slip, rolling, bound, |j, f| {
+            total.longitudinal += area * f.longitudinal;
+            total.lateral += area * f.lateral;
+            total.spin_moment +=
+                area * (ellipse.along * f.moment - ellipse.across * circle.y[j] * f.longitudinal);
+            total.slip_area += area * f.slip_area;
+        });
+        total
+    }
+}

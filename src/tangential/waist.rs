@@ -1,0 +1,121 @@
+//! Zones with a waist: two lobes that are about to part, or have just joined.
+//!
+//! One ellipse for the whole and one for each lobe are different forces, so that a step from the one to the other would be a jump where zones
+//! join. Instead a zone with a waist is mixed of both, by how deep the waist is: with q the load per width, d the least q between two
+//! peaks over the lower of them,
+//!
+//! ```text
+//! F = (1 - w) F_whole + w (F_left + F_right),      w = 1 at d = 0, where zones join, 0 from d = 1/2 on
+//! ```
+//!
+//! All of it is a continuous function of the strips.
+
+use crate::normal::{Strips, Zone};
+
+/// Depth of a waist from which on a zone is one.
+const WHOLE: f64 = 0.5;
+
+/// A waist and what is left and right of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Waist {
+    /// Share w of the two lobes in the force, above 0 to 1.
+    pub share: f64,
+    /// Where it is, as the lateral coordinate of strips [m].
+    y: f64,
+    /// Width over which strips go over from one lobe to the other [m].
+    blend: f64,
+}
+
+impl Waist {
+    /// The deepest waist of `zone`, if it has one.
+    #[must_use]
+    pub fn of(zone: &Zone, strips: &Strips) -> Option<Self> {
+        let range = zone.first..zone.first + zone.count;
+        let load = |j: usize| strips.half_length[j] * strips.pressure[j];
+        // Where load falls and rises again; the peaks on both sides of the deepest such place.
+        let (mut peak, mut least, mut best) = (0f64, f64::INFINITY, None::<[f64; 3]>);
+        for j in range.clone() {
+            let q = load(j);
+            least = least.min(q);
+            let lower = q.min(peak);
+            if least < WHOLE * lower {
+                let depth = least / lower;
+                if best.is_none_or(|[before, ..]| depth < before) {
+                    best = Some([depth, least, lower]);
+                }
+            }
+            if q >= peak {
+                (peak, least) = (q, q);
+            }
+        }
+        let [depth, least, lower] = best?;
+        let x = 1.0 - depth / WHOLE;
+        let share = x * x * (3.0 - 2.0 * x);
+        // Its middle: strips by how far they are below a quarter of the way up, between strips that are above.
+        let level = least + 0.25 * (lower - least);
+        let first = range.clone().find(|&j| load(j) >= level)?;
+        let last = range.rev().find(|&j| load(j) >= level)?;
+        let (mut sum, mut y) = (0.0, 0.0);
+        for j in first..=last {
+            let weight = strips.width[j] * (level - load(j)).max(0.0).powi(2);
+            sum += weight;
+            y += weight * strips.y[j];
+        }
+        let blend = 2.0 * zone.width / zone.count as f64;
+        (sum > 0.0).then(|| Self { share, y: y / sum, blend })
+    }
+
+    /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
+    #[must_use]
+    pub fn left(&self, y: f64) -> f64 {
+        let x = ((self.y - y) / self.blend + 0.5).clamp(0.0, 1.0);
+        x * x * (3.0 - 2.0 * x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    /// Strips of equal width with these loads per width.
+    fn strips(loads: &[f64]) -> (Zone, Strips) {
+        let mut strips = Strips::with_capacity(1, loads.len());
+        for (j, q) in loads.iter().enumerate() {
+            strips.y.push(1e-3 * j as f64);
+            strips.width.push(1e-3);
+            strips.half_length.push(1e-3);
+            strips.pressure.push(1e3 * q);
+        }
+        let count = loads.len();
+        (Zone { count, width: 1e-3 * count as f64, ..Zone::default() }, strips)
+    }
+
+    #[test]
+    fn one_lobe_has_no_waist_and_two_have_one_between_them() {
+        for loads in [&[0.2, 0.5, 1.0, 0.8, 0.3][..], &[1.0, 0.6, 0.8], &[0.1, 0.1, 0.1]] {
+            let (zone, strips) = strips(loads);
+            assert_eq!(Waist::of(&zone, &strips), None, "{loads:?}");
+        }
+        let (zone, strips) = strips(&[0.5, 1.0, 0.5, 0.0, 0.4, 0.8, 0.4]);
+        let waist = Waist::of(&zone, &strips).unwrap();
+        assert_abs_diff_eq!(waist.share, 1.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(waist.y, 3e-3, epsilon = 1e-9);
+        assert_abs_diff_eq!(waist.left(1e-3), 1.0);
+        assert_abs_diff_eq!(waist.left(3e-3), 0.5);
+        assert_abs_diff_eq!(waist.left(5e-3), 0.0);
+    }
+
+    #[test]
+    fn a_waist_comes_up_smoothly() {
+        let mut before = 0.0;
+        for i in 0..=100 {
+            let neck = 0.5 - 0.005 * f64::from(i);
+            let (zone, strips) = strips(&[0.5, 1.0, 0.8, neck, 0.8, 1.0, 0.5]);
+            let share = Waist::of(&zone, &strips).map_or(0.0, |waist| waist.share);
+            assert!(share >= before && share < before + 0.02, "{neck}: {share} after {before}");
+            before = share;
+        }
+        assert_abs_diff_eq!(before, 1.0, epsilon = 1e-12);
+    }
+}

@@ -1,0 +1,122 @@
+//! Falling friction and reduced initial slope with every tangential model, and through the element.
+
+mod common;
+mod tolerance;
+
+use approx::assert_relative_eq;
+use common::planar::{HertzRow, steel_case};
+use wheelrail::element::parameters::{FrictionLaw, TangentialModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::error::ContactError;
+use wheelrail::planar::{PlanarCase, PlanarResult, solve};
+
+const BOUNDED: [TangentialModel; 5] = [
+    TangentialModel::Fastsim,
+    TangentialModel::Fastrip,
+    TangentialModel::Tables,
+    TangentialModel::FastsimCorrected,
+    TangentialModel::BoundaryElement,
+];
+
+const FALLING: FrictionLaw = FrictionLaw {
+    falling_share: 0.38,
+    falling_decay: 0.7,
+    reduction: 1.0,
+    reduction_share: 1.0,
+    reduction_decay: 0.0,
+};
+
+/// A steel ellipse of a/b = 1 that rolls at 10 m/s.
+fn rolled(
+    tangential_model: TangentialModel,
+    friction_law: FrictionLaw,
+    creepage: [f64; 3],
+) -> Result<PlanarResult, ContactError> {
+    let row = HertzRow::with_ratio(1.0);
+    let separation = row.separation();
+    solve(&PlanarCase {
+        tangential_model,
+        friction_law,
+        creepage,
+        speed: 10.0,
+        ..steel_case(&separation, 0.5 / row.along, row.approach)
+    })
+}
+
+#[test]
+fn full_sliding_has_the_friction_of_its_speed() {
+    for model in BOUNDED {
+        for creepage in [0.05, 0.1, 0.5] {
+            let found = rolled(model, FALLING, [creepage, 0.0, 0.0]).unwrap();
+            let friction = 0.3 * (0.38 + 0.62 * (-0.7 * 10.0 * creepage).exp());
+            let share = -found.fx / found.normal_force;
+            assert_relative_eq!(share, friction, max_relative = tolerance::FULL_SLIDING);
+        }
+    }
+}
+
+#[test]
+fn without_sliding_friction_does_not_fall_and_forces_are_those_of_constant_friction() {
+    for model in BOUNDED {
+        let plain = rolled(model, FrictionLaw::default(), [1e-6, 0.0, 0.0]).unwrap();
+        let falling = rolled(model, FALLING, [1e-6, 0.0, 0.0]).unwrap();
+        assert_relative_eq!(falling.fx, plain.fx, max_relative = 1e-4);
+    }
+}
+
+#[test]
+fn the_initial_slope_is_reduced_and_the_limit_is_not() {
+    let law = FrictionLaw { reduction: 0.5, ..FrictionLaw::default() };
+    for model in BOUNDED.into_iter().chain([TangentialModel::Linear]) {
+        let at = |law, creepage: f64| rolled(model, law, [0.0, creepage, 0.0]).unwrap().fy;
+        let plain = at(FrictionLaw::default(), 1e-6);
+        assert_relative_eq!(at(law, 1e-6), 0.5 * plain, max_relative = 2e-3);
+        if model != TangentialModel::Linear {
+            let limit = at(FrictionLaw::default(), 0.1);
+            assert_relative_eq!(at(law, 0.1), limit, max_relative = tolerance::FULL_SLIDING);
+        }
+    }
+}
+
+#[test]
+fn a_sliding_wheel_loses_creep_force_with_its_speed() {
+    let at = |speed: f64, law: FrictionLaw| {
+        let parameters = Parameters {
+            friction_law: law,
+            tangential_model: TangentialModel::Tables,
+            ..Parameters::default()
+        };
+        let mut input = Input::default();
+        input.wheel.position[1] -= 3e-3;
+        let mut element = Element::new(&parameters, &input, &[]).unwrap();
+        input.wheel.position[2] = element.nominal_wheel_z() + 5e-5;
+        input.wheel.velocity[0] = speed;
+        // A tenth faster than it rolls.
+        input.wheel.pitch_rate = -1.1 * speed / 0.46;
+        let mut output = Output::default();
+        element.evaluate(&input, &mut output).unwrap();
+        output.patches[0].creep_force[0] / output.patches[0].normal_force
+    };
+    let plain = FrictionLaw::default();
+    assert_relative_eq!(at(5.0, plain), at(40.0, plain), max_relative = 1e-9);
+    let [slow, fast] = [5.0, 40.0].map(|speed| at(speed, FALLING));
+    assert!(fast < 0.6 * slow && slow < at(5.0, plain), "{slow} {fast}");
+}
+
+#[test]
+fn parameters_out_of_range_are_refused_by_name() {
+    let refused = |change: fn(&mut FrictionLaw)| {
+        let mut parameters = Parameters::default();
+        change(&mut parameters.friction_law);
+        Element::new(&parameters, &Input::default(), &[]).unwrap_err().to_string()
+    };
+    for (message, name) in [
+        (refused(|law| law.falling_share = 1.5), "friction.falling.share"),
+        (refused(|law| law.falling_decay = -1.0), "friction.falling.decay"),
+        (refused(|law| law.reduction = 0.0), "friction.reduction.initial"),
+        (refused(|law| law.reduction_share = f64::NAN), "friction.reduction.share"),
+        (refused(|law| law.reduction_decay = -0.1), "friction.reduction.decay"),
+    ] {
+        assert!(message.starts_with(name), "{message}");
+    }
+}
