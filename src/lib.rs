@@ -106,3 +106,4 @@ pub mod normal;
 pub mod planar;
 pub mod tangential;
 pub mod variables;
+pub mod wear;

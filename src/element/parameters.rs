@@ -6,6 +6,7 @@ pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::{Flexibilities, TangentialModel};
+pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
 
 /// On which side of the track the wheel runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -126,6 +127,10 @@ pub struct Parameters {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
+    /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
+    pub shear_yield: f64,
+    /// Wear.
+    pub wear: WearParameters,
 }
 
 /// Number of rails an element can carry.
@@ -168,6 +173,8 @@ impl Default for Parameters {
             elements_along: 30,
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),
+            shear_yield: 3e8,
+            wear: WearParameters::default(),
         }
     }
 }
@@ -195,6 +202,7 @@ impl Parameters {
             ("track.gauge", self.gauge, positive),
             ("track.gauge_depth", self.gauge_depth, positive),
             ("creepage.minimum_speed", self.minimum_speed, positive),
+            ("rail.shear_yield", self.shear_yield, positive),
             ("profile.smoothing", self.profile_smoothing, not_negative),
             ("normal.damping", self.damping, not_negative),
         ];
@@ -228,6 +236,27 @@ impl Parameters {
         ] {
             require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
         }
-        self.check_deviations()
+        self.check_deviations()?;
+        self.check_wear()
+    }
+
+    /// Whether wear is admitted, and together with the models.
+    fn check_wear(&self) -> Result<(), ContactError> {
+        self.wear.check()?;
+        let refused = |value: &str, allowed: &str| {
+            let (name, value, allowed) = ("wear.model".into(), value.into(), allowed.into());
+            Err(ContactError::BadText { name, value, allowed })
+        };
+        match self.wear.model {
+            WearModel::Off => Ok(()),
+            _ if self.is_uneven() => refused(
+                "on",
+                "corrugated rails, out-of-round wheels and flats go with off: what wears is a profile that is even along the track",
+            ),
+            WearModel::Archard if self.tangential_model == TangentialModel::Linear => {
+                refused("archard", "with tangential.model linear nothing slides")
+            }
+            _ => Ok(()),
+        }
     }
 }
