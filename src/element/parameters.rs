@@ -55,6 +55,8 @@ pub struct WheelParameters {
     pub out_of_round: OutOfRound,
     /// A flat.
     pub flat: WheelFlat,
+    /// File for the worn profile at the end of a run of the FMU; empty for none.
+    pub worn_file: String,
 }
 
 /// One rail: profile and how it stands.
@@ -68,6 +70,8 @@ pub struct RailParameters {
     pub inclination: f64,
     /// Corrugation.
     pub corrugation: Corrugation,
+    /// File for the worn profile at the end of a run of the FMU; empty for none.
+    pub worn_file: String,
 }
 
 /// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
@@ -147,12 +151,14 @@ impl Default for Parameters {
                 poisson_ratio: 0.28,
                 out_of_round: OutOfRound::default(),
                 flat: WheelFlat::default(),
+                worn_file: String::new(),
             },
             rails: [true, false].map(|enabled| RailParameters {
                 profile: "60E1".into(),
                 enabled,
                 inclination: 0.025,
                 corrugation: Corrugation::default(),
+                worn_file: String::new(),
             }),
             second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
