@@ -30,17 +30,19 @@ const KERNEL_REACH: f64 = 5.0;
 /// Points on each piece of a curve: exact for what is integrated.
 const POINTS: usize = 5;
 
-/// A knot of the unworn curve and what becomes of it.
-struct Station {
+/// A knot of the unworn curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Station {
     point: [f64; 2],
     first: [f64; 2],
     /// Unit vector into the body.
     inward: [f64; 2],
     /// Mean curvature about the knot, positive where the body bulges [1/m].
     curvature: f64,
-    /// Depth [m] and its derivative by the arc.
-    depth: f64,
-    slope: f64,
+    /// Moments of the piece of the curve that ends here; see [`moments`].
+    before: [f64; 2],
+    /// Length of that piece by its chord and turn [m].
+    length: f64,
 }
 
 /// What an update has found.
@@ -72,28 +74,25 @@ impl WornArc {
         }
         let smoothed = self.smoothed(smoothing);
         let (depths, is_worn_through) = self.depths(&smoothed);
-        let mut stations = self.stations(&depths);
+        let depths = self.depths_at_knots(&depths);
         let rule = GaussLegendre::new(POINTS);
         let mut factor = 1.0;
-        let mut knots = self.offset(&stations, factor);
-        let mut volume = self.volume_between(&stations, &knots, &rule)[0];
+        let mut knots = self.offset(&depths, factor);
+        let mut lost = self.lost(&depths, &knots, &rule);
         if !is_worn_through {
             // Volume is close to proportional to the depth: each turn leaves the square of the error.
-            for _ in 0..3 {
-                factor *= wanted / volume;
-                knots = self.offset(&stations, factor);
-                volume = self.volume_between(&stations, &knots, &rule)[0];
+            for _ in 0..MOST_TURNS {
+                if (lost[0] - wanted).abs() <= ACCURACY * wanted {
+                    break;
+                }
+                factor *= wanted / lost[0];
+                knots = self.offset(&depths, factor);
+                lost = self.lost(&depths, &knots, &rule);
             }
         }
-        for station in &mut stations {
-            station.depth *= factor;
-        }
-        let [volume, area] = {
-            let [_, area] = self.volume_between(&stations, &knots, &rule);
-            [volume, area]
-        };
+        let [volume, area] = lost;
         self.area = area;
-        self.depth = stations.iter().map(|s| s.depth).fold(0.0, f64::max);
+        self.depth = depths.iter().map(|[depth, _]| factor * depth).fold(0.0, f64::max);
         self.worn_knots = knots.iter().map(|k| k.s).collect();
         (Curve::through(&knots), UpdateReport { volume, is_worn_through })
     }
@@ -141,15 +140,7 @@ impl WornArc {
             if *volume <= 0.0 {
                 return 0.0;
             }
-            let s = self.start + (i as f64 + 0.5) * self.cell;
-            let bulge = self.bulge(s);
-            let shrinking = match self.body {
-                Body::Rail { .. } => 0.0,
-                Body::Wheel { .. } => {
-                    let first = self.base.at(s).first;
-                    std::f64::consts::TAU * first[0] / (first[0].hypot(first[1]) * spread)
-                }
-            };
+            let [bulge, shrinking] = self.bending[i];
             let most = MOST_DEPTH.min(MOST_OF_RADIUS / bulge.max(1e-9));
             let layer = |d: f64| {
                 d - (shrinking + bulge) * d * d / 2.0 + shrinking * bulge * d * d * d / 3.0
@@ -183,56 +174,35 @@ impl WornArc {
         (depths, is_worn_through)
     }
 
-    /// Mean curvature of the unworn profile about `s`, positive where the body bulges [1/m].
-    fn bulge(&self, s: f64) -> f64 {
-        let from = (s - CURVATURE_REACH).max(self.base.start());
-        let to = (s + CURVATURE_REACH).min(self.base.end());
-        let (a, b) = (self.base.at(from).first, self.base.at(to).first);
-        let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]) / (to - from);
-        match self.body {
-            Body::Rail { .. } => turn,
-            Body::Wheel { .. } => -turn,
-        }
-    }
-
-    /// The knots of the unworn curve with the depth there, by a spline through the middles of the cells.
-    fn stations(&self, depths: &[f64]) -> Vec<Station> {
-        let middles: Vec<f64> =
-            (0..depths.len()).map(|i| self.start + (i as f64 + 0.5) * self.cell).collect();
+    /// Depth at each knot of the unworn curve [m] and its derivative by the arc, by a spline through the middles of the cells.
+    fn depths_at_knots(&self, depths: &[f64]) -> Vec<[f64; 2]> {
+        let first = self.start + 0.5 * self.cell;
+        let middles: Vec<f64> = (0..depths.len()).map(|i| first + i as f64 * self.cell).collect();
         let slopes = interpolating_slopes(&middles, depths, [SplineEnd::Natural; 2]);
         let last = depths.len() - 2;
-        let station = |s: &f64| {
-            let at = self.base.at(*s);
-            let place = ((s - middles[0]) / self.cell).clamp(0.0, (last + 1) as f64);
+        let at = |s: &f64| {
+            let place = ((s - first) / self.cell).clamp(0.0, (last + 1) as f64);
             let i = (place as usize).min(last);
             // Between cells without wear a spline only swings.
-            let is_bare = (i.saturating_sub(2)..=(i + 3).min(last + 1)).all(|k| depths[k] <= 0.0);
-            let [depth, slope] = if is_bare {
-                [0.0; 2]
-            } else {
-                let values = [depths[i], depths[i + 1]];
-                hermite(place - i as f64, self.cell, values, [slopes[i], slopes[i + 1]])
-            };
-            let length = at.first[0].hypot(at.first[1]);
-            let normal = [-at.first[1] / length, at.first[0] / length];
-            let inward = match self.body {
-                Body::Rail { .. } => normal,
-                Body::Wheel { .. } => normal.map(|n| -n),
-            };
-            let [point, first] = [at.point, at.first];
-            Station { point, first, inward, curvature: self.bulge(*s), depth, slope }
+            if (i.saturating_sub(2)..=(i + 3).min(last + 1)).all(|k| depths[k] <= 0.0) {
+                return [0.0; 2];
+            }
+            let values = [depths[i], depths[i + 1]];
+            hermite(place - i as f64, self.cell, values, [slopes[i], slopes[i + 1]])
         };
-        self.base_knots.iter().map(station).collect()
+        self.base_knots.iter().map(at).collect()
     }
 
     /// The knots of the unworn curve moved inwards by `factor` times their depths.
-    fn offset(&self, stations: &[Station], factor: f64) -> Vec<Knot> {
-        let mut knots: Vec<Knot> = stations
+    fn offset(&self, depths: &[[f64; 2]], factor: f64) -> Vec<Knot> {
+        let mut knots: Vec<Knot> = self
+            .stations
             .iter()
+            .zip(depths)
             .zip(&self.base_knots)
-            .map(|(station, &s)| {
+            .map(|((station, depth), &s)| {
                 let Station { point, first, inward, curvature, .. } = station;
-                let (depth, slope) = (factor * station.depth, factor * station.slope);
+                let [depth, slope] = depth.map(|d| factor * d);
                 if depth == 0.0 && slope == 0.0 {
                     return Knot { s, point: *point, tangent: *first };
                 }
@@ -250,58 +220,32 @@ impl WornArc {
         // The parameter stays as close to the arc as it was.
         let mut s = knots[0].s;
         for i in 1..knots.len() {
-            let base = [&stations[i - 1], &stations[i]];
             let length = self.base_knots[i] - self.base_knots[i - 1];
-            let before = arc_length(base.map(|b| b.point), base.map(|b| b.first));
-            let pair = [&knots[i - 1], &knots[i]];
-            let after = arc_length(pair.map(|k| k.point), pair.map(|k| k.tangent));
-            s += length * (after / before).max(LEAST_STRETCH);
+            let stretch = if is_bare(&depths[i - 1..=i]) {
+                1.0
+            } else {
+                let pair = [&knots[i - 1], &knots[i]];
+                let after = arc_length(pair.map(|k| k.point), pair.map(|k| k.tangent));
+                (after / self.stations[i].length).max(LEAST_STRETCH)
+            };
+            s += length * stretch;
             knots[i].s = s;
         }
         knots
     }
 
     /// Volume and area of the section between the unworn curve and the one through `knots` [m³, m²].
-    fn volume_between(
-        &self,
-        stations: &[Station],
-        knots: &[Knot],
-        rule: &GaussLegendre,
-    ) -> [f64; 2] {
-        let radius = match self.body {
-            Body::Wheel { nominal_radius } => nominal_radius,
-            Body::Rail { .. } => 0.0,
-        };
-        // Twice the first and the zeroth moment about the axle of the strip between the curve and the axle.
-        let moments = |z: f64, dy: f64| [(radius + z) * (radius + z) * dy, z * dy];
+    fn lost(&self, depths: &[[f64; 2]], knots: &[Knot], rule: &GaussLegendre) -> [f64; 2] {
+        let radius = self.body.radius();
         let (mut squares, mut area) = (0.0, 0.0);
-        for i in 1..knots.len() {
-            let pair = [&stations[i - 1], &stations[i]];
-            if pair.iter().all(|s| s.depth == 0.0 && s.slope == 0.0) {
-                continue;
-            }
-            let worn = [&knots[i - 1], &knots[i]];
-            let lengths = [self.base_knots[i] - self.base_knots[i - 1], worn[1].s - worn[0].s];
-            for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
-                let t = 0.5 * (1.0 + node);
-                let at = |c: usize, points: [[f64; 2]; 2], tangents: [[f64; 2]; 2], h: f64| {
-                    hermite(t, h, points.map(|p| p[c]), tangents.map(|p| p[c]))
-                };
-                let curve = |points, tangents, h: f64| {
-                    let [z, _] = at(1, points, tangents, h);
-                    let [_, dy] = at(0, points, tangents, h);
-                    moments(z, dy * h)
-                };
-                let before = curve(pair.map(|s| s.point), pair.map(|s| s.first), lengths[0]);
-                let after = curve(worn.map(|k| k.point), worn.map(|k| k.tangent), lengths[1]);
-                squares += 0.5 * weight * (after[0] - before[0]);
-                area += 0.5 * weight * (after[1] - before[1]);
-            }
+        for i in (1..knots.len()).filter(|&i| !is_bare(&depths[i - 1..=i])) {
+            let after = moments(radius, [&knots[i - 1], &knots[i]], rule);
+            squares += after[0] - self.stations[i].before[0];
+            area += after[1] - self.stations[i].before[1];
         }
         // Where wear reaches an end of the profile, the step there closes the outline.
-        let ends = [(0, 1.0), (knots.len() - 1, -1.0)];
-        for (i, sign) in ends {
-            let (from, to) = (stations[i].point, knots[i].point);
+        for (i, sign) in [(0, 1.0), (knots.len() - 1, -1.0)] {
+            let (from, to) = (self.stations[i].point, knots[i].point);
             let dy = sign * (to[0] - from[0]);
             let (a, b) = (radius + from[1], radius + to[1]);
             squares += dy * (a * a + a * b + b * b) / 3.0;
@@ -314,6 +258,84 @@ impl WornArc {
     }
 }
 
+/// Whether nothing is worn off at any of these knots.
+fn is_bare(depths: &[[f64; 2]]) -> bool {
+    depths.iter().flatten().all(|d| *d == 0.0)
+}
+
+/// The knots at parameters `knots` of an unworn curve.
+pub(super) fn stations(base: &Curve, body: Body, knots: &[f64]) -> Vec<Station> {
+    let rule = GaussLegendre::new(POINTS);
+    let knot = |s: f64| {
+        let at = base.at(s);
+        Knot { s, point: at.point, tangent: at.first }
+    };
+    let station = |(i, &s): (usize, &f64)| {
+        let [before, here] = [knot(knots[i.saturating_sub(1)]), knot(s)];
+        let Knot { point, tangent: first, .. } = here;
+        let length = first[0].hypot(first[1]);
+        let normal = [-first[1] / length, first[0] / length];
+        let inward = match body {
+            Body::Rail { .. } => normal,
+            Body::Wheel { .. } => normal.map(|n| -n),
+        };
+        Station {
+            point,
+            first,
+            inward,
+            curvature: bulge(base, body, s),
+            before: moments(body.radius(), [&before, &here], &rule),
+            length: arc_length([before.point, point], [before.tangent, first]),
+        }
+    };
+    knots.iter().enumerate().map(station).collect()
+}
+
+/// ∫ (R + z)² dy and ∫ z dy over the cubic between two knots, R a `radius` [m]: exact with [`POINTS`] points.
+fn moments(radius: f64, [from, to]: [&Knot; 2], rule: &GaussLegendre) -> [f64; 2] {
+    let h = to.s - from.s;
+    let mut sums = [0.0; 2];
+    if h <= 0.0 {
+        return sums;
+    }
+    let cubic = |t: f64, c: usize| {
+        hermite(t, h, [from.point[c], to.point[c]], [from.tangent[c], to.tangent[c]])
+    };
+    for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
+        let t = 0.5 * (1.0 + node);
+        let ([_, dy], [z, _]) = (cubic(t, 0), cubic(t, 1));
+        let share = 0.5 * h * weight * dy;
+        sums = [sums[0] + share * (radius + z) * (radius + z), sums[1] + share * z];
+    }
+    sums
+}
+
+/// Mean curvature of an unworn profile about `s`, positive where the body bulges [1/m].
+pub(super) fn bulge(base: &Curve, body: Body, s: f64) -> f64 {
+    let from = (s - CURVATURE_REACH).max(base.start());
+    let to = (s + CURVATURE_REACH).min(base.end());
+    let (a, b) = (base.at(from).first, base.at(to).first);
+    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]) / (to - from);
+    match body {
+        Body::Rail { .. } => turn,
+        Body::Wheel { .. } => -turn,
+    }
+}
+
+/// Share by which the circumference at `s` shrinks with the depth [1/m].
+pub(super) fn shrinking(base: &Curve, body: Body, s: f64) -> f64 {
+    match body {
+        Body::Rail { .. } => 0.0,
+        Body::Wheel { nominal_radius } => {
+            let at = base.at(s);
+            at.first[0] / (at.first[0].hypot(at.first[1]) * (nominal_radius + at.point[1]))
+        }
+    }
+}
+
+/// Most turns towards the volume, and the share that may be missing.
+const MOST_TURNS: usize = 3;
+const ACCURACY: f64 = 1e-9;
 /// Most steps towards a depth.
 const MOST_STEPS: usize = 60;
 /// Least length of a worn piece over that of the unworn one: a parameter has to grow.

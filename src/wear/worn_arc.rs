@@ -4,6 +4,7 @@
 //! belongs to the unworn profile; places are given by parameters of the curve in use and carried over. Depths are those of the
 //! layer along the inward normal of the unworn profile.
 
+use super::update::{Station, bulge, shrinking, stations};
 use crate::geometry::curve::Curve;
 
 /// Length of the cells [m]: the narrowest patches of a flange are ten of them.
@@ -22,6 +23,16 @@ pub enum Body {
         /// That distance [m].
         distance: f64,
     },
+}
+
+impl Body {
+    /// Distance of z = 0 from the axle, 0 of a rail [m].
+    pub(super) fn radius(self) -> f64 {
+        match self {
+            Self::Wheel { nominal_radius } => nominal_radius,
+            Self::Rail { .. } => 0.0,
+        }
+    }
 }
 
 /// What a profile has lost: all that has to be remembered of it.
@@ -59,6 +70,11 @@ pub struct WornArc {
     pub(super) cell: f64,
     /// What the volume of each cell is spread over: circumference or distance [m].
     pub(super) spread: Vec<f64>,
+    /// Mean curvature in the middle of each cell, positive where the body bulges, and share by which the circumference shrinks with
+    /// the depth [1/m].
+    pub(super) bending: Vec<[f64; 2]>,
+    /// The knots of the worn curve on the unworn one, and the moments of the piece before each.
+    pub(super) stations: Vec<Station>,
     /// Parameters of the knots of the worn curve, on the unworn and on the worn one [m].
     pub(super) base_knots: Vec<f64>,
     pub(super) worn_knots: Vec<f64>,
@@ -86,6 +102,13 @@ impl WornArc {
             })
             .collect();
         let base_knots = knots(base, cell);
+        let bending = (0..count)
+            .map(|i| {
+                let s = start + (i as f64 + 0.5) * cell;
+                [bulge(base, body, s), shrinking(base, body, s)]
+            })
+            .collect();
+        let stations = stations(base, body, &base_knots);
         let state = ArcState {
             total: vec![0.0; count],
             pending: vec![0.0; count],
@@ -99,6 +122,8 @@ impl WornArc {
             start,
             cell,
             spread,
+            bending,
+            stations,
             worn_knots: base_knots.clone(),
             base_knots,
             state,
