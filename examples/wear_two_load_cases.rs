@@ -21,10 +21,10 @@ const STEP: f64 = 5e-4;
 const UPDATES: usize = 1000;
 /// Mileage that the run stands for [m], share of it spent flanging, and axles of 20 t that pass each site: 1.8 Mt.
 const MILEAGE: f64 = 253e6;
-const FLANGING: f64 = 0.005;
+const FLANGING: f64 = 0.002;
 const PASSAGES: f64 = 9e4;
-/// Mass worn off per frictional work [kg/J]: mild wear in humid air.
-const WEAR: f64 = 2e-10;
+/// Mass worn off per frictional work in either load case: in a dry curve and on damp straight track [kg/J].
+const WEAR: [f64; 2] = [2e-9, 2e-10];
 /// Runs one after the other that are really made; the time of 1000 follows.
 const SEQUENTIAL_RUNS: usize = 5;
 
@@ -32,8 +32,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cases = || -> Result<[DrivenWheelset; 2], Box<dyn Error>> {
         let sway = Guidance::Sway { amplitude: 2.5e-3, wavelength: 20.0 };
         let mut cases = [
-            DrivenWheelset::new(&parameters(FLANGING), Guidance::Free { yaw: -0.025 })?,
-            DrivenWheelset::new(&parameters(1.0 - FLANGING), sway)?,
+            DrivenWheelset::new(&parameters(FLANGING, WEAR[0]), Guidance::Free { yaw: -0.025 })?,
+            DrivenWheelset::new(&parameters(1.0 - FLANGING, WEAR[1]), sway)?,
         ];
         cases.iter_mut().try_for_each(|case| case.settle(STEP))?;
         Ok(cases)
@@ -85,13 +85,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts(&parallel)?))
 }
 
-/// Parameters of a load case that has a `share` of the mileage.
-fn parameters(share: f64) -> Parameters {
+/// Parameters of a load case that has a `share` of the mileage and this coefficient of wear [kg/J].
+fn parameters(share: f64, wear: f64) -> Parameters {
     let mut parameters = Parameters::default();
     let run = 20.0 * TIME;
     parameters.wear.model = WearModel::FrictionalWork;
     for law in [&mut parameters.wear.wheel, &mut parameters.wear.rail] {
-        law.frictional_work.coefficient = WEAR;
+        law.frictional_work.coefficient = wear;
     }
     parameters.wear.acceleration_factor = share * MILEAGE / run;
     // A site is passed so often in all: what wears off in one run stands for so much of the mileage over the passages.

@@ -5,6 +5,7 @@ pub mod contact;
 pub mod errors;
 pub mod motion;
 pub mod patches;
+pub mod wear;
 
 use std::ops::Range;
 use std::path::Path;
