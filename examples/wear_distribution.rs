@@ -13,13 +13,13 @@ use wheelrail::element::{Element, Input, Output, Parameters, WornBody};
 /// Steps of the run and between updates of the profile.
 const STEPS: usize = 200;
 const UPDATES: [usize; 2] = [10, 200];
-/// Waves longer than this are the shape of the wear, shorter ones its waviness [m].
-const SHAPE: f64 = 8e-3;
+/// Waves shorter than this are waviness [m].
+const SHORT: f64 = 2e-3;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!(
-        "steps_between_updates,distribution,mean_depth_mm,waviness_um,share_of_mean,force_jump"
-    );
+    // As good as a profile that changes all the time.
+    let (reference, _) = run(WearDistribution::Interpenetration, 1)?;
+    println!("steps_between_updates,distribution,waviness_um,off_the_reference_um,force_jump");
     let mut charts = Vec::new();
     for (between, title) in UPDATES
         .into_iter()
@@ -31,13 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             (WearDistribution::Interpenetration, "spread by interpenetration"),
         ] {
             let (depth, jump) = run(distribution, between)?;
-            let [mean, waviness] = waviness(&depth);
-            println!(
-                "{between},{distribution:?},{:.4},{:.2},{:.4},{jump:.4}",
-                1e3 * mean,
-                1e6 * waviness,
-                waviness / mean
-            );
+            let waviness = 1e6 * short_waves(&depth);
+            let off = 1e6 * mean_square(depth.iter().zip(&reference).map(|(a, b)| a[1] - b[1]));
+            println!("{between},{distribution:?},{waviness:.2},{off:.2},{jump:.4}");
             let points = depth.iter().map(|p| p.map(|x| 1e3 * x));
             series
                 .push(Series::line(name, points.filter(|p| p[0] > -45.0 && p[0] < 35.0).collect()));
@@ -89,15 +85,19 @@ fn run(
     Ok((element.wear_depth(WornBody::Wheel), jump))
 }
 
-/// Mean depth where something is worn off, and the root mean square of what waves shorter than [`SHAPE`] add to it [m].
-fn waviness(depth: &[[f64; 2]]) -> [f64; 2] {
-    let worn: Vec<&[f64; 2]> = depth.iter().filter(|p| p[1] > 0.0).collect();
-    let shape = |at: f64| {
-        let weight = |y: f64| (-0.5 * ((y - at) / (0.187 * SHAPE)).powi(2)).exp();
+/// What waves shorter than [`SHORT`] add to the depth, root mean square over what is worn off [m].
+fn short_waves(depth: &[[f64; 2]]) -> f64 {
+    let smooth = |at: f64| {
+        let weight = |y: f64| (-0.5 * ((y - at) / (0.187 * SHORT)).powi(2)).exp();
         let sum: f64 = depth.iter().map(|p| weight(p[0])).sum();
         depth.iter().map(|p| weight(p[0]) * p[1]).sum::<f64>() / sum
     };
-    let mean = worn.iter().map(|p| p[1]).sum::<f64>() / worn.len() as f64;
-    let square = worn.iter().map(|p| (p[1] - shape(p[0])).powi(2)).sum::<f64>() / worn.len() as f64;
-    [mean, square.sqrt()]
+    mean_square(depth.iter().filter(|p| p[1] > 0.0).map(|p| p[1] - smooth(p[0])))
+}
+
+/// Root mean square of the values that are not zero.
+fn mean_square(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) =
+        values.filter(|v| *v != 0.0).fold((0.0, 0.0), |(sum, count), v| (sum + v * v, count + 1.0));
+    if count > 0.0 { f64::sqrt(sum / count) } else { 0.0 }
 }

@@ -12,9 +12,9 @@ use crate::wear::worn_arc::Body;
 use crate::wear::{ArcState, StripLoad, WornArc};
 
 /// Most nodes at which the interpenetration of a patch is sampled.
-const MOST_NODES: usize = 1024;
-/// Least number of cells across a patch.
-const LEAST_CELLS: f64 = 16.0;
+const MOST_NODES: usize = 512;
+/// Least and greatest number of cells across a patch: what is narrower than half a millimetre, smoothing takes away.
+const CELLS: [f64; 2] = [16.0, 40.0];
 
 /// What wear has to remember: all of it, profiles follow.
 #[derive(Clone, Debug, PartialEq)]
@@ -155,9 +155,10 @@ impl WearSums {
         if wheel + rail <= 0.0 || self.rails[k].is_none() {
             return;
         }
-        let [left, right] = edges(&zone, strips);
-        // Neighbours on the same contact line keep to their own half of what lies between.
+        // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = state.range;
+        let [left, right] = edges(&zone, strips).map(|u| u.clamp(start, end));
+        // Neighbours on the same contact line keep to their own half of what lies between.
         let before = index.checked_sub(1).map(|i| edges(&strips.zones[i], strips)[1]);
         let after = strips.zones.get(index + 1).map(|zone| edges(zone, strips)[0]);
         let limits = [
@@ -234,7 +235,7 @@ impl WearSums {
         }
         let Self { wheel, rails, nodes, interpenetration, worn, shares, .. } = self;
         let Some(rail) = &rails[k] else { return false };
-        let cells = (width / wheel.cell()).max(LEAST_CELLS).ceil().min(0.5 * MOST_NODES as f64);
+        let cells = (width / wheel.cell()).clamp(CELLS[0], CELLS[1]).ceil();
         let step = width / cells;
         let edge = [left, right].map(|u| separation.at(u).f);
         // No material is missing beyond the greatest depth: there the region ends.
