@@ -119,7 +119,7 @@ mod tests {
             let deepest = found.iter().map(|p| p.depth).fold(0.0, f64::max);
             assert_relative_eq!(deepest, arc.depth(), max_relative = 1e-3);
             let area: f64 = found.iter().map(|p| p.depth * p.length).sum();
-            assert_relative_eq!(area, 3e-6, max_relative = 0.02);
+            assert_relative_eq!(area, arc.area(), max_relative = 0.02);
             assert!(wear_depth(&unworn, &unworn).iter().all(|p| p.depth.abs() < 1e-12));
         }
     }
