@@ -51,11 +51,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
-/// Wear depth over y on the wheel's profile [m] after the run, and the greatest jump of the lateral force at an update over the load.
-fn run(
-    distribution: WearDistribution,
-    between: usize,
-) -> Result<(Vec<[f64; 2]>, f64), Box<dyn Error>> {
+/// Wear depth over y on the wheel's profile [m] after a run, and the greatest jump of the lateral force at an update over the load.
+type Worn = (Vec<[f64; 2]>, f64);
+
+/// A run with so many steps between updates.
+fn run(distribution: WearDistribution, between: usize) -> Result<Worn, Box<dyn Error>> {
     let mut parameters = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
     parameters.wear.model = WearModel::FrictionalWork;
     parameters.wear.distribution = distribution;

@@ -93,7 +93,9 @@ impl Element {
     pub fn update_profiles(&mut self) {
         if let Some(wear) = &mut self.models.wear {
             wear.wheel.take_pending();
-            wear.rails.iter_mut().flatten().for_each(|rail| rail.take_pending());
+            for rail in wear.rails.iter_mut().flatten() {
+                rail.take_pending();
+            }
             self.put_worn_profiles();
         }
     }

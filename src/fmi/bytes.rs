@@ -21,6 +21,7 @@ use super::extrapolation::{Extrapolation, ORDERS};
 use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{Outputs, Snapshot};
 use crate::element::WearState;
+use crate::element::parameters::RAILS;
 use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
 use crate::wear::ArcState;
 
@@ -157,15 +158,21 @@ impl<'a> Reader<'a> {
 
     fn wear(&mut self) -> Option<WearState> {
         let clock = self.amount()?;
-        let wheel = self.arc()??;
-        Some(WearState { clock, wheel, rails: [self.arc()?, self.arc()?] })
+        if !self.boolean()? {
+            return None;
+        }
+        let wheel = self.arc()?;
+        let mut rails = [const { None }; RAILS];
+        for rail in &mut rails {
+            if self.boolean()? {
+                *rail = Some(self.arc()?);
+            }
+        }
+        Some(WearState { clock, wheel, rails })
     }
 
-    /// What a profile has lost, if it is there.
-    fn arc(&mut self) -> Option<Option<ArcState>> {
-        if !self.boolean()? {
-            return Some(None);
-        }
+    /// What a profile has lost.
+    fn arc(&mut self) -> Option<ArcState> {
         let count = u32::from_le_bytes(self.array()?) as usize;
         // No more room than there are bytes for.
         if count > self.0.len() / 16 {
@@ -174,7 +181,7 @@ impl<'a> Reader<'a> {
         let mut column = || (0..count).map(|_| self.amount()).collect::<Option<Vec<f64>>>();
         let (total, pending) = (column()?, column()?);
         let [volume, pending_area, most_pending] = [self.amount()?, self.amount()?, self.amount()?];
-        Some(Some(ArcState { total, pending, volume, pending_area, most_pending }))
+        Some(ArcState { total, pending, volume, pending_area, most_pending })
     }
 
     /// A finite number that is not negative.

@@ -116,7 +116,9 @@ impl WornArc {
         let mut kernel: Vec<f64> =
             (0..=reach).map(|i| (-0.5 * (i as f64 / deviation).powi(2)).exp()).collect();
         let sum = 2.0 * kernel.iter().sum::<f64>() - kernel[0];
-        kernel.iter_mut().for_each(|weight| *weight /= sum);
+        for weight in &mut kernel {
+            *weight /= sum;
+        }
         let last = total.len() as isize - 1;
         let mut smoothed = vec![0.0; total.len()];
         for (i, value) in total.iter().enumerate().filter(|(_, value)| **value > 0.0) {
@@ -156,9 +158,9 @@ impl WornArc {
             for _ in 0..MOST_STEPS {
                 let excess = layer(depth) - wanted;
                 if excess > 0.0 {
-                    high = depth
+                    high = depth;
                 } else {
-                    low = depth
+                    low = depth;
                 }
                 let growth = (1.0 - shrinking * depth) * (1.0 - bulge * depth);
                 let next = depth - excess / growth;
