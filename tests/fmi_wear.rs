@@ -1,5 +1,7 @@
 //! Wear in the unit: off until asked for, part of the state, written to files that can be read as profiles.
 #![allow(unsafe_code)]
+// The box fixes the address that the logger gets.
+#![allow(clippy::unnecessary_box_returns)]
 
 mod host;
 

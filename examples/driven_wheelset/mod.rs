@@ -28,7 +28,7 @@ pub enum Guidance {
 
 pub struct DrivenWheelset {
     /// Left and right wheel.
-    pub wheels: [Element; 2],
+    pub wheels: Vec<Element>,
     pub outputs: [Output; 2],
     guidance: Guidance,
     y: f64,
@@ -48,7 +48,7 @@ impl DrivenWheelset {
             Element::new(&parameters, &input(side), &[])
         };
         Ok(Self {
-            wheels: [wheel(Side::Left)?, wheel(Side::Right)?],
+            wheels: vec![wheel(Side::Left)?, wheel(Side::Right)?],
             outputs: [Output::default(); 2],
             guidance,
             y: 0.0,
