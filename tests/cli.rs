@@ -419,3 +419,44 @@ fn element_depth(element: &wheelrail::element::Element) -> f64 {
     let depth = element.wear_depth(wheelrail::element::WornBody::Wheel);
     depth.iter().map(|p| p[1]).fold(0.0, f64::max)
 }
+
+#[test]
+fn sweep_tells_a_jump_from_a_slope() {
+    // Two convex bodies: nothing to jump. From above the rail to 0.1 mm inside it, and 2 mm aside.
+    let (_folder, path) = written(
+        "wheel.profile,rail[1].profile,rail[1].inclination,wheel.y,wheel.z\n\
+         convex:0.3,arc:0.3,0,0.75,-0.4601\nconvex:0.3,arc:0.3,0,0.75,-0.4599\nconvex:0.3,arc:0.3,0,0.752,-0.4599\n",
+    );
+    let smooth = success(&["sweep", &path, "--steps", "50"]);
+    let force = smooth.iter().find(|row| row["output"] == "wheel.force.z").unwrap();
+    assert!(number(force, "jump") <= 0.0 && number(force, "largest") > 1e4, "{force:?}");
+    assert!(force["at"].is_empty());
+
+    // Piotrowski and Kik have one contact point for an overlap: where the deepest of two minima changes, the force jumps.
+    let (folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n0.7508,-0.4597\n");
+    let figure = folder.path().join("sweep.svg");
+    let history = folder.path().join("history.csv");
+    let found = success(&[
+        "sweep",
+        &path,
+        "--steps",
+        "40",
+        "--figure",
+        figure.to_str().unwrap(),
+        "--history",
+        history.to_str().unwrap(),
+    ]);
+    let force = found.iter().find(|row| row["output"] == "wheel.force.z").unwrap();
+    let at = number(force, "at");
+    assert!(number(force, "jump") > 0.01 && (1.0..2.0).contains(&at), "{force:?}");
+    assert!(std::fs::read_to_string(figure).unwrap().contains("jumps by"));
+    assert_eq!(table(&std::fs::read(history).unwrap()).len(), 41);
+}
+
+#[test]
+fn sweep_refuses_what_is_no_path() {
+    let (_folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n");
+    assert!(failure(&["sweep", &path]).contains("at least two rows"));
+    let (_folder, path) = written("wheel.y,normal.model\n0.75,hertz\n0.75,strips\n");
+    assert!(failure(&["sweep", &path]).contains("row 2 has other parameters"));
+}

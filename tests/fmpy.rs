@@ -22,6 +22,11 @@ fn fmpy_gets_the_forces_of_a_wheel_on_a_rail() {
 }
 
 #[test]
+fn a_wheel_with_mass_is_given_back_no_more_energy_than_it_gave() {
+    check("check_energy.py");
+}
+
+#[test]
 fn the_example_for_fmpy_runs() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/fmpy_drop.py");
     run(Command::new(fmpy()).arg(example).arg(packaged::fmu()), "examples/fmpy_drop.py");
@@ -30,8 +35,12 @@ fn the_example_for_fmpy_runs() {
 /// Runs one file of checks on the packed FMU.
 fn check(file: &str) {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fmpy").join(file);
+    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/reports");
+    std::fs::create_dir_all(&reports).expect("target/reports can be made");
+    let report = reports.join(Path::new(file).with_extension("csv"));
     let mut command = Command::new(fmpy());
-    run(command.arg(script).env("WHEELRAIL_FMU", packaged::fmu()), file);
+    let command = command.arg(script).env("WHEELRAIL_FMU", packaged::fmu());
+    run(command.env("WHEELRAIL_REPORT", report), file);
 }
 
 /// The Python that has `FMPy`.

@@ -2,6 +2,7 @@
 
 use wheelrail::element::parameters::{Flexibilities, NormalModel, ShapeFit, TangentialModel};
 use wheelrail::material::{Material, MaterialPair};
+use wheelrail::normal::hertz;
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::tangential::fastsim::TractionBound;
 
@@ -79,6 +80,26 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
     }
+}
+
+/// Wheel radius and separation whose Hertzian ellipse under `load` [N] has the semi-axes a and b [m].
+pub fn hertzian_bodies(a: f64, b: f64, load: f64) -> (f64, Vec<[f64; 2]>) {
+    // The shape depends on the ratio of curvatures alone: find it by bisection in logarithms, then scale the size.
+    let (mut low, mut high) = (1e-6f64, 1e6f64);
+    for _ in 0..200 {
+        let ratio = (low * high).sqrt();
+        let e = hertz::ellipse(1.0, ratio, 1e-4, 1e11);
+        if e.semi_axis_along / e.semi_axis_across < a / b { low = ratio } else { high = ratio }
+    }
+    let ratio = (low * high).sqrt();
+    let modulus = STEEL.young_modulus / (1.0 - STEEL.poisson_ratio.powi(2)) / 2.0;
+    let unit = hertz::ellipse(1.0, ratio, 1e-4, modulus);
+    // N ~ δ^1.5/A^0.5 and a ~ (δ/A)^0.5 at fixed ratio: N/a³ ~ A.
+    let along = (load / a.powi(3)) / (unit.load / unit.semi_axis_along.powi(3));
+    let across = ratio * along;
+    let separation =
+        (-50..=50).map(|i| 0.04 * f64::from(i) * b).map(|y| [y, across * y * y]).collect();
+    (0.5 / along, separation)
 }
 
 /// Contact modulus of steel on steel [Pa].

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{compare, conicity, evaluate, patch, plot, simulate};
+use crate::{compare, conicity, evaluate, patch, plot, simulate, sweep};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -27,6 +27,7 @@ pub enum Command {
     Conicity(conicity::Arguments),
     Compare(compare::Arguments),
     Plot(plot::Arguments),
+    Sweep(sweep::Arguments),
 }
 
 /// Where the commands on tables read and write; its help is shown with theirs.

@@ -12,6 +12,7 @@ mod output;
 mod patch;
 mod plot;
 mod simulate;
+mod sweep;
 mod wheelset;
 
 use std::io::ErrorKind;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Conicity(arguments) => conicity::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -5,6 +5,7 @@ pub mod contact;
 pub mod errors;
 pub mod motion;
 pub mod patches;
+pub mod sweep;
 pub mod wear;
 
 use std::ops::Range;

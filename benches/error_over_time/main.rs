@@ -1,0 +1,174 @@
+//! Error beside time of every combination of models, in one run:
+//! `cargo bench --bench error_over_time`.
+//!
+//! Errors are those against stored results of the boundary element program CONTACT on planar cases, and against the boundary elements of this
+//! crate, solved here, on contacts of a wheel. Written are the tables in docs/benchmarks.md between their marks, the figure
+//! docs/figures/error_over_time.svg, and target/reports/error_over_time.csv with everything. It takes minutes; nothing else should run.
+
+mod choices;
+#[path = "../../tests/common/mod.rs"]
+mod common;
+mod contact_program;
+mod figure;
+#[path = "../page/mod.rs"]
+mod page;
+mod report;
+mod times;
+mod wheel;
+
+use std::env;
+
+use choices::{BOUNDARY, Choice, NORMAL, Normal, ROLLING, Rolling, WITHOUT, boundary};
+use common::{median_and_worst, quantiles};
+use contact_program::Sets;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+
+/// What is known of a normal model.
+pub struct NormalRow {
+    /// The model.
+    pub normal: Normal,
+    /// Median and worst of load, pressure and area against CONTACT, one region; worst of two regions.
+    pub contact: [[f64; 3]; 3],
+    /// Mean error of the greatest pressure against CONTACT, all 32.
+    pub mean_pressure: f64,
+    /// Median and worst of the same against boundary elements on a wheel.
+    pub wheel: [[f64; 2]; 3],
+    /// Planar cases that fell back.
+    pub fallbacks: usize,
+    /// Time without creep force at each place [s].
+    pub times: Vec<f64>,
+}
+
+/// What is known of a combination.
+pub struct Row {
+    /// Its models.
+    pub choice: Choice,
+    /// Mean, 95 % and worst of the creep force against CONTACT on real patches.
+    pub contact: [f64; 3],
+    /// Mean of the moment.
+    pub moment: f64,
+    /// Mean, 95 % and worst of the creep force against boundary elements on a wheel.
+    pub wheel: [f64; 3],
+    /// Time at each place [s].
+    pub times: Vec<f64>,
+    /// Instructions on the tread.
+    pub instructions: Option<f64>,
+}
+
+/// What is known of a tangential model by itself.
+pub struct EllipseRow {
+    /// The model.
+    pub rolling: Rolling,
+    /// Mean, 95 % and worst of the creep force against CONTACT on 300 ellipses.
+    pub errors: [f64; 3],
+}
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    if let [flag, index, scene, evaluations] = arguments.as_slice()
+        && flag == times::COUNT
+    {
+        let number = |text: &str| text.parse().expect("a whole number");
+        let input = wheel::timed_input(number(scene));
+        times::evaluate(Choice::all()[number(index)], &input, number(evaluations));
+        return;
+    }
+    if !arguments.iter().any(|argument| argument == "--bench") {
+        println!("run by: cargo bench --bench error_over_time");
+        return;
+    }
+    let sets = Sets::read();
+    let all = Choice::all();
+    let bar = progress("wheel by boundary elements", wheel::COUNT);
+    let cases = wheel::cases(|| bar.inc(1));
+    bar.finish();
+
+    let bar = progress("errors", all.len() + NORMAL.len() + BOUNDARY.len() + ROLLING.len());
+    let ellipses: Vec<EllipseRow> = ROLLING
+        .par_iter()
+        .map(|&rolling| {
+            bar.inc(1);
+            EllipseRow { rolling, errors: quantiles(sets.ellipses(rolling)) }
+        })
+        .collect();
+    let normals: Vec<Normal> =
+        NORMAL.into_iter().chain(BOUNDARY.map(|count| boundary(count).normal)).collect();
+    let mut normal_rows: Vec<NormalRow> = normals
+        .par_iter()
+        .map(|&normal| {
+            bar.inc(1);
+            normal_row(&sets, &cases, normal)
+        })
+        .collect();
+    let mut rows: Vec<Row> = all
+        .par_iter()
+        .map(|&choice| {
+            bar.inc(1);
+            row(&sets, &cases, choice)
+        })
+        .collect();
+    bar.finish();
+
+    // One after another: times want the machine for themselves.
+    let inputs: Vec<_> = (0..wheel::PLACES.len()).map(wheel::timed_input).collect();
+    let times = |choice| inputs.iter().map(|input| times::time(choice, input)).collect();
+    let bar = progress("times", rows.len() + normal_rows.len());
+    for row in &mut normal_rows {
+        row.times = times(Choice { normal: row.normal, rolling: WITHOUT });
+        bar.inc(1);
+    }
+    for row in &mut rows {
+        row.times = times(row.choice);
+        bar.inc(1);
+    }
+    bar.finish();
+
+    let bar = progress("instructions", rows.len());
+    rows.par_iter_mut().enumerate().for_each(|(index, row)| {
+        if !row.choice.normal.is_slow() {
+            row.instructions = times::instructions(index, 0);
+        }
+        bar.inc(1);
+    });
+    bar.finish();
+
+    let sizes = sets.sizes();
+    report::write(&normal_rows, &rows, &ellipses, sizes);
+    figure::draw(&normal_rows, &rows);
+}
+
+fn progress(what: &'static str, length: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:28} {bar:40} {pos}/{len} {elapsed}");
+    ProgressBar::new(length as u64).with_style(style.expect("a good template")).with_message(what)
+}
+
+const NORMAL_QUANTITIES: [fn(&contact_program::NormalError) -> f64; 3] =
+    [|e| e.load, |e| e.pressure, |e| e.area];
+const WHEEL_QUANTITIES: [fn(&wheel::Errors) -> f64; 3] = [|e| e.load, |e| e.pressure, |e| e.area];
+
+fn normal_row(sets: &Sets, cases: &[wheel::Case], normal: Normal) -> NormalRow {
+    let (errors, fallbacks) = sets.normal(normal);
+    let contact = NORMAL_QUANTITIES.map(|q| {
+        let of = |one: bool| errors.iter().filter(|e| e.one_region == one).map(q).collect();
+        let [median, worst] = median_and_worst(of(true));
+        [median, worst, median_and_worst(of(false))[1]]
+    });
+    let mean_pressure = errors.iter().map(|e| e.pressure).sum::<f64>() / errors.len() as f64;
+    let errors = wheel::errors(cases, Choice { normal, rolling: WITHOUT });
+    let wheel = WHEEL_QUANTITIES.map(|q| median_and_worst(errors.iter().map(q).collect()));
+    NormalRow { normal, contact, mean_pressure, wheel, fallbacks, times: Vec::new() }
+}
+
+fn row(sets: &Sets, cases: &[wheel::Case], choice: Choice) -> Row {
+    let errors = sets.rolling(choice);
+    let moment = errors.iter().map(|e| e.moment).sum::<f64>() / errors.len() as f64;
+    Row {
+        choice,
+        contact: quantiles(errors.iter().map(|e| e.force).collect()),
+        moment,
+        wheel: quantiles(wheel::errors(cases, choice).iter().map(|e| e.force).collect()),
+        times: Vec::new(),
+        instructions: None,
+    }
+}

@@ -1,0 +1,88 @@
+//! What one evaluation of the element takes: time, and instructions where Valgrind can count them.
+
+use std::env;
+use std::hint::black_box;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use wheelrail::element::{Element, Input, Output};
+
+use crate::choices::Choice;
+
+/// Shortest stretch that is timed, and how many of them.
+const STRETCH: Duration = Duration::from_millis(1);
+const STRETCHES: usize = 11;
+/// Step of the height between evaluations, so that nothing is reused [m].
+const STEP: f64 = 1e-10;
+/// Evaluations by which two counted runs differ.
+const COUNTED: usize = 20;
+/// First argument of a counted run.
+pub const COUNT: &str = "--evaluate";
+
+/// Median time of one evaluation [s].
+pub fn time(choice: Choice, input: &Input) -> f64 {
+    let mut subject = Subject::new(choice, input);
+    let begin = Instant::now();
+    subject.run(3);
+    let once = begin.elapsed() / 3;
+    let repeats = (STRETCH.as_secs_f64() / once.as_secs_f64().max(1e-9)).ceil() as usize;
+    let mut times: Vec<f64> = (0..STRETCHES)
+        .map(|_| {
+            let begin = Instant::now();
+            subject.run(repeats);
+            begin.elapsed().as_secs_f64() / repeats as f64
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[STRETCHES / 2]
+}
+
+/// An element and its input.
+struct Subject {
+    element: Element,
+    input: Input,
+    output: Output,
+    step: f64,
+}
+
+impl Subject {
+    fn new(choice: Choice, input: &Input) -> Self {
+        let element = Element::new(&choice.parameters(), input, &[]).expect("built-in profiles");
+        Self { element, input: *input, output: Output::default(), step: STEP }
+    }
+
+    fn run(&mut self, repeats: usize) {
+        for _ in 0..repeats {
+            self.step = -self.step;
+            self.input.wheel.position[2] += self.step;
+            self.element.evaluate(black_box(&self.input), &mut self.output).expect("a good input");
+            black_box(&self.output);
+        }
+    }
+}
+
+/// Instructions of one evaluation: two runs of this program under Valgrind, the difference over the evaluations; none without Valgrind.
+///
+/// `index` is that of the choice in [`Choice::all`], `scene` that of the place.
+pub fn instructions(index: usize, scene: usize) -> Option<f64> {
+    let run = |evaluations: usize| -> Option<f64> {
+        let output = Command::new("valgrind")
+            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+            .arg(env::current_exe().ok()?)
+            .args([COUNT, &index.to_string(), &scene.to_string(), &evaluations.to_string()])
+            .output()
+            .ok()?;
+        let text = String::from_utf8_lossy(&output.stderr);
+        let line = text.lines().find(|line| line.contains("Collected :"))?;
+        line.rsplit(':').next()?.trim().parse().ok()
+    };
+    Some((run(COUNTED)? - run(0)?) / COUNTED as f64)
+}
+
+/// The counted run itself.
+pub fn evaluate(choice: Choice, input: &Input, evaluations: usize) {
+    let mut subject = Subject::new(choice, input);
+    // What happens once only.
+    subject.run(1);
+    subject.run(evaluations);
+}

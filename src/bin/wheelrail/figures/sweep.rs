@@ -1,0 +1,82 @@
+//! Outputs along a path of inputs.
+
+use std::path::Path;
+
+use anyhow::Result;
+use plotters::prelude::*;
+
+use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
+
+const SIZE: (u32, u32) = (1000, 760);
+const COLOURS: [RGBColor; 3] = [BLUE, VERMILION, GREY];
+
+/// One output along the path.
+pub struct Curve {
+    /// Its FMU name.
+    pub name: String,
+    /// Place on the path in rows from 1, and value.
+    pub points: Vec<(f64, f64)>,
+    /// Place and size, share of the largest value, of its largest jump.
+    pub jump: Option<(f64, f64)>,
+}
+
+/// Draws panels with a title and three curves each into the file `path`; a dashed line stands where a curve jumps.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn draw(path: &Path, panels: &[(&str, [Curve; 3])]) -> Result<()> {
+    save(path, SIZE, |area| {
+        for (cell, (title, curves)) in area.split_evenly((panels.len(), 1)).iter().zip(panels) {
+            draw_panel(cell, title, curves)?;
+        }
+        Ok(())
+    })
+}
+
+fn draw_panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<()> {
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let x = range_of(points().map(|point| point.0), 1e-9);
+    let y = range_of(points().map(|point| point.1).chain([0.0]), 1e-9);
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, heading(17))
+        .margin(px(8))
+        .margin_right(px(18))
+        .x_label_area_size(px(46))
+        .y_label_area_size(px(80))
+        .build_cartesian_2d(x, y.clone())?;
+    chart
+        .configure_mesh()
+        .bold_line_style(GRID.stroke_width(px(1)))
+        .light_line_style(TRANSPARENT)
+        .axis_style(INK.stroke_width(px(1)))
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
+        .label_style(text(14))
+        .axis_desc_style(text(15))
+        .x_desc("Place on the path: row of the table")
+        .draw()?;
+    for (curve, colour) in curves.iter().zip(COLOURS) {
+        if let Some((at, _)) = curve.jump {
+            let dashes = DashedLineSeries::new(
+                [(at, y.start), (at, y.end)],
+                px(6) as i32,
+                px(5) as i32,
+                colour.mix(0.7).stroke_width(px(1)),
+            );
+            chart.draw_series(dashes)?;
+        }
+        let jump = curve.jump.map_or(String::new(), |(_, size)| format!(", jumps by {size:.1e}"));
+        let line = LineSeries::new(curve.points.iter().copied(), colour.stroke_width(px(2)));
+        chart.draw_series(line)?.label(format!("{}{jump}", curve.name)).legend(move |(x, y)| {
+            PathElement::new(vec![(x, y), (x + px(22) as i32, y)], colour.stroke_width(px(2)))
+        });
+    }
+    chart
+        .configure_series_labels()
+        .legend_area_size(px(28))
+        .label_font(text(13))
+        .background_style(WHITE.mix(0.8))
+        .border_style(GRID)
+        .draw()?;
+    Ok(())
+}
