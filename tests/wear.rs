@@ -143,6 +143,20 @@ fn every_law_wears_wheel_and_rail_and_by_patch_or_strip_the_same_work() {
 }
 
 #[test]
+fn laws_have_the_names_of_their_variable() {
+    let variable = wheelrail::variables::find("wear.model").unwrap();
+    let mut values = wheelrail::variables::Values::default();
+    for model in [WearModel::Off, WearModel::Usfd, WearModel::BritishRail, WearModel::Archard] {
+        values.set_from_text(variable, model.name()).unwrap();
+        assert_eq!(values.parameters.wear.model, model);
+    }
+    let mut p = parameters(WearModel::Archard);
+    p.tangential_model = TangentialModel::Linear;
+    let refused = Element::new(&p, &Input::default(), &[]).unwrap_err().to_string();
+    assert!(refused.starts_with("wear.model = \"archard\""), "{refused}");
+}
+
+#[test]
 fn forces_do_not_depend_on_recording_and_evaluations_wear_nothing_off() {
     let mut off = element(&Parameters::default());
     let mut on = element(&parameters(WearModel::Usfd));

@@ -249,18 +249,18 @@ impl Parameters {
     /// Whether wear is admitted, and together with the models.
     fn check_wear(&self) -> Result<(), ContactError> {
         self.wear.check()?;
-        let refused = |value: &str, allowed: &str| {
-            let (name, value, allowed) = ("wear.model".into(), value.into(), allowed.into());
+        let refused = |allowed: &str| {
+            let value = self.wear.model.name().into();
+            let (name, allowed) = ("wear.model".into(), allowed.into());
             Err(ContactError::BadText { name, value, allowed })
         };
         match self.wear.model {
             WearModel::Off => Ok(()),
             _ if self.is_uneven() => refused(
-                "on",
                 "corrugated rails, out-of-round wheels and flats go with off: what wears is a profile that is even along the track",
             ),
             WearModel::Archard if self.tangential_model == TangentialModel::Linear => {
-                refused("archard", "with tangential.model linear nothing slides")
+                refused("with tangential.model linear nothing slides")
             }
             _ => Ok(()),
         }

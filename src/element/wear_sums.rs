@@ -13,8 +13,8 @@ use crate::wear::{ArcState, StripLoad, WornArc};
 
 /// Most nodes at which the interpenetration of a patch is sampled.
 const MOST_NODES: usize = 512;
-/// Least and greatest number of cells across a patch: what is narrower than half a millimetre, smoothing takes away.
-const CELLS: [f64; 2] = [16.0, 40.0];
+/// Least and greatest number of cells across a patch; in between they are as wide as those of the sums.
+const CELLS: [f64; 2] = [16.0, 80.0];
 
 /// What wear has to remember: all of it, profiles follow.
 #[derive(Clone, Debug, PartialEq)]

@@ -351,7 +351,7 @@ impl Instance {
             if is_wearing && self.purpose == Purpose::ModelExchange {
                 return Err(FmiError::from(ContactError::BadText {
                     name: "wear.model".into(),
-                    value: "on".into(),
+                    value: self.values.parameters.wear.model.name().into(),
                     allowed: "in model exchange off: a host that integrates by itself asks for forces at times that it \
                               may not go to; profiles wear in the steps of co-simulation"
                         .into(),

@@ -31,6 +31,21 @@ pub enum WearModel {
     Archard,
 }
 
+impl WearModel {
+    /// Its name as a value of `wear.model`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::FrictionalWork => "frictional_work",
+            Self::Usfd => "usfd",
+            Self::BritishRail => "british_rail",
+            Self::Zobory => "zobory",
+            Self::Archard => "archard",
+        }
+    }
+}
+
 /// Coefficients of the law of frictional work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionalWork {
