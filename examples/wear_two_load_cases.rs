@@ -1,7 +1,7 @@
 //! What do wheels and rails look like after 253 thousand kilometres? Two load cases in one run, and profiles that wear while it goes
 //! on (Piotrowski and Kik 2008, section 6): a wheelset that flanges on the left rail at an angle of attack of 25 mrad, and the same one
 //! swaying along straight track, both driven by 6 kN m. Then the same one run after the other, a new profile after each.
-//! `cargo run --release --no-default-features --example wear_two_load_cases -- wear.svg`
+//! `cargo run --release --no-default-features --example wear_two_load_cases -- wear.svg 1000`: figure, updates of the profiles
 
 mod chart;
 mod driven_wheelset;
@@ -15,10 +15,9 @@ use wheelrail::element::parameters::WearModel;
 use wheelrail::element::{Parameters, WornBody};
 use wheelrail::geometry::profile::Profile;
 
-/// Time that is simulated, step of the integration [s], and updates of the profiles in it.
+/// Time that is simulated and step of the integration [s].
 const TIME: f64 = 10.0;
 const STEP: f64 = 5e-4;
-const UPDATES: usize = 1000;
 /// Mileage that the run stands for [m], share of it spent flanging, and axles of 20 t that pass each site: 1.8 Mt.
 const MILEAGE: f64 = 253e6;
 const FLANGING: f64 = 0.002;
@@ -29,6 +28,9 @@ const WEAR: [f64; 2] = [2e-9, 2e-10];
 const SEQUENTIAL_RUNS: usize = 3;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let figure = arguments.next();
+    let updates: usize = arguments.next().map_or(Ok(1000), |text| text.parse())?;
     let cases = || -> Result<[DrivenWheelset; 2], Box<dyn Error>> {
         let sway = Guidance::Sway { amplitude: 2.5e-3, wavelength: 20.0 };
         let mut cases = [
@@ -40,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let mut parallel = cases()?;
     let start = Instant::now();
-    run(&mut parallel, UPDATES, 1.0)?;
+    run(&mut parallel, updates, 1.0)?;
     let parallel_time = start.elapsed().as_secs_f64();
 
     let mut without = cases()?;
@@ -52,15 +54,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     for _ in 0..SEQUENTIAL_RUNS {
         sequential.iter_mut().try_for_each(|case| case.settle(STEP))?;
-        // A thousandth of the wear in each, as it would be for as many profiles.
-        run(&mut sequential, 1, 1.0 / UPDATES as f64)?;
+        // As little wear in each as there is for one of so many profiles.
+        run(&mut sequential, 1, 1.0 / updates as f64)?;
     }
     let sequential_time = start.elapsed().as_secs_f64() / SEQUENTIAL_RUNS as f64;
     eprintln!(
-        "{UPDATES} profiles in one run {parallel_time:.2} s, {:.2} times the run without wear; a profile by a run of its own \
-         {sequential_time:.2} s, {UPDATES} of them {:.0} times as long as the one run",
+        "{updates} profiles in one run {parallel_time:.2} s, {:.2} times the run without wear; a profile by a run of its own \
+         {sequential_time:.2} s, {updates} of them {:.0} times as long as the one run",
         parallel_time / dynamics,
-        UPDATES as f64 * sequential_time / parallel_time
+        updates as f64 * sequential_time / parallel_time
     );
     println!("case,body,worn_area_mm2,worn_volume_mm3,depth_mm");
     for (number, case) in (1..).zip(&parallel) {
@@ -71,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts(&parallel)?))
+    figure.map_or(Ok(()), |path| chart::save(path, &charts(&parallel)?))
 }
 
 /// Parameters of a load case that has a `share` of the mileage and this coefficient of wear [kg/J].
