@@ -5,7 +5,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
+use wheelrail::element::parameters::{
+    CreepageModel, NormalModel, TangentialModel, VerticalMode, WearDistribution, WearModel,
+};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m], parameters.
@@ -125,5 +127,43 @@ fn options(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, models, strips, options);
+/// A step of time with a wear law and without, and an update of the profiles of wheel and rail.
+fn wear(c: &mut Criterion) {
+    let mut group = c.benchmark_group("wear");
+    for case in &SCENES {
+        for (name, model, distribution) in [
+            ("off", WearModel::Off, WearDistribution::Interpenetration),
+            ("strips", WearModel::FrictionalWork, WearDistribution::Strips),
+            ("interpenetration", WearModel::FrictionalWork, WearDistribution::Interpenetration),
+        ] {
+            let mut parameters = Parameters::default();
+            (parameters.wear.model, parameters.wear.distribution) = (model, distribution);
+            parameters.wear.acceleration_factor = 1e3;
+            let (mut element, mut input) = scene(case, &parameters);
+            let mut output = Output::default();
+            let mut step = 1e-10;
+            group.bench_function(format!("{}/{name}", case.name), |b| {
+                b.iter(|| {
+                    step = -step;
+                    input.wheel.position[2] += step;
+                    element.accumulate(black_box(&input), &mut output, 1e-6).expect("finite");
+                    black_box(output.wheel.force[2])
+                });
+            });
+        }
+    }
+    let mut parameters = Parameters::default();
+    parameters.wear.model = WearModel::FrictionalWork;
+    let (mut element, input) = scene(&SCENES[1], &parameters);
+    let mut output = Output::default();
+    group.bench_function("update", |b| {
+        b.iter(|| {
+            element.accumulate(&input, &mut output, 1e-6).expect("finite input");
+            element.update_profiles();
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, models, strips, options, wear);
 criterion_main!(benches);

@@ -1,6 +1,6 @@
 //! Contact of a railway wheel with the rail under it: position and velocity in, contact forces out, patch by patch.
 //!
-//! An [`Element`](element::Element) stands for one wheel and its rail. It holds no history: an evaluation finds where the two
+//! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is asked for, it holds no history: an evaluation finds where the two
 //! profiles overlap, the pressure there (Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM), and sums
 //! them to forces and moments on wheel and rail. The same element is inside the FMI 2.0 unit `WheelRail.fmu` ([`fmi`]) and the
 //! command line `wheelrail`. The equations and their limits: `docs/theory.md`.
@@ -81,6 +81,7 @@
 //! normal      hertz, piotrowski_kik, strips, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
+//! wear        wear laws, sums along profiles, new profiles, fatigue numbers
 //! element     one wheel: parameters, input, evaluation, output
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
@@ -106,3 +107,4 @@ pub mod normal;
 pub mod planar;
 pub mod tangential;
 pub mod variables;
+pub mod wear;

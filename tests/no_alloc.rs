@@ -6,6 +6,7 @@ mod common;
 use common::wheel::mirrored;
 use wheelrail::element::parameters::{
     CreepageModel, Flexibilities, NormalModel, Side, TangentialModel, TractionBound, VerticalMode,
+    WearDistribution, WearModel,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -123,6 +124,35 @@ fn uneven_bodies_and_a_second_rail_allocate_nothing_either() {
         }
         assert_eq!(allocations::count(), before);
         assert!(most > 1, "{most} patches at once");
+    }
+}
+
+#[test]
+fn a_step_that_wears_allocates_nothing_before_the_update() {
+    for (normal_model, distribution) in [
+        (NormalModel::PiotrowskiKik, WearDistribution::Interpenetration),
+        (NormalModel::Strips, WearDistribution::Interpenetration),
+        (NormalModel::Hertz, WearDistribution::Strips),
+    ] {
+        let mut parameters = Parameters { normal_model, strips: 9, ..Parameters::default() };
+        parameters.wear.model = WearModel::Archard;
+        parameters.wear.distribution = distribution;
+        parameters.wear.acceleration_factor = 1e4;
+        parameters.wear.update_interval = 1e3;
+        let mut element = Element::new(&parameters, &path(0), &[]).unwrap();
+        let mut output = Output::default();
+        let mut state = element.wear_state();
+        let before = allocations::count();
+        for step in 0..300 {
+            element.advance(&path(step), &mut output, 1e-4).unwrap();
+            element.copy_wear_state(&mut state);
+        }
+        assert_eq!(allocations::count(), before);
+        assert!(output.wheel_wear.volume > 0.0);
+        element.update_profiles();
+        let before = allocations::count();
+        element.advance(&path(3), &mut output, 1e-4).unwrap();
+        assert_eq!(allocations::count(), before);
     }
 }
 

@@ -10,6 +10,7 @@ use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
 use super::uneven::{ZoneSurface, closing_speed};
+use super::wear_sums::ZoneWear;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, LineSeparation};
@@ -18,7 +19,8 @@ use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
 use crate::normal::{NormalModel, Strips, Zone, damping};
-use crate::tangential::RollingState;
+use crate::tangential::{RollingState, StripForce};
+use crate::wear::rcf;
 
 /// Brings the solution of one contact to forces on both bodies.
 pub struct ContactForces<'a> {
@@ -100,18 +102,34 @@ impl ContactForces<'_> {
             let normal_force = zone.load * load_factor;
             let on_wheel = tractions.force - axes.normal * normal_force;
             add(&mut output.wheel, on_wheel, position - wheel_marker, tractions.moment);
+            let creep_force =
+                [axes.longitudinal, axes.lateral].map(|axis| tractions.force.dot(&axis));
             let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
             add(&mut output.rails[self.k], -on_wheel, arm, -tractions.moment);
             let dissipation = tractions.dissipation.max(0.0);
+            if let Some(wear) = models.wear.as_deref_mut().filter(|w| w.is_recording()) {
+                wear.record(
+                    self.k,
+                    index,
+                    &models.strips,
+                    &ZoneWear {
+                        load_factor,
+                        friction: self.input.friction,
+                        speed: speed.reference,
+                        section_radius: self.line.wheel_point(zone.u).section_radius,
+                        range: self.line.range(),
+                    },
+                    separation,
+                );
+            }
             let frictional_power = dissipation * speed.reference;
             output.wear_number += dissipation;
             output.frictional_power += frictional_power;
             models.patches.push(Patch {
                 rail: self.k as i32 + 1,
                 normal_force,
-                creep_force: [axes.longitudinal, axes.lateral]
-                    .map(|axis| tractions.force.dot(&axis)),
+                creep_force,
                 spin_moment: tractions.moment.dot(&axes.normal),
                 contact_angle: self.contact.angle() + self.frame.roll,
                 position: position.into(),
@@ -126,6 +144,16 @@ impl ContactForces<'_> {
                 creepage: [slip.longitudinal, slip.lateral, slip.spin],
                 slip_share: (tractions.slip_area / zone.area).min(1.0),
                 frictional_power,
+                tgamma_damage: rcf::tgamma_damage(
+                    dissipation,
+                    creep_force[0] * wheel.velocity[0] > 0.0,
+                ),
+                surface_fatigue_index: rcf::surface_fatigue_index(
+                    normal_force,
+                    creep_force,
+                    zone.area,
+                    models.shear_yield,
+                ),
             });
         }
         fallbacks
@@ -140,7 +168,11 @@ impl ContactForces<'_> {
     ) -> (Creepage, Option<Tractions>) {
         let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor } = rolling;
         let wheel = &self.input.wheel;
-        let Models { curved_zone, strips, tangential, material, .. } = models;
+        let Models { curved_zone, strips, tangential, material, wear, .. } = models;
+        let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
+        if let Some(wear) = &mut wear {
+            wear.begin_zone(zone);
+        }
         let creepage = match models.creepage {
             CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
             CreepageModel::Kinematic => kinematic_creepage(
@@ -161,11 +193,32 @@ impl ContactForces<'_> {
             load_factor: *load_factor,
             speed: speed.reference,
         };
-        let tractions = if models.creepage == CreepageModel::Curved {
-            curved_zone.tractions(zone, strips, tangential, material, &state, *position)
-        } else {
-            let force = tangential.creep_force(zone, strips, material, &state);
-            force.map(|force| Tractions::flat(&force, &creepage, axes))
+        let place = *position;
+        let tractions = match (models.creepage, wear) {
+            (CreepageModel::Curved, None) => {
+                let each = |_, _, _| {};
+                curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
+            }
+            (CreepageModel::Curved, Some(wear)) => {
+                let each = |j, dissipation, slip_area| wear.add_strip(j, dissipation, slip_area);
+                curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
+            }
+            (_, None) => {
+                let force = tangential.creep_force(zone, strips, material, &state);
+                force.map(|force| Tractions::flat(&force, &creepage, axes))
+            }
+            (_, Some(wear)) => {
+                let each = |j: usize, force: &StripForce| {
+                    let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
+                    let dissipation = force.longitudinal
+                        * (creepage.longitudinal - y * creepage.spin)
+                        + force.lateral * (creepage.lateral + x * creepage.spin)
+                        + force.moment * creepage.spin;
+                    wear.add_strip(j, -dissipation, force.slip_area);
+                };
+                let force = tangential.creep_force_with(zone, strips, material, &state, each);
+                force.map(|force| Tractions::flat(&force, &creepage, axes))
+            }
         };
         (creepage, tractions)
     }

@@ -107,7 +107,9 @@ impl CurvedZone {
     }
 
     /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is nothing to compute.
-    /// `state.creepage` is the mean creepage.
+    /// `state.creepage` is the mean creepage. `each` gets the number of each strip, its dissipation over the reference speed [J/m] and
+    /// its area that slips [m²]; a strip may come twice.
+    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     pub fn tractions(
         &self,
         zone: &Zone,
@@ -116,6 +118,7 @@ impl CurvedZone {
         material: &MaterialPair,
         state: &RollingState,
         position: Vector3<f64>,
+        mut each: impl FnMut(usize, f64, f64),
     ) -> Option<Tractions> {
         let slip =
             StripSlip { first: zone.first, creepages: &self.creepages, mean: state.creepage };
@@ -131,10 +134,12 @@ impl CurvedZone {
                 total.force += force;
                 total.moment += (self.points[i] - position).cross(&force)
                     + Vector3::x().cross(&tangent) * strip.moment;
-                total.dissipation -= strip.longitudinal * creepage.longitudinal
+                let dissipation = -(strip.longitudinal * creepage.longitudinal
                     + strip.lateral * creepage.lateral
-                    + strip.moment * creepage.spin;
+                    + strip.moment * creepage.spin);
+                total.dissipation += dissipation;
                 total.slip_area += strip.slip_area;
+                each(j, dissipation, strip.slip_area);
             })?;
         total.fell_back = outcome == Outcome::FellBack;
         if tangential.is_corrected() {

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, RailPlace, Side, VerticalMode};
+use super::parameters::{RAILS, RailPlace, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
 use super::uneven::deviations;
+use super::wear_sums::WearSums;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
@@ -38,13 +39,13 @@ pub struct Work {
 /// The result of an evaluation depends on its input alone, not on earlier ones.
 #[derive(Clone, Debug)]
 pub struct Element {
-    side: Side,
-    vertical_mode: VerticalMode,
+    pub(super) side: Side,
+    pub(super) vertical_mode: VerticalMode,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
-    fallbacks: u64,
+    pub(super) fallbacks: u64,
     work: Work,
 }
 
@@ -109,13 +110,26 @@ impl Element {
             let Some(profile) = profile else { continue };
             let deviations = deviations(parameters, k, folders)?;
             let placed = placed(k, profile, parameters)?;
-            contacts[k] = Some(RailContact::new(wheel, parameters, placed, deviations));
+            let name = &profile.name;
+            contacts[k] = Some(RailContact::new(wheel, name, parameters, placed, deviations));
+        }
+        let mut models = Models::new(parameters);
+        if parameters.wear.model != WearModel::Off {
+            let curve = |k: usize| contacts[k].as_ref().map(RailContact::rail_curve);
+            let most_strips = parameters.strips.max(parameters.normal_elements[1]);
+            models.wear = Some(Box::new(WearSums::new(
+                &parameters.wear,
+                most_strips,
+                radius,
+                &wheel.curve,
+                [curve(0), curve(1)],
+            )));
         }
         let mut element = Self {
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
             nominal_radius: radius,
-            models: Models::new(parameters),
+            models,
             rails: contacts,
             nominal_wheel_z: start.wheel.position[2],
             fallbacks: 0,
@@ -195,6 +209,7 @@ impl Element {
         if mirrored {
             *output = output.mirrored();
         }
+        self.report_wear(output);
         Ok(())
     }
 

@@ -14,9 +14,13 @@ mod rail_frame;
 mod strip_contact;
 mod uneven;
 mod vertical_load;
+mod wear_sums;
+mod worn_profiles;
 
 pub use evaluate::{Element, Work};
 pub use flattened::FlatContact;
 pub use input::Input;
 pub use output::Output;
 pub use parameters::Parameters;
+pub use wear_sums::WearState;
+pub use worn_profiles::WornBody;

@@ -3,6 +3,7 @@
 use super::curved_zone::CurvedZone;
 use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
+use super::wear_sums::WearSums;
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
@@ -49,6 +50,10 @@ pub struct Models {
     pub rail_strips: Strips,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch>,
+    /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
+    pub shear_yield: f64,
+    /// Wear, if there is any.
+    pub wear: Option<Box<WearSums>>,
 }
 
 impl Models {
@@ -93,6 +98,8 @@ impl Models {
             strip_solver: is_strips.then(|| StripSolver::new(strips)),
             rail_strips: Strips::with_capacity(if is_strips { MOST_ZONES } else { 0 }, strips),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
+            shear_yield: parameters.shear_yield,
+            wear: None,
         }
     }
 }

@@ -51,6 +51,21 @@ pub struct Patch {
     pub slip_share: f64,
     /// Power turned into heat [W].
     pub frictional_power: f64,
+    /// T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks [-].
+    pub tgamma_damage: f64,
+    /// Surface fatigue index: above 0 the surface ratchets [-].
+    pub surface_fatigue_index: f64,
+}
+
+/// What a body has lost.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyWear {
+    /// Worn area of the cross section so far [m²].
+    pub area: f64,
+    /// Worn volume so far: of the whole circumference of a wheel, of the distance that a rail stands for [m³].
+    pub volume: f64,
+    /// Greatest depth of the profile in use [m].
+    pub depth: f64,
 }
 
 /// All outputs; one field for each FMU output of design section 3.
@@ -72,6 +87,10 @@ pub struct Output {
     pub frictional_power: f64,
     /// The heaviest patches, heaviest first.
     pub patches: [Patch; REPORTED_PATCHES],
+    /// Wear of the wheel.
+    pub wheel_wear: BodyWear,
+    /// Wear of each rail.
+    pub rail_wear: [BodyWear; RAILS],
 }
 
 impl Output {

@@ -7,6 +7,7 @@ pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::friction_law::FrictionLaw;
 pub use crate::tangential::{Flexibilities, TangentialModel};
+pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
 
 /// On which side of the track the wheel runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,6 +56,8 @@ pub struct WheelParameters {
     pub out_of_round: OutOfRound,
     /// A flat.
     pub flat: WheelFlat,
+    /// File for the worn profile at the end of a run of the FMU; empty for none.
+    pub worn_file: String,
 }
 
 /// One rail: profile and how it stands.
@@ -68,6 +71,8 @@ pub struct RailParameters {
     pub inclination: f64,
     /// Corrugation.
     pub corrugation: Corrugation,
+    /// File for the worn profile at the end of a run of the FMU; empty for none.
+    pub worn_file: String,
 }
 
 /// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
@@ -129,6 +134,10 @@ pub struct Parameters {
     pub flexibilities: Flexibilities,
     /// How friction falls with sliding, and the initial slope on contaminated rails.
     pub friction_law: FrictionLaw,
+    /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
+    pub shear_yield: f64,
+    /// Wear.
+    pub wear: WearParameters,
 }
 
 /// Number of rails an element can carry.
@@ -145,12 +154,14 @@ impl Default for Parameters {
                 poisson_ratio: 0.28,
                 out_of_round: OutOfRound::default(),
                 flat: WheelFlat::default(),
+                worn_file: String::new(),
             },
             rails: [true, false].map(|enabled| RailParameters {
                 profile: "60E1".into(),
                 enabled,
                 inclination: 0.025,
                 corrugation: Corrugation::default(),
+                worn_file: String::new(),
             }),
             second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
@@ -172,6 +183,8 @@ impl Default for Parameters {
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),
             friction_law: FrictionLaw::default(),
+            shear_yield: 3e8,
+            wear: WearParameters::default(),
         }
     }
 }
@@ -199,6 +212,7 @@ impl Parameters {
             ("track.gauge", self.gauge, positive),
             ("track.gauge_depth", self.gauge_depth, positive),
             ("creepage.minimum_speed", self.minimum_speed, positive),
+            ("rail.shear_yield", self.shear_yield, positive),
             ("profile.smoothing", self.profile_smoothing, not_negative),
             ("normal.damping", self.damping, not_negative),
         ];
@@ -246,6 +260,27 @@ impl Parameters {
         let (value, allowed) = (law.reduction, "0.001 to 1");
         let fits = (1e-3..=1.0).contains(&value);
         require("friction.reduction.initial".into(), value, fits, allowed)?;
-        self.check_deviations()
+        self.check_deviations()?;
+        self.check_wear()
+    }
+
+    /// Whether wear is admitted, and together with the models.
+    fn check_wear(&self) -> Result<(), ContactError> {
+        self.wear.check()?;
+        let refused = |allowed: &str| {
+            let value = self.wear.model.name().into();
+            let (name, allowed) = ("wear.model".into(), allowed.into());
+            Err(ContactError::BadText { name, value, allowed })
+        };
+        match self.wear.model {
+            WearModel::Off => Ok(()),
+            _ if self.is_uneven() => refused(
+                "corrugated rails, out-of-round wheels and flats go with off: what wears is a profile that is even along the track",
+            ),
+            WearModel::Archard if self.tangential_model == TangentialModel::Linear => {
+                refused("with tangential.model linear nothing slides")
+            }
+            _ => Ok(()),
+        }
     }
 }

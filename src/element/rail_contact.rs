@@ -12,10 +12,11 @@ use super::strip_contact;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
+use crate::geometry::curve::Curve;
 use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::profile::Profile;
+use crate::geometry::profile::{Profile, ProfileKind};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
 use crate::normal::{self, NormalModel, NormalProblem};
@@ -24,6 +25,8 @@ use crate::normal::{self, NormalModel, NormalProblem};
 #[derive(Clone, Debug)]
 pub struct RailContact {
     wheel: Profile,
+    /// Name of the rail's profile.
+    rail_name: String,
     nominal_radius: f64,
     rail: PlacedRail,
     clearance: Clearance,
@@ -44,6 +47,7 @@ impl RailContact {
     #[must_use]
     pub fn new(
         wheel: &Profile,
+        rail_name: &str,
         parameters: &Parameters,
         rail: PlacedRail,
         deviations: Option<Longitudinal>,
@@ -55,10 +59,43 @@ impl RailContact {
             search: ContactSearch::new(&wheel.curve),
             probes: Room::new(MOST_PROBES),
             wheel: wheel.clone(),
+            rail_name: rail_name.into(),
             nominal_radius,
             rail,
             deviations,
         }
+    }
+
+    /// The wheel.
+    pub fn wheel_profile(&self) -> &Profile {
+        &self.wheel
+    }
+
+    /// The curve of the placed rail.
+    pub fn rail_curve(&self) -> &Curve {
+        self.rail.curve()
+    }
+
+    /// The profile of the rail as it was before it was placed, with `curve` in the place of its own if there is one.
+    pub fn rail_profile(&self, curve: Option<&Curve>) -> Profile {
+        Profile {
+            name: self.rail_name.clone(),
+            kind: ProfileKind::Rail,
+            curve: self.rail.unplaced(curve.unwrap_or(self.rail.curve())),
+        }
+    }
+
+    /// A point of the placed rail on its profile [m].
+    pub fn profile_point(&self, point: [f64; 2]) -> [f64; 2] {
+        self.rail.profile_point(point)
+    }
+
+    /// Puts other curves in the place of those of wheel and placed rail; nothing moves.
+    pub fn put_curves(&mut self, wheel: &Curve, rail: Curve) {
+        self.clearance = Clearance::new(wheel, self.nominal_radius, &rail);
+        self.search = ContactSearch::new(wheel);
+        self.wheel.curve = wheel.clone();
+        self.rail.put_curve(rail);
     }
 
     /// Whether any contact appears for `input` (right side) with rail number `k`.

@@ -8,6 +8,9 @@
 //! nominal height
 //! inputs and parameters             in the order of the variables
 //! derivatives of inputs             their number, then reference, three numbers each
+//! wear                              one byte whether there is any; clock; wheel and rails:
+//!                                   one byte whether it is there, number of cells, totals and
+//!                                   sums since the last update, three numbers
 //! checksum                          CRC-32 of all before
 //! ```
 //!
@@ -17,11 +20,14 @@ use super::error::FmiError;
 use super::extrapolation::{Extrapolation, ORDERS};
 use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{Outputs, Snapshot};
+use crate::element::WearState;
+use crate::element::parameters::RAILS;
 use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
+use crate::wear::ArcState;
 
 const TAG: &[u8] = b"wheelrail state";
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 const STATES: [State; 6] = [
     State::Instantiated,
@@ -65,6 +71,19 @@ pub fn write(snapshot: &Snapshot) -> Vec<u8> {
     for (reference, derivatives) in snapshot.extrapolation.iter() {
         bytes.extend(reference.to_le_bytes());
         bytes.extend(derivatives.iter().flat_map(|d| d.to_le_bytes()));
+    }
+    bytes.push(u8::from(snapshot.wear.is_some()));
+    if let Some(wear) = &snapshot.wear {
+        bytes.extend(wear.clock.to_le_bytes());
+        for arc in [Some(&wear.wheel)].into_iter().chain(wear.rails.iter().map(Option::as_ref)) {
+            bytes.push(u8::from(arc.is_some()));
+            let Some(arc) = arc else { continue };
+            bytes.extend((arc.total.len() as u32).to_le_bytes());
+            let sums = [arc.volume, arc.pending_area, arc.most_pending];
+            for number in arc.total.iter().chain(&arc.pending).chain(&sums) {
+                bytes.extend(number.to_le_bytes());
+            }
+        }
     }
     let checksum = crc32fast::hash(&bytes);
     bytes.extend(checksum.to_le_bytes());
@@ -137,6 +156,39 @@ impl<'a> Reader<'a> {
         std::str::from_utf8(text).ok()
     }
 
+    fn wear(&mut self) -> Option<WearState> {
+        let clock = self.amount()?;
+        if !self.boolean()? {
+            return None;
+        }
+        let wheel = self.arc()?;
+        let mut rails = [const { None }; RAILS];
+        for rail in &mut rails {
+            if self.boolean()? {
+                *rail = Some(self.arc()?);
+            }
+        }
+        Some(WearState { clock, wheel, rails })
+    }
+
+    /// What a profile has lost.
+    fn arc(&mut self) -> Option<ArcState> {
+        let count = u32::from_le_bytes(self.array()?) as usize;
+        // No more room than there are bytes for.
+        if count > self.0.len() / 16 {
+            return None;
+        }
+        let mut column = || (0..count).map(|_| self.amount()).collect::<Option<Vec<f64>>>();
+        let (total, pending) = (column()?, column()?);
+        let [volume, pending_area, most_pending] = [self.amount()?, self.amount()?, self.amount()?];
+        Some(ArcState { total, pending, volume, pending_area, most_pending })
+    }
+
+    /// A finite number that is not negative.
+    fn amount(&mut self) -> Option<f64> {
+        self.real().filter(|number| number.is_finite() && *number >= 0.0)
+    }
+
     /// Everything after the head; every value is one that could have been set.
     fn snapshot(&mut self) -> Option<Snapshot> {
         let purpose = if self.boolean()? { Purpose::CoSimulation } else { Purpose::ModelExchange };
@@ -178,10 +230,12 @@ impl<'a> Reader<'a> {
                 extrapolation.set(&[reference], &[order as i32], &[self.real()?]).ok()?;
             }
         }
+        let wear = if self.boolean()? { Some(self.wear()?) } else { None };
         Some(Snapshot {
             purpose,
             state,
             prepared,
+            wear,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
             values,
             extrapolation,
@@ -196,13 +250,14 @@ impl<'a> Reader<'a> {
 mod tests {
     use super::*;
     use crate::fmi::instance::Instance;
+    use crate::fmi::logger::Logger;
 
     fn saved() -> Snapshot {
         let mut instance = Instance::new(Purpose::CoSimulation, Vec::new());
         instance.setup_experiment(0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization().unwrap();
-        instance.step(0.5, 0.25).unwrap();
+        instance.step(0.5, 0.25, &Logger::silent()).unwrap();
         let key = instance.save(std::ptr::null_mut()).unwrap();
         instance.saved(key).unwrap().clone()
     }

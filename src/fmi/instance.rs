@@ -1,7 +1,7 @@
 //! One element with its variables and its place in the life cycle.
 
 use std::ffi::{CString, c_char};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
@@ -9,7 +9,10 @@ use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
-use crate::element::{Element, Input};
+use crate::element::parameters::WearModel;
+use crate::element::{Element, Input, Parameters};
+use crate::error::ContactError;
+use crate::io::save_profile;
 use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
 
 /// What an instance is made for.
@@ -146,7 +149,7 @@ impl Instance {
     ///
     /// A host that counts in floating point may start its last step just before the stop time and end
     /// after it; a step that starts beyond it by more than a thousandth of the step is refused.
-    pub fn step(&mut self, time: f64, step: f64) -> Result<(), FmiError> {
+    pub fn step(&mut self, time: f64, step: f64, logger: &Logger) -> Result<Status, FmiError> {
         if !time.is_finite() {
             return Err(bad_argument("currentCommunicationPoint", time, "a finite number"));
         }
@@ -164,7 +167,37 @@ impl Instance {
         }
         self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
         self.extrapolation.clear();
+        let wears = self.values.parameters.wear.model != WearModel::Off;
+        let status = if wears { self.wear_off(step, logger)? } else { Status::Ok };
         self.time = time + step;
+        Ok(status)
+    }
+
+    /// Wears off what the contacts of the inputs wear off in a step, and evaluates the outputs with it.
+    fn wear_off(&mut self, step: f64, logger: &Logger) -> Result<Status, FmiError> {
+        let Some(element) = &mut self.element else { return Ok(Status::Ok) };
+        let fallbacks = self.values.output.fallback_count;
+        element.advance(&self.values.input, &mut self.values.output, step)?;
+        self.outputs_stale = false;
+        Ok(self.fallback_status(fallbacks, logger))
+    }
+
+    /// Ends the run: writes the worn profiles that the parameters ask for.
+    pub fn terminate(&mut self) -> Result<(), FmiError> {
+        if let (State::Stepping, Some(element)) = (self.state, &self.element) {
+            let Parameters { wheel, rails, .. } = &self.values.parameters;
+            let worn_wheel = ("wear.wheel.file", &wheel.worn_file, element.worn_wheel());
+            let worn_rails = ["wear.rail[1].file", "wear.rail[2].file"]
+                .into_iter()
+                .enumerate()
+                .map(|(k, name)| (name, &rails[k].worn_file, element.worn_rail(k)));
+            for (name, file, profile) in std::iter::once(worn_wheel).chain(worn_rails) {
+                if let (false, Some(profile)) = (file.is_empty(), profile) {
+                    save_profile(name, Path::new(file), &profile)?;
+                }
+            }
+        }
+        self.state = State::Terminated;
         Ok(())
     }
 
@@ -314,6 +347,16 @@ impl Instance {
     fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
         if !self.is_prepared() || moved {
+            let is_wearing = self.values.parameters.wear.model != WearModel::Off;
+            if is_wearing && self.purpose == Purpose::ModelExchange {
+                return Err(FmiError::from(ContactError::BadText {
+                    name: "wear.model".into(),
+                    value: self.values.parameters.wear.model.name().into(),
+                    allowed: "in model exchange off: a host that integrates by itself asks for forces at times that it \
+                              may not go to; profiles wear in the steps of co-simulation"
+                        .into(),
+                }));
+            }
             let (parameters, input) = (&self.values.parameters, &self.values.input);
             let element = Element::new(parameters, input, &self.profile_folders)?;
             self.values.nominal_wheel_z = element.nominal_wheel_z();
@@ -330,8 +373,13 @@ impl Instance {
         let fallbacks = self.values.output.fallback_count;
         element.evaluate(&self.values.input, &mut self.values.output)?;
         self.outputs_stale = false;
-        if self.values.output.fallback_count == fallbacks {
-            return Ok(Status::Ok);
+        Ok(self.fallback_status(fallbacks, logger))
+    }
+
+    /// A warning if there are more fallbacks than `before`.
+    fn fallback_status(&self, before: i32, logger: &Logger) -> Status {
+        if self.values.output.fallback_count == before {
+            return Status::Ok;
         }
         if logger.takes(Category::Warning) {
             let count = self.values.output.fallback_count;
@@ -339,7 +387,7 @@ impl Instance {
                 format!("a solver fell back to a simpler model: fallback_count = {count}");
             logger.log(Status::Warning, Category::Warning, &message);
         }
-        Ok(Status::Warning)
+        Status::Warning
     }
 }
 

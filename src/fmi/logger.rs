@@ -52,6 +52,13 @@ impl Logger {
         }
     }
 
+    /// A logger that nobody listens to.
+    #[cfg(test)]
+    pub fn silent() -> Self {
+        let enabled = AtomicU8::new(0);
+        Self { callback: None, environment: 0, instance_name: CString::default(), enabled }
+    }
+
     /// Turns categories on or off as `fmi2SetDebugLogging` asks.
     ///
     /// On with names: those, with errors and warnings. Off with names: exactly those no more. Without

@@ -4,7 +4,7 @@ use super::error::FmiError;
 use super::extrapolation::Extrapolation;
 use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
-use crate::element::Element;
+use crate::element::{Element, WearState};
 use crate::variables::Values;
 
 /// Everything an instance has to remember; forces follow from it bit for bit.
@@ -26,6 +26,8 @@ pub struct Snapshot {
     pub extrapolation: Extrapolation,
     /// Contacts and zones that found no room, so far.
     pub fallbacks: u64,
+    /// What is worn off, if anything wears.
+    pub wear: Option<WearState>,
     /// Time span of the experiment.
     pub experiment: Option<Experiment>,
     /// End of the last step [s].
@@ -102,6 +104,7 @@ impl Instance {
             values: self.values.clone(),
             extrapolation: self.extrapolation.clone(),
             fallbacks: self.element.as_ref().map_or(0, Element::fallbacks),
+            wear: self.element.as_ref().and_then(Element::wear_state),
             experiment: self.experiment,
             time: self.time,
         }
@@ -118,6 +121,10 @@ impl Instance {
         old.prepared = self.is_prepared();
         old.outputs = if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated };
         old.fallbacks = self.element.as_ref().map_or(0, Element::fallbacks);
+        match &self.element {
+            Some(element) => element.copy_wear_state(&mut old.wear),
+            None => old.wear = None,
+        }
         old.experiment = self.experiment;
         old.time = self.time;
     }
@@ -126,7 +133,11 @@ impl Instance {
         let same = self.values.parameters == saved.values.parameters;
         if saved.prepared && !(same && self.is_prepared()) {
             let Values { parameters, input, .. } = &saved.values;
-            self.element = Some(Element::new(parameters, input, &self.profile_folders)?);
+            let mut element = Element::new(parameters, input, &self.profile_folders)?;
+            wear_as_saved(&mut element, saved)?;
+            self.element = Some(element);
+        } else if let Some(element) = self.element.as_mut().filter(|_| saved.prepared) {
+            wear_as_saved(element, saved)?;
         }
         if same {
             copy_what_moves(&saved.values, &mut self.values);
@@ -148,6 +159,16 @@ impl Instance {
             self.values.output.fallback_count = element.fallback_count();
         }
         Ok(())
+    }
+}
+
+/// Takes the element's wear back to that of a saved state; refused where its profiles are not those of the state.
+fn wear_as_saved(element: &mut Element, saved: &Snapshot) -> Result<(), FmiError> {
+    match &saved.wear {
+        Some(wear) if !element.set_wear_state(wear) => Err(FmiError::BadBytes(
+            "holds the wear of other profiles than the parameters name".into(),
+        )),
+        _ => Ok(()),
     }
 }
 

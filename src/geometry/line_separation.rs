@@ -114,6 +114,12 @@ impl<'a> LineSeparation<'a> {
         None
     }
 
+    /// Parameter of the rail's curve opposite to the last point that had a finite separation [m].
+    #[must_use]
+    pub fn last_rail_parameter(&self) -> f64 {
+        self.near[0]
+    }
+
     /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
     #[must_use]
     pub fn rail_parameter(&mut self, u: f64) -> f64 {

@@ -91,11 +91,7 @@ impl PlacedRail {
             }
         }
         let curve = Curve::through(&knots);
-        let concavity = greatest_concavity(&curve);
-        let (start, length) = (curve.start(), curve.end() - curve.start());
-        let coarse = (0..=COARSE_POINTS)
-            .map(|i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
-            .collect();
+        let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve));
         let hand = if mirrored { -1.0 } else { 1.0 };
         Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse }
     }
@@ -104,6 +100,46 @@ impl PlacedRail {
     #[must_use]
     pub fn curve(&self) -> &Curve {
         &self.curve
+    }
+
+    /// Puts another curve in the place of the rail's, in the frame of the marker; the marker stays where it is.
+    pub fn put_curve(&mut self, curve: Curve) {
+        (self.concavity, self.coarse) = (greatest_concavity(&curve), coarse_points(&curve));
+        self.curve = curve;
+    }
+
+    /// A curve in the frame of the marker as it was before it was inclined, placed and mirrored.
+    #[must_use]
+    pub fn unplaced(&self, curve: &Curve) -> Curve {
+        let knots: Vec<Knot> = curve
+            .knots()
+            .map(|s| {
+                let p = curve.at(s);
+                let direction = [self.hand * p.first[0], p.first[1]];
+                Knot { s, point: self.profile_point(p.point), tangent: self.unturned(direction) }
+            })
+            .collect();
+        if self.hand > 0.0 {
+            return Curve::through(&knots);
+        }
+        let backwards = knots.iter().rev().map(|k| Knot {
+            s: -k.s,
+            tangent: [-k.tangent[0], -k.tangent[1]],
+            ..*k
+        });
+        Curve::through(&backwards.collect::<Vec<Knot>>())
+    }
+
+    /// Point on the rail profile as given, before inclination, of a `point` in the frame of the marker [m].
+    #[must_use]
+    pub fn profile_point(&self, point: [f64; 2]) -> [f64; 2] {
+        self.unturned([self.hand * point[0] + self.top[0], point[1] + self.top[1]])
+    }
+
+    /// A vector turned back by the inclination.
+    fn unturned(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let [sine, cosine] = self.inclination;
+        [y * cosine + z * sine, z * cosine - y * sine]
     }
 
     /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].
@@ -179,6 +215,14 @@ impl PlacedRail {
         };
         Nearest { s, distance, tangent, point: p.point, ratio, beyond_end }
     }
+}
+
+/// Points at equal steps of the parameter.
+fn coarse_points(curve: &Curve) -> Vec<[f64; 2]> {
+    let (start, length) = (curve.start(), curve.end() - curve.start());
+    (0..=COARSE_POINTS)
+        .map(|i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
+        .collect()
 }
 
 /// The point of least z, exact within its cubic piece.

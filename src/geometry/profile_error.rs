@@ -48,6 +48,14 @@ pub enum ProfileError {
         /// What the operating system says.
         reason: String,
     },
+    /// A file that cannot be written.
+    #[error("{file}: cannot be written: {reason}; name a file in a folder that exists")]
+    Unwritable {
+        /// The file.
+        file: String,
+        /// What the operating system says.
+        reason: String,
+    },
     /// A file that is of none of the known formats.
     #[error(
         "{file}:{line}: not a profile: {what}; give a SIMPACK file (.prw, .prr), a MiniProf file \

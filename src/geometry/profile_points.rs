@@ -60,6 +60,8 @@ pub(crate) struct ProfilePoints {
     pub points: Vec<FilePoint>,
     /// Whether a rail is to get its origin at its highest point.
     pub rail_origin_on_top: bool,
+    /// Wavelength of the smoothing that the file itself asks for [m].
+    pub smoothing: Option<f64>,
     /// Advice in the terms of the format.
     pub remedies: Remedies,
 }
@@ -71,6 +73,7 @@ impl ProfilePoints {
         kind: ProfileKind,
         wavelength: f64,
     ) -> Result<Profile, ProfileError> {
+        let wavelength = self.smoothing.unwrap_or(wavelength);
         profile_checks::enough(&self)?;
         profile_checks::size(&self)?;
         let last = self.points.len() - 1;
@@ -194,6 +197,7 @@ pub(crate) mod tests {
             file: "file.txt".into(),
             points: (1..).zip(points).map(|(line, &point)| FilePoint { point, line }).collect(),
             rail_origin_on_top: false,
+            smoothing: None,
             remedies: REMEDIES,
         }
     }

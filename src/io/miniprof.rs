@@ -99,7 +99,13 @@ pub(crate) fn read(
             p.point[0] = -p.point[0];
         }
     }
-    Ok(ProfilePoints { file: file.into(), points, rail_origin_on_top: true, remedies: REMEDIES })
+    Ok(ProfilePoints {
+        file: file.into(),
+        points,
+        rail_origin_on_top: true,
+        smoothing: None,
+        remedies: REMEDIES,
+    })
 }
 
 fn read_header(file: &str, header: &[Line]) -> Result<Header, ProfileError> {

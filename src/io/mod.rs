@@ -1,4 +1,4 @@
-//! Files: the only place that reads them, and the only one with millimetres in it.
+//! Files: the only place that reads and writes them, and the only one with millimetres in it.
 
 mod deviation_file;
 mod miniprof;
@@ -8,4 +8,4 @@ mod table;
 mod two_column;
 
 pub use deviation_file::{Deviations, load_deviations};
-pub use profile_file::load_profile;
+pub use profile_file::{load_profile, save_profile};

@@ -54,6 +54,22 @@ pub fn load_profile(
     profile.map_err(|problem| ContactError::Profile { name: parameter.into(), problem })
 }
 
+/// Writes a profile as a file of two columns that [`load_profile`] reads back as it is: no smoothing is applied to it.
+///
+/// * `parameter`: FMU name of the parameter that names the file, for messages.
+///
+/// # Errors
+/// [`ContactError::Profile`] with the file and what the operating system says.
+pub fn save_profile(parameter: &str, path: &Path, profile: &Profile) -> Result<(), ContactError> {
+    fs::write(path, two_column::text(profile)).map_err(|e| ContactError::Profile {
+        name: parameter.into(),
+        problem: ProfileError::Unwritable {
+            file: path.display().to_string(),
+            reason: e.to_string(),
+        },
+    })
+}
+
 /// The file of that name: an absolute path, or the first of the folders that has it.
 fn find(name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Result<PathBuf, ProfileError> {
     let path = Path::new(name);

@@ -129,7 +129,13 @@ pub(crate) fn read(
         }
     }
     let points = entries.apply(points);
-    Ok(ProfilePoints { file: file.into(), points, rail_origin_on_top: false, remedies: REMEDIES })
+    Ok(ProfilePoints {
+        file: file.into(),
+        points,
+        rail_origin_on_top: false,
+        smoothing: None,
+        remedies: REMEDIES,
+    })
 }
 
 fn check_type(file: &str, line: &Line, text: &str, kind: ProfileKind) -> Result<(), ProfileError> {

@@ -2,10 +2,13 @@
 //!
 //! Columns are separated by blanks, tabs, commas or semicolons (with semicolons a comma is a
 //! decimal point). What follows `#` or `!` is a comment. One line of headings may stand before the
-//! first point. The points follow the profile, from either end. Wheel: y = 0 on the running circle,
+//! first point. A comment `# smoothing_mm 0.5` stands for the wavelength at which this file is to be smoothed, whatever
+//! `profile.smoothing` says; files written by [`text`] have 0. The points follow the profile, from either end. Wheel: y = 0 on the running circle,
 //! or on the flange back if no y is negative. Rail: any origin.
 
-use crate::geometry::profile::ProfileError;
+use std::fmt::Write;
+
+use crate::geometry::profile::{Profile, ProfileError};
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
 use crate::io::table::{lines, numbers};
 
@@ -21,7 +24,9 @@ const EXPECTED: &str = "give two numbers, y_mm z_mm, on each line, with decimal 
 pub(crate) fn read(file: &str, content: &str) -> Result<ProfilePoints, ProfileError> {
     let mut points = Vec::new();
     let mut headings = None;
+    let mut smoothing = None;
     for mut line in lines(content) {
+        smoothing = smoothing.or_else(|| stated_smoothing(line.text));
         line.text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
         if line.text.is_empty() {
             continue;
@@ -49,8 +54,49 @@ pub(crate) fn read(file: &str, content: &str) -> Result<ProfilePoints, ProfileEr
             Err(error) => return Err(error),
         }
     }
-    Ok(ProfilePoints { file: file.into(), points, rail_origin_on_top: false, remedies: REMEDIES })
+    Ok(ProfilePoints {
+        file: file.into(),
+        points,
+        rail_origin_on_top: false,
+        smoothing,
+        remedies: REMEDIES,
+    })
 }
+
+/// The wavelength of a comment that states one [m].
+fn stated_smoothing(line: &str) -> Option<f64> {
+    let value = line.trim().strip_prefix('#')?.trim().strip_prefix(SMOOTHING)?.trim();
+    value.parse().ok().map(|mm: f64| 1e-3 * mm).filter(|w| (0.0..=0.05).contains(w))
+}
+
+const SMOOTHING: &str = "smoothing_mm";
+
+/// The text of a file with the points of a profile, dense enough that the curve between them follows.
+pub(crate) fn text(profile: &Profile) -> String {
+    let curve = &profile.curve;
+    let mut text = format!(
+        "# {} profile, from {}; y to the field side, z down\n# {SMOOTHING} 0\ny_mm,z_mm\n",
+        profile.kind,
+        profile.name.replace(['\n', '\r'], " ")
+    );
+    let knots: Vec<f64> = curve.knots().collect();
+    let mut write = |s: f64| {
+        let [y, z] = curve.at(s).point.map(|x| 1e3 * x);
+        // Writing to a text cannot fail.
+        let _ = writeln!(text, "{y:.10},{z:.10}");
+    };
+    for pair in knots.windows(2) {
+        let pieces = ((pair[1] - pair[0]) / MOST_SPACING).ceil().max(1.0);
+        for i in 0..pieces as usize {
+            write(pair[0] + (pair[1] - pair[0]) * i as f64 / pieces);
+        }
+    }
+    write(curve.end());
+    text
+}
+
+/// Greatest distance of the points of a file [m].
+const MOST_SPACING: f64 = 1e-4;
 
 /// Words only: a line with a number in its first column is a point, good or bad.
 fn is_heading(text: &str) -> bool {

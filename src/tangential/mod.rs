@@ -217,15 +217,33 @@ impl Tangential {
         material: &MaterialPair,
         state: &RollingState,
     ) -> Option<CreepForce> {
+        self.creep_force_with(zone, strips, material, state, |_, _| {})
+    }
+
+    /// As [`creep_force`](Self::creep_force); `each` gets the number of each strip and the force on it, as from
+    /// [`strip_forces`](Self::strip_forces).
+    #[must_use]
+    #[inline]
+    pub fn creep_force_with(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        material: &MaterialPair,
+        state: &RollingState,
+        mut each: impl FnMut(usize, &StripForce),
+    ) -> Option<CreepForce> {
         (!state.creepage.is_zero()).then_some(())?;
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
             let (state, material) = self.under_law(zone, material, state);
-            return self.ellipse_force(zone, strips, &material, &slip, &state, None);
+            let force = self.ellipse_force(zone, strips, &material, &slip, &state, None)?;
+            spread_by_load(zone, strips, &force, |j, force| each(j, &force));
+            return Some(force);
         }
         let mut total = CreepForce::default();
         let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
             total.add(zone, strips, j, &force);
+            each(j, &force);
         })?;
         Some(CreepForce { fell_back: outcome == Outcome::FellBack, ..total })
     }

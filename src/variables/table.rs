@@ -5,7 +5,7 @@ use super::{Causality, Enumeration, Item, Kind, Value, Variable};
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
     CreepageModel, FlatShape, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
-    TractionBound, VerticalMode,
+    TractionBound, VerticalMode, WearDistribution, WearModel,
 };
 
 /// A field that is an integer or an enumeration outside.

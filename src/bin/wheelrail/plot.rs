@@ -1,5 +1,7 @@
 //! `wheelrail plot`: one case as a figure and its fields as a table.
 
+mod worn;
+
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -23,14 +25,17 @@ use crate::{evaluate, output};
 ///
 /// The left half of the figure shows the models of the row, the right half boundary elements. FASTSIM and boundary elements have
 /// tractions to show; of other tangential models only the pressure is drawn.
+///
+/// With --worn-wheel or --worn-rail instead of CASES the worn profiles, as a run of the FMU with wear.wheel.file or wear.rail[1].file leaves
+/// them, are drawn on those they were, and the wear depth along the normal of those over y.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
     /// Table of cases, CSV
-    #[arg(value_name = "CASES.csv")]
-    cases: PathBuf,
+    #[arg(value_name = "CASES.csv", required_unless_present_any = ["worn_wheel", "worn_rail"], conflicts_with_all = ["worn_wheel", "worn_rail"])]
+    cases: Option<PathBuf>,
     /// Row of the table, from 1
     #[arg(long, default_value_t = 1, value_name = "N")]
     row: usize,
@@ -40,9 +45,24 @@ pub struct Arguments {
     /// Figure, SVG
     #[arg(long, short, value_name = "FILE.svg", default_value = "contact.svg")]
     output: PathBuf,
-    /// Table of the fields of both solutions, one row for each element, CSV
+    /// Table of the fields of both solutions, one row for each element, or of the wear depth, CSV
     #[arg(long, value_name = "FILE.csv")]
     fields: Option<PathBuf>,
+    /// Worn profile of a wheel
+    #[arg(long, value_name = "PROFILE", help_heading = "Wear")]
+    worn_wheel: Option<String>,
+    /// Worn profile of a rail
+    #[arg(long, value_name = "PROFILE", help_heading = "Wear")]
+    worn_rail: Option<String>,
+    /// Profile that the wheel had
+    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Wear")]
+    unworn_wheel: String,
+    /// Profile that the rail had
+    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Wear")]
+    unworn_rail: String,
+    /// Smoothing of profiles from files that do not state one: wavelength [m]
+    #[arg(long, value_name = "M", default_value_t = 0.0, help_heading = "Wear")]
+    smoothing: f64,
 }
 
 /// Draws the case.
@@ -53,14 +73,20 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
         bail!("{}: figures are SVG; write a name that ends in .svg", arguments.output.display());
     }
-    let cases = Cases::read(&arguments.cases)?;
+    let Some(path) = &arguments.cases else {
+        return worn::draw(&worn::Request {
+            wheel: arguments.worn_wheel.as_deref(),
+            rail: arguments.worn_rail.as_deref(),
+            unworn_wheel: &arguments.unworn_wheel,
+            unworn_rail: &arguments.unworn_rail,
+            smoothing: arguments.smoothing,
+            figure: &arguments.output,
+            fields: arguments.fields.as_deref(),
+        });
+    };
+    let cases = Cases::read(path)?;
     if arguments.row == 0 || arguments.row > cases.len() {
-        bail!(
-            "--row {}: {} has rows 1 to {}",
-            arguments.row,
-            arguments.cases.display(),
-            cases.len()
-        );
+        bail!("--row {}: {} has rows 1 to {}", arguments.row, path.display(), cases.len());
     }
     if cases.column("separation").is_some() {
         let planar = PlanarCases::read(&cases)?;

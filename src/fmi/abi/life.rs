@@ -5,7 +5,6 @@ use std::ptr::null_mut;
 
 use super::arguments::{text, texts};
 use crate::fmi::guard::{self, Call, Request, guard};
-use crate::fmi::instance::State;
 use crate::fmi::logger::{Category, Logger};
 use crate::fmi::types::{Boolean, CallbackFunctions, Component, FALSE, Status, Text};
 
@@ -115,11 +114,11 @@ pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     })
 }
 
-/// `fmi2Terminate`.
+/// `fmi2Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the run is not ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Terminate(component: Component) -> Status {
     guard(component, Call::TERMINATE, |instance, logger| {
-        instance.state = State::Terminated;
+        instance.terminate()?;
         logger.log(Status::Ok, Category::Events, "terminated");
         Ok(Status::Ok)
     })

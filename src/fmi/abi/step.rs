@@ -15,9 +15,8 @@ pub extern "C" fn fmi2DoStep(
     communication_step_size: f64,
     _no_set_fmu_state_prior_to_current_point: Boolean,
 ) -> Status {
-    guard(component, Call::DO_STEP, |instance, _| {
-        instance.step(current_communication_point, communication_step_size)?;
-        Ok(Status::Ok)
+    guard(component, Call::DO_STEP, |instance, logger| {
+        instance.step(current_communication_point, communication_step_size, logger)
     })
 }
 

@@ -6,6 +6,7 @@ pub mod errors;
 pub mod motion;
 pub mod patches;
 pub mod sweep;
+pub mod wear;
 
 use std::ops::Range;
 use std::path::Path;

@@ -1,0 +1,106 @@
+//! Worn profiles against those they were.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use wheelrail::geometry::profile::{Profile, ProfileKind};
+use wheelrail::io::load_profile;
+use wheelrail::wear::depth::{DepthPoint, wear_depth};
+
+use crate::figures::wear::{self, WornBody};
+use crate::output;
+
+/// The worn profiles asked for, and what they are compared with.
+pub struct Request<'a> {
+    pub wheel: Option<&'a str>,
+    pub rail: Option<&'a str>,
+    pub unworn_wheel: &'a str,
+    pub unworn_rail: &'a str,
+    pub smoothing: f64,
+    pub figure: &'a Path,
+    pub fields: Option<&'a Path>,
+}
+
+/// Draws the profiles and depths.
+///
+/// # Errors
+/// With the profile that cannot be had; if a file cannot be written.
+pub fn draw(request: &Request<'_>) -> Result<()> {
+    let folders = [PathBuf::from(".")];
+    let mut bodies = Vec::new();
+    let mut tables = Vec::new();
+    for (worn, unworn, kind, option) in [
+        (request.wheel, request.unworn_wheel, ProfileKind::Wheel, "worn-wheel"),
+        (request.rail, request.unworn_rail, ProfileKind::Rail, "worn-rail"),
+    ] {
+        let Some(worn_name) = worn else { continue };
+        let load = |option: &str, name: &str| {
+            load_profile(&format!("--{option}"), name, kind, request.smoothing, &folders)
+        };
+        let (before, after) = (load("unworn", unworn)?, load(option, worn_name)?);
+        let depth = wear_depth(&before, &after);
+        if depth.is_empty() {
+            bail!(
+                "--{option} {worn_name}: it has no point near {unworn}; is it of the same frame?"
+            );
+        }
+        let deepest = depth.iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
+        let area: f64 = depth.iter().map(|p| p.depth * p.length).sum();
+        if let Some(deepest) = deepest {
+            println!(
+                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm",
+                1e6 * area,
+                1e3 * deepest.depth,
+                1e3 * deepest.point[0]
+            );
+        }
+        bodies.push(body(kind, [unworn, worn_name], [&before, &after], &depth));
+        tables.push((kind, depth));
+    }
+    if let Some(path) = request.fields {
+        write(path, &tables)?;
+    }
+    wear::draw(request.figure, &bodies)?;
+    for path in std::iter::once(request.figure).chain(request.fields) {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+fn body(
+    kind: ProfileKind,
+    names: [&str; 2],
+    profiles: [&Profile; 2],
+    depth: &[DepthPoint],
+) -> WornBody {
+    let file_name = |name: &str| {
+        Path::new(name).file_name().map_or_else(|| name.into(), |n| n.to_string_lossy().into())
+    };
+    WornBody {
+        title: format!("Worn {kind}"),
+        names: names.map(file_name),
+        profiles: profiles.map(points),
+        depth: depth.iter().map(|p| (1e3 * p.point[0], 1e3 * p.depth)).collect(),
+    }
+}
+
+/// Points of a profile in millimetres.
+fn points(profile: &Profile) -> Vec<(f64, f64)> {
+    let (start, end) = (profile.curve.start(), profile.curve.end());
+    (0..=2000)
+        .map(|i| profile.curve.at(start + (end - start) * f64::from(i) / 2000.0).point)
+        .map(|[y, z]| (1e3 * y, 1e3 * z))
+        .collect()
+}
+
+fn write(path: &Path, tables: &[(ProfileKind, Vec<DepthPoint>)]) -> Result<()> {
+    let mut table = output::table(Some(path))?;
+    table.write_record(["body", "y_mm", "z_mm", "depth_mm"])?;
+    for (kind, depth) in tables {
+        for DepthPoint { point: [y, z], depth, .. } in depth {
+            let number = |value: f64| format!("{:.7}", 1e3 * value);
+            table.write_record([kind.to_string(), number(*y), number(*z), number(*depth)])?;
+        }
+    }
+    Ok(table.flush()?)
+}

@@ -1,0 +1,385 @@
+//! Wear of the wheel and the rails of one element: what a patch wears off goes into the sums along the profiles.
+
+use super::output::BodyWear;
+use super::parameters::{RAILS, WearDistribution, WearModel, WearParameters};
+use crate::geometry::curve::Curve;
+use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::separation::Separation;
+use crate::math::room::Room;
+use crate::normal::{Strips, Zone};
+use crate::wear::distribution::spread;
+use crate::wear::worn_arc::Body;
+use crate::wear::{ArcState, StripLoad, WornArc};
+
+/// Most nodes at which the interpenetration of a patch is sampled.
+const MOST_NODES: usize = 512;
+/// Least and greatest number of cells across a patch; in between they are as wide as those of the sums.
+const CELLS: [f64; 2] = [16.0, 80.0];
+
+/// What wear has to remember: all of it, profiles follow.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WearState {
+    /// Time since the last update of the profiles [s].
+    pub clock: f64,
+    /// The wheel.
+    pub wheel: ArcState,
+    /// The rails that there are.
+    pub rails: [Option<ArcState>; RAILS],
+}
+
+impl WearState {
+    /// Copies `other` over it, without allocating if both are of the same element.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.clock = other.clock;
+        self.wheel.copy_from(&other.wheel);
+        for (own, other) in self.rails.iter_mut().zip(&other.rails) {
+            match (own, other) {
+                (Some(own), Some(other)) => own.copy_from(other),
+                (own, other) => own.clone_from(other),
+            }
+        }
+    }
+}
+
+/// How a zone rolls, as far as wear needs to know.
+pub struct ZoneWear {
+    /// Normal force with damping over that without [-].
+    pub load_factor: f64,
+    /// Coefficient of friction [-].
+    pub friction: f64,
+    /// Reference speed of the creepages [m/s].
+    pub speed: f64,
+    /// Radius of the wheel's normal section along x [m].
+    pub section_radius: f64,
+    /// Range of the parameter of the contact line [m].
+    pub range: [f64; 2],
+}
+
+/// Rates and sums of wear.
+#[derive(Clone, Debug)]
+pub struct WearSums {
+    pub parameters: WearParameters,
+    /// Time since the last update of the profiles [s].
+    pub clock: f64,
+    pub wheel: WornArc,
+    pub rails: [Option<WornArc>; RAILS],
+    /// Time for which the evaluation under way stands, times the acceleration factor [s]; 0 where it is none of a step.
+    duration: f64,
+    /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of each strip.
+    first: usize,
+    dissipation: Room<f64>,
+    slip_area: Room<f64>,
+    /// Volume rate of wheel and rail in each strip [m³/s].
+    rates: Room<[f64; 2]>,
+    /// Nodes across the zone: parameter of the contact line and of the rail in use, interpenetration and worn depth [m].
+    nodes: Room<[f64; 2]>,
+    interpenetration: Room<f64>,
+    worn: Room<f64>,
+    shares: Room<f64>,
+}
+
+impl WearSums {
+    /// No wear yet of these curves.
+    pub fn new(
+        parameters: &WearParameters,
+        strips: usize,
+        nominal_radius: f64,
+        wheel: &Curve,
+        rails: [Option<&Curve>; RAILS],
+    ) -> Self {
+        let distance = parameters.rail_distance;
+        Self {
+            parameters: *parameters,
+            clock: 0.0,
+            wheel: WornArc::new(wheel, Body::Wheel { nominal_radius }),
+            rails: rails.map(|rail| rail.map(|rail| WornArc::new(rail, Body::Rail { distance }))),
+            duration: 0.0,
+            first: 0,
+            dissipation: Room::new(strips),
+            slip_area: Room::new(strips),
+            rates: Room::new(strips),
+            nodes: Room::new(MOST_NODES),
+            interpenetration: Room::new(MOST_NODES),
+            worn: Room::new(MOST_NODES),
+            shares: Room::new(MOST_NODES),
+        }
+    }
+
+    /// Whether the evaluation under way belongs to a step of time.
+    #[inline]
+    pub fn is_recording(&self) -> bool {
+        self.duration > 0.0
+    }
+
+    /// Makes the next evaluation stand for `duration` [s]; 0 ends that.
+    pub fn record_for(&mut self, duration: f64) {
+        self.duration = duration * self.parameters.acceleration_factor;
+    }
+
+    /// Wear of the wheel and of each rail.
+    pub fn output(&self) -> (BodyWear, [BodyWear; RAILS]) {
+        let of =
+            |arc: &WornArc| BodyWear { area: arc.area(), volume: arc.volume(), depth: arc.depth() };
+        let rails = [0, 1].map(|k| self.rails[k].as_ref().map_or_else(BodyWear::default, of));
+        (of(&self.wheel), rails)
+    }
+
+    /// Makes ready for the strips of `zone`.
+    pub fn begin_zone(&mut self, zone: &Zone) {
+        self.first = zone.first;
+        for column in [&mut self.dissipation, &mut self.slip_area] {
+            column.clear();
+            column.resize(zone.count, 0.0);
+        }
+    }
+
+    /// Adds to strip `j` its dissipation over the reference speed [J/m] and area that slips [m²].
+    #[inline]
+    pub fn add_strip(&mut self, j: usize, dissipation: f64, slip_area: f64) {
+        let i = j - self.first;
+        self.dissipation[i] += dissipation;
+        self.slip_area[i] += slip_area;
+    }
+
+    /// Adds the wear of zone number `index` of `strips`, whose strips were added before, on rail `k` to the sums.
+    pub fn record(
+        &mut self,
+        k: usize,
+        index: usize,
+        strips: &Strips,
+        state: &ZoneWear,
+        separation: &mut LineSeparation,
+    ) {
+        let zone = strips.zones[index];
+        let [wheel, rail] = self.rates(&zone, strips, state);
+        if wheel + rail <= 0.0 || self.rails[k].is_none() {
+            return;
+        }
+        // A Hertzian ellipse can be wider than the wheel.
+        let [start, end] = state.range;
+        let [left, right] = edges(&zone, strips).map(|u| u.clamp(start, end));
+        // Neighbours on the same contact line keep to their own half of what lies between.
+        let before = index.checked_sub(1).map(|i| edges(&strips.zones[i], strips)[1]);
+        let after = strips.zones.get(index + 1).map(|zone| edges(zone, strips)[0]);
+        let limits = [
+            before.map_or(start, |edge| 0.5 * (edge + left)).max(start).min(left),
+            after.map_or(end, |edge| 0.5 * (edge + right)).min(end).max(right),
+        ];
+        let is_spread = self.parameters.distribution == WearDistribution::Interpenetration
+            && self.sample(
+                k,
+                &zone,
+                strips,
+                state.section_radius,
+                [left, right],
+                limits,
+                separation,
+            );
+        if is_spread {
+            self.deposit_shares(k, [wheel, rail]);
+        } else {
+            self.deposit_strips(k, &zone, strips, [left, right], separation);
+        }
+    }
+
+    /// Fills `rates` with the volume rates of the strips; returns those of the zone, of wheel and rail [m³/s].
+    fn rates(&mut self, zone: &Zone, strips: &Strips, state: &ZoneWear) -> [f64; 2] {
+        let WearParameters { model, wheel, rail, .. } = self.parameters;
+        self.rates.clear();
+        let mut total = [0.0; 2];
+        let dissipated: f64 = self.dissipation.iter().map(|d| d.max(0.0)).sum();
+        let patch = match model {
+            WearModel::BritishRail if dissipated > 0.0 => [&wheel, &rail]
+                .map(|law| law.british_rail_rate(dissipated, state.speed) / dissipated),
+            _ => [0.0; 2],
+        };
+        for i in 0..zone.count {
+            let j = zone.first + i;
+            let area = 2.0 * strips.half_length[j] * strips.width[j];
+            let dissipation = self.dissipation[i].max(0.0);
+            let strip = StripLoad {
+                power: dissipation * state.speed,
+                area,
+                slip_share: (self.slip_area[i] / area.max(f64::MIN_POSITIVE)).min(1.0),
+                pressure: strips.pressure[j] * state.load_factor,
+                speed: state.speed,
+                friction: state.friction,
+            };
+            let rates = if model == WearModel::BritishRail {
+                patch.map(|rate| rate * dissipation)
+            } else {
+                [&wheel, &rail].map(|law| law.strip_rate(model, &strip))
+            };
+            total = [total[0] + rates[0], total[1] + rates[1]];
+            self.rates.push(rates);
+        }
+        total
+    }
+
+    /// Samples interpenetration and worn depth across a zone and as far beyond as wear may have widened it, within `limits`, and
+    /// spreads its wear; false where that leads to nothing.
+    #[allow(clippy::too_many_arguments)] // a zone, its place and its neighbours
+    fn sample(
+        &mut self,
+        k: usize,
+        zone: &Zone,
+        strips: &Strips,
+        section_radius: f64,
+        [left, right]: [f64; 2],
+        limits: [f64; 2],
+        separation: &mut LineSeparation,
+    ) -> bool {
+        let width = right - left;
+        if width.is_nan() || width <= 0.0 {
+            return false;
+        }
+        let Self { wheel, rails, nodes, interpenetration, worn, shares, .. } = self;
+        let Some(rail) = &rails[k] else { return false };
+        let cells = (width / wheel.cell()).clamp(CELLS[0], CELLS[1]).ceil();
+        let step = width / cells;
+        let edge = [left, right].map(|u| separation.at(u).f);
+        // No material is missing beyond the greatest depth: there the region ends.
+        let most_worn = wheel.most_pending() + rail.most_pending();
+        let mut reach = [0usize; 2];
+        if most_worn > 0.0 {
+            let most_beyond = (0.25 * MOST_NODES as f64) as usize - 1;
+            for (end, sign) in [(0, -1.0), (1, 1.0)] {
+                let from = [left, right][end];
+                for i in 1..=most_beyond {
+                    let u = from + sign * i as f64 * step;
+                    let inside = u >= limits[0] && u <= limits[1];
+                    let rise = if inside { separation.at(u).f - edge[end] } else { f64::INFINITY };
+                    if !rise.is_finite() {
+                        break;
+                    }
+                    reach[end] = i;
+                    if rise > most_worn {
+                        break;
+                    }
+                }
+            }
+        }
+        nodes.clear();
+        interpenetration.clear();
+        worn.clear();
+        let count = cells as usize + reach[0] + reach[1];
+        let mut shape = EllipseShape { strips, zone, at: 0, edges: [left, right], section_radius };
+        for i in 0..=count {
+            let place = i as f64 - reach[0] as f64;
+            let u = left + place * step;
+            let at = separation.at(u);
+            if !at.f.is_finite() {
+                // A body ends within the patch.
+                return false;
+            }
+            let value = if i < reach[0] {
+                (edge[0] - at.f).min(0.0)
+            } else if i > reach[0] + cells as usize {
+                (edge[1] - at.f).min(0.0)
+            } else {
+                shape.interpenetration(u)
+            };
+            let rail_s = separation.last_rail_parameter();
+            let depth =
+                wheel.pending_depth(wheel.to_base(u)) + rail.pending_depth(rail.to_base(rail_s));
+            nodes.push([u, rail_s]);
+            interpenetration.push(if value.is_finite() { value } else { -1.0 });
+            worn.push(depth);
+        }
+        spread(interpenetration, worn, shares)
+    }
+
+    /// Adds the wear of a zone, rates of wheel and rail [m³/s], by the shares of its nodes.
+    fn deposit_shares(&mut self, k: usize, rates: [f64; 2]) {
+        let volumes = rates.map(|rate| rate * self.duration);
+        let Self { wheel, rails, nodes, shares, .. } = self;
+        let Some(rail) = &mut rails[k] else { return };
+        let mut last = [wheel.to_base(nodes[0][0]), rail.to_base(nodes[0][1])];
+        for (share, node) in shares.iter().zip(&nodes[1..]) {
+            let next = [wheel.to_base(node[0]), rail.to_base(node[1])];
+            wheel.deposit(last[0], next[0], share * volumes[0]);
+            rail.deposit(last[1], next[1], share * volumes[1]);
+            last = next;
+        }
+    }
+
+    /// Adds the wear of each strip of a zone where it lies.
+    fn deposit_strips(
+        &mut self,
+        k: usize,
+        zone: &Zone,
+        strips: &Strips,
+        [left, right]: [f64; 2],
+        separation: &mut LineSeparation,
+    ) {
+        let duration = self.duration;
+        let Self { wheel, rails, rates, .. } = self;
+        let Some(rail) = &mut rails[k] else { return };
+        let widths: f64 = (zone.first..zone.first + zone.count).map(|j| strips.width[j]).sum();
+        let mut u = left;
+        let mut last = [wheel.to_base(u), rail.to_base(separation.rail_parameter(u))];
+        for (i, rate) in rates.iter().enumerate() {
+            u += strips.width[zone.first + i] / widths * (right - left);
+            let next = [wheel.to_base(u), rail.to_base(separation.rail_parameter(u))];
+            wheel.deposit(last[0], next[0], rate[0] * duration);
+            rail.deposit(last[1], next[1], rate[1] * duration);
+            last = next;
+        }
+    }
+}
+
+/// Parameters of the contact line at the edges of a zone [m].
+///
+/// Strips are as wide as a rule of quadrature has it, so that their mean place is the middle of the zone.
+fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
+    let range = zone.first..zone.first + zone.count;
+    let (mut width, mut middle) = (0.0, 0.0);
+    for j in range.clone() {
+        width += strips.width[j];
+        middle += strips.width[j] * strips.y[j];
+    }
+    middle /= width;
+    let (first, last) = (range.start, range.end - 1);
+    // Per lateral distance, over the outermost strips at either end.
+    let rate = |a: usize, b: usize| {
+        let rate = (strips.u[b] - strips.u[a]) / (strips.y[b] - strips.y[a]);
+        if rate.is_finite() && rate > 0.0 { rate } else { 1.0 }
+    };
+    let inner = (first + 1).min(last);
+    let outer = last.saturating_sub(1).max(first);
+    [
+        strips.u[first] - (strips.y[first] - (middle - 0.5 * width)).max(0.0) * rate(first, inner),
+        strips.u[last] + (middle + 0.5 * width - strips.y[last]).max(0.0) * rate(outer, last),
+    ]
+}
+
+/// Interpenetration function within a zone as its strips have it, g = `half_length²`/(2 R), asked for at growing places.
+struct EllipseShape<'a> {
+    strips: &'a Strips,
+    zone: &'a Zone,
+    /// Number of strips passed.
+    at: usize,
+    edges: [f64; 2],
+    section_radius: f64,
+}
+
+impl EllipseShape<'_> {
+    fn interpenetration(&mut self, u: f64) -> f64 {
+        let Zone { first, count, .. } = *self.zone;
+        while self.at < count && self.strips.u[first + self.at] <= u {
+            self.at += 1;
+        }
+        let node = |i: usize| {
+            let j = first + i;
+            [self.strips.u[j], self.strips.half_length[j].powi(2) / (2.0 * self.section_radius)]
+        };
+        let before = if self.at == 0 { [self.edges[0], 0.0] } else { node(self.at - 1) };
+        let after = if self.at == count { [self.edges[1], 0.0] } else { node(self.at) };
+        let length = after[0] - before[0];
+        if length <= 0.0 {
+            return 0.5 * (before[1] + after[1]);
+        }
+        let share = ((u - before[0]) / length).clamp(0.0, 1.0);
+        before[1] + share * (after[1] - before[1])
+    }
+}

@@ -1,0 +1,499 @@
+//! A new profile from the unworn one and the sums of what is worn off.
+//!
+//! The sums are smoothed once, by a positive kernel that keeps them, and always from all that was ever worn off: what was
+//! smoothed is never smoothed again, so that no material wanders however often a profile is updated. From the volume V' per length
+//! of arc follows the depth d of the layer along the inward normal,
+//!
+//! ```text
+//! V' = ∫_0^d B(t) (1 - κ t) dt,   B = 2π (r - t cos γ) on a wheel, the distance it stands for on a rail
+//! ```
+//!
+//! κ the curvature of the unworn profile, positive where it bulges, and a single factor close to one on all depths makes the
+//! volume between the two curves exactly that of the law. Depths run as a cubic spline, so that the new curve is as smooth as the unworn
+//! one, and equal to it where nothing is worn off.
+
+use super::worn_arc::{Body, WornArc};
+use crate::geometry::curve::{Curve, Knot};
+use crate::math::quadrature::GaussLegendre;
+use crate::math::spline::{SplineEnd, interpolating_slopes};
+
+/// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
+const MOST_DEPTH: f64 = 0.01;
+const MOST_OF_RADIUS: f64 = 0.5;
+/// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in curvature, and the tangent
+/// of the worn one must not.
+const CURVATURE_REACH: f64 = 1e-3;
+/// Standard deviation of the kernel that halves a wave, over the length of the wave: sqrt(ln 2/2)/π.
+const DEVIATION: f64 = 0.187_390_6;
+/// Half length of the kernel in standard deviations: beyond lie 6e-7 of it, which go to the rest.
+const KERNEL_REACH: f64 = 5.0;
+/// Points on each piece of a curve: exact for what is integrated.
+const POINTS: usize = 5;
+
+/// A knot of the unworn curve.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Station {
+    point: [f64; 2],
+    first: [f64; 2],
+    /// Unit vector into the body.
+    inward: [f64; 2],
+    /// Mean curvature about the knot, positive where the body bulges [1/m].
+    curvature: f64,
+    /// Moments of the piece of the curve that ends here; see [`moments`].
+    before: [f64; 2],
+    /// Length of that piece by its chord and turn [m].
+    length: f64,
+}
+
+/// What an update has found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UpdateReport {
+    /// Volume between the unworn and the new curve [m³].
+    pub volume: f64,
+    /// Whether some of the worn off material was more than can be taken off: the profile is worn through there.
+    pub is_worn_through: bool,
+}
+
+impl WornArc {
+    /// Adds what was worn off since the last update to the totals; the curve follows with [`worn_curve`](Self::worn_curve).
+    pub fn take_pending(&mut self) {
+        for (total, pending) in self.state.total.iter_mut().zip(&mut self.state.pending) {
+            *total += std::mem::take(pending);
+        }
+        (self.state.pending_area, self.state.most_pending) = (0.0, 0.0);
+    }
+
+    /// The curve that the totals leave of the unworn one, with `smoothing` the wavelength of which half is kept [m]; from now on
+    /// it is the curve in use.
+    pub fn worn_curve(&mut self, smoothing: f64) -> (Curve, UpdateReport) {
+        let wanted: f64 = self.state.total.iter().sum::<f64>() * self.cell;
+        if wanted <= 0.0 {
+            self.worn_knots.clone_from(&self.base_knots);
+            (self.area, self.depth) = (0.0, 0.0);
+            return (self.base.clone(), UpdateReport::default());
+        }
+        let smoothed = self.smoothed(smoothing);
+        let (depths, is_worn_through) = self.depths(&smoothed);
+        let depths = self.depths_at_knots(&depths);
+        let rule = GaussLegendre::new(POINTS);
+        let mut factor = 1.0;
+        let mut knots = self.offset(&depths, factor);
+        let mut lost = self.lost(&depths, &knots, &rule);
+        if !is_worn_through {
+            // Volume is close to proportional to the depth: each turn leaves the square of the error.
+            for _ in 0..MOST_TURNS {
+                if (lost[0] - wanted).abs() <= ACCURACY * wanted {
+                    break;
+                }
+                factor *= wanted / lost[0];
+                knots = self.offset(&depths, factor);
+                lost = self.lost(&depths, &knots, &rule);
+            }
+        }
+        let [volume, area] = lost;
+        self.area = area;
+        self.depth = depths.iter().map(|[depth, _]| factor * depth).fold(0.0, f64::max);
+        self.worn_knots = knots.iter().map(|k| k.s).collect();
+        (Curve::through(&knots), UpdateReport { volume, is_worn_through })
+    }
+
+    /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of each cell's middle and depth [m].
+    #[must_use]
+    pub fn depth_over_arc(&self, smoothing: f64) -> Vec<[f64; 2]> {
+        let (depths, _) = self.depths(&self.smoothed(smoothing));
+        let middle = |i: usize| self.start + (i as f64 + 0.5) * self.cell;
+        depths.iter().enumerate().map(|(i, &depth)| [middle(i), depth]).collect()
+    }
+
+    /// The totals under a Gaussian kernel; at the ends they go on mirrored, so that nothing is lost.
+    fn smoothed(&self, wavelength: f64) -> Vec<f64> {
+        let deviation = DEVIATION * wavelength / self.cell;
+        let total = &self.state.total;
+        let reach = ((KERNEL_REACH * deviation).ceil() as usize).min(total.len() - 1);
+        if reach == 0 {
+            return total.clone();
+        }
+        let mut kernel: Vec<f64> =
+            (0..=reach).map(|i| (-0.5 * (i as f64 / deviation).powi(2)).exp()).collect();
+        let sum = 2.0 * kernel.iter().sum::<f64>() - kernel[0];
+        for weight in &mut kernel {
+            *weight /= sum;
+        }
+        let last = total.len() as isize - 1;
+        let mut smoothed = vec![0.0; total.len()];
+        for (i, value) in total.iter().enumerate().filter(|(_, value)| **value > 0.0) {
+            for (offset, weight) in kernel.iter().enumerate() {
+                let ends = if offset == 0 { 1 } else { 2 };
+                for sign in [-1, 1].into_iter().take(ends) {
+                    let at = i as isize + sign * offset as isize;
+                    let at = if at < 0 { -1 - at } else { at };
+                    let at = if at > last { 2 * last + 1 - at } else { at };
+                    smoothed[at as usize] += weight * value;
+                }
+            }
+        }
+        smoothed
+    }
+
+    /// Depth in the middle of each cell for volumes per length of arc [m], and whether some were too much.
+    fn depths(&self, volumes: &[f64]) -> (Vec<f64>, bool) {
+        let mut is_worn_through = false;
+        let depths = volumes.iter().zip(&self.spread).enumerate().map(|(i, (volume, spread))| {
+            if *volume <= 0.0 {
+                return 0.0;
+            }
+            let [bulge, shrinking] = self.bending[i];
+            let most = MOST_DEPTH.min(MOST_OF_RADIUS / bulge.max(1e-9));
+            let layer = |d: f64| {
+                d - (shrinking + bulge) * d * d / 2.0 + shrinking * bulge * d * d * d / 3.0
+            };
+            let wanted = volume / spread;
+            if wanted >= layer(most) {
+                is_worn_through = true;
+                return most;
+            }
+            // The layer grows with the depth throughout: Newton within the bracket.
+            let (mut low, mut high) = (0.0, most);
+            let mut depth = wanted.min(most);
+            for _ in 0..MOST_STEPS {
+                let excess = layer(depth) - wanted;
+                if excess > 0.0 {
+                    high = depth;
+                } else {
+                    low = depth;
+                }
+                let growth = (1.0 - shrinking * depth) * (1.0 - bulge * depth);
+                let next = depth - excess / growth;
+                let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+                if (next - depth).abs() <= 1e-15 * most {
+                    break;
+                }
+                depth = next;
+            }
+            depth
+        });
+        let depths = depths.collect();
+        (depths, is_worn_through)
+    }
+
+    /// Depth at each knot of the unworn curve [m] and its derivative by the arc, by a spline through the middles of the cells.
+    fn depths_at_knots(&self, depths: &[f64]) -> Vec<[f64; 2]> {
+        let first = self.start + 0.5 * self.cell;
+        let middles: Vec<f64> = (0..depths.len()).map(|i| first + i as f64 * self.cell).collect();
+        let slopes = interpolating_slopes(&middles, depths, [SplineEnd::Natural; 2]);
+        let last = depths.len() - 2;
+        let at = |s: &f64| {
+            let place = ((s - first) / self.cell).clamp(0.0, (last + 1) as f64);
+            let i = (place as usize).min(last);
+            // Between cells without wear a spline only swings.
+            if (i.saturating_sub(2)..=(i + 3).min(last + 1)).all(|k| depths[k] <= 0.0) {
+                return [0.0; 2];
+            }
+            let values = [depths[i], depths[i + 1]];
+            hermite(place - i as f64, self.cell, values, [slopes[i], slopes[i + 1]])
+        };
+        self.base_knots.iter().map(at).collect()
+    }
+
+    /// The knots of the unworn curve moved inwards by `factor` times their depths.
+    fn offset(&self, depths: &[[f64; 2]], factor: f64) -> Vec<Knot> {
+        let mut knots: Vec<Knot> = self
+            .stations
+            .iter()
+            .zip(depths)
+            .zip(&self.base_knots)
+            .map(|((station, depth), &s)| {
+                let Station { point, first, inward, curvature, .. } = station;
+                let [depth, slope] = depth.map(|d| factor * d);
+                if depth == 0.0 && slope == 0.0 {
+                    return Knot { s, point: *point, tangent: *first };
+                }
+                let length = first[0].hypot(first[1]);
+                let along = 1.0 - curvature * depth;
+                let turned = [0, 1].map(|i| along * first[i] / length + slope * inward[i]);
+                let scale = length / turned[0].hypot(turned[1]);
+                Knot {
+                    s,
+                    point: [0, 1].map(|i| point[i] + depth * inward[i]),
+                    tangent: turned.map(|t| t * scale),
+                }
+            })
+            .collect();
+        // The parameter stays as close to the arc as it was.
+        let mut s = knots[0].s;
+        for i in 1..knots.len() {
+            let length = self.base_knots[i] - self.base_knots[i - 1];
+            let stretch = if is_bare(&depths[i - 1..=i]) {
+                1.0
+            } else {
+                let pair = [&knots[i - 1], &knots[i]];
+                let after = arc_length(pair.map(|k| k.point), pair.map(|k| k.tangent));
+                (after / self.stations[i].length).max(LEAST_STRETCH)
+            };
+            s += length * stretch;
+            knots[i].s = s;
+        }
+        knots
+    }
+
+    /// Volume and area of the section between the unworn curve and the one through `knots` [m³, m²].
+    fn lost(&self, depths: &[[f64; 2]], knots: &[Knot], rule: &GaussLegendre) -> [f64; 2] {
+        let radius = self.body.radius();
+        let (mut squares, mut area) = (0.0, 0.0);
+        for i in (1..knots.len()).filter(|&i| !is_bare(&depths[i - 1..=i])) {
+            let after = moments(radius, [&knots[i - 1], &knots[i]], rule);
+            squares += after[0] - self.stations[i].before[0];
+            area += after[1] - self.stations[i].before[1];
+        }
+        // Where wear reaches an end of the profile, the step there closes the outline.
+        for (i, sign) in [(0, 1.0), (knots.len() - 1, -1.0)] {
+            let (from, to) = (self.stations[i].point, knots[i].point);
+            let dy = sign * (to[0] - from[0]);
+            let (a, b) = (radius + from[1], radius + to[1]);
+            squares += dy * (a * a + a * b + b * b) / 3.0;
+            area += dy * 0.5 * (from[1] + to[1]);
+        }
+        match self.body {
+            Body::Wheel { .. } => [-std::f64::consts::PI * squares, -area],
+            Body::Rail { distance } => [distance * area, area],
+        }
+    }
+}
+
+/// Whether nothing is worn off at any of these knots.
+fn is_bare(depths: &[[f64; 2]]) -> bool {
+    depths.iter().flatten().all(|d| *d == 0.0)
+}
+
+/// The knots at parameters `knots` of an unworn curve.
+pub(super) fn stations(base: &Curve, body: Body, knots: &[f64]) -> Vec<Station> {
+    let rule = GaussLegendre::new(POINTS);
+    let knot = |s: f64| {
+        let at = base.at(s);
+        Knot { s, point: at.point, tangent: at.first }
+    };
+    let station = |(i, &s): (usize, &f64)| {
+        let [before, here] = [knot(knots[i.saturating_sub(1)]), knot(s)];
+        let Knot { point, tangent: first, .. } = here;
+        let length = first[0].hypot(first[1]);
+        let normal = [-first[1] / length, first[0] / length];
+        let inward = match body {
+            Body::Rail { .. } => normal,
+            Body::Wheel { .. } => normal.map(|n| -n),
+        };
+        Station {
+            point,
+            first,
+            inward,
+            curvature: bulge(base, body, s),
+            before: moments(body.radius(), [&before, &here], &rule),
+            length: arc_length([before.point, point], [before.tangent, first]),
+        }
+    };
+    knots.iter().enumerate().map(station).collect()
+}
+
+/// ∫ (R + z)² dy and ∫ z dy over the cubic between two knots, R a `radius` [m]: exact with [`POINTS`] points.
+fn moments(radius: f64, [from, to]: [&Knot; 2], rule: &GaussLegendre) -> [f64; 2] {
+    let h = to.s - from.s;
+    let mut sums = [0.0; 2];
+    if h <= 0.0 {
+        return sums;
+    }
+    let cubic = |t: f64, c: usize| {
+        hermite(t, h, [from.point[c], to.point[c]], [from.tangent[c], to.tangent[c]])
+    };
+    for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
+        let t = 0.5 * (1.0 + node);
+        let ([_, dy], [z, _]) = (cubic(t, 0), cubic(t, 1));
+        let share = 0.5 * h * weight * dy;
+        sums = [sums[0] + share * (radius + z) * (radius + z), sums[1] + share * z];
+    }
+    sums
+}
+
+/// Mean curvature of an unworn profile about `s`, positive where the body bulges [1/m].
+pub(super) fn bulge(base: &Curve, body: Body, s: f64) -> f64 {
+    let from = (s - CURVATURE_REACH).max(base.start());
+    let to = (s + CURVATURE_REACH).min(base.end());
+    let (a, b) = (base.at(from).first, base.at(to).first);
+    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]) / (to - from);
+    match body {
+        Body::Rail { .. } => turn,
+        Body::Wheel { .. } => -turn,
+    }
+}
+
+/// Share by which the circumference at `s` shrinks with the depth [1/m].
+pub(super) fn shrinking(base: &Curve, body: Body, s: f64) -> f64 {
+    match body {
+        Body::Rail { .. } => 0.0,
+        Body::Wheel { nominal_radius } => {
+            let at = base.at(s);
+            at.first[0] / (at.first[0].hypot(at.first[1]) * (nominal_radius + at.point[1]))
+        }
+    }
+}
+
+/// Most turns towards the volume, and the share that may be missing.
+const MOST_TURNS: usize = 3;
+const ACCURACY: f64 = 1e-9;
+/// Most steps towards a depth.
+const MOST_STEPS: usize = 60;
+/// Least length of a worn piece over that of the unworn one: a parameter has to grow.
+const LEAST_STRETCH: f64 = 0.05;
+
+/// Value and derivative of a cubic at the share `t` of a piece of length `h`.
+fn hermite(t: f64, h: f64, values: [f64; 2], slopes: [f64; 2]) -> [f64; 2] {
+    let rise = (values[1] - values[0]) / h;
+    let [m0, m1] = slopes;
+    let (c2, c3) = ((3.0 * rise - 2.0 * m0 - m1) * t, (m0 + m1 - 2.0 * rise) * t * t);
+    [values[0] + h * t * (m0 + c2 + c3), m0 + 2.0 * c2 + 3.0 * c3]
+}
+
+/// Length of an arc between two points with the tangents there, from its chord and its turn.
+fn arc_length(points: [[f64; 2]; 2], tangents: [[f64; 2]; 2]) -> f64 {
+    let [p, q] = points;
+    let [a, b] = tangents;
+    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+    (q[0] - p[0]).hypot(q[1] - p[1]) * (1.0 + turn * turn / 24.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::geometry::profile::ProfileKind;
+    use crate::geometry::standard_profiles::built_in;
+    use crate::wear::worn_arc::CELL;
+
+    const WHEEL: Body = Body::Wheel { nominal_radius: 0.46 };
+    const RAIL: Body = Body::Rail { distance: 1e3 };
+
+    fn arc(name: &str, kind: ProfileKind, body: Body) -> WornArc {
+        WornArc::new(&built_in(name, kind).unwrap().unwrap().curve, body)
+    }
+
+    /// Volume between two curves by their outlines in fine steps.
+    fn outline_volume(before: &Curve, after: &Curve, body: Body) -> f64 {
+        let integral = |curve: &Curve| -> f64 {
+            let knots: Vec<f64> = curve.knots().collect();
+            let rule = GaussLegendre::new(12);
+            let mut sum = 0.0;
+            for pair in knots.windows(2) {
+                for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
+                    let h = pair[1] - pair[0];
+                    let p = curve.at(pair[0] + 0.5 * (1.0 + node) * h);
+                    let height = match body {
+                        Body::Wheel { nominal_radius } => {
+                            -std::f64::consts::PI * (nominal_radius + p.point[1]).powi(2)
+                        }
+                        Body::Rail { distance } => distance * p.point[1],
+                    };
+                    sum += 0.5 * h * weight * height * p.first[0];
+                }
+            }
+            sum
+        };
+        integral(after) - integral(before)
+    }
+
+    #[test]
+    fn the_volume_between_the_curves_is_what_was_worn_off() {
+        for (name, kind, body) in
+            [("S1002", ProfileKind::Wheel, WHEEL), ("60E1", ProfileKind::Rail, RAIL)]
+        {
+            for depth in [1e-7, 1e-5, 1e-3] {
+                let mut arc = arc(name, kind, body);
+                let length = arc.base.end() - arc.base.start();
+                // Over flank and tread, gauge corner and head.
+                for share in [0.3, 0.35, 0.45, 0.6] {
+                    let s = arc.base.start() + share * length;
+                    arc.deposit(s, s + 6e-3, depth * 6e-3 * arc.spread[100]);
+                    arc.deposit(s + 2e-3, s + 4e-3, depth * 2e-3 * arc.spread[100]);
+                }
+                let wanted = arc.volume();
+                arc.take_pending();
+                let (curve, report) = arc.worn_curve(2e-3);
+                assert!(!report.is_worn_through);
+                assert_relative_eq!(report.volume, wanted, max_relative = 1e-9);
+                let measured = outline_volume(&arc.base, &curve, body);
+                // Outlines of 1 m³ and 130 m³ of metal are subtracted here.
+                let rounding = 1e-13 * if kind == ProfileKind::Wheel { 0.03 } else { 1.0 };
+                assert_relative_eq!(measured, wanted, max_relative = 1e-9, epsilon = rounding);
+                assert!(arc.depth() > depth && arc.depth() < 3.0 * depth);
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_worn_off_the_curve_stays_bit_for_bit() {
+        let mut arc = arc("S1002", ProfileKind::Wheel, WHEEL);
+        let middle = 0.6 * arc.base.end();
+        arc.deposit(middle, middle + 5e-3, 1e-6);
+        arc.take_pending();
+        let (curve, _) = arc.worn_curve(2e-3);
+        for i in 0..100 {
+            let s = arc.base.start() + 0.005 * f64::from(i) * (middle - 5e-3 - arc.base.start());
+            let (a, b) = (curve.at(s).point, arc.base.at(s).point);
+            assert_relative_eq!(a[0], b[0], epsilon = 1e-16);
+            assert_relative_eq!(a[1], b[1], epsilon = 1e-16);
+        }
+        let inside = arc.to_base(middle + 2e-3);
+        assert_relative_eq!(inside, middle + 2e-3, epsilon = 2e-4);
+    }
+
+    #[test]
+    fn many_updates_smooth_no_more_than_one() {
+        let worn = |updates: usize| {
+            let mut arc = arc("60E1", ProfileKind::Rail, RAIL);
+            let middle = 0.5 * (arc.base.start() + arc.base.end());
+            for _ in 0..updates {
+                arc.deposit(middle, middle + 3e-3, 3e-4 / updates as f64);
+                arc.take_pending();
+                let _ = arc.worn_curve(2e-3);
+            }
+            arc.worn_curve(2e-3).0
+        };
+        let (once, often) = (worn(1), worn(50));
+        for i in 0..400 {
+            let s = once.end() * (0.3 + 0.001 * f64::from(i));
+            let (a, b) = (once.at(s).point, often.at(s).point);
+            assert!((a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn smoothing_halves_the_stated_wave_and_keeps_the_sum() {
+        let mut arc = arc("60E1", ProfileKind::Rail, RAIL);
+        let n = arc.state.total.len();
+        let wave = |i: usize| 1.0 + (std::f64::consts::TAU * i as f64 * arc.cell / 4e-3).cos();
+        arc.state.total = (0..n).map(wave).collect();
+        let smoothed = arc.smoothed(4e-3);
+        assert_relative_eq!(
+            smoothed.iter().sum::<f64>(),
+            arc.state.total.iter().sum::<f64>(),
+            max_relative = 1e-12
+        );
+        let inner = &smoothed[n / 3..n / 2];
+        let [low, high] =
+            inner.iter().fold([f64::MAX, f64::MIN], |[low, high], &v| [low.min(v), high.max(v)]);
+        assert_relative_eq!(0.5 * (high - low), 0.5, epsilon = 0.01);
+        assert!(CELL >= arc.cell);
+    }
+
+    #[test]
+    fn more_than_there_is_is_reported_and_leaves_a_finite_curve() {
+        let mut arc = arc("S1002", ProfileKind::Wheel, WHEEL);
+        let s = 0.4 * arc.base.end();
+        arc.deposit(s, s + 2e-3, 1.0);
+        arc.take_pending();
+        let (curve, report) = arc.worn_curve(2e-3);
+        assert!(report.is_worn_through && report.volume < 1.0);
+        for i in 0..1000 {
+            let p = curve.at(curve.start() + 1e-3 * f64::from(i) * (curve.end() - curve.start()));
+            assert!(p.point.iter().chain(&p.first).chain(&p.second).all(|x| x.is_finite()));
+        }
+    }
+}
