@@ -102,7 +102,7 @@ mod tests {
         assert_abs_diff_eq!(waist.share, 1.0, epsilon = 1e-12);
         assert_abs_diff_eq!(waist.y, 3e-3, epsilon = 1e-9);
         assert_abs_diff_eq!(waist.left(1e-3), 1.0);
-        assert_abs_diff_eq!(waist.left(3e-3), 0.5);
+        assert_abs_diff_eq!(waist.left(3e-3), 0.5, epsilon = 1e-12);
         assert_abs_diff_eq!(waist.left(5e-3), 0.0);
     }
 
