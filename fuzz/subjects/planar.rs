@@ -63,7 +63,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
             TangentialModel::Tables,
             TangentialModel::FastsimCorrected,
         ])?,
-        strips: u.int_in_range(5..=12)?,
+        strips: u.int_in_range(3..=12)?,
         elements_along: u.int_in_range(2..=40)?,
         elements: [8, 8],
         bound: *u.choose(&[TractionBound::Elliptic, TractionBound::Parabolic])?,

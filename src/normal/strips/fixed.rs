@@ -77,7 +77,7 @@ impl StripSolver {
             before = moved;
         }
         self.emit_fixed(contact_modulus, strips);
-        strips.load() > 0.0
+        strips.load() > 0.0 && strips.load().is_finite()
     }
 
     /// Strips of all intervals with their geometry and a first guess of their pressure.

@@ -20,6 +20,8 @@ use crate::math::quadrature::GaussLegendre;
 
 /// Least squared distance over half length, where a node meets itself; those entries are not used.
 const LEAST: f64 = 1e-24;
+/// Greatest squared distance over half length: strips that shrink to nothing are as good as that far away.
+const MOST: f64 = 1e24;
 
 /// D and d(a D)/da of sources at `y` with half lengths `a` > 0 for points straight across at `at`.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
@@ -57,6 +59,7 @@ pub fn skewed(at: [f64; 2], xs: &[f64], y: &[f64], a: &[f64], d: &mut [f64], slo
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn centred(squared: f64) -> (f64, f64) {
+    let squared = squared.min(MOST);
     let sum = 1.0 + squared;
     let inverse = 1.0 / sum;
     let s = sum.sqrt();
