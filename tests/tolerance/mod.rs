@@ -290,7 +290,7 @@ pub const BOUNDARY_ELEMENT_CREEP: f64 = 0.05;
 pub const BOUNDARY_BACKWARDS: f64 = 1e-3;
 
 /// Estimated errors of the nodes of the table of creep forces, over the friction limit: mean and worst.
-pub const TABLE_NODES: [f64; 2] = [2.5e-3, 0.022];
+pub const TABLE_NODES: [f64; 2] = [1.5e-3, 0.012];
 
 /// Full sliding with spin, interpolated between exact values, a/b 0.055 to 18, mean and worst: force over μ N, moment over μ N c. The worst are
 /// ellipses of a/b near 18 that turn about a point beside their longer axis.
@@ -306,13 +306,13 @@ pub const TABLE_POISSON: [f64; 2] = [1e-2, 6e-2];
 
 /// The table against CONTACT on 300 ellipses, over the friction limit: mean, 95 %, worst. The reference itself is uncertain by 0.003 in the
 /// mean, 0.014 at worst.
-pub const TABLE_ELLIPSES: [f64; 3] = [0.0035, 0.0075, 0.03];
+pub const TABLE_ELLIPSES: [f64; 3] = [0.0032, 0.0065, 0.03];
 
 /// Strips with tables, and with FASTSIM corrected by them, against CONTACT on 656 states of 8 real patches: force over the friction limit,
 /// mean, 95 %, worst; mean of the spin moment over the limit times c.
-pub const TABLE_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
-pub const TABLE_PROFILES_MOMENT: f64 = 0.0083;
-pub const CORRECTED_PROFILES: [f64; 3] = [0.0085, 0.0235, 0.040];
+pub const TABLE_PROFILES: [f64; 3] = [0.0096, 0.0275, 0.053];
+pub const TABLE_PROFILES_MOMENT: f64 = 0.0081;
+pub const CORRECTED_PROFILES: [f64; 3] = [0.0085, 0.0230, 0.038];
 pub const CORRECTED_PROFILES_MOMENT: f64 = 0.0072;
 
 /// The same for strips with tables and with corrected FASTSIM: 15 strips.

@@ -10,7 +10,7 @@ use super::{Scales, scales, sliding};
 /// Poisson's ratio of the table.
 pub const POISSON_RATIO: f64 = 0.28;
 /// Elements along and across on the two grids of the committed table.
-pub const ELEMENTS: [usize; 2] = [16, 24];
+pub const ELEMENTS: [usize; 2] = [24, 36];
 /// Power of the element size with which the error falls: measured between 11x11 and 44x44 on 300 ellipses.
 const ORDER: f64 = 1.5;
 
