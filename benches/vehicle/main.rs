@@ -59,11 +59,11 @@ const MODELS: [Models; 5] = [
     ("piotrowski_kik 30 + fastsim 30", |p| {
         choose(p, NormalModel::PiotrowskiKik, 30, TangentialModel::Fastsim, 30);
     }),
-    ("strips 11 + fastrip 20", |p| {
-        choose(p, NormalModel::Strips, 11, TangentialModel::Fastrip, 20);
+    ("piotrowski_kik 12 + tables", |p| {
+        choose(p, NormalModel::PiotrowskiKik, 12, TangentialModel::Tables, 20);
     }),
-    ("strips 15 + fastrip 20", |p| {
-        choose(p, NormalModel::Strips, 15, TangentialModel::Fastrip, 20);
+    ("strips 11 + tables", |p| {
+        choose(p, NormalModel::Strips, 11, TangentialModel::Tables, 20);
     }),
 ];
 
