@@ -1,5 +1,5 @@
 //! Error beside time of every combination of models, in one run:
-//! `cargo bench --bench error_over_time`.
+//! `cargo bench --no-default-features --bench error_over_time`.
 //!
 //! Errors are those against stored results of the boundary element program CONTACT on planar cases, and against the boundary elements of this
 //! crate, solved here, on contacts of a wheel. Written are the tables in docs/benchmarks.md between their marks, the figure
@@ -75,7 +75,7 @@ fn main() {
         return;
     }
     if !arguments.iter().any(|argument| argument == "--bench") {
-        println!("run by: cargo bench --bench error_over_time");
+        println!("run by: cargo bench --no-default-features --bench error_over_time");
         return;
     }
     let sets = Sets::read();

@@ -1,5 +1,5 @@
 //! The wheels of a vehicle: what a time step of all of them costs, and how cost grows.
-//! `cargo bench --bench vehicle` writes its section of docs/benchmarks.md.
+//! `cargo bench --no-default-features --bench vehicle` writes its section of docs/benchmarks.md.
 
 #[path = "../page/mod.rs"]
 mod page;
@@ -160,7 +160,7 @@ fn line(text: &mut String, line: std::fmt::Arguments) {
 
 fn main() {
     if !std::env::args().any(|argument| argument == "--bench") {
-        println!("run by: cargo bench --bench vehicle");
+        println!("run by: cargo bench --no-default-features --bench vehicle");
         return;
     }
     let text = scenes() + &growth() + &instances();

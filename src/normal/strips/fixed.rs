@@ -16,6 +16,7 @@ use super::Line;
 use super::cell::{self, TERMS};
 use super::influence::{skewed, straight};
 use super::pair_sums::bend;
+use super::rule::legendre;
 use super::solver::{LEAST_SHARE, StripSolver};
 use crate::geometry::separation::Probe;
 use crate::math::linear_system;
@@ -322,11 +323,6 @@ impl StripSolver {
             strips.zones.push(zone);
         }
     }
-}
-
-/// Legendre polynomials at `t`.
-fn legendre(t: f64) -> [f64; TERMS] {
-    [1.0, t, 1.5 * t * t - 0.5, (2.5 * t * t - 1.5) * t]
 }
 
 #[cfg(test)]

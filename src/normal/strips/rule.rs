@@ -40,18 +40,8 @@ impl LobeRule {
             }
         }
         let terms = TERMS.min(count - 3);
-        let legendre: Vec<Vec<f64>> = (0..terms)
-            .map(|l| {
-                t.iter()
-                    .map(|&x| match l {
-                        0 => 1.0,
-                        1 => x,
-                        2 => 1.5 * x * x - 0.5,
-                        _ => (2.5 * x * x - 1.5) * x,
-                    })
-                    .collect()
-            })
-            .collect();
+        let legendre: Vec<Vec<f64>> =
+            (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
         let near = [t[2], t[3], t[4]];
         let lagrange = |x: f64, k: usize| -> f64 {
             (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
@@ -69,6 +59,11 @@ impl LobeRule {
     pub fn count(&self) -> usize {
         self.nodes.len()
     }
+}
+
+/// Legendre polynomials at `t`, as many as a lobe has shape terms.
+pub fn legendre(t: f64) -> [f64; TERMS] {
+    [1.0, t, 1.5 * t * t - 0.5, (2.5 * t * t - 1.5) * t]
 }
 
 #[cfg(test)]
