@@ -83,6 +83,7 @@
 //! planar      contact problems given by a separation instead of two profiles
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers
 //! element     one wheel: parameters, input, evaluation, output
+//! wheelset    two of them on one axle
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
@@ -108,3 +109,4 @@ pub mod planar;
 pub mod tangential;
 pub mod variables;
 pub mod wear;
+pub mod wheelset;
