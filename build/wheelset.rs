@@ -85,9 +85,10 @@ pub fn derive(file: &File, wheel: &Declaration, text: &str) -> Declaration {
         places.dedup();
         variables[place].dependencies = places;
     }
-    let names: String = variables.iter().map(|v| format!("\n{} {}", v.name, v.field)).collect();
+    // What this file makes of both texts belongs to the identity too.
+    let names: Vec<String> = variables.iter().map(|v| format!("{} {}", v.name, v.field)).collect();
     Declaration {
-        guid: guid(&[&*wheel.guid, text, &*names].concat()),
+        guid: guid(&[&*wheel.guid, text, &*names.join("\n")].concat()),
         model,
         experiment: wheel.experiment.clone(),
         units: wheel.units.clone(),

@@ -1,5 +1,7 @@
 //! The wheelset behind the FMI interface: the same library, chosen by its GUID, can all that the wheel unit can.
 #![allow(unsafe_code)]
+// The box fixes the address that the logger gets.
+#![allow(clippy::unnecessary_box_returns)]
 
 mod allocations;
 mod host;

@@ -212,10 +212,9 @@ impl<S: Described> Instance<S> {
         }
         self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
         self.extrapolation.clear();
-        let status = if self.wear_model() != WearModel::Off {
-            self.wear_off(step, logger)?
-        } else {
-            Status::Ok
+        let status = match self.wear_model() {
+            WearModel::Off => Status::Ok,
+            _ => self.wear_off(step, logger)?,
         };
         self.time = time + step;
         Ok(status)

@@ -234,9 +234,10 @@ mod tests {
         };
         for v in VARIABLES.iter().filter(|v| !own(v.name)) {
             for side in crate::wheelset::SIDES {
-                let name = match v.is_settable() {
-                    true => crate::wheelset::name_on_side(v.name, side),
-                    false => format!("{side}.{}", v.name),
+                let name = if v.is_settable() {
+                    crate::wheelset::name_on_side(v.name, side)
+                } else {
+                    format!("{side}.{}", v.name)
                 };
                 let of_wheelset = WHEELSET.find(&name).unwrap_or_else(|e| panic!("{e}"));
                 assert_eq!((of_wheelset.kind, of_wheelset.unit), (v.kind, v.unit), "{name}");

@@ -119,7 +119,7 @@ impl Wheelset {
     /// # Errors
     /// The input at fault, by its name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        self.both(input, output, |element, input, output| element.evaluate(input, output))
+        self.both(input, output, Element::evaluate)
     }
 
     /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, as [`Element::advance`].
