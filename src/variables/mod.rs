@@ -13,7 +13,7 @@ use crate::wheelset::Wheelset;
 
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
 pub(crate) use values::admits;
-pub use values::{Described, ValuesOf, check};
+pub use values::{Coupling, Described, ValuesOf, check};
 
 /// The values of a wheel.
 pub type Values = ValuesOf<Element>;
@@ -234,7 +234,7 @@ mod tests {
         };
         for v in VARIABLES.iter().filter(|v| !own(v.name)) {
             for side in crate::wheelset::SIDES {
-                let name = if v.is_settable() {
+                let name = if v.is_settable() || v.name.starts_with("coupling.") {
                     crate::wheelset::name_on_side(v.name, side)
                 } else {
                     format!("{side}.{}", v.name)

@@ -1,6 +1,5 @@
 //! What an evaluation of a wheelset depends on besides its parameters.
 
-use super::rigid_body::point_of_axle;
 use super::{SIDES, name_on_side};
 use crate::element;
 use crate::element::input::{RailMotion, WheelMotion};
@@ -46,7 +45,7 @@ impl Input {
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {
         let SideInput { rails, friction } = self.sides[side];
         element::Input {
-            wheel: point_of_axle(&self.wheelset, along),
+            wheel: self.wheelset.along_axle(along),
             wheel_load: 0.0,
             rails,
             track_s: self.track_s,

@@ -19,7 +19,7 @@
 mod input;
 mod output;
 mod parameters;
-pub mod rigid_body;
+mod total;
 
 use std::path::PathBuf;
 
@@ -29,6 +29,7 @@ pub use parameters::{Parameters, TAPE_CIRCLE};
 
 use crate::element::output::Wrench;
 use crate::element::subject::Subject;
+use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element};
 use crate::error::ContactError;
 
@@ -156,7 +157,7 @@ impl Wheelset {
         }
         let mut total = Wrench::default();
         for (along, side) in self.markers.iter().zip(&output.sides) {
-            rigid_body::add(&mut total, &input.wheelset, *along, &side.wheel);
+            total::add(&mut total, &input.wheelset, *along, &side.wheel);
         }
         let [right, left] = &output.sides;
         output.patch_count = right.patch_count + left.patch_count;
@@ -215,6 +216,12 @@ impl Subject for Wheelset {
 
     fn fallback_count(output: &Output) -> i32 {
         output.fallback_count
+    }
+
+    fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
+        let sides = input.sides.iter().zip(&output.sides);
+        let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));
+        work_pairs((&input.wheelset, &output.wheelset), rails)
     }
 
     fn report_fallbacks(&self, output: &mut Output) {
