@@ -68,7 +68,11 @@ pub fn derive(file: &File, wheel: &Declaration, text: &str) -> Declaration {
         for (place, side) in sides.names.iter().enumerate() {
             for v in of_wheel().filter(|v| sides.is_of_side(&v.name)) {
                 variables.push(on_side(v, side, place));
-                depends.push(sides.depends(wheel, &v.dependencies, side));
+                // Where loads are given, what one side carries rolls the axle and so the other wheel.
+                let is_output = causality == Causality::Output;
+                let felt = sides.names.iter().filter(|other| is_output || *other == side);
+                let all = felt.flat_map(|other| sides.depends(wheel, &v.dependencies, other));
+                depends.push(all.collect());
             }
         }
     }

@@ -234,7 +234,7 @@ impl<S: Described> Instance<S> {
         };
         self.time = time + step;
         Ok(start.map_or(status, |(watched, pairs)| {
-            self.watch(step, pairs);
+            self.watch(step, &pairs);
             status.max(watched)
         }))
     }
@@ -246,10 +246,10 @@ impl<S: Described> Instance<S> {
     }
 
     /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
-    fn watch(&mut self, duration: f64, pairs: WorkPairs) {
-        let residual = |last: &LastStep| energy_residual(&last.pairs, &pairs, last.duration);
+    fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
+        let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
         self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);
-        self.last_step = Some(LastStep { duration, pairs });
+        self.last_step = Some(LastStep { duration, pairs: *pairs });
     }
 
     /// The wear law, which is the same for all elements.
