@@ -316,12 +316,14 @@ fn both_sides_wear_as_they_would_alone() {
     assert!(error.to_string().contains("duration = -1"), "{error}");
 }
 
+type Place = fn(&mut Input) -> &mut f64;
+
 #[test]
 fn what_is_refused_has_its_name_in_the_wheelset_and_changes_nothing() {
     let refused = |change: &dyn Fn(&mut Parameters)| {
         let mut parameters = Parameters::default();
         change(&mut parameters);
-        Wheelset::new(&parameters, &Input::default(), &[]).err().expect("refused").to_string()
+        Wheelset::new(&parameters, &Input::default(), &[]).unwrap_err().to_string()
     };
     for (message, words) in [
         (refused(&|p| p.sides[LEFT].wheel.profile = "nothing".into()), "left.wheel.profile"),
@@ -336,7 +338,6 @@ fn what_is_refused_has_its_name_in_the_wheelset_and_changes_nothing() {
     let mut wheelset = wheelset(&Parameters::default());
     let mut output = evaluate(&mut wheelset, &random_input(&mut Random::new(25)));
     let before = format!("{output:?}");
-    type Place = fn(&mut Input) -> &mut f64;
     let places: [(&str, Place); 6] = [
         ("wheelset.x", |i| &mut i.wheelset.position[0]),
         ("wheelset.yaw_rate", |i| &mut i.wheelset.yaw_rate),
