@@ -2,22 +2,23 @@
 
 use super::parameters::RAILS;
 use crate::error::ContactError;
+use crate::math::real::Real;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 
 /// All inputs; one field for each FMU input of design section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Input {
+pub struct Input<T = f64> {
     /// The wheel.
-    pub wheel: WheelMotion,
+    pub wheel: WheelMotion<T>,
     /// Vertical force of the wheel on all rails together, down, if the load is given and not the height; a wheel with none or a
     /// negative one is lifted [N].
-    pub wheel_load: f64,
+    pub wheel_load: T,
     /// The rails, `rail[1]` first.
-    pub rails: [RailMotion; RAILS],
+    pub rails: [RailMotion<T>; RAILS],
     /// Station along the track [m].
-    pub track_s: f64,
+    pub track_s: T,
     /// Coefficient of friction, ≥ 0 [-].
-    pub friction: f64,
+    pub friction: T,
 }
 
 impl Default for Input {
@@ -42,7 +43,7 @@ impl Default for Input {
     }
 }
 
-impl Input {
+impl<T: Real> Input<T> {
     /// The same situation seen in a mirror along the track: a left wheel as a right one and the reverse.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
@@ -69,7 +70,9 @@ impl Input {
             ..*self
         }
     }
+}
 
+impl Input {
     /// Every input with its FMU name.
     fn named(&self) -> impl Iterator<Item = (&'static str, Option<usize>, f64)> {
         let w = &self.wheel;

@@ -7,6 +7,7 @@ mod evaluate;
 mod flattened;
 pub mod input;
 mod models;
+mod number;
 pub mod output;
 pub mod parameters;
 mod rail_contact;

@@ -270,6 +270,11 @@ impl<const N: usize> Real for Dual<N> {
     }
 
     #[inline]
+    fn three_halves(self) -> Self {
+        self.function(self.value.powf(1.5), 1.5 * self.value.sqrt())
+    }
+
+    #[inline]
     fn ln(self) -> Self {
         self.function(self.value.ln(), 1.0 / self.value)
     }
@@ -376,7 +381,7 @@ mod tests {
         sum += (x / y).exp() * cosine + (x * 0.3).asin() + y.atan2(x) * 0.5 - x.hypot(y);
         sum -= (y - x).abs() * x.normal_ln() / 3.0 + (-x).copysign(1.0);
         sum *= x.max(y) + x.min(y) * 0.1 + x.at_least(5.0) + y.at_most(0.1) + x.within(0.0, 1.0);
-        sum += y.chain(y.value() * y.value(), || 2.0 * y.value());
+        sum += (x * y).three_halves() + y.chain(y.value() * y.value(), || 2.0 * y.value());
         sum * [x, y].into_iter().sum::<T>()
     }
 

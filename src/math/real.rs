@@ -56,6 +56,9 @@ pub trait Real:
     /// Whole power.
     fn powi(self, power: i32) -> Self;
 
+    /// Power 3/2.
+    fn three_halves(self) -> Self;
+
     /// Natural logarithm.
     fn ln(self) -> Self;
 
@@ -128,6 +131,11 @@ impl Real for f64 {
     #[inline]
     fn powi(self, power: i32) -> Self {
         self.powi(power)
+    }
+
+    #[inline]
+    fn three_halves(self) -> Self {
+        self.powf(1.5)
     }
 
     #[inline]
