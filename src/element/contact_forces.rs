@@ -16,10 +16,10 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, RailSeparation};
 use crate::geometry::placed_rail::PlacedRail;
-use crate::math::real::Real;
 use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone, damping};
 use crate::tangential::{RollingState, StripForce};
 use crate::wear::rcf;
@@ -83,8 +83,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 continue;
             }
             work.zones += 1;
-            let surface = lifting
-                .map_or(ZoneSurface::even(), |lifting| T::zone_surface(self, &lifting, &zone, models));
+            let surface = lifting.map_or(ZoneSurface::even(), |lifting| {
+                T::zone_surface(self, &lifting, &zone, models)
+            });
             let axes = even_axes.leaning(surface.lean);
             let depth = self.depth(zone.u) + surface.depth;
             let position = self.track_point(zone.x, zone.y, depth);
@@ -285,12 +286,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
 }
 
 /// Adds a force on a body that acts at `arm` from its marker, and a free moment.
-fn add<T: Real>(
-    wrench: &mut Wrench<T>,
-    force: Vector3<T>,
-    arm: Vector3<T>,
-    moment: Vector3<T>,
-) {
+fn add<T: Real>(wrench: &mut Wrench<T>, force: Vector3<T>, arm: Vector3<T>, moment: Vector3<T>) {
     let moment = arm.cross(&force) + moment;
     for i in 0..3 {
         wrench.force[i] += force[i];

@@ -95,6 +95,20 @@ pub struct Output<T = f64> {
 }
 
 impl<T: Real> Output<T> {
+    /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which have no derivatives, are left out.
+    #[must_use]
+    pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
+        Output {
+            wheel: self.wheel.each(&mut turn),
+            rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
+            wheel_z: turn(self.wheel_z),
+            wear_number: turn(self.wear_number),
+            frictional_power: turn(self.frictional_power),
+            patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),
+            ..Output::default()
+        }
+    }
+
     /// The same result seen in a mirror along the track; profile coordinates stay those of the right side.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
@@ -108,6 +122,10 @@ impl<T: Real> Output<T> {
 }
 
 impl<T: Real> Wrench<T> {
+    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Wrench<S> {
+        Wrench { force: self.force.map(&mut *turn), moment: self.moment.map(turn) }
+    }
+
     fn mirrored(&self) -> Self {
         let ([fx, fy, fz], [mx, my, mz]) = (self.force, self.moment);
         Self { force: [fx, -fy, fz], moment: [-mx, my, -mz] }
@@ -115,6 +133,30 @@ impl<T: Real> Wrench<T> {
 }
 
 impl<T: Real> Patch<T> {
+    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Patch<S> {
+        Patch {
+            rail: self.rail,
+            normal_force: turn(self.normal_force),
+            creep_force: self.creep_force.map(&mut *turn),
+            spin_moment: turn(self.spin_moment),
+            contact_angle: turn(self.contact_angle),
+            position: self.position.map(&mut *turn),
+            wheel_y: turn(self.wheel_y),
+            rail_y: turn(self.rail_y),
+            rolling_radius: turn(self.rolling_radius),
+            penetration: turn(self.penetration),
+            max_pressure: turn(self.max_pressure),
+            length: turn(self.length),
+            width: turn(self.width),
+            area: turn(self.area),
+            creepage: self.creepage.map(&mut *turn),
+            slip_share: turn(self.slip_share),
+            frictional_power: turn(self.frictional_power),
+            tgamma_damage: turn(self.tgamma_damage),
+            surface_fatigue_index: turn(self.surface_fatigue_index),
+        }
+    }
+
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.position;
         let [longitudinal, lateral, spin] = self.creepage;

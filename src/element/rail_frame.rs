@@ -22,7 +22,8 @@ impl<T: Real> RailFrame<T> {
     /// The frame of a rail that has moved by `motion` from its design position.
     pub fn new(rail: &PlacedRail, motion: &RailMotion<T>) -> Self {
         let (sine, cosine) = motion.roll.sin_cos();
-        let marker = Vector3::new(T::from(0.0), motion.y + rail.marker[0], motion.z + rail.marker[1]);
+        let marker =
+            Vector3::new(T::from(0.0), motion.y + rail.marker[0], motion.z + rail.marker[1]);
         Self { marker, roll: motion.roll, sine, cosine }
     }
 

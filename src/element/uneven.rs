@@ -10,8 +10,8 @@ use crate::error::ContactError;
 use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
-use crate::math::real::Real;
 use crate::io::{Deviations, load_deviations};
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Corrugation of a rail: its height over the station, a cosine and what a file holds on top.

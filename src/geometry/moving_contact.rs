@@ -53,7 +53,8 @@ impl Contact {
     pub fn moving<T: Real>(&self, line: &ContactLine<T>, rail: &PlacedRail) -> Option<Contact<T>> {
         let [u, s] = moving_place(line, rail, self.u, self.rail_s)?;
         let (at, on) = (line.even_at(u), rail.curve().at(s));
-        let slowness = T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
+        let slowness =
+            T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
         let tangent = on.first.map(|first| first * slowness);
         let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
         Some(Contact {

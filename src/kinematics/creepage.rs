@@ -20,7 +20,8 @@ impl<T: Real> Creepage<T> {
     /// Whether all three vanish, so that there is nothing to compute; never where they have derivatives.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        !T::HAS_SLOPES && [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.value().abs() == 0.0)
+        !T::HAS_SLOPES
+            && [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.value().abs() == 0.0)
     }
 }
 

@@ -68,10 +68,11 @@ pub fn solve<T: Influence>(
             strips.u.push(u);
         }
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
-        for probe in probes.iter().filter(|p| edge.left < p.u && edge.right > p.u) {
-            if !T::HAS_SLOPES || depth - probe.f > deepest {
-                deepest = deepest.max(depth - separation.minimum(probe)).min(depth);
-            }
+        let inside = probes.iter().filter(|p| edge.left < p.u && edge.right > p.u);
+        if let Some(lowest) = inside.min_by(|a, b| a.f.total_cmp(&b.f))
+            && depth - lowest.f > deepest
+        {
+            deepest = (depth - separation.minimum(lowest)).min(depth);
         }
         let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
@@ -156,7 +157,12 @@ fn regular_influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longes
 /// Numbers over which the influence of strips is summed.
 pub trait Influence: Real {
     /// See [`regular_influence`].
-    fn regular_influence(half_lengths: &[Self], ys: &[Self], widths: &[Self], longest: Self) -> Self {
+    fn regular_influence(
+        half_lengths: &[Self],
+        ys: &[Self],
+        widths: &[Self],
+        longest: Self,
+    ) -> Self {
         regular_influence(half_lengths, ys, widths, longest)
     }
 }

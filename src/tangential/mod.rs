@@ -203,6 +203,12 @@ impl Tangential {
         (RollingState { friction, ..*state }, material)
     }
 
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> TangentialModel {
+        self.model
+    }
+
     /// Whether the forces of the strips are corrected as a whole.
     #[must_use]
     pub fn is_corrected(&self) -> bool {
@@ -285,8 +291,9 @@ impl Tangential {
             flexibility = flexibility.blended(&slip.mean(), limit);
         }
         let mut outcome = Outcome::Solved;
-        let elements =
-            (self.model == TangentialModel::BoundaryElement).then(|| T::elements(zone, strips, self.elements)).flatten();
+        let elements = (self.model == TangentialModel::BoundaryElement)
+            .then(|| T::elements(zone, strips, self.elements))
+            .flatten();
         let backward_share = -forward_share + 1.0;
         let mut marched = CreepForce::<T>::default();
         for (rolling, share) in
