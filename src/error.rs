@@ -58,6 +58,8 @@ impl ContactError {
             Self::BadValue { name, .. }
             | Self::BadText { name, .. }
             | Self::Profile { name, .. } => *name = rename(name),
+            // Says what it is about in words.
+            Self::NoDerivative { .. } => {}
         }
         self
     }

@@ -184,8 +184,13 @@ impl Element {
             }
             number
         }));
-        self.moving_forces(&input, models, output)?;
-        let deepest = if *height == Height::Touching { self.deepest(&input)? } else { None };
+        let mut deepest = None;
+        if *height == Height::Touching {
+            *output = Output::default();
+            deepest = self.deepest(&input)?;
+        } else {
+            self.moving_forces(&input, models, output)?;
+        }
         for (n, direction) in directions.iter().enumerate() {
             // The rate of the height, so that the force goes with the load, or the contact stays one point.
             let down = match (height, deepest) {
