@@ -36,8 +36,11 @@ fn step(name: &str) -> f64 {
     }
 }
 
-/// The numbers of an output that have derivatives, in groups of one unit, with the least size that counts where it is lost in rounding.
-fn groups(output: &Output) -> Vec<(f64, Vec<f64>)> {
+/// Numbers of one unit, and the size to which they are rounded if that is more than they are.
+type Group = (f64, Vec<f64>);
+
+/// The numbers of an output that have derivatives but for shares of slip, which FASTSIM counts in elements.
+fn groups(output: &Output) -> Vec<Group> {
     let (mut forces, mut moments) = (output.wheel.force.to_vec(), output.wheel.moment.to_vec());
     for rail in &output.rails {
         forces.extend(rail.force);
@@ -84,7 +87,7 @@ struct Errors {
 struct Differences {
     step: f64,
     /// Distance and output.
-    places: [(f64, Vec<(f64, Vec<f64>)>); 4],
+    places: [(f64, Vec<Group>); 4],
 }
 
 impl Differences {
@@ -113,7 +116,7 @@ impl Differences {
 
 /// Adds the errors of the Jacobian at `input`; `noise` is that of the outputs over rounding.
 fn compare(element: &mut Element, input: &Input, noise: f64, errors: &mut Errors) {
-    let mut columns = [Output::default(); INPUTS];
+    let mut columns = Vec::new();
     element.jacobian(input, &mut columns).unwrap();
     let values = groups(&evaluate(element, input));
     let by_height = groups(&columns[2]);
@@ -313,7 +316,7 @@ fn one_direction_is_the_product_with_the_jacobian_and_changes_nothing() {
             input.wheel_load = 6e4;
             let input = if side == Side::Left { mirrored(&input) } else { input };
             let before = evaluate(&mut element, &input);
-            let mut columns = [Output::default(); INPUTS];
+            let mut columns = Vec::new();
             element.jacobian(&input, &mut columns).unwrap();
             let direction: [f64; INPUTS] = std::array::from_fn(|_| random.about(1.0));
             let mut rates = Output::default();
@@ -345,7 +348,7 @@ fn a_wheel_without_load_touches_where_it_did_before() {
     let mut element = element(&parameters);
     let mut input = rolling(1e-3, 20.0);
     (input.wheel.yaw, input.wheel.roll) = (0.01, 2e-3);
-    let mut columns = [Output::default(); INPUTS];
+    let mut columns = Vec::new();
     element.jacobian(&input, &mut columns).unwrap();
     for (i, step) in [(1, 1e-6), (3, 1e-6), (4, 1e-5), (12, 1e-6), (13, 1e-6), (14, 1e-6)] {
         let at = input.to_array();
@@ -357,6 +360,6 @@ fn a_wheel_without_load_touches_where_it_did_before() {
         let slope = (height(1.0) - height(-1.0)) / (2.0 * step);
         let found = columns[i].wheel_z;
         approx::assert_abs_diff_eq!(found, slope, epsilon = 1e-6);
-        assert_eq!(columns[i].wheel.force, [0.0; 3]);
+        assert!(largest(&columns[i].wheel.force) <= 0.0);
     }
 }

@@ -134,7 +134,15 @@ fn what_has_no_derivative_is_refused_by_name() {
     // SAFETY: FMI 2.0, 2.1.9: arrays of one element.
     let status = unsafe {
         let (known, seed) = (&raw const beyond, &1.0);
-        fmi2GetDirectionalDerivative(host.component, &force, 1, known, 1, seed, &raw mut found)
+        fmi2GetDirectionalDerivative(
+            host.component,
+            &raw const force,
+            1,
+            known,
+            1,
+            seed,
+            &raw mut found,
+        )
     };
     assert_eq!(status, Status::Error);
     assert!(host.last().contains("does not exist"), "{}", host.last());

@@ -59,9 +59,9 @@ struct ZoneRolling<T> {
 impl<T: ElementNumber> ContactForces<'_, T> {
     /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`; returns how many zones
     /// fell back to a simpler tangential model.
-    pub fn add<'s>(
+    pub fn add(
         &self,
-        separation: &mut T::Separation<'s>,
+        separation: &mut T::Separation<'_>,
         models: &mut Models<T>,
         output: &mut Output<T>,
         work: &mut Work,

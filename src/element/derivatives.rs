@@ -79,15 +79,16 @@ impl Element {
         followed.map_err(at_this_input)
     }
 
-    /// All derivatives of the outputs: column i of `columns` holds those by input number i, in the order of
-    /// [`INPUT_NAMES`](super::input::INPUT_NAMES), as the rates of the outputs.
+    /// All derivatives of the outputs: `columns` gets one entry for each input, in the order of
+    /// [`INPUT_NAMES`](super::input::INPUT_NAMES), with the derivatives by it as the rates of the outputs. Cheaper than as many calls of
+    /// [`directional_derivative`](Self::directional_derivative).
     ///
     /// # Errors
     /// As [`directional_derivative`](Self::directional_derivative); `columns` are then as before or hold a part.
     pub fn jacobian(
         &mut self,
         input: &Input,
-        columns: &mut [Output; INPUTS],
+        columns: &mut Vec<Output>,
     ) -> Result<(), ContactError> {
         let mut memory = self.begin_derivatives(input)?;
         let DerivativeMemory { all, all_output, .. } = &mut *memory;
@@ -134,10 +135,11 @@ impl Element {
         at: &(Input, Height),
         models: &mut Models<Dual<DIRECTIONS>>,
         output: &mut Output<Dual<DIRECTIONS>>,
-        columns: &mut [Output; INPUTS],
+        columns: &mut Vec<Output>,
     ) -> Result<(), Kink> {
         let mirrored = self.side == Side::Left;
-        columns.fill(Output::default());
+        columns.clear();
+        columns.resize(INPUTS, Output::default());
         let most = if at.1 == Height::Given { DIRECTIONS } else { DIRECTIONS - 1 };
         let mut i = 0;
         while i < INPUTS {

@@ -400,7 +400,8 @@ mod tests {
     #[test]
     fn nothing_has_a_root_without_slopes() {
         let zero = Dual::<1>::variable(0.0, 0);
-        assert_eq!([zero.sqrt().slopes, zero.hypot(zero).slopes], [[0.0]; 2]);
-        assert_eq!(zero.atan2(zero).slopes, [0.0]);
+        for number in [zero.sqrt(), zero.hypot(zero), zero.atan2(zero)] {
+            assert!(number.slopes[0].abs() <= 0.0);
+        }
     }
 }

@@ -42,66 +42,87 @@ pub trait Real:
     const HAS_SLOPES: bool;
 
     /// The number without derivatives.
+    #[must_use]
     fn value(self) -> f64;
 
     /// The number `value` with the derivatives of `rates`: what a search has found, and how it moves.
+    #[must_use]
     fn moving(value: f64, rates: Self) -> Self;
 
     /// The function of this number that has the value `value` and the derivative `slope()` there.
+    #[must_use]
     fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self;
 
     /// Square root; at zero without derivatives.
+    #[must_use]
     fn sqrt(self) -> Self;
 
     /// Whole power.
+    #[must_use]
     fn powi(self, power: i32) -> Self;
 
     /// Power 3/2.
+    #[must_use]
     fn three_halves(self) -> Self;
 
     /// Natural logarithm.
+    #[must_use]
     fn ln(self) -> Self;
 
     /// Natural logarithm of a normal number > 0, as [`logarithm::ln`].
+    #[must_use]
     fn normal_ln(self) -> Self;
 
     /// Exponential.
+    #[must_use]
     fn exp(self) -> Self;
 
     /// Sine and cosine.
+    #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
     /// Arc sine.
+    #[must_use]
     fn asin(self) -> Self;
 
     /// Angle of the point (`x`, self).
+    #[must_use]
     fn atan2(self, x: Self) -> Self;
 
     /// sqrt(self² + other²).
+    #[must_use]
     fn hypot(self, other: Self) -> Self;
 
     /// Magnitude.
+    #[must_use]
     fn abs(self) -> Self;
 
     /// 1 or -1, as the sign of the value.
+    #[must_use]
     fn signum(self) -> f64;
 
     /// The greater one; a number where one of them is none.
+    #[must_use]
     fn max(self, other: Self) -> Self;
 
     /// The lesser one; a number where one of them is none.
+    #[must_use]
     fn min(self, other: Self) -> Self;
 
     /// The greater one of it and a constant.
+    #[must_use]
     fn at_least(self, least: f64) -> Self;
 
     /// The lesser one of it and a constant.
+    #[must_use]
     fn at_most(self, most: f64) -> Self;
 
     /// Between two constants.
+    #[must_use]
     fn within(self, least: f64, most: f64) -> Self;
 
     /// Its magnitude with the sign of `sign`.
+    #[must_use]
     fn copysign(self, sign: f64) -> Self;
 }
 

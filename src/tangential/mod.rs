@@ -358,11 +358,13 @@ impl Tangential {
 /// Numbers with which tangential problems are solved; the half-space solution on elements is one of plain numbers alone.
 pub trait CreepNumber: fastsim::Marching + fastrip::Marching + tables::Tabulated {
     /// The elements of a zone for the half-space solution.
+    #[must_use]
     fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {
         None
     }
 
     /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
+    #[must_use]
     #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     fn on_elements(
         _: &LoadedElements,

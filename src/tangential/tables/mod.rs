@@ -356,17 +356,7 @@ impl CreepForceTable {
                 + squared * by_t
                 + (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum::<f64>();
         }
-        if rest[0][3] > 0.0 && rest[0][3] < 1.0 {
-            let by_s = SATURATION_CELLS as f64 * rest[2][3];
-            let by_x = [0, 1, 2].map(|n| {
-                by_s * ds_dlength * unit[n]
-                    + PER_ELEVATION[0] * along.slopes[0][n] * rest[3][3]
-                    + PER_AZIMUTH[0] * along.slopes[1][n] * rest[4][3]
-            });
-            let by_t = (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum::<f64>();
-            slopes[3] = [scale[0] * by_x[0], scale[1] * by_x[1], scale[2] * by_x[2], by_t];
-            slopes[3][3] += by_ratio * rest[1][3];
-        }
+        slopes[3] = slip_slopes(&rest, &along, [ds_dlength, by_ratio], unit, scale, scaled_by_t);
         let left_by = |n: usize| -ds_dlength * unit[n];
         let left_slopes = [
             scale[0] * left_by(0),
@@ -379,6 +369,30 @@ impl CreepForceTable {
         let force = bound.applied(force);
         (EllipseForce { force, slip_share: rest[0][3].clamp(0.0, 1.0) }, slopes)
     }
+}
+
+/// Derivatives of the share of slip, the last channel of `rest`, by the three creepages v and ln(a/b): with those of the saturation by ρ and
+/// of the place in the table by ln(a/b), of X by v, and of X by ln(a/b).
+fn slip_slopes(
+    rest: &coefficients::Sums,
+    along: &Direction,
+    [by_length, by_ratio]: [f64; 2],
+    unit: [f64; 3],
+    scale: [f64; 3],
+    scaled_by_t: [f64; 3],
+) -> [f64; 4] {
+    if rest[0][3] <= 0.0 || rest[0][3] >= 1.0 {
+        return [0.0; 4];
+    }
+    // Of an even function: what was folded does not count.
+    let by_x = [0, 1, 2].map(|n| {
+        SATURATION_CELLS as f64 * rest[2][3] * by_length * unit[n]
+            + PER_ELEVATION[0] * along.slopes[0][n] * rest[3][3]
+            + PER_AZIMUTH[0] * along.slopes[1][n] * rest[4][3]
+    });
+    let by_t: f64 = (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum();
+    let [x, y, z] = [0, 1, 2].map(|n| scale[n] * by_x[n]);
+    [x, y, z, by_t + by_ratio * rest[1][3]]
 }
 
 /// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin that vanishes in full sliding.
