@@ -26,6 +26,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
     ]);
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
+        let derivatives = if identifier == "WheelSet" { "false" } else { "true" };
         w.create_element("ModelExchange")
             .with_attributes([
                 ("modelIdentifier", identifier),
@@ -33,6 +34,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", derivatives),
             ])
             .write_empty()?;
         w.create_element("CoSimulation")
@@ -43,6 +45,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", derivatives),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

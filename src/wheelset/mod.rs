@@ -232,6 +232,16 @@ impl Subject for Wheelset {
         self.advance(input, output, duration)
     }
 
+    fn directional_derivative_of_all(
+        &mut self,
+        _: &Input,
+        _: &Input,
+        _: &mut Output,
+    ) -> Result<(), ContactError> {
+        let (name, reason) = (Some("WheelSet.fmu"), "those of its two wheels are in WheelRail.fmu");
+        Err(ContactError::NoDerivative { name, reason })
+    }
+
     fn elements(&self) -> &[Element] {
         &self.elements
     }

@@ -354,3 +354,7 @@ pub const LONGEST_STEP: f64 = 1e-4;
 
 /// The same for forces one step late, whose formula is that for light damping.
 pub const DELAYED_STEP: f64 = 0.05;
+
+/// Derivatives of outputs by inputs against central differences, over the greatest one of its unit and input; random poses, by model:
+/// the target. Measured: 8e-7 at worst, with a given load, 3e-11 in the median; what is left is rounding of the differences.
+pub const DERIVATIVES: f64 = 1e-6;
