@@ -108,8 +108,9 @@ impl Parameters {
         require(name("phase"), phase, true, finite)?;
         let WheelFlat { length, angle, depth, shape } = self.wheel.flat;
         let name = |part: &str| format!("wheel.flat.{part}");
-        let fits = (0.0..=0.5 * radius).contains(&length);
-        require(name("length"), length, fits, "from 0 to half the nominal radius, in m")?;
+        // What is shorter than a micrometre is rounding of the radius.
+        let fits = length == 0.0 || (1e-6..=0.5 * radius).contains(&length);
+        require(name("length"), length, fits, "0, or from 1e-6 m to half the nominal radius")?;
         require(name("angle"), angle, true, finite)?;
         let fits = (0.0..=0.05 * length.max(1e-9)).contains(&depth);
         require(name("depth"), depth, fits, "from 0 to a twentieth of its length, in m")?;
