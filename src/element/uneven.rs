@@ -129,11 +129,15 @@ impl Parameters {
             })
         };
         if !matches!(self.normal_model, NormalModel::Hertz | NormalModel::PiotrowskiKik) {
-            let value = format!("{:?}", self.normal_model);
-            return refuse("normal.model", &value, "hertz or piotrowski_kik");
+            let value = match self.normal_model {
+                NormalModel::Strips => "strips",
+                NormalModel::BoundaryElement => "boundary_element",
+                _ => "piotrowski_kik_corrected",
+            };
+            return refuse("normal.model", value, "hertz or piotrowski_kik");
         }
         if self.creepage_model == CreepageModel::Curved {
-            return refuse("creepage.model", "Curved", "kinematic or flat");
+            return refuse("creepage.model", "curved", "kinematic or flat");
         }
         Ok(())
     }
