@@ -43,4 +43,14 @@ impl ContactError {
     pub(crate) fn bad_value(name: impl Into<String>, value: f64, allowed: &'static str) -> Self {
         Self::BadValue { name: name.into(), value, allowed }
     }
+
+    /// The same about a variable of another name.
+    pub(crate) fn renamed(mut self, rename: impl Fn(&str) -> String) -> Self {
+        match &mut self {
+            Self::BadValue { name, .. }
+            | Self::BadText { name, .. }
+            | Self::Profile { name, .. } => *name = rename(name),
+        }
+        self
+    }
 }

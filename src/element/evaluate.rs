@@ -229,8 +229,13 @@ impl Element {
     /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
     /// yaw of `start`; its own height where it stands beside the rails [m].
     pub fn touching_height(&mut self, start: &Input) -> f64 {
+        self.touch(start).unwrap_or(start.wheel.position[2])
+    }
+
+    /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the rails.
+    pub(crate) fn touch(&mut self, start: &Input) -> Option<f64> {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
-        self.first_touch(&input).unwrap_or(start.wheel.position[2])
+        self.first_touch(&input)
     }
 
     /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.

@@ -12,6 +12,7 @@ pub mod parameters;
 mod rail_contact;
 mod rail_frame;
 mod strip_contact;
+pub mod subject;
 mod uneven;
 mod vertical_load;
 mod wear_sums;

@@ -77,13 +77,15 @@ pub enum FmiError {
     UnknownCategory(String),
     /// A library and a description that do not belong together.
     #[error(
-        "the GUID is \"{given}\", but this library is of \"{own}\": use the modelDescription.xml packed with it"
+        "the GUID is \"{given}\", but this library is of \"{wheel}\" (WheelRail) and \"{wheelset}\" (WheelSet): use the modelDescription.xml packed with it"
     )]
     WrongGuid {
         /// What the host read.
         given: String,
-        /// That of the library.
-        own: &'static str,
+        /// That of the wheel unit of the library.
+        wheel: &'static str,
+        /// That of the wheelset unit of the library.
+        wheelset: &'static str,
     },
     /// A type of unit that FMI does not know.
     #[error("fmuType {0} is neither model exchange (0) nor co-simulation (1)")]

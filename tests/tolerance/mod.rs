@@ -341,3 +341,9 @@ pub const WEAR_FORCE_CHANGE: f64 = 1.0;
 
 /// A profile that was written and read back, distance from itself [m]: a spline through points 0.1 mm apart at the jumps of curvature.
 pub const PROFILE_READ_BACK: f64 = 1e-7;
+
+/// Wheel markers of a wheelset against products of rotation matrices: position [m], velocity over 60 m/s.
+pub const WHEELSET_MARKER: f64 = 1e-15;
+
+/// Forces of a wheelset against two wheels moved by hand, relative to the greatest component.
+pub const WHEELSET_FORCE: f64 = 1e-12;

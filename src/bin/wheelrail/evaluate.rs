@@ -147,7 +147,7 @@ impl Evaluator {
         element.evaluate(input, output)?;
         output.fallback_count -= before;
         // Every row is a start of its own.
-        values.nominal_wheel_z = element.touching_height(input);
+        values.nominal = element.touching_height(input);
         Ok(())
     }
 }

@@ -5,6 +5,7 @@ use std::ffi::c_int;
 use super::arguments::array;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Component, Status, ValueReference};
 
 /// `fmi2GetDirectionalDerivative`: not supported yet.
@@ -41,7 +42,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
                 array("value", values, count)?,
             )
         };
-        instance.set_input_derivatives(references, orders, values)?;
+        on_instance!(instance, |i| i.set_input_derivatives(references, orders, values))?;
         Ok(Status::Ok)
     })
 }
