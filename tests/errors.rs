@@ -329,8 +329,8 @@ fn called(words: &str) -> String {
         "`fmi2SetReal` of a parameter after initialization" => {
             stepping(|h| h.set_reals(&[("track.gauge", 1.5)]))
         }
-        // SAFETY: FMI 2.0, 2.1.7: arrays of one element, or null, which is refused.
         "`fmi2SetReal` with a reference that no variable has" => {
+            // SAFETY: FMI 2.0, 2.1.7: arrays of one element, or null, which is refused.
             stepping(|h| unsafe { fmi2SetReal(h.component, &99_999, 1, &1.0) })
         }
         "`fmi2SetReal` of an integer" => {
