@@ -61,12 +61,18 @@ pub fn derive(file: &File, wheel: &Declaration, text: &str) -> Declaration {
         let of_wheel = || wheel.variables.iter().filter(|v| v.causality == causality);
         for v in of_wheel().filter(|v| sides.is_once(&v.name)) {
             variables.push(sides.common(v));
-            depends.push(Vec::new());
+            let all = sides.names.iter();
+            depends
+                .push(all.flat_map(|side| sides.depends(wheel, &v.dependencies, side)).collect());
         }
         for (place, side) in sides.names.iter().enumerate() {
             for v in of_wheel().filter(|v| sides.is_of_side(&v.name)) {
                 variables.push(on_side(v, side, place));
-                depends.push(sides.depends(wheel, &v.dependencies, side));
+                // Where loads are given, what one side carries rolls the axle and so the other wheel.
+                let is_output = causality == Causality::Output;
+                let felt = sides.names.iter().filter(|other| is_output || *other == side);
+                let all = felt.flat_map(|other| sides.depends(wheel, &v.dependencies, other));
+                depends.push(all.collect());
             }
         }
     }
@@ -110,7 +116,6 @@ impl Sides {
     }
 
     fn is_once(&self, name: &str) -> bool {
-        // A calculated parameter or an output of that beginning is a side's.
         self.once.iter().any(|entry| stands_for(entry, name))
     }
 
@@ -119,10 +124,10 @@ impl Sides {
         !(elsewhere || self.is_once(name))
     }
 
-    /// A variable that is there once: a parameter is that of all sides.
+    /// A variable that is there once: a parameter of elements is that of all sides.
     fn common(&self, v: &Variable) -> Variable {
         let mut common = v.clone();
-        if v.causality == Causality::Parameter {
+        if v.field.starts_with("parameters.") {
             let mut fields = (0..self.names.len()).map(|place| field_on_side(&v.field, place));
             common.field = fields.next().unwrap_or_default();
             common.also = fields.collect();

@@ -7,7 +7,7 @@ use common::random::Random;
 use nalgebra::{Matrix3, Vector3};
 use wheelrail::element::input::{RailMotion, WheelMotion};
 use wheelrail::element::output::Wrench;
-use wheelrail::element::parameters::{NormalModel, Side, WearModel};
+use wheelrail::element::parameters::{NormalModel, Side, VerticalMode, WearModel};
 use wheelrail::element::{self, Element};
 use wheelrail::wheelset::{Input, LEFT, Output, Parameters, RIGHT, SideInput, Wheelset};
 
@@ -47,7 +47,11 @@ fn random_input(random: &mut Random) -> Input {
             yaw_rate: random.about(0.1),
             pitch_rate: -speed / 0.46 * (1.0 + random.about(2e-3)),
         },
-        sides: [0, 1].map(|k| SideInput { rails: rails[k], friction: friction[k] }),
+        sides: [0, 1].map(|k| SideInput {
+            rails: rails[k],
+            wheel_load: 0.0,
+            friction: friction[k],
+        }),
         track_s: random.about(100.0),
     }
 }
@@ -288,6 +292,61 @@ fn a_check_rail_stands_in_mirror_image_on_the_left() {
     let (right, left) = (pushed(5e-5), pushed(-5e-5));
     assert!(right[LEFT] > 1e3 && right[RIGHT].abs() <= 0.0, "{right:?}");
     assert!((left[RIGHT] + right[LEFT]).abs() <= 0.0 && left[LEFT].abs() <= 0.0, "{left:?}");
+}
+
+#[test]
+fn given_loads_are_carried_at_the_height_and_roll_of_a_rigid_axle() {
+    let mut parameters = Parameters::default();
+    for side in &mut parameters.sides {
+        side.vertical_mode = VerticalMode::Load;
+    }
+    // Normal damping has no part in it.
+    let mut undamped = Parameters::default();
+    for side in &mut undamped.sides {
+        side.damping = 0.0;
+    }
+    let (mut loaded, mut rigid) = (wheelset(&parameters), wheelset(&undamped));
+    let mut random = Random::new(26);
+    for shift in [0.0, 1e-3, -3e-3, 5e-3, 7e-3] {
+        let mut input = random_input(&mut random);
+        input.wheelset.position[1] = shift;
+        for side in &mut input.sides {
+            side.wheel_load = random.within(2e4, 9e4);
+            side.rails = Default::default();
+        }
+        let output = evaluate(&mut loaded, &input);
+        assert_eq!(output.fallback_count, 0);
+        for k in [RIGHT, LEFT] {
+            let (carried, load) = (-output.sides[k].wheel.force[2], input.sides[k].wheel_load);
+            assert!((carried / load - 1.0).abs() < tolerance::PRESCRIBED_LOAD, "{carried} {load}");
+        }
+        let [right, left] = output.sides.each_ref().map(|side| side.wheel_z);
+        let between = 2.0 * HALF * output.roll.sin() * input.wheelset.yaw.cos();
+        assert!((right - left - between).abs() < 1e-14, "{right} {left} {between}");
+        // Put there, the wheelset feels the same.
+        let mut found = input;
+        (found.wheelset.position[2], found.wheelset.roll) = (output.wheelset_z, output.roll);
+        let again = evaluate(&mut rigid, &found);
+        for k in [RIGHT, LEFT] {
+            let pairs = components(&again.sides[k].wheel).zip(components(&output.sides[k].wheel));
+            let difference = largest(pairs.map(|(a, b)| a - b));
+            assert!(difference < 1e-9 * input.sides[k].wheel_load, "{difference}");
+        }
+        // Whatever height and roll were given.
+        (input.wheelset.position[2], input.wheelset.roll) = (-0.3, 0.05);
+        assert_eq!(format!("{:?}", evaluate(&mut loaded, &input)), format!("{output:?}"));
+    }
+    // A side without load is lifted from its rail; beside the rails nothing carries.
+    let mut input = Input::default();
+    input.sides[RIGHT].wheel_load = 5e4;
+    let output = evaluate(&mut loaded, &input);
+    assert!(output.sides[LEFT].wheel.force[2].abs() <= 0.0 && output.sides[RIGHT].patch_count > 0);
+    input.wheelset.position[1] = 3.0;
+    let before = output.fallback_count;
+    assert!(evaluate(&mut loaded, &input).fallback_count > before);
+    parameters.sides[LEFT].vertical_mode = VerticalMode::Penetration;
+    let error = Wheelset::new(&parameters, &Input::default(), &[]).unwrap_err().to_string();
+    assert!(error.starts_with("vertical.mode"), "{error}");
 }
 
 #[test]

@@ -16,6 +16,7 @@ pub mod subject;
 mod uneven;
 mod vertical_load;
 mod wear_sums;
+pub mod work_pairs;
 mod worn_profiles;
 
 pub use evaluate::{Element, Work};

@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::path::PathBuf;
 use std::slice;
 
+use super::work_pairs::{WorkPairs, work_pairs};
 use super::{Element, Input, Output, Parameters};
 use crate::error::ContactError;
 
@@ -69,6 +70,9 @@ pub trait Subject: Clone + Debug {
     /// How often a solver fell back to a simpler model, as reported.
     fn fallback_count(output: &Self::Output) -> i32;
 
+    /// Forces on all bodies beside the velocities at which they do work.
+    fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
+
     /// Puts the counts of the elements as they are into `output`.
     fn report_fallbacks(&self, output: &mut Self::Output);
 }
@@ -120,6 +124,10 @@ impl Subject for Element {
 
     fn fallback_count(output: &Output) -> i32 {
         output.fallback_count
+    }
+
+    fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
+        work_pairs((&input.wheel, &output.wheel), input.rails.iter().zip(&output.rails))
     }
 
     fn report_fallbacks(&self, output: &mut Output) {

@@ -8,6 +8,8 @@
 //! nominal heights
 //! inputs and parameters             in the order of the variables
 //! derivatives of inputs             their number, then reference, three numbers each
+//! last step                         one byte whether it is kept; its length, pairs of force and velocity
+//! energy residual
 //! of each element:
 //! fallbacks
 //! wear                              one byte whether there is any; clock; wheel and rails:
@@ -20,10 +22,11 @@
 
 use super::error::FmiError;
 use super::extrapolation::{Extrapolation, ORDERS};
-use super::instance::{Experiment, Purpose, State};
+use super::instance::{Experiment, LastStep, Purpose, State};
 use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::element::WearState;
 use crate::element::parameters::RAILS;
+use crate::element::work_pairs::MOST_PAIRS;
 use crate::variables::{Causality, Described, Kind, Value, ValuesOf, Variable, WHEEL, WHEELSET};
 use crate::wear::ArcState;
 
@@ -70,6 +73,12 @@ pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
         bytes.extend(reference.to_le_bytes());
         bytes.extend(derivatives.iter().flat_map(|d| d.to_le_bytes()));
     }
+    bytes.push(u8::from(snapshot.last_step.is_some()));
+    if let Some(LastStep { duration, pairs }) = &snapshot.last_step {
+        let numbers = std::iter::once(duration).chain(pairs.as_flattened());
+        bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
+    }
+    bytes.extend(snapshot.values.coupling.energy_residual.to_le_bytes());
     for memory in snapshot.memories.iter().take(S::PREFIXES.len()) {
         write_memory(memory, &mut bytes);
     }
@@ -207,6 +216,19 @@ impl<'a> Reader<'a> {
         self.real().filter(|number| number.is_finite() && *number >= 0.0)
     }
 
+    fn finite(&mut self) -> Option<f64> {
+        self.real().filter(|number| number.is_finite())
+    }
+
+    fn last_step(&mut self) -> Option<LastStep> {
+        let duration = self.amount()?;
+        let mut pairs = [[0.0; 2]; MOST_PAIRS];
+        for number in pairs.as_flattened_mut() {
+            *number = self.finite()?;
+        }
+        Some(LastStep { duration, pairs })
+    }
+
     fn memory(&mut self) -> Option<Memory> {
         let fallbacks = u64::from_le_bytes(self.array()?);
         let wear = if self.boolean()? { Some(self.wear()?) } else { None };
@@ -235,7 +257,7 @@ impl<'a> Reader<'a> {
         }
         let mut values = ValuesOf::<S>::default();
         for variable in calculated::<S>() {
-            let height = self.real().filter(|height| height.is_finite())?;
+            let height = self.finite()?;
             values.write(variable, Value::Real(height));
         }
         for variable in settable::<S>() {
@@ -256,6 +278,8 @@ impl<'a> Reader<'a> {
                 extrapolation.set(S::UNIT, &[reference], &[order as i32], &[self.real()?]).ok()?;
             }
         }
+        let last_step = if self.boolean()? { Some(self.last_step()?) } else { None };
+        values.coupling.energy_residual = self.finite()?;
         let mut memories: [Memory; MOST_ELEMENTS] = Default::default();
         for memory in memories.iter_mut().take(S::PREFIXES.len()) {
             *memory = self.memory()?;
@@ -264,6 +288,7 @@ impl<'a> Reader<'a> {
             purpose,
             state,
             prepared,
+            last_step,
             memories,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
             values,

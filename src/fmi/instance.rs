@@ -11,6 +11,7 @@ use super::snapshot::Snapshot;
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
 use crate::element::Element;
 use crate::element::parameters::WearModel;
+use crate::element::work_pairs::{WorkPairs, energy_residual};
 use crate::error::ContactError;
 use crate::io::save_profile;
 use crate::variables::{
@@ -97,6 +98,15 @@ impl AnyInstance {
     }
 }
 
+/// The beginning of the last step: its length [s], and the forces that a host held over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LastStep {
+    /// Length [s].
+    pub duration: f64,
+    /// Forces and velocities at its beginning.
+    pub pairs: WorkPairs,
+}
+
 /// An instance of one unit.
 #[derive(Debug)]
 pub struct Instance<S: Described> {
@@ -117,6 +127,8 @@ pub struct Instance<S: Described> {
     pub(super) time: f64,
     /// Time derivatives of the inputs over the next step.
     pub(super) extrapolation: Extrapolation,
+    /// Where the last step began, if energy is monitored.
+    pub(super) last_step: Option<LastStep>,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -138,6 +150,7 @@ impl<S: Described> Instance<S> {
             experiment: None,
             time: 0.0,
             extrapolation: Extrapolation::new(S::UNIT),
+            last_step: None,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -210,6 +223,9 @@ impl<S: Described> Instance<S> {
         {
             return Err(FmiError::AfterStop { time, stop });
         }
+        // Of the inputs as they were set, before derivatives carry them on.
+        let start =
+            if self.values.coupling.monitor { Some(self.work_pairs(logger)?) } else { None };
         self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
         self.extrapolation.clear();
         let status = match self.wear_model() {
@@ -217,7 +233,23 @@ impl<S: Described> Instance<S> {
             _ => self.wear_off(step, logger)?,
         };
         self.time = time + step;
-        Ok(status)
+        Ok(start.map_or(status, |(watched, pairs)| {
+            self.watch(step, &pairs);
+            status.max(watched)
+        }))
+    }
+
+    /// Forces and velocities of the inputs.
+    fn work_pairs(&mut self, logger: &Logger) -> Result<(Status, WorkPairs), FmiError> {
+        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
+    }
+
+    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
+    fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
+        let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
+        self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);
+        self.last_step = Some(LastStep { duration, pairs: *pairs });
     }
 
     /// The wear law, which is the same for all elements.

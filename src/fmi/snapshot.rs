@@ -2,7 +2,7 @@
 
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
-use super::instance::{Experiment, Instance, Purpose, State};
+use super::instance::{Experiment, Instance, LastStep, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::{Element, WearState};
 use crate::variables::{Described, ValuesOf};
@@ -24,6 +24,8 @@ pub struct Snapshot<S: Described> {
     pub values: ValuesOf<S>,
     /// Time derivatives of the inputs over the next step.
     pub extrapolation: Extrapolation,
+    /// Where the last step began, if energy is monitored.
+    pub last_step: Option<LastStep>,
     /// What each element remembers; default beyond their number.
     pub memories: [Memory; MOST_ELEMENTS],
     /// Time span of the experiment.
@@ -113,6 +115,7 @@ impl<S: Described> Instance<S> {
             outputs: if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated },
             values: self.values.clone(),
             extrapolation: self.extrapolation.clone(),
+            last_step: self.last_step,
             memories: self.memories(),
             experiment: self.experiment,
             time: self.time,
@@ -138,6 +141,7 @@ impl<S: Described> Instance<S> {
         }
         copy_what_moves(&self.values, &mut old.values);
         old.extrapolation.copy_from(&self.extrapolation);
+        old.last_step = self.last_step;
         old.state = self.state;
         old.prepared = self.is_prepared();
         old.outputs = if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated };
@@ -168,6 +172,7 @@ impl<S: Described> Instance<S> {
             self.values.clone_from(&saved.values);
         }
         self.extrapolation.copy_from(&saved.extrapolation);
+        self.last_step = saved.last_step;
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
         self.nominal_input = None;
@@ -212,4 +217,5 @@ fn hand_out<S: Described>(
 /// All values but the parameters.
 fn copy_what_moves<S: Described>(from: &ValuesOf<S>, to: &mut ValuesOf<S>) {
     (to.input, to.output, to.nominal) = (from.input, from.output, from.nominal);
+    to.coupling = from.coupling;
 }

@@ -13,7 +13,7 @@ use crate::wheelset::Wheelset;
 
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
 pub(crate) use values::admits;
-pub use values::{Described, ValuesOf, check};
+pub use values::{Coupling, Described, ValuesOf, check};
 
 /// The values of a wheel.
 pub type Values = ValuesOf<Element>;
@@ -225,16 +225,16 @@ mod tests {
     /// Messages of the elements name variables of a wheel; those of a wheelset must be ones that it has.
     #[test]
     fn a_wheelset_has_on_each_side_or_once_what_a_wheel_has() {
-        // What a wheelset has in its own way: the motion of its centre, two sides, no given load.
+        // What a wheelset has in its own way: the motion of its centre, two sides.
         let own = |name: &str| {
             let coordinate = name.strip_prefix("wheel.").is_some_and(|c| {
                 WHEELSET.variables.iter().any(|v| v.name == format!("wheelset.{c}"))
             }) && find(name).unwrap().causality == Causality::Input;
-            coordinate || ["side", "wheel.load"].contains(&name) || name.starts_with("vertical.")
+            coordinate || name == "side"
         };
         for v in VARIABLES.iter().filter(|v| !own(v.name)) {
             for side in crate::wheelset::SIDES {
-                let name = if v.is_settable() {
+                let name = if v.is_settable() || v.name.starts_with("coupling.") {
                     crate::wheelset::name_on_side(v.name, side)
                 } else {
                     format!("{side}.{}", v.name)

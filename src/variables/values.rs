@@ -18,6 +18,17 @@ pub struct ValuesOf<S: Subject> {
     pub output: S::Output,
     /// Heights at which a wheel or a wheelset just touches [m].
     pub nominal: S::Nominal,
+    /// What goes on between the contact and a host that steps.
+    pub coupling: Coupling,
+}
+
+/// What goes on between the contact and a host that steps; an element by itself knows nothing of steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coupling {
+    /// Whether the energy residual is computed at each step.
+    pub monitor: bool,
+    /// Energy that forces held over the step before the last one have put into the bodies beyond the mean of those at both ends [J].
+    pub energy_residual: f64,
 }
 
 impl<S: Subject> PartialEq for ValuesOf<S> {
@@ -26,6 +37,7 @@ impl<S: Subject> PartialEq for ValuesOf<S> {
             && self.input == other.input
             && self.output == other.output
             && self.nominal == other.nominal
+            && self.coupling == other.coupling
     }
 }
 
@@ -64,6 +76,7 @@ impl<S: Described> Default for ValuesOf<S> {
             input: S::Input::default(),
             output: S::Output::default(),
             nominal: S::Nominal::default(),
+            coupling: Coupling::default(),
         };
         for variable in S::UNIT.variables {
             if let Some(start) = variable.start {

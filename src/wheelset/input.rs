@@ -1,6 +1,5 @@
 //! What an evaluation of a wheelset depends on besides its parameters.
 
-use super::rigid_body::point_of_axle;
 use super::{SIDES, name_on_side};
 use crate::element;
 use crate::element::input::{RailMotion, WheelMotion};
@@ -23,6 +22,8 @@ pub struct Input {
 pub struct SideInput {
     /// The rails, `rail[1]` first.
     pub rails: [RailMotion; RAILS],
+    /// Vertical force of the wheel on its rails together, down, if the loads are given and not height and roll [N].
+    pub wheel_load: f64,
     /// Coefficient of friction, ≥ 0 [-].
     pub friction: f64,
 }
@@ -30,11 +31,12 @@ pub struct SideInput {
 impl Default for Input {
     /// The nominal position in the middle of the track, just lifted, at rest.
     fn default() -> Self {
-        let element::Input { wheel, rails, track_s, friction, .. } = element::Input::default();
+        let element::Input { wheel, rails, wheel_load, track_s, friction } =
+            element::Input::default();
         let [x, _, z] = wheel.position;
         Self {
             wheelset: WheelMotion { position: [x, 0.0, z], ..wheel },
-            sides: [SideInput { rails, friction }; 2],
+            sides: [SideInput { rails, wheel_load, friction }; 2],
             track_s,
         }
     }
@@ -44,10 +46,10 @@ impl Input {
     /// The input of the element on one side, whose marker is `along` [m] to the right of the centre.
     #[must_use]
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {
-        let SideInput { rails, friction } = self.sides[side];
+        let SideInput { rails, wheel_load, friction } = self.sides[side];
         element::Input {
-            wheel: point_of_axle(&self.wheelset, along),
-            wheel_load: 0.0,
+            wheel: self.wheelset.along_axle(along),
+            wheel_load,
             rails,
             track_s: self.track_s,
             friction,
@@ -61,13 +63,13 @@ impl Input {
     pub fn check(&self) -> Result<(), ContactError> {
         // The centre is checked as a wheel would be, the sides with it, so that names can be told apart.
         for (k, side) in SIDES.into_iter().enumerate() {
-            let SideInput { rails, friction } = self.sides[k];
+            let SideInput { rails, wheel_load, friction } = self.sides[k];
             let (wheel, track_s) = (self.wheelset, self.track_s);
-            let as_wheel = element::Input { wheel, wheel_load: 0.0, rails, track_s, friction };
+            let as_wheel = element::Input { wheel, wheel_load, rails, track_s, friction };
             as_wheel.check().map_err(|error| {
                 error.renamed(|name| match name.strip_prefix("wheel.") {
-                    Some(coordinate) => format!("wheelset.{coordinate}"),
-                    None => name_on_side(name, side),
+                    Some(coordinate) if coordinate != "load" => format!("wheelset.{coordinate}"),
+                    _ => name_on_side(name, side),
                 })
             })?;
         }

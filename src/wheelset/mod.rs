@@ -16,10 +16,11 @@
 //! # Ok::<(), wheelrail::error::ContactError>(())
 //! ```
 
+mod given_load;
 mod input;
 mod output;
 mod parameters;
-pub mod rigid_body;
+mod total;
 
 use std::path::PathBuf;
 
@@ -28,7 +29,9 @@ pub use output::Output;
 pub use parameters::{Parameters, TAPE_CIRCLE};
 
 use crate::element::output::Wrench;
+use crate::element::parameters::VerticalMode;
 use crate::element::subject::Subject;
+use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element};
 use crate::error::ContactError;
 
@@ -45,6 +48,7 @@ pub const SIDES: [&str; 2] = ["right", "left"];
 #[derive(Clone, Debug)]
 pub struct Wheelset {
     elements: [Element; 2],
+    vertical_mode: VerticalMode,
     /// Place of each wheel marker along the axle [m].
     markers: [f64; 2],
     nominal: NominalHeights,
@@ -92,7 +96,7 @@ impl Wheelset {
         if nominal.wheelset_z.is_infinite() {
             nominal.wheelset_z = start.wheelset.position[2];
         }
-        Ok(Self { elements, markers, nominal })
+        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, nominal })
     }
 
     /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its starting height where it stands
@@ -135,7 +139,45 @@ impl Wheelset {
         self.both(input, output, |element, input, output| element.advance(input, output, duration))
     }
 
+    /// Both sides by `evaluate`, at the height and roll that carry the loads where these are given, and the sums.
     fn both(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        evaluate: impl FnMut(
+            &mut Element,
+            &element::Input,
+            &mut element::Output,
+        ) -> Result<(), ContactError>,
+    ) -> Result<(), ContactError> {
+        input.check()?;
+        let mut input = *input;
+        let mut is_missed = false;
+        if self.vertical_mode == VerticalMode::Load {
+            (input, is_missed) = self.carry_loads(&input)?;
+        }
+        self.sides(&input, output, evaluate)?;
+        if is_missed {
+            let right = &mut self.elements[RIGHT];
+            right.set_fallbacks(right.fallbacks() + 1);
+            self.report_fallbacks(output);
+        }
+        let mut total = Wrench::default();
+        for (along, side) in self.markers.iter().zip(&output.sides) {
+            total::add(&mut total, &input.wheelset, *along, &side.wheel);
+        }
+        let [right, left] = &output.sides;
+        output.patch_count = right.patch_count + left.patch_count;
+        output.fallback_count = right.fallback_count.saturating_add(left.fallback_count);
+        output.wear_number = right.wear_number + left.wear_number;
+        output.frictional_power = right.frictional_power + left.frictional_power;
+        (output.wheelset, output.wheelset_z) = (total, input.wheelset.position[2]);
+        output.roll = input.wheelset.roll;
+        Ok(())
+    }
+
+    /// Each side by itself.
+    fn sides(
         &mut self,
         input: &Input,
         output: &mut Output,
@@ -145,7 +187,6 @@ impl Wheelset {
             &mut element::Output,
         ) -> Result<(), ContactError>,
     ) -> Result<(), ContactError> {
-        input.check()?;
         let sides = [RIGHT, LEFT].map(|k| input.of_side(k, self.markers[k]));
         // Numbers near the greatest one may leave their range on the way to the markers.
         for (k, side) in sides.iter().enumerate() {
@@ -154,16 +195,6 @@ impl Wheelset {
         for (k, side) in sides.iter().enumerate() {
             evaluate(&mut self.elements[k], side, &mut output.sides[k])?;
         }
-        let mut total = Wrench::default();
-        for (along, side) in self.markers.iter().zip(&output.sides) {
-            rigid_body::add(&mut total, &input.wheelset, *along, &side.wheel);
-        }
-        let [right, left] = &output.sides;
-        output.patch_count = right.patch_count + left.patch_count;
-        output.fallback_count = right.fallback_count.saturating_add(left.fallback_count);
-        output.wear_number = right.wear_number + left.wear_number;
-        output.frictional_power = right.frictional_power + left.frictional_power;
-        output.wheelset = total;
         Ok(())
     }
 }
@@ -215,6 +246,12 @@ impl Subject for Wheelset {
 
     fn fallback_count(output: &Output) -> i32 {
         output.fallback_count
+    }
+
+    fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
+        let sides = input.sides.iter().zip(&output.sides);
+        let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));
+        work_pairs((&input.wheelset, &output.wheelset), rails)
     }
 
     fn report_fallbacks(&self, output: &mut Output) {

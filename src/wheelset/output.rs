@@ -10,6 +10,10 @@ pub struct Output {
     pub wheelset: Wrench,
     /// Each side, right first; values are those of the real side in the track frame.
     pub sides: [element::Output; 2],
+    /// Height of the centre: the one found if the loads are given, else that of the input [m].
+    pub wheelset_z: f64,
+    /// Roll of the axle: the one found if the loads are given, else that of the input [rad].
+    pub roll: f64,
     /// Number of loaded zones found on both sides.
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model on either side since initialisation.

@@ -52,6 +52,11 @@ impl Parameters {
             return Err(ContactError::bad_value("flange_back_distance", distance, allowed));
         }
         let [right, left] = &self.sides;
+        if right.vertical_mode != left.vertical_mode {
+            let (name, value) = ("vertical.mode".into(), "penetration and load".into());
+            let allowed = "the same on both sides".into();
+            return Err(ContactError::BadText { name, value, allowed });
+        }
         let mut sides = [right.clone(), left.clone()];
         sides[RIGHT].side = Side::Right;
         sides[LEFT].side = Side::Left;

@@ -214,6 +214,12 @@ impl Host {
         unsafe { fmi2SetInteger(self.component, &self.reference(name), 1, &raw const value) }
     }
 
+    pub fn set_boolean(&self, name: &str, value: bool) -> Status {
+        let value = if value { TRUE } else { FALSE };
+        // SAFETY: FMI 2.0, 2.1.7: arrays of one element.
+        unsafe { fmi2SetBoolean(self.component, &self.reference(name), 1, &raw const value) }
+    }
+
     pub fn get_integer(&self, name: &str) -> i32 {
         let mut value = 0;
         // SAFETY: FMI 2.0, 2.1.7: arrays of one element.

@@ -347,3 +347,13 @@ pub const WHEELSET_MARKER: f64 = 1e-15;
 
 /// Forces of a wheelset against two wheels moved by hand, relative to the greatest component.
 pub const WHEELSET_FORCE: f64 = 1e-12;
+
+/// Sum of the energy residuals of undamped bounces over what the mass and the contact have gained: the rule of the trapezoid between the ends of
+/// a step, up to an eighth of a period long.
+pub const ENERGY_RESIDUAL: f64 = 1e-3;
+
+/// Longest stable steps against their formulas: the search for them.
+pub const LONGEST_STEP: f64 = 1e-4;
+
+/// The same for forces one step late, whose formula is that for light damping.
+pub const DELAYED_STEP: f64 = 0.05;
