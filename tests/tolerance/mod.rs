@@ -33,6 +33,9 @@ pub const PIOTROWSKI_KIK_SLENDER: f64 = 1e-3;
 /// solved bit for bit alike.
 pub const SIMILARITY: f64 = 1e-9;
 
+/// A force that is none, of a wheel that is picometres deep: its depth is rounding [N].
+pub const NO_FORCE: f64 = 1e-9;
+
 /// The same beyond, a/b 0.03 to 0.05 and 20 to 33, where the fits are carried into asymptotes that are themselves a few per cent off.
 pub const KALKER_ENDS: [f64; 3] = [2.2e-2, 1.6e-2, 2.1e-2];
 
