@@ -193,10 +193,10 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        input.check()?;
+        let admitted = input.admitted()?;
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
-        let mut input = if mirrored { input.mirrored() } else { *input };
+        let mut input = if mirrored { admitted.mirrored() } else { admitted };
         // Nothing can fail from here on.
         self.fallbacks += match self.vertical_mode {
             VerticalMode::Penetration => self.forces(&input, output),

@@ -5,6 +5,9 @@ use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::real::Real;
 
+/// Greatest number that is told from a greater one, whatever its unit.
+const MOST: f64 = 1e100;
+
 /// All inputs; one field for each FMU input of design section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input<T = f64> {
@@ -164,6 +167,14 @@ impl Input {
     /// # Errors
     /// The first input at fault, by its FMU name.
     pub fn check(&self) -> Result<(), ContactError> {
+        self.admitted().map(|_| ())
+    }
+
+    /// The input as it is evaluated: numbers beyond [`MOST`] are taken as that, so that no product of them is infinite.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub(crate) fn admitted(&self) -> Result<Self, ContactError> {
         // At every evaluation this runs; the names are only looked up when there is one to report.
         let w = &self.wheel;
         let wheel = [
@@ -173,17 +184,52 @@ impl Input {
             [w.roll_rate, w.yaw_rate, w.pitch_rate],
         ];
         let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate]);
-        let all = wheel.as_flattened().iter().chain(rails.as_flattened());
-        // Zero times anything that is not finite is not a number.
-        let sum: f64 = all.map(|value| 0.0 * value).sum();
-        if (sum + 0.0 * self.track_s + 0.0 * self.friction + 0.0 * self.wheel_load).is_nan() {
-            return Err(self.not_finite());
-        }
+        let others = [self.track_s, self.friction, self.wheel_load];
+        let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
+        let sum: f64 = all.map(|value| value.abs()).sum();
+        // Nothing compares with what is not a number.
+        let admitted = if sum <= MOST { *self } else { self.bounded()? };
         if self.friction < 0.0 {
             let allowed = "a finite number, at least 0";
             return Err(ContactError::bad_value("friction.coefficient", self.friction, allowed));
         }
-        Ok(())
+        Ok(admitted)
+    }
+
+    /// The same with every number within [`MOST`].
+    ///
+    /// # Errors
+    /// The first input that is not finite.
+    #[cold]
+    fn bounded(&self) -> Result<Self, ContactError> {
+        if self.named().any(|(_, _, value)| !value.is_finite()) {
+            return Err(self.not_finite());
+        }
+        let within = |value: f64| value.clamp(-MOST, MOST);
+        let w = &self.wheel;
+        Ok(Self {
+            wheel: WheelMotion {
+                position: w.position.map(within),
+                roll: within(w.roll),
+                yaw: within(w.yaw),
+                pitch: within(w.pitch),
+                velocity: w.velocity.map(within),
+                roll_rate: within(w.roll_rate),
+                yaw_rate: within(w.yaw_rate),
+                pitch_rate: within(w.pitch_rate),
+            },
+            wheel_load: within(self.wheel_load),
+            rails: self.rails.map(|r| RailMotion {
+                y: within(r.y),
+                z: within(r.z),
+                roll: within(r.roll),
+                vy: within(r.vy),
+                vz: within(r.vz),
+                roll_rate: within(r.roll_rate),
+            }),
+            track_s: within(self.track_s),
+            friction: within(self.friction),
+        })
     }
 
     /// The error for the first input that is not finite.

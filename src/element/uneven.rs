@@ -109,8 +109,9 @@ impl Parameters {
         require(name("phase"), phase, true, finite)?;
         let WheelFlat { length, angle, depth, shape } = self.wheel.flat;
         let name = |part: &str| format!("wheel.flat.{part}");
-        let fits = (0.0..=0.5 * radius).contains(&length);
-        require(name("length"), length, fits, "from 0 to half the nominal radius, in m")?;
+        // What is shorter than a micrometre is rounding of the radius.
+        let fits = length == 0.0 || (1e-6..=0.5 * radius).contains(&length);
+        require(name("length"), length, fits, "0, or from 1e-6 m to half the nominal radius")?;
         require(name("angle"), angle, true, finite)?;
         let fits = (0.0..=0.05 * length.max(1e-9)).contains(&depth);
         require(name("depth"), depth, fits, "from 0 to a twentieth of its length, in m")?;
@@ -129,11 +130,15 @@ impl Parameters {
             })
         };
         if !matches!(self.normal_model, NormalModel::Hertz | NormalModel::PiotrowskiKik) {
-            let value = format!("{:?}", self.normal_model);
-            return refuse("normal.model", &value, "hertz or piotrowski_kik");
+            let value = match self.normal_model {
+                NormalModel::Strips => "strips",
+                NormalModel::BoundaryElement => "boundary_element",
+                _ => "piotrowski_kik_corrected",
+            };
+            return refuse("normal.model", value, "hertz or piotrowski_kik");
         }
         if self.creepage_model == CreepageModel::Curved {
-            return refuse("creepage.model", "Curved", "kinematic or flat");
+            return refuse("creepage.model", "curved", "kinematic or flat");
         }
         Ok(())
     }
