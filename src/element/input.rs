@@ -202,7 +202,7 @@ impl Input {
     /// The first input that is not finite.
     #[cold]
     fn bounded(&self) -> Result<Self, ContactError> {
-        if self.named().any(|(_, _, value)| !value.is_finite()) {
+        if self.to_array().iter().any(|value| !value.is_finite()) {
             return Err(self.not_finite());
         }
         let within = |value: f64| value.clamp(-MOST, MOST);
