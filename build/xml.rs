@@ -26,7 +26,6 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
     ]);
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
-        let derivatives = if identifier == "WheelSet" { "false" } else { "true" };
         w.create_element("ModelExchange")
             .with_attributes([
                 ("modelIdentifier", identifier),
@@ -34,7 +33,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
-                ("providesDirectionalDerivative", derivatives),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         w.create_element("CoSimulation")
@@ -45,7 +44,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
-                ("providesDirectionalDerivative", derivatives),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

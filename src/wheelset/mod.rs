@@ -16,6 +16,7 @@
 //! # Ok::<(), wheelrail::error::ContactError>(())
 //! ```
 
+mod derivatives;
 mod given_load;
 mod input;
 mod output;
@@ -234,12 +235,11 @@ impl Subject for Wheelset {
 
     fn directional_derivative_of_all(
         &mut self,
-        _: &Input,
-        _: &Input,
-        _: &mut Output,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
     ) -> Result<(), ContactError> {
-        let (name, reason) = (Some("WheelSet.fmu"), "those of its two wheels are in WheelRail.fmu");
-        Err(ContactError::NoDerivative { name, reason })
+        self.directional_derivative(input, direction, rates)
     }
 
     fn elements(&self) -> &[Element] {
