@@ -15,6 +15,7 @@ use wheelrail::element::parameters::{
     VerticalMode,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::wheelset::{self, Wheelset};
 
 /// Random poses of each model, of a right wheel and of a left one.
 const POSES: usize = 8;
@@ -302,6 +303,81 @@ fn of_several_patches_and_two_rails() {
     }
     assert!(patches[0] >= 2 && patches[1] >= 1, "{patches:?}");
     judge("two_rails", &parameters, &inputs);
+}
+
+#[test]
+fn of_a_wheelset() {
+    for vertical_mode in [VerticalMode::Penetration, VerticalMode::Load] {
+        let mut parameters = wheelset::Parameters::default();
+        for side in &mut parameters.sides {
+            side.vertical_mode = vertical_mode;
+            // Without kinks.
+            side.tangential_model = TangentialModel::Tables;
+        }
+        let mut input = wheelset::Input::default();
+        let mut wheelset = Wheelset::new(&parameters, &input, &[]).unwrap();
+        let motion = &mut input.wheelset;
+        motion.position = [0.01, 2e-3, wheelset.nominal_z() + 1e-4];
+        (motion.roll, motion.yaw, motion.yaw_rate) = (2e-4, 3e-3, 0.02);
+        (motion.velocity, motion.pitch_rate) = ([20.0, 0.03, 0.01], -20.0 / 0.46);
+        input.sides[0].wheel_load = 6e4;
+        input.sides[1].wheel_load = 7e4;
+        let moved = |motion: f64, turning: f64, side: f64| {
+            let mut moved = input;
+            let wheelset = &mut moved.wheelset;
+            wheelset.position[1] += motion;
+            wheelset.position[2] += 0.3 * motion;
+            wheelset.velocity[1] += 100.0 * motion;
+            (wheelset.yaw, wheelset.roll) = (wheelset.yaw + turning, wheelset.roll - 0.2 * turning);
+            wheelset.pitch_rate += 10.0 * turning;
+            moved.sides[0].rails[0].y += side;
+            moved.sides[1].rails[0].vz += 100.0 * side;
+            moved.sides[1].wheel_load += 1e8 * side;
+            moved
+        };
+        for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+            let at = |h: f64| {
+                let [a, b, c] = direction.map(|d| d * h);
+                let mut output = wheelset::Output::default();
+                wheelset.clone().evaluate(&moved(a, b, c), &mut output).unwrap();
+                output
+            };
+            let h = 1e-7;
+            let (plus, minus) = (at(h), at(-h));
+            let [a, b, c] = direction;
+            let (there, mut rates) = (moved(a, b, c), wheelset::Output::default());
+            let direction = difference(&there, &input);
+            wheelset.directional_derivative(&input, &direction, &mut rates).unwrap();
+            let all = |o: &wheelset::Output| {
+                let wrench = o.wheelset.force.iter().chain(&o.wheelset.moment).copied();
+                let mut all: Vec<f64> = wrench.collect();
+                all.extend([1e9 * o.wheelset_z, 1e9 * o.roll, o.wear_number]);
+                all
+            };
+            let found = all(&rates);
+            for (k, (a, b)) in all(&plus).iter().zip(all(&minus)).enumerate() {
+                let slope = (a - b) / (2.0 * h);
+                let error = (found[k] - slope).abs() / largest(&found);
+                assert!(error < 1e-5, "{vertical_mode:?} {k}: {} {slope}", found[k]);
+            }
+        }
+    }
+}
+
+/// The rates of the inputs from `from` to `to` in a time of 1.
+fn difference(to: &wheelset::Input, from: &wheelset::Input) -> wheelset::Input {
+    let of = |to: &wheelset::Input, from: &wheelset::Input, k: usize| {
+        let [to, from] = [to, from].map(|input| input.of_side(k, 0.0).to_array());
+        Input::from_array(std::array::from_fn(|i| to[i] - from[i]))
+    };
+    let [right, left] = [0, 1].map(|k| of(to, from, k));
+    let side = |input: &Input| wheelset::SideInput {
+        rails: input.rails,
+        wheel_load: input.wheel_load,
+        friction: input.friction,
+    };
+    let sides = [side(&right), side(&left)];
+    wheelset::Input { wheelset: right.wheel, sides, track_s: right.track_s }
 }
 
 #[test]

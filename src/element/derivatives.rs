@@ -66,11 +66,11 @@ impl Element {
         direction: &Input,
         rates: &mut Output,
     ) -> Result<(), ContactError> {
-        let mut memory = self.begin_derivatives(input)?;
+        let (input, mut memory) = self.begin_derivatives(input)?;
         let mirrored = self.side == Side::Left;
         let direction = if mirrored { direction.mirrored() } else { *direction };
         let DerivativeMemory { one, one_output, .. } = &mut *memory;
-        let followed = self.carried_at(input).and_then(|at| {
+        let followed = self.carried_at(&input).and_then(|at| {
             self.follow(&at, &[direction.to_array()], one, one_output, |_, found| {
                 *rates = if mirrored { found.mirrored() } else { found };
             })
@@ -90,17 +90,20 @@ impl Element {
         input: &Input,
         columns: &mut Vec<Output>,
     ) -> Result<(), ContactError> {
-        let mut memory = self.begin_derivatives(input)?;
+        let (input, mut memory) = self.begin_derivatives(input)?;
         let DerivativeMemory { all, all_output, .. } = &mut *memory;
         let followed =
-            self.carried_at(input).and_then(|at| self.all_columns(&at, all, all_output, columns));
+            self.carried_at(&input).and_then(|at| self.all_columns(&at, all, all_output, columns));
         self.memory = Some(memory);
         followed.map_err(at_this_input)
     }
 
     /// Checks input and models, and takes the memory out, so that it can be lent beside the element.
-    fn begin_derivatives(&mut self, input: &Input) -> Result<Box<DerivativeMemory>, ContactError> {
-        input.check()?;
+    fn begin_derivatives(
+        &mut self,
+        input: &Input,
+    ) -> Result<(Input, Box<DerivativeMemory>), ContactError> {
+        let input = input.admitted()?;
         let refuse = |name, reason| Err(ContactError::NoDerivative { name: Some(name), reason });
         if self.models.normal == NormalModel::BoundaryElement {
             return refuse(
@@ -119,14 +122,15 @@ impl Element {
         if self.models.strip_solver.is_some() {
             return refuse("normal.model = strips", "they are not there yet");
         }
-        Ok(self.memory.take().unwrap_or_else(|| {
+        let memory = self.memory.take().unwrap_or_else(|| {
             Box::new(DerivativeMemory {
                 one: self.models.in_other_numbers(),
                 one_output: Output::default(),
                 all: self.models.in_other_numbers(),
                 all_output: Output::default(),
             })
-        }))
+        });
+        Ok((input, memory))
     }
 
     /// The columns of [`jacobian`](Self::jacobian).
@@ -237,7 +241,10 @@ impl Element {
         }
         let mut output = Output::default();
         let load = input.wheel_load;
+        // No evaluation was asked for.
+        let work = self.work;
         self.carry_load(&mut input, &mut output);
+        self.work = work;
         if load <= 0.0 {
             return Ok((input, Height::Touching));
         }

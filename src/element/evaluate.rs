@@ -47,7 +47,7 @@ pub struct Element {
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
     pub(super) fallbacks: u64,
-    work: Work,
+    pub(super) work: Work,
     /// Memory for derivatives, once they have been asked for.
     pub(super) memory: Option<Box<DerivativeMemory>>,
 }

@@ -202,34 +202,11 @@ impl Input {
     /// The first input that is not finite.
     #[cold]
     fn bounded(&self) -> Result<Self, ContactError> {
-        if self.to_array().iter().any(|value| !value.is_finite()) {
+        let all = self.to_array();
+        if all.iter().any(|value| !value.is_finite()) {
             return Err(self.not_finite());
         }
-        let within = |value: f64| value.clamp(-MOST, MOST);
-        let w = &self.wheel;
-        Ok(Self {
-            wheel: WheelMotion {
-                position: w.position.map(within),
-                roll: within(w.roll),
-                yaw: within(w.yaw),
-                pitch: within(w.pitch),
-                velocity: w.velocity.map(within),
-                roll_rate: within(w.roll_rate),
-                yaw_rate: within(w.yaw_rate),
-                pitch_rate: within(w.pitch_rate),
-            },
-            wheel_load: within(self.wheel_load),
-            rails: self.rails.map(|r| RailMotion {
-                y: within(r.y),
-                z: within(r.z),
-                roll: within(r.roll),
-                vy: within(r.vy),
-                vz: within(r.vz),
-                roll_rate: within(r.roll_rate),
-            }),
-            track_s: within(self.track_s),
-            friction: within(self.friction),
-        })
+        Ok(Self::from_array(all.map(|value| value.clamp(-MOST, MOST))))
     }
 
     /// The error for the first input that is not finite.
