@@ -29,6 +29,8 @@ const REACH: [(f64, f64); 9] = [
     (2e-3, 1.0),  // rail, lateral
     (1e-2, 1.0),  // rail, roll
 ];
+/// Share of leaps, after each of which the height of first touch is searched, which takes as long as some fifty evaluations.
+const LEAPS: f64 = 0.005;
 /// A normal force that moves by more than this share of itself and this much [N] in one step has jumped: all inputs together move the
 /// penetration by a few tenths of a micrometre.
 const JUMP: f64 = 0.05;
@@ -60,7 +62,7 @@ impl Walk {
 
     /// A step of each, back towards the middle at the ends; now and then somewhere else, which is no step.
     fn step(&mut self) -> bool {
-        let leap = self.random.within(0.0, 1.0) < 0.05;
+        let leap = self.random.within(0.0, 1.0) < LEAPS;
         for (value, (reach, size)) in self.at.iter_mut().zip(REACH) {
             *value = if leap {
                 self.random.about(reach)
