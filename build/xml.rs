@@ -33,6 +33,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         w.create_element("CoSimulation")
@@ -43,6 +44,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

@@ -36,6 +36,14 @@ pub enum ContactError {
         /// What is wrong with it.
         problem: ProfileError,
     },
+    /// Derivatives that there are none of: with these parameters, or at this input.
+    #[error("no derivatives{}: {reason}", name.map(|name| format!(" with {name}")).unwrap_or_default())]
+    NoDerivative {
+        /// FMU name of the parameter with whose value there are none.
+        name: Option<&'static str>,
+        /// Why there are none.
+        reason: &'static str,
+    },
 }
 
 impl ContactError {
@@ -50,6 +58,8 @@ impl ContactError {
             Self::BadValue { name, .. }
             | Self::BadText { name, .. }
             | Self::Profile { name, .. } => *name = rename(name),
+            // Says what it is about in words.
+            Self::NoDerivative { .. } => {}
         }
         self
     }

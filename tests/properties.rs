@@ -232,7 +232,7 @@ fn any_zone() -> impl Strategy<Value = (Zone, Strips)> {
     let strip = (1e-4..1e-2f64, 1e5..3e9f64, 1e-5..2e-3f64, -2e-3..2e-3f64);
     prop::collection::vec(strip, 1..40).prop_map(|rows| {
         let mut strips = Strips::with_capacity(1, rows.len());
-        let mut zone = Zone { count: rows.len(), ..Zone::default() };
+        let mut zone: Zone = Zone { count: rows.len(), ..Zone::default() };
         let mut edge = 0.0;
         let (mut x_moment, mut y_moment) = (0.0, 0.0);
         for (half_length, pressure, width, x) in rows {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::derivatives::DerivativeMemory;
 use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
@@ -46,7 +47,9 @@ pub struct Element {
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
     pub(super) fallbacks: u64,
-    work: Work,
+    pub(super) work: Work,
+    /// Memory for derivatives, once they have been asked for.
+    pub(super) memory: Option<Box<DerivativeMemory>>,
 }
 
 impl Element {
@@ -134,6 +137,7 @@ impl Element {
             nominal_wheel_z: start.wheel.position[2],
             fallbacks: 0,
             work: Work::default(),
+            memory: None,
         };
         element.nominal_wheel_z = element.touching_height(start);
         Ok(element)

@@ -3,10 +3,13 @@
 mod chosen_models;
 mod contact_forces;
 mod curved_zone;
+mod derivatives;
 mod evaluate;
 mod flattened;
 pub mod input;
 mod models;
+mod moving_contact;
+mod number;
 pub mod output;
 pub mod parameters;
 mod rail_contact;

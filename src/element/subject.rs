@@ -58,6 +58,17 @@ pub trait Subject: Clone + Debug {
         duration: f64,
     ) -> Result<(), ContactError>;
 
+    /// The derivative of the outputs in the direction `direction` of the inputs, as rates; all is left as it was.
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or why there is none; `rates` is then as before.
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Self::Input,
+        direction: &Self::Input,
+        rates: &mut Self::Output,
+    ) -> Result<(), ContactError>;
+
     /// Its elements, in the order of [`PREFIXES`](Self::PREFIXES).
     fn elements(&self) -> &[Element];
 
@@ -108,6 +119,15 @@ impl Subject for Element {
         duration: f64,
     ) -> Result<(), ContactError> {
         self.advance(input, output, duration)
+    }
+
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
+    ) -> Result<(), ContactError> {
+        self.directional_derivative(input, direction, rates)
     }
 
     fn elements(&self) -> &[Element] {

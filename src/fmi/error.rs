@@ -41,6 +41,24 @@ pub enum FmiError {
     /// A derivative of what is no continuous input.
     #[error("{0} is no input: only inputs have time derivatives")]
     NoInput(&'static str),
+    /// A directional derivative of or by what has none.
+    #[error("{name} is not admitted as {role} of a directional derivative: {reason}")]
+    NoDerivative {
+        /// The variable.
+        name: &'static str,
+        /// Unknown or known.
+        role: &'static str,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// A seed that is not a number.
+    #[error("seed {seed} of {name} is not admitted: a finite number")]
+    BadSeed {
+        /// The input.
+        name: &'static str,
+        /// The seed.
+        seed: f64,
+    },
     /// A derivative that is not a number.
     #[error("derivative {order} of {name} = {value} is not admitted: a finite number")]
     BadDerivative {

@@ -127,6 +127,8 @@ pub struct Instance<S: Described> {
     pub(super) time: f64,
     /// Time derivatives of the inputs over the next step.
     pub(super) extrapolation: Extrapolation,
+    /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
+    pub(super) rates: Option<Box<ValuesOf<S>>>,
     /// Where the last step began, if energy is monitored.
     pub(super) last_step: Option<LastStep>,
     /// Texts handed out by the last `fmi2GetString`.
@@ -150,6 +152,7 @@ impl<S: Described> Instance<S> {
             experiment: None,
             time: 0.0,
             extrapolation: Extrapolation::new(S::UNIT),
+            rates: None,
             last_step: None,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
@@ -434,7 +437,7 @@ impl<S: Described> Instance<S> {
 
     /// Makes the element if there is none of these parameters, or none of this input if the nominal
     /// height is wanted.
-    fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
+    pub(super) fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
         if !self.is_prepared() || moved {
             let wear_model = self.wear_model();
@@ -509,7 +512,7 @@ fn refusal(unit: &'static Unit, reference: ValueReference, value: Value) -> FmiE
     check(variable, value).map_or_else(FmiError::from, |()| FmiError::Fixed(variable.name))
 }
 
-fn is_real(kind: Kind) -> bool {
+pub(super) fn is_real(kind: Kind) -> bool {
     matches!(kind, Kind::Real)
 }
 
@@ -526,7 +529,7 @@ fn is_text(kind: Kind) -> bool {
 }
 
 #[cold]
-fn wrong_type(variable: &Variable) -> FmiError {
+pub(super) fn wrong_type(variable: &Variable) -> FmiError {
     let kind = match variable.kind {
         Kind::Real => "Real",
         Kind::Integer => "Integer",

@@ -27,6 +27,7 @@
 
 pub mod abi;
 mod bytes;
+mod directional;
 mod error;
 mod extrapolation;
 mod guard;

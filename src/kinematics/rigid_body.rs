@@ -3,15 +3,16 @@
 use nalgebra::Vector3;
 
 use super::motion::WheelMotion;
+use crate::math::real::Real;
 
-impl WheelMotion {
+impl<T: Real> WheelMotion<T> {
     /// The axle, to the right, a unit vector in the track frame.
     ///
     /// ```text
     /// u = R_x(roll) R_z(yaw) e_y = (-sin yaw, cos roll cos yaw, sin roll cos yaw)
     /// ```
     #[must_use]
-    pub fn axle(&self) -> Vector3<f64> {
+    pub fn axle(&self) -> Vector3<T> {
         let (sin_roll, cos_roll) = self.roll.sin_cos();
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
         Vector3::new(-sin_yaw, cos_roll * cos_yaw, sin_roll * cos_yaw)
@@ -23,15 +24,15 @@ impl WheelMotion {
     /// ω - pitch_rate u = roll_rate e_x + yaw_rate e_z'
     /// ```
     #[must_use]
-    pub fn turning(&self) -> Vector3<f64> {
+    pub fn turning(&self) -> Vector3<T> {
         let (sin_roll, cos_roll) = self.roll.sin_cos();
-        let yaw_axis = Vector3::new(0.0, -sin_roll, cos_roll);
+        let yaw_axis = Vector3::new(T::from(0.0), -sin_roll, cos_roll);
         Vector3::x() * self.roll_rate + yaw_axis * self.yaw_rate
     }
 
     /// Angular velocity in the track frame [rad/s].
     #[must_use]
-    pub fn angular_velocity(&self) -> Vector3<f64> {
+    pub fn angular_velocity(&self) -> Vector3<T> {
         self.turning() + self.axle() * self.pitch_rate
     }
 
@@ -42,7 +43,7 @@ impl WheelMotion {
     /// ```
     #[must_use]
     pub fn along_axle(&self, along: f64) -> Self {
-        let arm = self.axle() * along;
+        let arm = self.axle() * T::from(along);
         let position = Vector3::from(self.position) + arm;
         let velocity = Vector3::from(self.velocity) + self.turning().cross(&arm);
         Self { position: position.into(), velocity: velocity.into(), ..*self }

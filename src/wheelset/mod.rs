@@ -16,6 +16,7 @@
 //! # Ok::<(), wheelrail::error::ContactError>(())
 //! ```
 
+mod derivatives;
 mod given_load;
 mod input;
 mod output;
@@ -230,6 +231,15 @@ impl Subject for Wheelset {
         duration: f64,
     ) -> Result<(), ContactError> {
         self.advance(input, output, duration)
+    }
+
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
+    ) -> Result<(), ContactError> {
+        self.directional_derivative(input, direction, rates)
     }
 
     fn elements(&self) -> &[Element] {

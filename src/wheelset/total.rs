@@ -4,12 +4,18 @@ use nalgebra::Vector3;
 
 use crate::element::input::WheelMotion;
 use crate::element::output::Wrench;
+use crate::math::real::Real;
 
 /// Adds to `total`, which is about the centre with that `motion`, a force on the body and its moment about the point of the axle
 /// `along` [m] to the right of there.
-pub fn add(total: &mut Wrench, motion: &WheelMotion, along: f64, wrench: &Wrench) {
+pub fn add<T: Real>(
+    total: &mut Wrench<T>,
+    motion: &WheelMotion<T>,
+    along: f64,
+    wrench: &Wrench<T>,
+) {
     let force = Vector3::from(wrench.force);
-    let moment = Vector3::from(wrench.moment) + (motion.axle() * along).cross(&force);
+    let moment = Vector3::from(wrench.moment) + (motion.axle() * T::from(along)).cross(&force);
     for i in 0..3 {
         total.force[i] += force[i];
         total.moment[i] += moment[i];

@@ -307,7 +307,8 @@ impl StripSolver {
             if !strips.has_room_for(i - begin) {
                 continue;
             }
-            let mut zone = Zone { first: strips.y.len(), count: i - begin, ..Zone::default() };
+            let mut zone: Zone =
+                Zone { first: strips.y.len(), count: i - begin, ..Zone::default() };
             for j in begin..i {
                 strips.y.push(nodes.y[j]);
                 strips.width.push(nodes.width[j]);

@@ -46,7 +46,7 @@ impl StripSolver {
             if !strips.has_room_for(count) {
                 continue;
             }
-            let mut zone = Zone { first: strips.y.len(), count, ..Zone::default() };
+            let mut zone: Zone = Zone { first: strips.y.len(), count, ..Zone::default() };
             for lobe in &self.lobes[begin..number] {
                 for i in lobe.first..lobe.first + n {
                     let nodes = &self.nodes;
