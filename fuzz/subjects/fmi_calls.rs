@@ -312,7 +312,9 @@ fn input_derivatives(component: Component, u: &mut Unstructured) -> Result<Statu
 fn directional_derivatives(component: Component, u: &mut Unstructured) -> Result<Status> {
     let unknowns = references(u, |kind| kind == Kind::Real)?;
     let knowns = references(u, |kind| kind == Kind::Real)?;
-    let seed: Vec<f64> = knowns.iter().map(|_| any(u)).collect::<Result<_>>()?;
+    let is_ordinary = u.arbitrary()?;
+    let one = |u: &mut Unstructured| if is_ordinary { within(u, 1.0) } else { any(u) };
+    let seed: Vec<f64> = knowns.iter().map(|_| one(u)).collect::<Result<_>>()?;
     let mut found = vec![0.0; unknowns.len()];
     // SAFETY: as many elements as the counts say.
     let status = unsafe {
@@ -326,6 +328,9 @@ fn directional_derivatives(component: Component, u: &mut Unstructured) -> Result
             found.as_mut_ptr(),
         )
     };
+    if is_ordinary && matches!(status, Status::Ok | Status::Warning) {
+        assert!(found.iter().all(|v| !v.is_nan()), "{unknowns:?} by {knowns:?}: {found:?}");
+    }
     Ok(status)
 }
 
