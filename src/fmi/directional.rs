@@ -1,7 +1,8 @@
 //! Directional derivatives of outputs by inputs (FMI 2.0, 2.1.9).
 
+use super::access::{is_real, variable, wrong_type};
 use super::error::FmiError;
-use super::instance::{Instance, State, is_real, variable, wrong_type};
+use super::instance::{Instance, State};
 use super::types::ValueReference;
 use crate::element::subject::Subject;
 use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variable};
@@ -62,6 +63,10 @@ fn real_with(
     reason: &'static str,
 ) -> Result<&'static Variable, FmiError> {
     let variable = variable(unit, reference)?;
+    if variable.on_request {
+        let reason = "it is a derivative itself";
+        return Err(FmiError::NoDerivative { name: variable.name, role, reason });
+    }
     if variable.causality != causality {
         return Err(FmiError::NoDerivative { name: variable.name, role, reason });
     }

@@ -1,8 +1,9 @@
 //! The state of an instance as `fmi2GetFMUstate` keeps it.
 
+use super::coupling::LastStep;
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
-use super::instance::{Experiment, Instance, LastStep, Purpose, State};
+use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::{Element, WearState};
 use crate::variables::{Described, ValuesOf};
@@ -173,6 +174,7 @@ impl<S: Described> Instance<S> {
         }
         self.extrapolation.copy_from(&saved.extrapolation);
         self.last_step = saved.last_step;
+        self.slopes_at = None;
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
         self.nominal_input = None;
