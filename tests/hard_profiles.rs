@@ -227,7 +227,8 @@ fn sweep(
             }
         }
     }
-    assert_eq!(loaded, 0, "{what}: fallbacks of a loaded wheel");
+    let most = tolerance::HARD_FALLBACKS * f64::from(count);
+    assert!(loaded as f64 <= most, "{what}: {loaded} fallbacks of a loaded wheel");
     let [median, worst] = median_and_worst(bends);
     format!("{what},{count},{},{loaded},{median:.2e},{worst:.2e}\n", element.fallbacks())
 }
