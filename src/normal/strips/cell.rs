@@ -19,20 +19,16 @@ pub struct Cell {
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
-    /// Whether its bounds are ridges, and how often an edge came to them.
-    pub at_ridge: [bool; 2],
-    pub hits: [u8; 2],
+    /// Coordinates where its interval of overlap begins and ends [m].
+    pub reach: [f64; 2],
     /// Parameter of the deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
     /// Whether a lobe is in it.
     pub active: bool,
-    /// Whether the left and the right end of the lobe lie on the ridge.
-    pub pinned: [bool; 2],
-    /// Whether they end there with the shape of a free edge, and how often one has left its ridge.
-    pub held: [bool; 2],
-    pub releases: u8,
+    /// Whether the left and the right end of the lobe is that of the lobe beside it too.
+    pub met: [bool; 2],
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
     /// Ends of the lobe, and parameters of the line near them at the start [m].

@@ -15,8 +15,10 @@ pub struct LobeRule {
     pub terms: usize,
     /// See [`logarithm_corrections`].
     pub corrections: Vec<f64>,
-    /// Values of the two outermost nodes from the next three.
-    pub extrapolation: [[f64; 3]; 2],
+    /// What the value of the outermost node is beyond that of the parabola through the next three: factors of the four.
+    pub closure: [f64; 4],
+    /// The same of values that have been multiplied by the root of the distance from the end, for values that have not.
+    pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
     pub legendre: Vec<Vec<f64>>,
     /// How far a node travels with the left and the right edge.
@@ -42,22 +44,34 @@ impl LobeRule {
         let terms = TERMS.min(count - 3);
         let legendre: Vec<Vec<f64>> =
             (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
-        let near = [t[2], t[3], t[4]];
+        let near = [t[1], t[2], t[3]];
         let lagrange = |x: f64, k: usize| -> f64 {
             (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
         };
-        let extrapolation = [0, 1].map(|outer| std::array::from_fn(|k| lagrange(t[outer], k)));
+        let closure = [1.0, -lagrange(t[0], 0), -lagrange(t[0], 1), -lagrange(t[0], 2)];
+        let met_closure =
+            std::array::from_fn(|k| closure[k] * ((1.0 + t[0]) / (1.0 + t[k])).sqrt());
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self { terms, corrections, extrapolation, legendre, travel, nodes: t, weights }
+        Self { terms, corrections, closure, met_closure, legendre, travel, nodes: t, weights }
     }
 
     /// Number of nodes.
     #[must_use]
     pub fn count(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// Nodes at the end `side` of a lobe, which meets another one there, and factors of their ratios in the pressure at that end beyond
+    /// that of a free one; `met` tells which of its ends do.
+    pub fn met_end(&self, met: [bool; 2], side: usize) -> impl Iterator<Item = (usize, f64)> {
+        let n = self.count();
+        let node = move |k| if side == 0 { k } else { n - 1 - k };
+        // The root of the distance from the other end.
+        let factor = if met[1 - side] { 1.0 } else { std::f64::consts::SQRT_2 };
+        self.met_closure.iter().enumerate().map(move |(k, c)| (node(k), factor * c))
     }
 }
 
@@ -71,10 +85,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parabolas_are_extrapolated() {
+    fn parabolas_close_free_ends_and_their_products_with_the_root_met_ones() {
         let rule = LobeRule::new(12);
-        let t = &rule.nodes;
-        let outer: f64 = (0..3).map(|k| rule.extrapolation[0][k] * t[k + 2] * t[k + 2]).sum();
-        approx::assert_relative_eq!(outer, t[0] * t[0], max_relative = 1e-12);
+        let f = |t: f64| 1.0 + t * (0.5 - 2.0 * t);
+        let (mut free, mut met) = (0.0, 0.0);
+        for k in 0..4 {
+            let t = rule.nodes[k];
+            free += rule.closure[k] * f(t);
+            met += rule.met_closure[k] * f(t) * (1.0 + t).sqrt();
+        }
+        approx::assert_abs_diff_eq!(free, 0.0, epsilon = 1e-14);
+        approx::assert_abs_diff_eq!(met, 0.0, epsilon = 1e-14);
     }
 }

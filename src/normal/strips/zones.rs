@@ -24,19 +24,14 @@ impl StripSolver {
         (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
     }
 
-    /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
+    /// Hands the lobes over as strips; lobes that have met are one zone.
     pub(super) fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
         let n = self.rule.count();
         let mut number = 0;
         while number < self.lobes.len() {
             let begin = number;
             while number + 1 < self.lobes.len() {
-                let (here, next) = (self.lobes[number].cell, self.lobes[number + 1].cell);
-                let meets = next == here + 1
-                    && self.cells[here].joined
-                    && self.cells[here].pinned[1]
-                    && self.cells[next].pinned[0];
-                if !meets {
+                if !self.cells[self.lobes[number].cell].met[1] {
                     break;
                 }
                 number += 1;
