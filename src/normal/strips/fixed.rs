@@ -17,7 +17,7 @@ use super::cell::{self, TERMS};
 use super::influence::{skewed, straight};
 use super::pair_sums::bend;
 use super::rule::legendre;
-use super::solver::{LEAST_SHARE, StripSolver};
+use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;
 use crate::math::linear_system;
 use crate::normal::{Strips, Zone};
@@ -50,7 +50,7 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-        self.begin(line, (probes, level), 1.0);
+        self.begin(line, (probes, level), STARTS[0]);
         for i in 0..self.cells.len() {
             if !self.cells[i].active {
                 let depth = self.cells[i].deepest[1];

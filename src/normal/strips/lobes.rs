@@ -4,17 +4,19 @@ use std::f64::consts::PI;
 
 use super::cell::{self, TERMS};
 use super::nodes::Lobe;
-use super::solver::{MOST_LOBES, StripSolver};
+use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
 use crate::normal::hertz;
 
 /// Overlap, over the deepest, from which a cell has a lobe from the start.
 const FIRST_LOBES: f64 = 0.4;
+/// Share of the approach that several lobes leave each other.
+const SHARED: f64 = 0.75;
 
 impl StripSolver {
     /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
-    pub(super) fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) {
+    pub(super) fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) {
         self.lobes.clear();
         for cell in self.cells.iter_mut() {
             cell.bounds = cell.range.map(|u| line.place(u).y);
@@ -25,12 +27,15 @@ impl StripSolver {
                 continue;
             }
             let reach = [self.cells[begin].bounds[0], self.cells[i].bounds[1]];
-            for cell in &mut self.cells[begin..=i] {
+            for (k, cell) in self.cells[begin..=i].iter_mut().enumerate() {
                 cell.reach = reach;
+                cell.inner = [k > 0, begin + k < i];
             }
             begin = i + 1;
         }
         let most = self.cells.iter().map(|c| c.deepest[1]).fold(0.0, f64::max);
+        let first = self.cells.iter().filter(|c| c.deepest[1] > FIRST_LOBES * most).count();
+        let approach = if first > 1 { SHARED * start.approach } else { start.approach };
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
             if depth > FIRST_LOBES * most {

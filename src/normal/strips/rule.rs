@@ -17,6 +17,8 @@ pub struct LobeRule {
     pub corrections: Vec<f64>,
     /// What the value of the outermost node is beyond that of the parabola through the next three: factors of the four.
     pub closure: [f64; 4],
+    /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
+    pub outer_closures: [[f64; 4]; 2],
     /// The same of values that have been multiplied by the root of the distance from the end, for values that have not.
     pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
@@ -44,18 +46,15 @@ impl LobeRule {
         let terms = TERMS.min(count - 3);
         let legendre: Vec<Vec<f64>> =
             (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
-        let near = [t[1], t[2], t[3]];
-        let lagrange = |x: f64, k: usize| -> f64 {
-            (0..3).filter(|&l| l != k).map(|l| (x - near[l]) / (near[k] - near[l])).product()
-        };
-        let closure = [1.0, -lagrange(t[0], 0), -lagrange(t[0], 1), -lagrange(t[0], 2)];
+        let closure = lagrange_closure([t[1], t[2], t[3]], t[0]);
+        let outer_closures = [0, 1].map(|outer| lagrange_closure([t[2], t[3], t[4]], t[outer]));
         let met_closure =
             std::array::from_fn(|k| closure[k] * ((1.0 + t[0]) / (1.0 + t[k])).sqrt());
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self { terms, corrections, closure, met_closure, legendre, travel, nodes: t, weights }
+        Self { terms, corrections, closure, outer_closures, met_closure, legendre, travel, nodes: t, weights }
     }
 
     /// Number of nodes.
@@ -73,6 +72,15 @@ impl LobeRule {
         let factor = if met[1 - side] { 1.0 } else { std::f64::consts::SQRT_2 };
         self.met_closure.iter().enumerate().map(move |(k, c)| (node(k), factor * c))
     }
+}
+
+/// Factors of the values at `to` and at three nodes in what the first is beyond the parabola through the three.
+fn lagrange_closure(nodes: [f64; 3], to: f64) -> [f64; 4] {
+    let factor = |k: usize| -> f64 {
+        let others = (0..3).filter(|&l| l != k);
+        others.map(|l| (to - nodes[l]) / (nodes[k] - nodes[l])).product()
+    };
+    [1.0, -factor(0), -factor(1), -factor(2)]
 }
 
 /// Legendre polynomials at `t`, as many as a lobe has shape terms.

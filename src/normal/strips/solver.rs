@@ -31,13 +31,30 @@ const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
 /// Share of the greatest ratio below which a node may be emptied.
 const EMPTY: f64 = 1e-3;
-/// Starts: approach over the overlap, share of the Newton step, and whether lobes on both sides of a ridge begin as one zone.
-const STARTS: [(f64, f64, bool); 4] =
-    [(1.0, 1.0, false), (1.0, 1.0, true), (0.7, 0.6, false), (0.45, 0.4, false)];
+/// Starts, tried in turn.
+pub(super) const STARTS: [Start; 4] = [
+    Start { approach: 1.0, caution: 1.0, met: false },
+    Start { approach: 0.7, caution: 0.6, met: false },
+    Start { approach: 1.0, caution: 1.0, met: true },
+    Start { approach: 0.45, caution: 0.4, met: false },
+];
+/// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
+const MOST_SHAPE: f64 = 4.0;
 /// Share from which a ridge counts.
 pub(super) const LEAST_SHARE: f64 = 0.05;
 /// Greatest change of a shape term in one step.
 const MOST_SHAPE_STEP: f64 = 0.6;
+
+/// How the lobes begin.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    /// Approach over the overlap.
+    pub approach: f64,
+    /// Share of the Newton step that is taken far from the solution.
+    pub caution: f64,
+    /// Whether lobes on both sides of a ridge begin as one zone.
+    pub met: bool,
+}
 
 /// Work of one solver since it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -106,10 +123,10 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         self.work.solved += 1;
-        for (approach, caution, met) in STARTS {
+        for start in STARTS {
             cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-            self.caution = caution;
-            if self.settle(line, (probes, level), approach, met) {
+            self.caution = start.caution;
+            if self.settle(line, (probes, level), start) {
                 self.emit(contact_modulus, strips);
                 return true;
             }
@@ -128,11 +145,10 @@ impl StripSolver {
         &mut self,
         line: &mut impl Line,
         overlap: (&[Probe], f64),
-        approach: f64,
-        met: bool,
+        start: Start,
     ) -> bool {
-        self.begin(line, overlap, approach);
-        if met && !self.begin_met() {
+        self.begin(line, overlap, start);
+        if start.met && !self.begin_met() {
             return false;
         }
         for _ in 0..MOST_CHANGES {
@@ -194,7 +210,11 @@ impl StripSolver {
             let k = (change / (before * before)).max(1.0);
             let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
             before = change;
+            if self.lobes.iter().any(|l| self.cells[l.cell].shape.iter().any(|s| s.abs() > MOST_SHAPE)) {
+                return false;
+            }
             let changed = self.meet_and_part(settled);
+            if std::env::var("DBG").is_ok() { eprint!("  change {change:.2e} share {share:.2} damp {damping} "); for l in self.lobes.iter() { let c = &self.cells[l.cell]; eprint!("[{:.4} {:.4}] met {:?} shape {:.3?} q0 {:.2e} {:.2e} qn {:.2e} | ", 1e3*c.edges[0], 1e3*c.edges[1], c.met, c.shape, self.nodes.ratio[l.first]/scale,self.nodes.ratio[l.first+1]/scale, self.nodes.ratio[l.first+n-1]/scale); } eprintln!(); } //DBG
             if !changed && share * damping >= 1.0 && (change < LAST_STEP || near) {
                 self.place_nodes(line);
                 return true;

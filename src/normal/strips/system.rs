@@ -206,10 +206,14 @@ impl Assembly<'_> {
         let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
         let error = radius * curvature - 1.0;
         m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
-        if !loaded {
+        let finds_edge = [1, n - 2]
+            .iter()
+            .zip(self.cells[cell].met)
+            .any(|(&second, met)| t == second && !met);
+        if !loaded && !finds_edge {
             // An unloaded node may lie apart: its ratio below zero is that distance, in the measure in which a pressure would act, so that
             // the condition at an edge goes on evenly.
-            let stiffness = UNLOADED * nodes.width[i] * nodes.edge_shape[i] * inverse_depth;
+            let stiffness = 1.0 / self.scale;
             m.right[equation] -= stiffness * nodes.ratio[i];
             m.newton[equation * unknowns + equation] += stiffness;
         }
@@ -316,13 +320,22 @@ impl Assembly<'_> {
         let cell = &self.cells[cell];
         for side in 0..2 {
             let row = begin + n + side;
-            if !cell.met[side] {
-                // The ratio is smooth up to the edge.
-                for (k, c) in rule.closure.iter().enumerate() {
-                    let at = if side == 0 { k } else { n - 1 - k };
-                    m.newton[row * unknowns + begin + at] = c / self.scale;
-                    m.right[row] -= c * nodes.ratio[first + at] / self.scale;
+            let place = |k: usize| if side == 0 { k } else { n - 1 - k };
+            let close = |m: &mut Matrices, row: usize, factors: [f64; 4], from_end: [usize; 4]| {
+                for (factor, k) in factors.into_iter().zip(from_end) {
+                    m.newton[row * unknowns + begin + place(k)] = factor / self.scale;
+                    m.right[row] -= factor * nodes.ratio[first + place(k)] / self.scale;
                 }
+            };
+            if !cell.met[side] {
+                // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
+                // the condition of the second one finds the edge.
+                let outermost = begin + place(0);
+                let [edge, second] = rule.outer_closures;
+                close(m, row, edge, [0, 2, 3, 4]);
+                m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
+                m.right[outermost] = 0.0;
+                close(m, outermost, second, [1, 2, 3, 4]);
             } else if side == 0 {
                 // The end of the lobe before.
                 let before = &self.cells[self.lobes[lobe - 1].cell];
