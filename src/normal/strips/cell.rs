@@ -31,6 +31,8 @@ pub struct Cell {
     pub active: bool,
     /// Whether the left and the right end of the lobe is that of the lobe beside it too.
     pub met: [bool; 2],
+    /// How often its free ends have been moved to where its load ends.
+    pub retreats: u8,
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
     /// Ends of the lobe, and parameters of the line near them at the start [m].

@@ -5,6 +5,8 @@ use super::solver::StripSolver;
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
 
+/// How often free ends of a lobe may be moved.
+const MOST_RETREATS: u8 = 2;
 /// Least width of a lobe where it comes to meet another one, share of both.
 const LEAST_WIDTH: f64 = 0.02;
 /// Share of its first pressure or width with which a lobe has vanished.
@@ -100,6 +102,29 @@ impl StripSolver {
             self.nodes.spare.push(ratio);
         }
         self.nodes.ratio[first..first + n].copy_from_slice(&self.nodes.spare);
+    }
+
+    /// Moves free ends of a solution to where the load ends, if more than the outermost node is without; whether there were any.
+    pub(super) fn retreat_free_ends(&mut self) -> bool {
+        let n = self.rule.count();
+        let mut changed = false;
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first } = self.lobes[number];
+            for side in 0..2 {
+                if self.cells[cell].met[side] || self.cells[cell].retreats >= MOST_RETREATS {
+                    continue;
+                }
+                let second = self.nodes.y[first + if side == 0 { 1 } else { n - 2 }];
+                let Some(end) = self.early_end(number, side) else { continue };
+                let early = if side == 0 { end >= second } else { end <= second };
+                if early {
+                    self.cells[cell].retreats += 1;
+                    self.retreat(number, side, end);
+                    changed = true;
+                }
+            }
+        }
+        changed
     }
 
     /// Joins lobes whose edges have come to each other, and parts those without pressure at their joint, or next to it where pressures

@@ -54,7 +54,17 @@ impl LobeRule {
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self { terms, corrections, closure, outer_closures, met_closure, legendre, travel, nodes: t, weights }
+        Self {
+            terms,
+            corrections,
+            closure,
+            outer_closures,
+            met_closure,
+            legendre,
+            travel,
+            nodes: t,
+            weights,
+        }
     }
 
     /// Number of nodes.

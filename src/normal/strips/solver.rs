@@ -141,12 +141,7 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells.
-    fn settle(
-        &mut self,
-        line: &mut impl Line,
-        overlap: (&[Probe], f64),
-        start: Start,
-    ) -> bool {
+    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) -> bool {
         self.begin(line, overlap, start);
         if start.met && !self.begin_met() {
             return false;
@@ -210,13 +205,20 @@ impl StripSolver {
             let k = (change / (before * before)).max(1.0);
             let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
             before = change;
-            if self.lobes.iter().any(|l| self.cells[l.cell].shape.iter().any(|s| s.abs() > MOST_SHAPE)) {
+            if self
+                .lobes
+                .iter()
+                .any(|l| self.cells[l.cell].shape.iter().any(|s| s.abs() > MOST_SHAPE))
+            {
                 return false;
             }
             let changed = self.meet_and_part(settled);
-            if std::env::var("DBG").is_ok() { eprint!("  change {change:.2e} share {share:.2} damp {damping} "); for l in self.lobes.iter() { let c = &self.cells[l.cell]; eprint!("[{:.4} {:.4}] met {:?} shape {:.3?} q0 {:.2e} {:.2e} qn {:.2e} | ", 1e3*c.edges[0], 1e3*c.edges[1], c.met, c.shape, self.nodes.ratio[l.first]/scale,self.nodes.ratio[l.first+1]/scale, self.nodes.ratio[l.first+n-1]/scale); } eprintln!(); } //DBG
             if !changed && share * damping >= 1.0 && (change < LAST_STEP || near) {
                 self.place_nodes(line);
+                if self.retreat_free_ends() {
+                    before = f64::INFINITY;
+                    continue;
+                }
                 return true;
             }
             if self.mark_vanishing() {

@@ -206,10 +206,8 @@ impl Assembly<'_> {
         let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
         let error = radius * curvature - 1.0;
         m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
-        let finds_edge = [1, n - 2]
-            .iter()
-            .zip(self.cells[cell].met)
-            .any(|(&second, met)| t == second && !met);
+        let finds_edge =
+            [1, n - 2].iter().zip(self.cells[cell].met).any(|(&second, met)| t == second && !met);
         if !loaded && !finds_edge {
             // An unloaded node may lie apart: its ratio below zero is that distance, in the measure in which a pressure would act, so that
             // the condition at an edge goes on evenly.
