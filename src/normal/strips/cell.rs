@@ -21,8 +21,6 @@ pub struct Cell {
     pub joined: bool,
     /// Coordinates where its interval of overlap begins and ends [m].
     pub reach: [f64; 2],
-    /// Whether there is another cell of the same interval beyond its left and right bound.
-    pub inner: [bool; 2],
     /// Parameter of the deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.

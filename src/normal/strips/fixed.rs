@@ -20,7 +20,7 @@ use super::rule::legendre;
 use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;
 use crate::math::linear_system;
-use crate::normal::{Strips, Zone};
+use crate::normal::Strips;
 
 /// Rounds of pressures and shape; steps of the pressures in the first and in the later ones.
 const ROUNDS: usize = 16;
@@ -307,17 +307,7 @@ impl StripSolver {
             if !strips.has_room_for(i - begin) {
                 continue;
             }
-            let mut zone = Zone { first: strips.y.len(), count: i - begin, ..Zone::default() };
-            for j in begin..i {
-                strips.y.push(nodes.y[j]);
-                strips.width.push(nodes.width[j]);
-                strips.x.push(nodes.x[j]);
-                strips.half_length.push(nodes.half_length[j]);
-                strips.pressure.push(PI * contact_modulus * nodes.pressure[j]);
-                strips.u.push(nodes.u[j]);
-                zone.length = zone.length.max(2.0 * nodes.half_length[j]);
-                zone.max_pressure = zone.max_pressure.max(PI * contact_modulus * nodes.pressure[j]);
-            }
+            let mut zone = self.push_zone(begin..i, contact_modulus, strips);
             zone.width = nodes.y[i - 1] - nodes.y[begin] + nodes.width[begin];
             strips.summarise(&mut zone);
             strips.zones.push(zone);

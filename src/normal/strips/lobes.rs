@@ -27,9 +27,8 @@ impl StripSolver {
                 continue;
             }
             let reach = [self.cells[begin].bounds[0], self.cells[i].bounds[1]];
-            for (k, cell) in self.cells[begin..=i].iter_mut().enumerate() {
+            for cell in &mut self.cells[begin..=i] {
                 cell.reach = reach;
-                cell.inner = [k > 0, begin + k < i];
             }
             begin = i + 1;
         }

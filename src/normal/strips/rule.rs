@@ -15,11 +15,10 @@ pub struct LobeRule {
     pub terms: usize,
     /// See [`logarithm_corrections`].
     pub corrections: Vec<f64>,
-    /// What the value of the outermost node is beyond that of the parabola through the next three: factors of the four.
-    pub closure: [f64; 4],
     /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
     pub outer_closures: [[f64; 4]; 2],
-    /// The same of values that have been multiplied by the root of the distance from the end, for values that have not.
+    /// What the value of the outermost node is beyond that of the next three where a parabola times the root of the distance from the end
+    /// goes through them: factors of the four.
     pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
     pub legendre: Vec<Vec<f64>>,
@@ -57,7 +56,6 @@ impl LobeRule {
         Self {
             terms,
             corrections,
-            closure,
             outer_closures,
             met_closure,
             legendre,
@@ -106,13 +104,13 @@ mod tests {
     fn parabolas_close_free_ends_and_their_products_with_the_root_met_ones() {
         let rule = LobeRule::new(12);
         let f = |t: f64| 1.0 + t * (0.5 - 2.0 * t);
-        let (mut free, mut met) = (0.0, 0.0);
-        for k in 0..4 {
-            let t = rule.nodes[k];
-            free += rule.closure[k] * f(t);
-            met += rule.met_closure[k] * f(t) * (1.0 + t).sqrt();
+        let at = |k: usize| f(rule.nodes[k]);
+        for (closure, nodes) in rule.outer_closures.iter().zip([[0, 2, 3, 4], [1, 2, 3, 4]]) {
+            let free: f64 = closure.iter().zip(nodes).map(|(c, k)| c * at(k)).sum();
+            approx::assert_abs_diff_eq!(free, 0.0, epsilon = 1e-14);
         }
-        approx::assert_abs_diff_eq!(free, 0.0, epsilon = 1e-14);
+        let root = |k: usize| (1.0 + rule.nodes[k]).sqrt();
+        let met: f64 = (0..4).map(|k| rule.met_closure[k] * at(k) * root(k)).sum();
         approx::assert_abs_diff_eq!(met, 0.0, epsilon = 1e-14);
     }
 }

@@ -20,7 +20,9 @@ const MOST_CHANGES: usize = 16;
 /// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 3e-6;
 const LONGEST_LAST_STEP: f64 = 1e-4;
-const LEFT_OVER: f64 = 1e-10;
+const LEFT_OVER: f64 = 5e-10;
+/// Least change that a change of one leaves.
+const LEAST_RATE: f64 = 0.3;
 /// Change from which a set of loaded nodes is believed.
 const SETTLED: f64 = 0.1;
 /// Share of what a step should have got shorter by that it has to, and least share of a step that is taken otherwise.
@@ -202,7 +204,7 @@ impl StripSolver {
             }
             self.advance(share * caution * damping, scale, settled);
             // A change c leaves about k c².
-            let k = (change / (before * before)).max(1.0);
+            let k = (change / (before * before)).max(LEAST_RATE);
             let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
             before = change;
             if self

@@ -25,8 +25,6 @@ use super::rule::LobeRule;
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 const SHAPE_REGULARISATION: f64 = 1e-5;
 
-/// Displacement by the pressure of a strip on itself over its width, about.
-const UNLOADED: f64 = 4.0;
 /// How strongly the joint of two lobes is drawn to the ridge.
 const TO_RIDGE: f64 = 10.0;
 
@@ -209,11 +207,9 @@ impl Assembly<'_> {
         let finds_edge =
             [1, n - 2].iter().zip(self.cells[cell].met).any(|(&second, met)| t == second && !met);
         if !loaded && !finds_edge {
-            // An unloaded node may lie apart: its ratio below zero is that distance, in the measure in which a pressure would act, so that
-            // the condition at an edge goes on evenly.
-            let stiffness = 1.0 / self.scale;
-            m.right[equation] -= stiffness * nodes.ratio[i];
-            m.newton[equation * unknowns + equation] += stiffness;
+            // An unloaded node may lie apart: its ratio below zero is that distance.
+            m.right[equation] -= nodes.ratio[i] / self.scale;
+            m.newton[equation * unknowns + equation] += 1.0 / self.scale;
         }
         for term in 0..rule.terms {
             let row = lobe * block + n + 2 + term;
