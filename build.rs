@@ -1,5 +1,5 @@
-//! Makes from `modelDescription/variables.toml` the variable table of the library, and in release
-//! builds with the feature `package` the archive `WheelRail.fmu` beside the binaries.
+//! Makes from `modelDescription` the variable tables of the library, and in release builds with the feature
+//! `package` the archives `WheelRail.fmu` and `WheelSet.fmu` beside the binaries.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -14,20 +14,33 @@ mod package;
 #[cfg(feature = "package")]
 #[path = "build/platforms.rs"]
 mod platforms;
+#[path = "build/wheelset.rs"]
+mod wheelset;
 #[cfg(feature = "package")]
 #[path = "build/xml.rs"]
 mod xml;
 
 fn main() {
     println!("cargo::rerun-if-changed=modelDescription");
-    let path = "modelDescription/variables.toml";
-    let text = fs::read_to_string(path).unwrap_or_else(|e| panic!("{path}: {e}"));
-    let declaration = declaration::Declaration::read(&text);
+    let read = |path: &str| fs::read_to_string(path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let text = read("modelDescription/variables.toml");
+    let file = declaration::File::read(&text);
+    let wheel = declaration::Declaration::of_wheel(&file, &text);
+    let wheelset = wheelset::derive(&file, &wheel, &read("modelDescription/wheelset.toml"));
+    let targets = [
+        code::Target { declaration: &wheel, unit: "WHEEL", table: "VARIABLES", subject: "Element" },
+        code::Target {
+            declaration: &wheelset,
+            unit: "WHEELSET",
+            table: "WHEELSET_VARIABLES",
+            subject: "Wheelset",
+        },
+    ];
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("variables.rs"), code::generate(&declaration))
+    fs::write(out.join("variables.rs"), code::generate(&targets))
         .unwrap_or_else(|e| panic!("cannot write variables.rs to {}: {e}", out.display()));
     #[cfg(feature = "package")]
     if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
-        package::pack(&declaration);
+        package::pack(&[&wheel, &wheelset]);
     }
 }

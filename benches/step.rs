@@ -5,6 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use wheelrail::element::input::INPUTS;
 use wheelrail::element::parameters::{
     CreepageModel, NormalModel, TangentialModel, VerticalMode, WearDistribution, WearModel,
 };
@@ -127,6 +128,43 @@ fn options(c: &mut Criterion) {
     }
 }
 
+/// One evaluation, its derivative in one direction and its Jacobian, as multiples of which their cost is stated.
+fn derivatives(c: &mut Criterion) {
+    let mut group = c.benchmark_group("derivatives");
+    for (name, tangential_model, vertical_mode) in [
+        ("fastsim", TangentialModel::Fastsim, VerticalMode::Penetration),
+        ("tables", TangentialModel::Tables, VerticalMode::Penetration),
+        ("load+fastsim", TangentialModel::Fastsim, VerticalMode::Load),
+    ] {
+        let parameters = Parameters { tangential_model, vertical_mode, ..Parameters::default() };
+        for case in &SCENES[1..] {
+            let (mut element, input) = scene(case, &parameters);
+            let mut direction = Input::from_array([0.0; INPUTS]);
+            direction.wheel.position[1] = 1.0;
+            let (mut output, mut columns) = (Output::default(), Vec::new());
+            let id = |what: &str| format!("{name}/{}/{what}", case.name);
+            group.bench_function(id("evaluation"), |b| {
+                b.iter(|| element.evaluate(black_box(&input), &mut output).expect("finite input"));
+            });
+            group.bench_function(id("direction"), |b| {
+                b.iter(|| {
+                    let rates = &mut output;
+                    let found =
+                        element.directional_derivative(black_box(&input), &direction, rates);
+                    found.expect("a smooth place");
+                });
+            });
+            group.bench_function(id("jacobian"), |b| {
+                b.iter(|| {
+                    let found = element.jacobian(black_box(&input), &mut columns);
+                    found.expect("a smooth place");
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
 /// A step of time with a wear law and without, and an update of the profiles of wheel and rail.
 fn wear(c: &mut Criterion) {
     let mut group = c.benchmark_group("wear");
@@ -165,5 +203,5 @@ fn wear(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, models, strips, options, wear);
+criterion_group!(benches, models, strips, options, derivatives, wear);
 criterion_main!(benches);

@@ -1,27 +1,54 @@
-//! Writes the Rust side of the declaration: the variable table and typed access to the fields.
+//! Writes the Rust side of the declarations: the variable tables and typed access to the fields.
 
 use std::fmt::Write;
 
 use crate::declaration::{Causality, Declaration, Kind, Variable};
 
-/// The text of `variables.rs`, included by `src/variables/mod.rs`.
-pub fn generate(declaration: &Declaration) -> String {
+/// A declaration and what it becomes in Rust.
+pub struct Target<'a> {
+    pub declaration: &'a Declaration,
+    /// Name of the static with the unit.
+    pub unit: &'a str,
+    /// Name of the static with its variables.
+    pub table: &'a str,
+    /// Type that implements the access.
+    pub subject: &'a str,
+}
+
+/// The text of `variables.rs`, included by `src/variables/table.rs`; what the declarations have in common is taken from the first one.
+pub fn generate(targets: &[Target]) -> String {
     let mut code = String::new();
     let out = &mut code;
-    line(out, "/// Identifies the description from which library and XML were made: its hash.");
-    line(out, &format!("pub const GUID: &str = {:?};", declaration.guid));
+    let common = targets[0].declaration;
     line(out, "/// Categories of log messages, name and description.");
     line(out, "pub const LOG_CATEGORIES: &[(&str, &str)] = &[");
-    for category in &declaration.log_categories {
+    for category in &common.log_categories {
         line(out, &format!("({:?}, {:?}),", category.name, category.description));
     }
     line(out, "];");
-    for repeat in &declaration.repeats {
+    for repeat in targets.iter().flat_map(|target| &target.declaration.repeats) {
         line(out, &format!("const _: () = assert!({} == {});", repeat.constant, repeat.count));
     }
-    enumerations(out, declaration);
-    table(out, declaration);
-    access(out, declaration);
+    enumerations(out, common);
+    for target in targets {
+        let Target { declaration, unit, table: name, subject } = target;
+        let identifier = &declaration.model.name;
+        line(out, &format!("/// The unit `{identifier}`."));
+        line(
+            out,
+            &format!(
+                "pub static {unit}: Unit = Unit {{ identifier: {identifier:?}, guid: {:?}, variables: {name} }};",
+                declaration.guid
+            ),
+        );
+        table(out, declaration, name);
+        line(
+            out,
+            &format!("impl Described for {subject} {{\nconst UNIT: &'static Unit = &{unit};"),
+        );
+        access(out, declaration);
+        line(out, "}");
+    }
     code
 }
 
@@ -69,9 +96,13 @@ fn enumerations(out: &mut String, declaration: &Declaration) {
     }
 }
 
-fn table(out: &mut String, declaration: &Declaration) {
-    line(out, "/// Every variable; its place is its FMI value reference.");
-    line(out, "pub static VARIABLES: &[Variable] = &[");
+fn table(out: &mut String, declaration: &Declaration, name: &str) {
+    let identifier = &declaration.model.name;
+    line(
+        out,
+        &format!("/// Every variable of `{identifier}`; its place is its FMI value reference."),
+    );
+    line(out, &format!("pub static {name}: &[Variable] = &["));
     for (reference, v) in declaration.variables.iter().enumerate() {
         let (kind, start) = match &v.kind {
             Kind::Real(s) => {
@@ -100,13 +131,14 @@ fn table(out: &mut String, declaration: &Declaration) {
             &format!(
                 "Variable {{ name: {:?}, description: {:?}, reference: {reference}, kind: {kind}, \
                  causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, start: {start}, \
-                 dependencies: &{:?}, allowed: {:?} }},",
+                 dependencies: &{:?}, on_request: {}, allowed: {:?} }},",
                 v.name,
                 v.description,
                 v.unit.as_deref().unwrap_or(""),
                 bound(v.min),
                 bound(v.max),
                 v.dependencies,
+                v.on_request,
                 allowed(declaration, v),
             ),
         );
@@ -148,8 +180,7 @@ fn allowed(declaration: &Declaration, v: &Variable) -> String {
     }
 }
 
-/// Functions that read and write the field behind a variable, one for each type. A reference of
-/// another type gives `None` or changes nothing: callers check the type first.
+/// Functions that read and write the field behind a variable, one for each type.
 fn access(out: &mut String, declaration: &Declaration) {
     let of = |wanted: fn(&Kind) -> bool| {
         let all = declaration.variables.iter().enumerate();
@@ -162,54 +193,61 @@ fn access(out: &mut String, declaration: &Declaration) {
         }
         arms
     };
+    let is_set = |v: &Variable| matches!(v.causality, Causality::Input | Causality::Parameter);
     let settable = |wanted: fn(&Kind) -> bool, set: &dyn Fn(&str) -> String| {
         let mut arms = String::new();
-        for (reference, v) in of(wanted) {
-            if matches!(v.causality, Causality::Input | Causality::Parameter) {
-                line(&mut arms, &format!("{reference} => {},", set(&v.field)));
-            }
+        for (reference, v) in of(wanted).filter(|(_, v)| is_set(v)) {
+            let all: Vec<String> =
+                std::iter::once(&v.field).chain(&v.also).map(|field| set(field)).collect();
+            line(&mut arms, &format!("{reference} => {{ {}; }}", all.join("; ")));
         }
         arms
     };
-    let real: fn(&Kind) -> bool = |k| matches!(k, Kind::Real(_));
+    // Alone in its field, and not computed from inputs.
+    let is_slot = |v: &Variable| {
+        v.also.is_empty() && (is_set(v) || v.causality == Causality::CalculatedParameter)
+    };
+    let mut slots = String::new();
+    let mut shared = String::new();
+    for (reference, v) in of(|k| matches!(k, Kind::Real(_))) {
+        if is_slot(v) {
+            line(&mut slots, &format!("{reference} => Some(&mut values.{}),", v.field));
+        } else if is_set(v) {
+            let all = std::iter::once(&v.field).chain(&v.also);
+            let all: Vec<String> = all.map(|field| format!("values.{field} = value")).collect();
+            line(&mut shared, &format!("{reference} => {{ {}; }}", all.join("; ")));
+        }
+    }
     let integer: fn(&Kind) -> bool = |k| matches!(k, Kind::Integer(_) | Kind::Enumeration(..));
     let boolean: fn(&Kind) -> bool = |k| matches!(k, Kind::Boolean(_));
     let text: fn(&Kind) -> bool = |k| matches!(k, Kind::Text(_));
+    let real: fn(&Kind) -> bool = |k| matches!(k, Kind::Real(_));
     let function = |head: &str, arms: String, rest: &str| {
+        // Without an arm nothing is used.
+        let unused =
+            if arms.is_empty() { ", unused_variables, clippy::match_single_binding" } else { "" };
         format!(
-            "#[allow(clippy::single_match, clippy::too_many_lines)]\n#[inline]\npub(super) fn {head} {{ match reference {{ {arms} _ => {rest} }} }}"
+            "#[allow(clippy::single_match, clippy::too_many_lines{unused})]\n#[inline]\nfn {head} {{ match reference {{ {arms} _ => {rest} }} }}"
         )
     };
     let read = |f: &str| format!("Some(values.{f})");
     let whole = |f: &str| format!("Some(IntegerField::get(&values.{f}))");
     let letters = |f: &str| format!("Some(&values.{f})");
-    let slot = |f: &str| format!("Some(&mut values.{f})");
     let write = |f: &str| format!("values.{f} = value");
     let convert = |f: &str| format!("IntegerField::set(&mut values.{f}, value)");
     let copy = |f: &str| format!("value.clone_into(&mut values.{f})");
-    let get = "values: &Values, reference: usize";
-    let set = "values: &mut Values, reference: usize";
+    let get = "values: &ValuesOf<Self>, reference: usize";
+    let set = "values: &mut ValuesOf<Self>, reference: usize";
     for text in [
-        function(&format!("real_field({get}) -> Option<f64>"), arms(real, &read), "None"),
-        function(&format!("integer_field({get}) -> Option<i32>"), arms(integer, &whole), "None"),
-        function(&format!("boolean_field({get}) -> Option<bool>"), arms(boolean, &read), "None"),
-        function(&format!("text_field({get}) -> Option<&str>"), arms(text, &letters), "None"),
-        function(
-            "real_slot(values: &mut Values, reference: usize) -> Option<&mut f64>",
-            settable(real, &slot),
-            "None",
-        ),
-        function(
-            &format!("set_integer_field({set}, value: i32)"),
-            settable(integer, &convert),
-            "()",
-        ),
-        function(
-            &format!("set_boolean_field({set}, value: bool)"),
-            settable(boolean, &write),
-            "()",
-        ),
-        function(&format!("set_text_field({set}, value: &str)"), settable(text, &copy), "()"),
+        function(&format!("real({get}) -> Option<f64>"), arms(real, &read), "None"),
+        function(&format!("integer({get}) -> Option<i32>"), arms(integer, &whole), "None"),
+        function(&format!("boolean({get}) -> Option<bool>"), arms(boolean, &read), "None"),
+        function(&format!("text({get}) -> Option<&str>"), arms(text, &letters), "None"),
+        function(&format!("real_slot({set}) -> Option<&mut f64>"), slots, "None"),
+        function(&format!("set_real({set}, value: f64)"), shared, "()"),
+        function(&format!("set_integer({set}, value: i32)"), settable(integer, &convert), "()"),
+        function(&format!("set_boolean({set}, value: bool)"), settable(boolean, &write), "()"),
+        function(&format!("set_text({set}, value: &str)"), settable(text, &copy), "()"),
     ] {
         line(out, &text);
     }

@@ -1,4 +1,4 @@
-//! Reads `modelDescription/variables.toml` and expands it to a flat list of variables.
+//! Reads `modelDescription/variables.toml` and expands it to a flat list of variables, those of a wheel.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 /// The whole declaration, as written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+pub struct File {
     model: Model,
     experiment: Experiment,
     unit: Vec<Unit>,
@@ -17,7 +17,7 @@ struct File {
     group: Vec<Group>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct Model {
@@ -26,7 +26,7 @@ pub struct Model {
     pub license: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct Experiment {
@@ -35,7 +35,7 @@ pub struct Experiment {
     pub step: f64,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct Unit {
@@ -45,7 +45,7 @@ pub struct Unit {
     pub display: Vec<DisplayUnit>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct DisplayUnit {
@@ -53,14 +53,14 @@ pub struct DisplayUnit {
     pub factor: f64,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Described {
     pub name: String,
     pub description: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Enumeration {
     pub name: String,
@@ -68,7 +68,7 @@ pub struct Enumeration {
     pub items: Vec<Item>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Item {
     pub name: String,
@@ -106,27 +106,30 @@ pub struct Repeat {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Group {
-    causality: Causality,
+pub struct Group {
+    pub causality: Causality,
     r#type: String,
     repeat: Option<Repeat>,
-    variables: Vec<Template>,
+    pub variables: Vec<Template>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Template {
+pub struct Template {
     name: String,
     field: String,
     unit: Option<String>,
     min: Option<f64>,
     max: Option<f64>,
     start: Option<toml::Value>,
-    depends: Option<String>,
+    pub depends: Option<String>,
+    #[serde(default)]
+    on_request: bool,
     description: String,
 }
 
 /// Type of a variable with the start value that goes with it; outputs have none.
+#[derive(Clone)]
 pub enum Kind {
     Real(Option<f64>),
     Integer(Option<i32>),
@@ -137,16 +140,21 @@ pub enum Kind {
 }
 
 /// One variable; its value reference is its place in the list.
+#[derive(Clone)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct Variable {
     pub name: String,
     pub field: String,
+    /// Other fields that are set with it.
+    pub also: Vec<String>,
     pub description: String,
     pub causality: Causality,
     pub kind: Kind,
     pub unit: Option<String>,
     pub min: Option<f64>,
     pub max: Option<f64>,
+    /// Whether it is computed only when it is read.
+    pub on_request: bool,
     /// Places in the list of the variables on which an unknown depends at initialization.
     pub dependencies: Vec<usize>,
 }
@@ -164,14 +172,22 @@ pub struct Declaration {
     pub repeats: Vec<Repeat>,
 }
 
-impl Declaration {
-    /// Parses and expands the text of the declaration.
+impl File {
+    /// Parses the text of the declaration.
     ///
     /// # Panics
     /// With a message that names the entry at fault: a faulty declaration must stop the build.
     pub fn read(text: &str) -> Self {
-        let file: File =
-            toml::from_str(text).unwrap_or_else(|e| panic!("modelDescription/variables.toml: {e}"));
+        toml::from_str(text).unwrap_or_else(|e| panic!("modelDescription/variables.toml: {e}"))
+    }
+}
+
+impl Declaration {
+    /// Expands the declaration of a wheel, whose text is `text`.
+    ///
+    /// # Panics
+    /// As [`File::read`].
+    pub fn of_wheel(file: &File, text: &str) -> Self {
         let mut variables = Vec::new();
         let mut depends = Vec::new();
         let mut repeats = Vec::new();
@@ -180,38 +196,69 @@ impl Declaration {
             repeats.extend(group.repeat.clone());
             for index in 0..count {
                 for template in &group.variables {
-                    variables.push(expand(&file, group, template, index));
+                    variables.push(expand(file, group, template, index));
                     depends.push(template.depends.clone());
                 }
             }
         }
         for (place, depends) in depends.iter().enumerate() {
             variables[place].dependencies =
-                dependencies(&file, &variables, place, depends.as_deref());
+                dependencies(file, &variables, place, depends.as_deref());
         }
         Self {
             guid: guid(text),
-            model: file.model,
-            experiment: file.experiment,
-            units: file.unit,
-            log_categories: file.log_category,
-            enumerations: file.enumeration,
+            model: file.model.clone(),
+            experiment: file.experiment.clone(),
+            units: file.unit.clone(),
+            log_categories: file.log_category.clone(),
+            enumerations: file.enumeration.clone(),
             variables,
             repeats,
         }
     }
 }
 
-fn expand(file: &File, group: &Group, template: &Template, index: usize) -> Variable {
+/// One variable of a group; `index` is its number in a repeated one.
+pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> Variable {
     let name = template.name.replace('#', &(index + 1).to_string());
-    let wrong = |what: &str| -> ! { panic!("modelDescription/variables.toml: {name}: {what}") };
-    let start = template.start.as_ref();
+    let wrong = |what: &str| -> ! { panic!("modelDescription: {name}: {what}") };
+    let kind = start(file, &name, &group.r#type, template.start.as_ref());
+    let settable = matches!(group.causality, Causality::Input | Causality::Parameter);
+    if settable != template.start.is_some() {
+        wrong("inputs and parameters have a start value, and nothing else has");
+    }
+    if settable == template.depends.is_some() {
+        wrong("outputs and calculated parameters say what they depend on, and nothing else does");
+    }
+    if let Some(unit) = &template.unit
+        && !file.unit.iter().any(|u| &u.name == unit)
+    {
+        wrong("its unit is not declared");
+    }
+    Variable {
+        field: template.field.replace('#', &index.to_string()),
+        also: Vec::new(),
+        description: template.description.replace('#', &(index + 1).to_string()),
+        causality: group.causality,
+        kind,
+        unit: template.unit.clone(),
+        min: template.min,
+        max: template.max,
+        on_request: template.on_request,
+        dependencies: Vec::new(),
+        name,
+    }
+}
+
+/// The type of that name with a start value, if there is one, for the variable `name`.
+pub fn start(file: &File, name: &str, kind: &str, start: Option<&toml::Value>) -> Kind {
+    let wrong = |what: &str| -> ! { panic!("modelDescription: {name}: {what}") };
     let number = |v: &toml::Value| v.as_float().unwrap_or_else(|| wrong("start is not a real"));
     let whole = |v: &toml::Value| {
         let integer = v.as_integer().unwrap_or_else(|| wrong("start is not an integer"));
         i32::try_from(integer).unwrap_or_else(|_| wrong("start is too large"))
     };
-    let kind = match group.r#type.as_str() {
+    match kind {
         "Real" => Kind::Real(start.map(number)),
         "Integer" => Kind::Integer(start.map(whole)),
         "Boolean" => Kind::Boolean(
@@ -230,34 +277,11 @@ fn expand(file: &File, group: &Group, template: &Template, index: usize) -> Vari
             };
             Kind::Enumeration(place, start.map(item))
         }
-    };
-    let settable = matches!(group.causality, Causality::Input | Causality::Parameter);
-    if settable != start.is_some() {
-        wrong("inputs and parameters have a start value, and nothing else has");
-    }
-    if settable == template.depends.is_some() {
-        wrong("outputs and calculated parameters say what they depend on, and nothing else does");
-    }
-    if let Some(unit) = &template.unit
-        && !file.unit.iter().any(|u| &u.name == unit)
-    {
-        wrong("its unit is not declared");
-    }
-    Variable {
-        field: template.field.replace('#', &index.to_string()),
-        description: template.description.replace('#', &(index + 1).to_string()),
-        causality: group.causality,
-        kind,
-        unit: template.unit.clone(),
-        min: template.min,
-        max: template.max,
-        dependencies: Vec::new(),
-        name,
     }
 }
 
 /// Places of the variables a set names; a set that names no parameters depends on all of them.
-fn dependencies(
+pub fn dependencies(
     file: &File,
     variables: &[Variable],
     place: usize,
@@ -268,7 +292,10 @@ fn dependencies(
     let mut next = set;
     while let Some(set) = next {
         let set = file.dependency.iter().find(|d| d.name == set).unwrap_or_else(|| {
-            panic!("{} depends on \"{set}\", which is not declared", variables[place].name)
+            panic!(
+                "{} depends on \"{set}\", which is not declared",
+                variables.get(place).map_or("it", |v| &v.name)
+            )
         });
         every_parameter &= set.parameters.is_empty();
         for name in set.inputs.iter().chain(&set.parameters) {
@@ -288,7 +315,7 @@ fn dependencies(
 }
 
 /// The 128-bit FNV-1a hash of the declaration in the usual form of a GUID.
-fn guid(text: &str) -> String {
+pub fn guid(text: &str) -> String {
     let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
     for byte in text.bytes() {
         hash ^= u128::from(byte);

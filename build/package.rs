@@ -1,5 +1,5 @@
-//! Packs `WheelRail.fmu`: builds the library once more without the packaging, and puts it into an
-//! archive with description, profiles, documentation and licences.
+//! Packs `WheelRail.fmu` and `WheelSet.fmu`: builds the library once more without the packaging, and puts it into
+//! an archive for each description, with profiles, documentation and licences.
 //!
 //! The library of this very build does not exist yet when its build script runs, hence the inner build.
 //! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
@@ -17,42 +17,45 @@ use crate::declaration::Declaration;
 use crate::platforms::{self, Library};
 use crate::xml;
 
-/// `modelIdentifier`: name of the archive and of the library in it.
-const IDENTIFIER: &str = "WheelRail";
-/// What goes into the archive, beside what `src` and the declaration become.
+/// What goes into the archives, beside what `src` and the declaration become.
 const SOURCES: [&str; 7] =
     ["src", "modelDescription", "build", "build.rs", "fmu", "Cargo.toml", "Cargo.lock"];
 
-/// Builds the library and writes the archive beside the binaries.
+/// Builds the library and writes an archive for each declaration beside the binaries.
 ///
 /// # Panics
 /// With a message for the user if the inner build fails or a file cannot be read or written.
-pub fn pack(declaration: &Declaration) {
+pub fn pack(declarations: &[&Declaration]) {
     let root = folder("CARGO_MANIFEST_DIR");
     let out = folder("OUT_DIR");
     let target = env::var("TARGET").expect("cargo sets TARGET");
     let version = env::var("CARGO_PKG_VERSION").expect("cargo sets CARGO_PKG_VERSION");
-    let archive = profile_folder(&out).join(format!("{IDENTIFIER}.fmu"));
     for source in SOURCES.iter().chain(&LICENSES) {
         println!("cargo::rerun-if-changed={source}");
     }
-    // An archive that somebody deleted is made again.
-    println!("cargo::rerun-if-changed={}", archive.display());
-
-    let mut entries = Vec::new();
-    let description = xml::generate(declaration, IDENTIFIER, &version)
-        .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
-    entries.push(("modelDescription.xml".into(), description));
-    for Library { platform, extension, path } in platforms::build(&root, &out, &target) {
-        entries.push((format!("binaries/{platform}/{IDENTIFIER}.{extension}"), read(&path)));
-    }
-    collect(&root.join("fmu/resources"), "resources", &mut entries);
-    collect(&root.join("fmu/documentation"), "documentation", &mut entries);
+    let libraries = platforms::build(&root, &out, &target);
+    let mut shared = Vec::new();
+    collect(&root.join("fmu/resources"), "resources", &mut shared);
+    collect(&root.join("fmu/documentation"), "documentation", &mut shared);
     for license in LICENSES {
-        entries.push((format!("documentation/licenses/{license}"), read(&root.join(license))));
+        shared.push((format!("documentation/licenses/{license}"), read(&root.join(license))));
     }
-    let bytes = zip(entries).unwrap_or_else(|e| panic!("packing {}: {e}", archive.display()));
-    write(&archive, &bytes, newest(&root));
+    for declaration in declarations {
+        // `modelIdentifier`: name of the archive and of the library in it.
+        let identifier = &declaration.model.name;
+        let archive = profile_folder(&out).join(format!("{identifier}.fmu"));
+        // An archive that somebody deleted is made again.
+        println!("cargo::rerun-if-changed={}", archive.display());
+        let mut entries = shared.clone();
+        let description = xml::generate(declaration, &version)
+            .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
+        entries.push(("modelDescription.xml".into(), description));
+        for Library { platform, extension, path } in &libraries {
+            entries.push((format!("binaries/{platform}/{identifier}.{extension}"), read(path)));
+        }
+        let bytes = zip(entries).unwrap_or_else(|e| panic!("packing {}: {e}", archive.display()));
+        write(&archive, &bytes, newest(&root));
+    }
 }
 
 /// Licences of the crate; those of what is linked into the library are in `fmu/documentation`.

@@ -67,7 +67,7 @@ pub fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     });
     let packed: Vec<String> =
         jobs.iter().map(|job| format!("{} ({})", job.platform, job.runs_on)).collect();
-    println!("cargo::warning=WheelRail.fmu holds {}", packed.join(", "));
+    println!("cargo::warning=WheelRail.fmu and WheelSet.fmu hold {}", packed.join(", "));
     for missing in missing {
         println!("cargo::warning={missing}");
     }
@@ -197,7 +197,7 @@ fn inner_build(root: &Path, out: &Path, job: &Job) -> PathBuf {
         command.output().unwrap_or_else(|e| panic!("cannot start {}: {e}", program.display()));
     assert!(
         output.status.success(),
-        "the library of WheelRail.fmu for {} could not be built ({}):\n{}\nTo build without the FMU: \
+        "the library of the FMUs for {} could not be built ({}):\n{}\nTo build without the FMU: \
          cargo build --release --no-default-features --features cli",
         job.platform,
         output.status,

@@ -7,10 +7,11 @@ use quick_xml::writer::{ElementWriter, Writer};
 use crate::declaration::{Causality, Declaration, Enumeration, Kind, Unit, Variable};
 
 /// The text of the file; `version` is that of the crate.
-pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> Result<Vec<u8>> {
+pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
     let mut text = b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_vec();
     let mut writer = Writer::new_with_indent(&mut text, b' ', 2);
     let model = &declaration.model;
+    let identifier = &*model.name;
     let tool = format!("wheelrail {version}");
     let root = writer.create_element("fmiModelDescription").with_attributes([
         ("fmiVersion", "2.0"),
@@ -32,6 +33,7 @@ pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> R
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         w.create_element("CoSimulation")
@@ -42,6 +44,7 @@ pub fn generate(declaration: &Declaration, identifier: &str, version: &str) -> R
                 ("canNotUseMemoryManagementFunctions", "true"),
                 ("canGetAndSetFMUstate", "true"),
                 ("canSerializeFMUstate", "true"),
+                ("providesDirectionalDerivative", "true"),
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;

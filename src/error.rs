@@ -36,11 +36,31 @@ pub enum ContactError {
         /// What is wrong with it.
         problem: ProfileError,
     },
+    /// Derivatives that there are none of: with these parameters, or at this input.
+    #[error("no derivatives{}: {reason}", name.map(|name| format!(" with {name}")).unwrap_or_default())]
+    NoDerivative {
+        /// FMU name of the parameter with whose value there are none.
+        name: Option<&'static str>,
+        /// Why there are none.
+        reason: &'static str,
+    },
 }
 
 impl ContactError {
     /// A [`ContactError::BadValue`] from its parts.
     pub(crate) fn bad_value(name: impl Into<String>, value: f64, allowed: &'static str) -> Self {
         Self::BadValue { name: name.into(), value, allowed }
+    }
+
+    /// The same about a variable of another name.
+    pub(crate) fn renamed(mut self, rename: impl Fn(&str) -> String) -> Self {
+        match &mut self {
+            Self::BadValue { name, .. }
+            | Self::BadText { name, .. }
+            | Self::Profile { name, .. } => *name = rename(name),
+            // Says what it is about in words.
+            Self::NoDerivative { .. } => {}
+        }
+        self
     }
 }

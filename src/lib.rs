@@ -2,8 +2,8 @@
 //!
 //! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is asked for, it holds no history: an evaluation finds where the two
 //! profiles overlap, the pressure there (Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM), and sums
-//! them to forces and moments on wheel and rail. The same element is inside the FMI 2.0 unit `WheelRail.fmu` ([`fmi`]) and the
-//! command line `wheelrail`. The equations and their limits: `docs/theory.md`.
+//! them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI 2.0 units `WheelRail.fmu` and
+//! `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and their limits: `docs/theory.md`.
 //!
 //! ```
 //! use wheelrail::element::{Element, Input, Output, Parameters};
@@ -83,6 +83,7 @@
 //! planar      contact problems given by a separation instead of two profiles
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers
 //! element     one wheel: parameters, input, evaluation, output
+//! wheelset    two of them on one axle
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
 //! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
@@ -108,3 +109,4 @@ pub mod planar;
 pub mod tangential;
 pub mod variables;
 pub mod wear;
+pub mod wheelset;

@@ -1,5 +1,7 @@
 //! Elastic constants of one body and of a pair of bodies in contact.
 
+use crate::math::real::Real;
+
 /// An isotropic elastic material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
@@ -19,16 +21,23 @@ impl Material {
 
 /// Combined constants of two half-spaces (Kalker 1990, eq. 1.44).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MaterialPair {
+pub struct MaterialPair<T = f64> {
     /// Contact modulus E*, 1/E* = (1 - ν₁²)/E₁ + (1 - ν₂²)/E₂ [Pa].
     pub contact_modulus: f64,
     /// Shear modulus G, 2/G = 1/G₁ + 1/G₂ [Pa].
-    pub shear_modulus: f64,
+    pub shear_modulus: T,
     /// Poisson's ratio ν, 2 ν/G = ν₁/G₁ + ν₂/G₂ [-].
     pub poisson_ratio: f64,
 }
 
 impl MaterialPair {
+    /// The same constants in other numbers, which do not move.
+    #[must_use]
+    pub fn fixed<T: Real>(&self) -> MaterialPair<T> {
+        let Self { contact_modulus, shear_modulus, poisson_ratio } = *self;
+        MaterialPair { contact_modulus, shear_modulus: shear_modulus.into(), poisson_ratio }
+    }
+
     /// The constants of `wheel` on `rail`.
     #[must_use]
     pub fn new(wheel: Material, rail: Material) -> Self {

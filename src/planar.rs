@@ -29,9 +29,9 @@ pub enum Indentation {
 /// A planar contact problem.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanarCase<'a> {
-    /// Points (y, f) of the separation, at least four, y growing [m].
+    /// Points (y, f) of the separation, at least four, y growing, within 1 km [m].
     pub separation: &'a [[f64; 2]],
-    /// Radius R of the wheel's normal section along x, > 0 [m].
+    /// Radius R of the wheel's normal section along x, 1e-4 to 1e6 [m].
     pub radius: f64,
     /// Approach or load.
     pub indentation: Indentation,
@@ -94,6 +94,13 @@ pub struct PlanarResult {
 
 /// Approaches beyond this are no contact of wheel and rail [m].
 const MOST_APPROACH: f64 = 0.02;
+
+/// Points of a separation beyond this are none of wheel and rail [m].
+const MOST_DISTANCE: f64 = 1e3;
+/// Least and greatest radius of a wheel's section [m].
+const RADII: (f64, f64) = (1e-4, 1e6);
+/// Least and greatest Young's modulus [Pa].
+const MODULI: (f64, f64) = (1e3, 1e18);
 
 /// Most zones of one problem.
 const MOST_ZONES: usize = 64;
@@ -279,7 +286,7 @@ fn zone_edges(strips: &Strips, first: usize, count: usize) -> [f64; 2] {
 }
 
 fn check(case: &PlanarCase) -> Result<(), ContactError> {
-    let positive = "a finite number greater than 0";
+    let distance = "a distance in metres, -1000 to 1000";
     let require = |name: &str, value: f64, fits: bool, allowed: &'static str| {
         if value.is_finite() && fits {
             Ok(())
@@ -290,7 +297,8 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
     let points = case.separation;
     require("separation", points.len() as f64, points.len() >= 4, "at least 4 points")?;
     for pair in points.windows(2) {
-        require("separation f", pair[0][1], true, "a finite number")?;
+        require("separation f", pair[0][1], pair[0][1].abs() <= MOST_DISTANCE, distance)?;
+        require("separation y", pair[0][0], pair[0][0].abs() <= MOST_DISTANCE, distance)?;
         require(
             "separation y",
             pair[1][0],
@@ -298,8 +306,12 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
             "greater than the y before it",
         )?;
     }
-    require("separation f", points[points.len() - 1][1], true, "a finite number")?;
-    require("radius", case.radius, case.radius > 0.0, positive)?;
+    for (name, value) in ["separation y", "separation f"].iter().zip(points[points.len() - 1]) {
+        require(name, value, value.abs() <= MOST_DISTANCE, distance)?;
+    }
+    let (least, most) = RADII;
+    let fits = (least..=most).contains(&case.radius);
+    require("radius", case.radius, fits, "a radius in metres, 1e-4 to 1e6")?;
     match case.indentation {
         Indentation::Approach(a) => {
             require("approach", a, a <= MOST_APPROACH, "a finite number up to 20 mm")?;
@@ -315,8 +327,8 @@ fn check(case: &PlanarCase) -> Result<(), ContactError> {
         require(
             &format!("{body} young_modulus"),
             m.young_modulus,
-            m.young_modulus > 0.0,
-            positive,
+            (MODULI.0..=MODULI.1).contains(&m.young_modulus),
+            "a modulus in Pa, 1e3 to 1e18",
         )?;
         let nu = m.poisson_ratio;
         require(&format!("{body} poisson_ratio"), nu, (0.0..=0.5).contains(&nu), "0 to 0.5")?;

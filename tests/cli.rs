@@ -455,6 +455,24 @@ fn sweep_tells_a_jump_from_a_slope() {
 }
 
 #[test]
+fn sweep_compares_models_along_one_path() {
+    let (folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n0.7508,-0.4597\n");
+    let figure = folder.path().join("sweep.svg");
+    let vary = "normal.model=hertz,piotrowski_kik";
+    let drawn = figure.to_str().unwrap();
+    let found = success(&["sweep", &path, "--steps", "20", "--vary", vary, "--figure", drawn]);
+    let jump = |model: &str| {
+        let force = |row: &&HashMap<_, _>| row["output"] == "wheel.force.z";
+        let row = found.iter().filter(|row| row["normal.model"] == model).find(force);
+        number(row.unwrap(), "jump")
+    };
+    // Both jump where the deepest of two minima changes, an ellipse further.
+    assert!(jump("hertz") > jump("piotrowski_kik") && jump("piotrowski_kik") > 0.01);
+    let drawing = std::fs::read_to_string(figure).unwrap();
+    assert!(drawing.contains("hertz, jumps by") && drawing.contains("wheel.force.z [N] by"));
+}
+
+#[test]
 fn sweep_refuses_what_is_no_path() {
     let (_folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n");
     assert!(failure(&["sweep", &path]).contains("at least two rows"));

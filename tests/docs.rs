@@ -1,32 +1,69 @@
-//! The documents do not go stale: the table of variables in docs/fmi.md is that of the element, and every variable that a
-//! document names exists. `UPDATE_DOCS=1 cargo test --test docs` writes the table.
+//! The documents do not go stale: the tables of variables in docs/fmi.md are those of wheel and wheelset, and every variable that a
+//! document names exists. `UPDATE_DOCS=1 cargo test --test docs` writes the tables.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use wheelrail::variables::{Causality, Enumeration, Kind, VARIABLES, Value, Variable, find};
+use wheelrail::variables::{
+    Causality, Enumeration, Kind, VARIABLES, Value, Variable, WHEELSET, find,
+};
 
 const TABLE: [&str; 2] = ["<!-- variables -->\n", "<!-- end of variables -->"];
+const WHEELSET_TABLE: [&str; 2] =
+    ["<!-- variables of the wheelset -->\n", "<!-- end of variables of the wheelset -->"];
 
 fn document(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
 #[test]
-fn the_table_of_variables_is_that_of_the_element() {
+fn the_tables_of_variables_are_those_of_wheel_and_wheelset() {
     let path = document("docs/fmi.md");
-    let text = std::fs::read_to_string(&path).unwrap();
-    let start = text.find(TABLE[0]).expect("a line that starts the table") + TABLE[0].len();
-    let end = text.find(TABLE[1]).expect("a line that ends the table");
-    let table = table();
-    if text[start..end] == table {
+    let old = std::fs::read_to_string(&path).unwrap();
+    let mut text = old.clone();
+    for (marks, table) in [(TABLE, table()), (WHEELSET_TABLE, own_of_the_wheelset())] {
+        let start = text.find(marks[0]).expect("a line that starts the table") + marks[0].len();
+        let end = text.find(marks[1]).expect("a line that ends the table");
+        text.replace_range(start..end, &table);
+    }
+    if text == old {
         return;
     }
     if std::env::var_os("UPDATE_DOCS").is_some() {
-        std::fs::write(&path, [&text[..start], &table, &text[end..]].concat()).unwrap();
+        std::fs::write(&path, text).unwrap();
         return;
     }
     panic!("docs/fmi.md is stale: run UPDATE_DOCS=1 cargo test --test docs");
+}
+
+/// What a wheelset has besides what its sides have, and what is not a wheel's.
+fn own_of_the_wheelset() -> String {
+    let mut text = String::from(
+        "\n| name | | unit or type | start | admitted | meaning |\n|---|---|---|---|---|---|\n",
+    );
+    let on_side = |name: &str| name.starts_with("right.") || name.starts_with("left.");
+    for v in WHEELSET.variables.iter().filter(|v| !on_side(v.name)) {
+        if v.is_settable() && find(v.name).is_ok() {
+            continue;
+        }
+        let causality = match v.causality {
+            Causality::Input => "input",
+            Causality::Parameter => "parameter",
+            Causality::CalculatedParameter => "calculated",
+            Causality::Output => "output",
+        };
+        writeln!(
+            text,
+            "| `{}` | {causality} | {} | {} | {} | {} |",
+            v.name,
+            kind(v),
+            start(v),
+            range(v),
+            v.description
+        )
+        .unwrap();
+    }
+    text + "\n"
 }
 
 fn table() -> String {
@@ -112,8 +149,8 @@ fn range(v: &Variable) -> String {
 /// Names in backquotes that begin like a variable are variables; `wheel.x|y|z` stands for three.
 #[test]
 fn every_variable_that_a_document_names_exists() {
-    let roots: Vec<&str> =
-        VARIABLES.iter().filter_map(|v| v.name.split_once(['.', '[']).map(|n| n.0)).collect();
+    let all = VARIABLES.iter().chain(WHEELSET.variables);
+    let roots: Vec<&str> = all.filter_map(|v| v.name.split_once(['.', '[']).map(|n| n.0)).collect();
     let mut count = 0;
     for file in [
         "README.md",
@@ -134,7 +171,8 @@ fn every_variable_that_a_document_names_exists() {
             }
             for name in alternatives(name) {
                 count += 1;
-                assert!(find(&name).is_ok(), "{file}: there is no variable \"{name}\"");
+                let exists = find(&name).is_ok() || WHEELSET.find(&name).is_ok();
+                assert!(exists, "{file}: there is no variable \"{name}\"");
             }
         }
     }

@@ -312,23 +312,9 @@ fn statuses_are_those_of_a_step_that_is_made() {
 fn what_is_not_supported_says_so() {
     let host = Host::stepping();
     let c = host.component;
-    let no_references = null();
-    for (status, flag) in [
-        (
-            fmi2GetDirectionalDerivative(c, no_references, 0, no_references, 0, null(), null_mut()),
-            "providesDirectionalDerivative",
-        ),
-        (
-            fmi2GetRealOutputDerivatives(c, no_references, 0, null(), null_mut()),
-            "maxOutputDerivativeOrder",
-        ),
-    ] {
-        assert_eq!(status, Status::Error);
-        assert!(
-            host.messages.lock().unwrap().iter().any(|m| m.text.contains(flag)),
-            "no message names {flag}"
-        );
-    }
+    let status = fmi2GetRealOutputDerivatives(c, null(), 0, null(), null_mut());
+    assert_eq!(status, Status::Error);
+    assert!(host.last().contains("maxOutputDerivativeOrder"), "{}", host.last());
 }
 
 #[test]

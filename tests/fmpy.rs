@@ -27,6 +27,11 @@ fn a_wheel_with_mass_is_given_back_no_more_energy_than_it_gave() {
 }
 
 #[test]
+fn fmpy_gets_from_a_wheelset_what_two_wheels_give() {
+    check("check_wheelset.py");
+}
+
+#[test]
 fn the_example_for_fmpy_runs() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/fmpy_drop.py");
     run(Command::new(fmpy()).arg(example).arg(packaged::fmu()), "examples/fmpy_drop.py");
@@ -40,6 +45,7 @@ fn check(file: &str) {
     let report = reports.join(Path::new(file).with_extension("csv"));
     let mut command = Command::new(fmpy());
     let command = command.arg(script).env("WHEELRAIL_FMU", packaged::fmu());
+    let command = command.env("WHEELRAIL_WHEELSET", packaged::wheelset());
     run(command.env("WHEELRAIL_REPORT", report), file);
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A short walk in every run of the tests; long ones, in release builds, by
 //! `WHEELRAIL_EVALUATIONS=100000000 cargo test --release --test long_runs -- --ignored --nocapture`; the table goes to
-//! target/reports/long_runs.csv. Models slower than Piotrowski-Kik get a share that takes them about as long.
+//! target/reports/long_runs.csv; `WHEELRAIL_MODELS=cheapest` walks with the four cheapest models alone. Models slower than Piotrowski-Kik get a share that takes them about as long.
 
 mod allocations;
 mod common;
@@ -12,7 +12,7 @@ use std::time::Instant;
 
 use common::random::Random;
 use common::write_report;
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// Greatest step of a length [m], of an angle [rad]; speeds move a thousand times as far.
@@ -134,8 +134,11 @@ impl Counters {
     }
 }
 
+/// The cheapest models, which `WHEELRAIL_MODELS=cheapest` leaves alone.
+const CHEAPEST: usize = 4;
+
 /// Models with the share of the evaluations that each gets, and whether they jump by nature where the deepest of two minima changes.
-fn models() -> [(&'static str, Parameters, f64, bool); 9] {
+fn models() -> [(&'static str, Parameters, f64, bool); 12] {
     use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
     use TangentialModel::{Fastrip, Fastsim, FastsimCorrected, Linear, None, Tables};
     let with = |normal_model, strips, tangential_model| Parameters {
@@ -165,6 +168,14 @@ fn models() -> [(&'static str, Parameters, f64, bool); 9] {
             0.25,
             true,
         ),
+        ("strips + tables", with(Strips, 11, Tables), 0.02, false),
+        ("strips + fastsim_corrected", with(Strips, 11, FastsimCorrected), 0.02, false),
+        (
+            "strips + fastsim, curved",
+            Parameters { creepage_model: CreepageModel::Curved, ..with(Strips, 11, Fastsim) },
+            0.02,
+            false,
+        ),
     ]
 }
 
@@ -173,7 +184,12 @@ fn report(evaluations: u64, name: &str) {
     let mut report = String::from(
         "models,evaluations,touching,not finite,beyond friction,fed energy,allocations,fallbacks,jumps\n",
     );
-    for (seed, (models, parameters, share, jumps_by_nature)) in models().into_iter().enumerate() {
+    let cheapest = std::env::var("WHEELRAIL_MODELS").is_ok_and(|models| models == "cheapest");
+    let count = if cheapest { CHEAPEST } else { usize::MAX };
+    for (seed, (models, parameters, share, jumps_by_nature)) in
+        models().into_iter().enumerate().take(count)
+    {
+        let share = if cheapest { 1.0 } else { share };
         let count = (share * evaluations as f64) as u64;
         let begin = Instant::now();
         let c = walk(&parameters, count, seed as u64 + 1);

@@ -28,7 +28,7 @@ pub fn check(data: &[u8]) {
             return;
         }
         if let Ok(mut element) = Element::new(&values.parameters, &values.input, &[]) {
-            evaluate(&mut element, &values.input);
+            evaluate(&mut element, &values.parameters, &values.input);
         }
     }
 }

@@ -28,7 +28,7 @@ pub fn check(data: &[u8]) {
                 input.track_s = 0.37 * f64::from(step);
                 input.wheel.pitch = 1.9 * f64::from(step);
                 input.wheel.velocity[0] = 20.0;
-                evaluate(&mut element, &input);
+                evaluate(&mut element, &parameters, &input);
             }
         }
     }

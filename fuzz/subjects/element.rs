@@ -29,7 +29,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
         if u.ratio(1, 8)? {
             at.wheel.position[u.choose_index(3)?] = any(u)?;
         }
-        evaluate(&mut element, &at);
+        evaluate(&mut element, &parameters, &at);
     }
     Ok(())
 }

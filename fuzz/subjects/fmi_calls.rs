@@ -248,7 +248,7 @@ fn is_whole(kind: Kind) -> bool {
 /// Numbers that would make an evaluation take seconds.
 fn is_slow(reference: ValueReference, value: i32) -> bool {
     let is = |name| find(name).is_ok_and(|v| v.reference == reference as usize);
-    (is("normal.model") && value >= 4) || (is("tangential.model") && value == 7)
+    (is("normal.model") && value >= 5) || (is("tangential.model") && value == 7)
 }
 
 fn set_integers(component: Component, u: &mut Unstructured) -> Result<Status> {

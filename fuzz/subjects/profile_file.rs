@@ -33,11 +33,11 @@ pub fn check(data: &[u8]) {
             let named = [parameter, "wheel.nominal_radius", "track.gauge", "rail[1].inclination"];
             assert!(named.iter().any(|name| text.contains(name)), "{text}");
         }
-        Ok(mut element) => roll(&mut element, content),
+        Ok(mut element) => roll(&mut element, &parameters, content),
     }
 }
 
-fn roll(element: &mut Element, content: &[u8]) {
+fn roll(element: &mut Element, parameters: &Parameters, content: &[u8]) {
     let mut u = Unstructured::new(content);
     let touching = element.nominal_wheel_z();
     assert!(touching.is_finite());
@@ -50,6 +50,6 @@ fn roll(element: &mut Element, content: &[u8]) {
             input.wheel.velocity[0] = 20.0;
             input.wheel.pitch_rate = -43.0;
         }
-        evaluate(element, &input);
+        evaluate(element, parameters, &input);
     }
 }

@@ -49,8 +49,8 @@ pub fn is_slow(parameters: &Parameters) -> bool {
         || parameters.strips * parameters.elements_along > 2500
 }
 
-/// Evaluates and asserts what holds for every admitted input.
-pub fn evaluate(element: &mut Element, input: &Input) {
+/// Evaluates an element of `parameters` and asserts what holds for every admitted input.
+pub fn evaluate(element: &mut Element, parameters: &Parameters, input: &Input) {
     let mut output = Output::default();
     if let Err(refusal) = element.evaluate(input, &mut output) {
         assert!(input.check().is_err(), "{refusal}");
@@ -62,7 +62,17 @@ pub fn evaluate(element: &mut Element, input: &Input) {
         let finite = wrench.force.iter().chain(&wrench.moment).all(|v| v.is_finite());
         assert!(finite, "{input:?} gives {wrenches:?}");
     }
-    assert!(output.wear_number.is_finite() && output.frictional_power.is_finite());
+    // NaN is not ≥ 0.
+    assert!(output.wear_number >= 0.0 && output.wear_number.is_finite(), "{input:?}");
+    assert!(output.frictional_power >= 0.0 && output.frictional_power.is_finite(), "{input:?}");
+    for patch in &output.patches {
+        let force = patch.creep_force[0].hypot(patch.creep_force[1]);
+        let limit = input.friction * patch.normal_force;
+        let is_bounded = force <= limit * (1.0 + 1e-9);
+        let is_linear = parameters.tangential_model == TangentialModel::Linear;
+        assert!(is_bounded || is_linear, "{input:?} gives {patch:?}");
+        assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
+    }
     for axis in 0..3 {
         let sum: f64 = wrenches.iter().map(|w| w.force[axis]).sum();
         let size: f64 = wrenches.iter().map(|w| w.force[axis].abs()).sum();

@@ -6,68 +6,70 @@ use super::curved_zone::Tractions;
 use super::evaluate::Work;
 use super::input::{Input, WheelMotion};
 use super::models::Models;
+use super::number::ElementNumber;
 use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
 use super::uneven::{ZoneSurface, closing_speed};
-use super::wear_sums::ZoneWear;
+use super::wear_sums::WearSums;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::line_separation::{Lifting, LineSeparation};
+use crate::geometry::line_separation::{Lifting, RailSeparation};
 use crate::geometry::placed_rail::PlacedRail;
 use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
-use crate::normal::{NormalModel, Strips, Zone, damping};
+use crate::math::real::Real;
+use crate::normal::{Strips, Zone, damping};
 use crate::tangential::{RollingState, StripForce};
 use crate::wear::rcf;
 
 /// Brings the solution of one contact to forces on both bodies.
-pub struct ContactForces<'a> {
+pub struct ContactForces<'a, T = f64> {
     /// Number of the rail, from 0.
     pub k: usize,
     /// The input, of a right side.
-    pub input: &'a Input,
+    pub input: &'a Input<T>,
     /// The frame of the rail.
-    pub frame: RailFrame,
+    pub frame: RailFrame<T>,
     /// The contact line of the wheel in that frame.
-    pub line: ContactLine<'a>,
+    pub line: ContactLine<'a, T>,
     /// The rail.
     pub rail: &'a PlacedRail,
     /// The contact.
-    pub contact: Contact,
+    pub contact: Contact<T>,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
     /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
-    pub damped_with: Option<[f64; 2]>,
+    pub damped_with: Option<[T; 2]>,
 }
 
 /// A loaded zone and how it rolls.
-struct ZoneRolling {
-    zone: Zone,
+struct ZoneRolling<T> {
+    zone: Zone<T>,
     /// Centroid of its load, x from the wheel marker [m].
-    position: Vector3<f64>,
-    axes: ContactAxes,
-    rolling_radius: f64,
-    speed: RollingSpeed,
+    position: Vector3<T>,
+    axes: ContactAxes<T>,
+    rolling_radius: T,
+    speed: RollingSpeed<T>,
     /// Normal force with damping over that without [-].
-    load_factor: f64,
+    load_factor: T,
 }
 
-impl ContactForces<'_> {
+impl<T: ElementNumber> ContactForces<'_, T> {
     /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`; returns how many zones
     /// fell back to a simpler tangential model.
     pub fn add(
         &self,
-        separation: &mut LineSeparation,
-        models: &mut Models,
-        output: &mut Output,
+        separation: &mut T::Separation<'_>,
+        models: &mut Models<T>,
+        output: &mut Output<T>,
         work: &mut Work,
     ) -> u64 {
         let mut fallbacks = 0;
         // All points have their x from the wheel marker, so that no result depends on the station by rounding.
         let [station, y, z] = self.input.wheel.position;
-        let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
+        let wheel = WheelMotion { position: [T::from(0.0), y, z], ..self.input.wheel };
         let wheel_marker = Vector3::from(wheel.position);
         let rail_motion = &self.input.rails[self.k];
         let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
@@ -81,8 +83,9 @@ impl ContactForces<'_> {
                 continue;
             }
             work.zones += 1;
-            let surface = lifting
-                .map_or(ZoneSurface::EVEN, |lifting| self.zone_surface(&lifting, &zone, models));
+            let surface = lifting.map_or(ZoneSurface::even(), |lifting| {
+                T::zone_surface(self, &lifting, &zone, models)
+            });
             let axes = even_axes.leaning(surface.lean);
             let depth = self.depth(zone.u) + surface.depth;
             let position = self.track_point(zone.x, zone.y, depth);
@@ -107,21 +110,9 @@ impl ContactForces<'_> {
             let position = position + Vector3::x() * station;
             let arm = position - self.frame.marker;
             add(&mut output.rails[self.k], -on_wheel, arm, -tractions.moment);
-            let dissipation = tractions.dissipation.max(0.0);
-            if let Some(wear) = models.wear.as_deref_mut().filter(|w| w.is_recording()) {
-                wear.record(
-                    self.k,
-                    index,
-                    &models.strips,
-                    &ZoneWear {
-                        load_factor,
-                        friction: self.input.friction,
-                        speed: speed.reference,
-                        section_radius: self.line.wheel_point(zone.u).section_radius,
-                        range: self.line.range(),
-                    },
-                    separation,
-                );
+            let dissipation = tractions.dissipation.at_least(0.0);
+            if models.wear.as_deref().is_some_and(WearSums::is_recording) {
+                T::record(self, index, load_factor, speed.reference, models, separation);
             }
             let frictional_power = dissipation * speed.reference;
             output.wear_number += dissipation;
@@ -142,7 +133,7 @@ impl ContactForces<'_> {
                 width: zone.width,
                 area: zone.area,
                 creepage: [slip.longitudinal, slip.lateral, slip.spin],
-                slip_share: (tractions.slip_area / zone.area).min(1.0),
+                slip_share: (tractions.slip_area / zone.area).at_most(1.0),
                 frictional_power,
                 tgamma_damage: rcf::tgamma_damage(
                     dissipation,
@@ -162,16 +153,17 @@ impl ContactForces<'_> {
     /// Creepage of a zone, and its tractions on the wheel where there are any.
     fn tractions(
         &self,
-        motion: &RelativeMotion,
-        models: &mut Models,
-        rolling: &ZoneRolling,
-    ) -> (Creepage, Option<Tractions>) {
+        motion: &RelativeMotion<T>,
+        models: &mut Models<T>,
+        rolling: &ZoneRolling<T>,
+    ) -> (Creepage<T>, Option<Tractions<T>>) {
         let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor } = rolling;
         let wheel = &self.input.wheel;
         let Models { curved_zone, strips, tangential, material, wear, .. } = models;
+        let material = &material.fixed();
         let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
         if let Some(wear) = &mut wear {
-            wear.begin_zone(zone);
+            wear.begin_zone(zone.first, zone.count);
         }
         let creepage = match models.creepage {
             CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
@@ -200,7 +192,9 @@ impl ContactForces<'_> {
                 curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
             }
             (CreepageModel::Curved, Some(wear)) => {
-                let each = |j, dissipation, slip_area| wear.add_strip(j, dissipation, slip_area);
+                let each = |j, dissipation: T, slip_area: T| {
+                    wear.add_strip(j, dissipation.value(), slip_area.value());
+                };
                 curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
             }
             (_, None) => {
@@ -208,13 +202,13 @@ impl ContactForces<'_> {
                 force.map(|force| Tractions::flat(&force, &creepage, axes))
             }
             (_, Some(wear)) => {
-                let each = |j: usize, force: &StripForce| {
+                let each = |j: usize, force: &StripForce<T>| {
                     let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
                     let dissipation = force.longitudinal
                         * (creepage.longitudinal - y * creepage.spin)
                         + force.lateral * (creepage.lateral + x * creepage.spin)
                         + force.moment * creepage.spin;
-                    wear.add_strip(j, -dissipation, force.slip_area);
+                    wear.add_strip(j, -dissipation.value(), force.slip_area.value());
                 };
                 let force = tangential.creep_force_with(zone, strips, material, &state, each);
                 force.map(|force| Tractions::flat(&force, &creepage, axes))
@@ -224,7 +218,7 @@ impl ContactForces<'_> {
     }
 
     /// The axes of the contact frame in the track frame.
-    pub(super) fn axes(&self) -> ContactAxes {
+    pub(super) fn axes(&self) -> ContactAxes<T> {
         ContactAxes::along_track(
             self.frame.direction(self.contact.tangent),
             self.frame.direction(self.contact.normal()),
@@ -232,15 +226,15 @@ impl ContactForces<'_> {
     }
 
     /// Normal force with damping over that without [-].
-    fn load_factor(&self, closing_speed: f64, models: &Models) -> f64 {
+    fn load_factor(&self, closing_speed: T, models: &Models<T>) -> T {
         let [load, penetration] =
             self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
-        if load > 0.0 { damped / load } else { 0.0 }
+        if load > 0.0 { damped / load } else { T::from(0.0) }
     }
 
     /// Depth along the normal of the even contact line at parameter `u` [m].
-    fn depth(&self, u: f64) -> f64 {
+    fn depth(&self, u: T) -> T {
         let at = self.line.even_at(u);
         let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
         let axis = self.contact.normal();
@@ -250,20 +244,20 @@ impl ContactForces<'_> {
     /// Speed at which the bodies close along the normal, without the turning of a round wheel [m/s].
     fn closing_speed(
         &self,
-        motion: &RelativeMotion,
+        motion: &RelativeMotion<T>,
         lifting: Option<&Lifting>,
-        strips: &Strips,
-    ) -> f64 {
+        strips: &Strips<T>,
+    ) -> T {
         let wheel = &self.input.wheel;
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
         let x = if lifting.is_some() && load > 0.0 {
-            strips.zones.iter().map(|zone| zone.load * zone.x).sum::<f64>() / load
+            strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
         } else {
             self.line.even_at(self.contact.u).x
         };
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
-        let touch = self.track_point(x, 0.0, self.contact.penetration);
+        let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.closing_velocity(touch).dot(&normal);
         let Some(lifting) = lifting else { return even };
@@ -272,27 +266,19 @@ impl ContactForces<'_> {
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }
 
-    /// The surface of an uneven wheel in `zone`.
-    fn zone_surface(&self, lifting: &Lifting, zone: &Zone, models: &Models) -> ZoneSurface {
-        // All of an ellipse lies over its contact point.
-        let is_ellipse = models.normal == NormalModel::Hertz;
-        ZoneSurface::new(lifting, zone, &models.strips, |u| {
-            self.line.even_at(if is_ellipse { self.contact.u } else { u }).x
-        })
-    }
-
     /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in
     /// the track frame.
-    fn surface(&self, u: f64, x: f64) -> [Vector3<f64>; 2] {
+    fn surface(&self, u: T, x: T) -> [Vector3<T>; 2] {
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
-        let at = self.line.at(u.clamp(start, end));
+        let at = self.line.even_at(u.within(start, end));
         let point = self.frame.marker + self.frame.direction(at.point) + Vector3::x() * x;
-        [point, self.frame.direction(at.tangent).normalize()]
+        let tangent = self.frame.direction(at.tangent);
+        [point, tangent / tangent.dot(&tangent).sqrt()]
     }
 
     /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
-    pub(super) fn track_point(&self, x: f64, y: f64, depth: f64) -> Vector3<f64> {
+    pub(super) fn track_point(&self, x: T, y: T, depth: T) -> Vector3<T> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x
@@ -300,7 +286,7 @@ impl ContactForces<'_> {
 }
 
 /// Adds a force on a body that acts at `arm` from its marker, and a free moment.
-fn add(wrench: &mut Wrench, force: Vector3<f64>, arm: Vector3<f64>, moment: Vector3<f64>) {
+fn add<T: Real>(wrench: &mut Wrench<T>, force: Vector3<T>, arm: Vector3<T>, moment: Vector3<T>) {
     let moment = arm.cross(&force) + moment;
     for i in 0..3 {
         wrench.force[i] += force[i];

@@ -16,29 +16,42 @@ use nalgebra::Vector3;
 
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::material::MaterialPair;
+use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, Outcome, RollingState, Tangential};
+use crate::tangential::{CreepForce, CreepNumber, Outcome, RollingState, Tangential};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Tractions {
+#[derive(Clone, Copy, Debug)]
+pub struct Tractions<T = f64> {
     /// Force [N].
-    pub force: Vector3<f64>,
+    pub force: Vector3<T>,
     /// Moment about the position of the patch [N m].
-    pub moment: Vector3<f64>,
+    pub moment: Vector3<T>,
     /// Power turned into heat over the reference speed [J/m].
-    pub dissipation: f64,
+    pub dissipation: T,
     /// Area that slips [m²].
-    pub slip_area: f64,
+    pub slip_area: T,
     /// Whether a simpler model took the place of one that did not converge.
     pub fell_back: bool,
 }
 
-impl Tractions {
+impl<T: Real> Default for Tractions<T> {
+    fn default() -> Self {
+        Self {
+            force: Vector3::zeros(),
+            moment: Vector3::zeros(),
+            dissipation: T::from(0.0),
+            slip_area: T::from(0.0),
+            fell_back: false,
+        }
+    }
+}
+
+impl<T: Real> Tractions<T> {
     /// Those of a flat zone with one creepage.
-    pub fn flat(force: &CreepForce, creepage: &Creepage, axes: &ContactAxes) -> Self {
+    pub fn flat(force: &CreepForce<T>, creepage: &Creepage<T>, axes: &ContactAxes<T>) -> Self {
         Self {
             force: axes.longitudinal * force.longitudinal + axes.lateral * force.lateral,
             moment: axes.normal * force.spin_moment,
@@ -53,14 +66,14 @@ impl Tractions {
 
 /// The strips of a zone on the wheel's surface, in the track frame.
 #[derive(Clone, Debug)]
-pub struct CurvedZone {
+pub struct CurvedZone<T = f64> {
     /// Under the centre of each strip, x from the wheel marker [m].
-    points: Room<Vector3<f64>>,
-    tangents: Room<Vector3<f64>>,
-    creepages: Room<Creepage>,
+    points: Room<Vector3<T>>,
+    tangents: Room<Vector3<T>>,
+    creepages: Room<Creepage<T>>,
 }
 
-impl CurvedZone {
+impl<T: Real> CurvedZone<T> {
     /// Room for a zone of `strips` strips.
     pub fn with_capacity(strips: usize) -> Self {
         Self {
@@ -70,21 +83,26 @@ impl CurvedZone {
         }
     }
 
+    /// Most strips of a zone.
+    pub fn capacity(&self) -> usize {
+        self.points.capacity()
+    }
+
     /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted by load.
     ///
     /// `surface` gives point and tangent of the wheel at a parameter of the contact line and an x [m].
     pub fn place(
         &mut self,
-        zone: &Zone,
-        strips: &Strips,
-        motion: &RelativeMotion,
-        reference_speed: f64,
-        surface: impl Fn(f64, f64) -> [Vector3<f64>; 2],
-    ) -> Creepage {
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        motion: &RelativeMotion<T>,
+        reference_speed: T,
+        surface: impl Fn(T, T) -> [Vector3<T>; 2],
+    ) -> Creepage<T> {
         self.points.clear();
         self.tangents.clear();
         self.creepages.clear();
-        let (mut mean, mut load) = (Creepage::default(), 0.0);
+        let (mut mean, mut load) = (Creepage::<T>::default(), T::from(0.0));
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
             let normal = Vector3::x().cross(&tangent);
@@ -112,20 +130,23 @@ impl CurvedZone {
     #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     pub fn tractions(
         &self,
-        zone: &Zone,
-        strips: &Strips,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
         tangential: &Tangential,
-        material: &MaterialPair,
-        state: &RollingState,
-        position: Vector3<f64>,
-        mut each: impl FnMut(usize, f64, f64),
-    ) -> Option<Tractions> {
+        material: &MaterialPair<T>,
+        state: &RollingState<T>,
+        position: Vector3<T>,
+        mut each: impl FnMut(usize, T, T),
+    ) -> Option<Tractions<T>>
+    where
+        T: CreepNumber,
+    {
         let slip =
             StripSlip { first: zone.first, creepages: &self.creepages, mean: state.creepage };
         if self.creepages.iter().all(Creepage::is_zero) {
             return None;
         }
-        let mut total = Tractions::default();
+        let mut total = Tractions::<T>::default();
         let outcome =
             tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
                 let i = j - zone.first;
@@ -145,7 +166,7 @@ impl CurvedZone {
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
             let limit = state.friction * zone.load * state.load_factor;
-            total.force *= (limit / total.force.norm()).min(1.0);
+            total.force *= (limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
         }
         Some(total)
     }

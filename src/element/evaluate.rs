@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::derivatives::DerivativeMemory;
 use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
@@ -46,7 +47,9 @@ pub struct Element {
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
     pub(super) fallbacks: u64,
-    work: Work,
+    pub(super) work: Work,
+    /// Memory for derivatives, once they have been asked for.
+    pub(super) memory: Option<Box<DerivativeMemory>>,
 }
 
 impl Element {
@@ -134,6 +137,7 @@ impl Element {
             nominal_wheel_z: start.wheel.position[2],
             fallbacks: 0,
             work: Work::default(),
+            memory: None,
         };
         element.nominal_wheel_z = element.touching_height(start);
         Ok(element)
@@ -189,10 +193,10 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        input.check()?;
+        let admitted = input.admitted()?;
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
-        let mut input = if mirrored { input.mirrored() } else { *input };
+        let mut input = if mirrored { admitted.mirrored() } else { admitted };
         // Nothing can fail from here on.
         self.fallbacks += match self.vertical_mode {
             VerticalMode::Penetration => self.forces(&input, output),
@@ -229,8 +233,13 @@ impl Element {
     /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
     /// yaw of `start`; its own height where it stands beside the rails [m].
     pub fn touching_height(&mut self, start: &Input) -> f64 {
+        self.touch(start).unwrap_or(start.wheel.position[2])
+    }
+
+    /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the rails.
+    pub(crate) fn touch(&mut self, start: &Input) -> Option<f64> {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
-        self.first_touch(&input).unwrap_or(start.wheel.position[2])
+        self.first_touch(&input)
     }
 
     /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.

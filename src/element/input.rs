@@ -3,21 +3,25 @@
 use super::parameters::RAILS;
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
+use crate::math::real::Real;
+
+/// Greatest number that is told from a greater one, whatever its unit.
+const MOST: f64 = 1e100;
 
 /// All inputs; one field for each FMU input of design section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Input {
+pub struct Input<T = f64> {
     /// The wheel.
-    pub wheel: WheelMotion,
+    pub wheel: WheelMotion<T>,
     /// Vertical force of the wheel on all rails together, down, if the load is given and not the height; a wheel with none or a
     /// negative one is lifted [N].
-    pub wheel_load: f64,
+    pub wheel_load: T,
     /// The rails, `rail[1]` first.
-    pub rails: [RailMotion; RAILS],
+    pub rails: [RailMotion<T>; RAILS],
     /// Station along the track [m].
-    pub track_s: f64,
+    pub track_s: T,
     /// Coefficient of friction, ≥ 0 [-].
-    pub friction: f64,
+    pub friction: T,
 }
 
 impl Default for Input {
@@ -42,7 +46,7 @@ impl Default for Input {
     }
 }
 
-impl Input {
+impl<T: Real> Input<T> {
     /// The same situation seen in a mirror along the track: a left wheel as a right one and the reverse.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
@@ -69,48 +73,108 @@ impl Input {
             ..*self
         }
     }
+}
 
-    /// Every input with its FMU name.
-    fn named(&self) -> impl Iterator<Item = (&'static str, Option<usize>, f64)> {
-        let w = &self.wheel;
-        let rails = self.rails;
+impl<T: Real> Input<T> {
+    /// All inputs, in the order of [`INPUT_NAMES`].
+    #[must_use]
+    pub fn to_array(&self) -> [T; INPUTS] {
+        let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction } = self;
+        let ([x, y, z], [vx, vy, vz]) = (w.position, w.velocity);
         [
-            ("wheel.x", w.position[0]),
-            ("wheel.y", w.position[1]),
-            ("wheel.z", w.position[2]),
-            ("wheel.roll", w.roll),
-            ("wheel.yaw", w.yaw),
-            ("wheel.pitch", w.pitch),
-            ("wheel.vx", w.velocity[0]),
-            ("wheel.vy", w.velocity[1]),
-            ("wheel.vz", w.velocity[2]),
-            ("wheel.roll_rate", w.roll_rate),
-            ("wheel.yaw_rate", w.yaw_rate),
-            ("wheel.pitch_rate", w.pitch_rate),
-            ("wheel.load", self.wheel_load),
-            ("track.s", self.track_s),
-            ("friction.coefficient", self.friction),
+            x,
+            y,
+            z,
+            w.roll,
+            w.yaw,
+            w.pitch,
+            vx,
+            vy,
+            vz,
+            w.roll_rate,
+            w.yaw_rate,
+            w.pitch_rate,
+            r.y,
+            r.z,
+            r.roll,
+            r.vy,
+            r.vz,
+            r.roll_rate,
+            s.y,
+            s.z,
+            s.roll,
+            s.vy,
+            s.vz,
+            s.roll_rate,
+            *track_s,
+            *friction,
+            *wheel_load,
         ]
-        .into_iter()
-        .map(|(name, value)| (name, None, value))
-        .chain(rails.into_iter().enumerate().flat_map(|(k, rail)| {
-            [
-                ("y", rail.y),
-                ("z", rail.z),
-                ("roll", rail.roll),
-                ("vy", rail.vy),
-                ("vz", rail.vz),
-                ("roll_rate", rail.roll_rate),
-            ]
-            .map(|(name, value)| (name, Some(k + 1), value))
-        }))
     }
 
+    /// The inputs of [`to_array`](Self::to_array).
+    #[must_use]
+    pub fn from_array(all: [T; INPUTS]) -> Self {
+        let rail = |k: usize| RailMotion {
+            y: all[k],
+            z: all[k + 1],
+            roll: all[k + 2],
+            vy: all[k + 3],
+            vz: all[k + 4],
+            roll_rate: all[k + 5],
+        };
+        Self {
+            wheel: WheelMotion {
+                position: [all[0], all[1], all[2]],
+                roll: all[3],
+                yaw: all[4],
+                pitch: all[5],
+                velocity: [all[6], all[7], all[8]],
+                roll_rate: all[9],
+                yaw_rate: all[10],
+                pitch_rate: all[11],
+            },
+            wheel_load: all[26],
+            rails: [rail(12), rail(18)],
+            track_s: all[24],
+            friction: all[25],
+        }
+    }
+
+    /// The values without derivatives.
+    #[must_use]
+    pub fn value(&self) -> Input {
+        Input::from_array(self.to_array().map(Real::value))
+    }
+}
+
+/// Number of inputs.
+pub const INPUTS: usize = 27;
+
+/// FMU names of the inputs.
+#[rustfmt::skip]
+pub const INPUT_NAMES: [&str; INPUTS] = [
+    "wheel.x", "wheel.y", "wheel.z", "wheel.roll", "wheel.yaw", "wheel.pitch",
+    "wheel.vx", "wheel.vy", "wheel.vz", "wheel.roll_rate", "wheel.yaw_rate", "wheel.pitch_rate",
+    "rail[1].y", "rail[1].z", "rail[1].roll", "rail[1].vy", "rail[1].vz", "rail[1].roll_rate",
+    "rail[2].y", "rail[2].z", "rail[2].roll", "rail[2].vy", "rail[2].vz", "rail[2].roll_rate",
+    "track.s", "friction.coefficient", "wheel.load",
+];
+
+impl Input {
     /// Whether every input is finite and friction is not negative.
     ///
     /// # Errors
     /// The first input at fault, by its FMU name.
     pub fn check(&self) -> Result<(), ContactError> {
+        self.admitted().map(|_| ())
+    }
+
+    /// The input as it is evaluated: numbers beyond [`MOST`] are taken as that, so that no product of them is infinite.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub(crate) fn admitted(&self) -> Result<Self, ContactError> {
         // At every evaluation this runs; the names are only looked up when there is one to report.
         let w = &self.wheel;
         let wheel = [
@@ -120,25 +184,37 @@ impl Input {
             [w.roll_rate, w.yaw_rate, w.pitch_rate],
         ];
         let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate]);
-        let all = wheel.as_flattened().iter().chain(rails.as_flattened());
-        // Zero times anything that is not finite is not a number.
-        let sum: f64 = all.map(|value| 0.0 * value).sum();
-        if (sum + 0.0 * self.track_s + 0.0 * self.friction + 0.0 * self.wheel_load).is_nan() {
-            return Err(self.not_finite());
-        }
+        let others = [self.track_s, self.friction, self.wheel_load];
+        let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
+        let sum: f64 = all.map(|value| value.abs()).sum();
+        // Nothing compares with what is not a number.
+        let admitted = if sum <= MOST { *self } else { self.bounded()? };
         if self.friction < 0.0 {
             let allowed = "a finite number, at least 0";
             return Err(ContactError::bad_value("friction.coefficient", self.friction, allowed));
         }
-        Ok(())
+        Ok(admitted)
+    }
+
+    /// The same with every number within [`MOST`].
+    ///
+    /// # Errors
+    /// The first input that is not finite.
+    #[cold]
+    fn bounded(&self) -> Result<Self, ContactError> {
+        let all = self.to_array();
+        if all.iter().any(|value| !value.is_finite()) {
+            return Err(self.not_finite());
+        }
+        Ok(Self::from_array(all.map(|value| value.clamp(-MOST, MOST))))
     }
 
     /// The error for the first input that is not finite.
     #[cold]
     fn not_finite(&self) -> ContactError {
-        let named = self.named().find(|(_, _, value)| !value.is_finite());
-        let (name, rail, value) = named.unwrap_or(("input", None, f64::NAN));
-        let name = rail.map_or(name.to_owned(), |k| format!("rail[{k}].{name}"));
+        let all = self.to_array();
+        let place = all.iter().position(|value| !value.is_finite());
+        let (name, value) = place.map_or(("input", f64::NAN), |i| (INPUT_NAMES[i], all[i]));
         ContactError::bad_value(name, value, "a finite number")
     }
 }

@@ -3,18 +3,24 @@
 mod chosen_models;
 mod contact_forces;
 mod curved_zone;
+mod derivatives;
 mod evaluate;
 mod flattened;
 pub mod input;
 mod models;
+mod moving_contact;
+mod number;
 pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+pub mod stiffness;
 mod strip_contact;
+pub mod subject;
 mod uneven;
 mod vertical_load;
 mod wear_sums;
+pub mod work_pairs;
 mod worn_profiles;
 
 pub use evaluate::{Element, Work};

@@ -7,6 +7,7 @@ use super::wear_sums::WearSums;
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::normal::strips::{LEAST_STRIPS, StripSolver};
 use crate::normal::uneven::UnevenStrips;
@@ -16,9 +17,9 @@ use crate::tangential::Tangential;
 /// Most loaded zones of one contact frame.
 const MOST_ZONES: usize = 8;
 
-/// The chosen models and their scratch memory, shared by the rails of an element.
+/// The chosen models and their scratch memory, shared by the rails of an element; with derivatives where the numbers have them.
 #[derive(Clone, Debug)]
-pub struct Models {
+pub struct Models<T = f64> {
     /// Normal contact model.
     pub normal: NormalModel,
     /// Virtual over true penetration [-].
@@ -32,7 +33,7 @@ pub struct Models {
     /// How creepage varies over a zone.
     pub creepage: CreepageModel,
     /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved patch.
-    pub curved_zone: CurvedZone,
+    pub curved_zone: CurvedZone<T>,
     /// Floor of the speed that creepages refer to [m/s].
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
@@ -44,12 +45,12 @@ pub struct Models {
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
     /// Loaded zones of the contact under way.
-    pub strips: Strips,
+    pub strips: Strips<T>,
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
     pub strip_solver: Option<StripSolver>,
-    pub rail_strips: Strips,
+    pub rail_strips: Strips<T>,
     /// All loaded zones of the evaluation under way.
-    pub patches: Room<Patch>,
+    pub patches: Room<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
     pub shear_yield: f64,
     /// Wear, if there is any.
@@ -57,6 +58,35 @@ pub struct Models {
 }
 
 impl Models {
+    /// The same models with memory for other numbers; without what only plain ones can be: a solver, uneven bodies, wear.
+    #[must_use]
+    pub fn in_other_numbers<T: Real>(&self) -> Models<T> {
+        let strips = |like: &Strips| {
+            let zones = like.zones.capacity();
+            Strips::with_capacity(zones, like.y.capacity() / zones.max(1))
+        };
+        Models {
+            normal: self.normal,
+            virtual_penetration: self.virtual_penetration,
+            shape_fit: self.shape_fit,
+            damping: self.damping,
+            tangential: self.tangential.clone(),
+            creepage: self.creepage,
+            curved_zone: CurvedZone::with_capacity(self.curved_zone.capacity()),
+            minimum_speed: self.minimum_speed,
+            material: self.material,
+            elements: self.elements,
+            uneven: None,
+            rule: self.rule.clone(),
+            strips: strips(&self.strips),
+            strip_solver: None,
+            rail_strips: strips(&self.rail_strips),
+            patches: Room::new(self.patches.capacity()),
+            shear_yield: self.shear_yield,
+            wear: None,
+        }
+    }
+
     /// The models that checked `parameters` ask for.
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {

@@ -1,60 +1,61 @@
 //! What an evaluation gives.
 
 use super::parameters::RAILS;
+use crate::math::real::Real;
 
 /// Patches that are reported one by one; forces hold any number.
 pub const REPORTED_PATCHES: usize = 8;
 
 /// Force on a body and moment about its marker, in the track frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wrench {
+pub struct Wrench<T = f64> {
     /// Force [N].
-    pub force: [f64; 3],
+    pub force: [T; 3],
     /// Moment about the marker of the body [N m].
-    pub moment: [f64; 3],
+    pub moment: [T; 3],
 }
 
 /// One loaded zone; forces are those on the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Patch {
+pub struct Patch<T = f64> {
     /// Number of the rail, 1 for `rail[1]`; 0 for no patch.
     pub rail: i32,
     /// Normal force, damping included, ≥ 0 [N].
-    pub normal_force: f64,
+    pub normal_force: T,
     /// Creep force on the wheel along x and along the contact frame's lateral axis [N].
-    pub creep_force: [f64; 2],
+    pub creep_force: [T; 2],
     /// Moment of the tractions on the wheel about the contact normal, at the patch's position [N m].
-    pub spin_moment: f64,
+    pub spin_moment: T,
     /// Roll of the contact frame about the track's x axis, negative on the right tread [rad].
-    pub contact_angle: f64,
+    pub contact_angle: T,
     /// Centroid of the normal load in the track frame [m].
-    pub position: [f64; 3],
+    pub position: [T; 3],
     /// Lateral coordinate of the centroid on the wheel profile [m].
-    pub wheel_y: f64,
+    pub wheel_y: T,
     /// Lateral coordinate of the centroid on the rail profile [m].
-    pub rail_y: f64,
+    pub rail_y: T,
     /// Distance from the axle of the wheel's surface at the centroid of the load [m].
-    pub rolling_radius: f64,
+    pub rolling_radius: T,
     /// Overlap of the undeformed bodies along the contact normal [m].
-    pub penetration: f64,
+    pub penetration: T,
     /// Greatest pressure [Pa].
-    pub max_pressure: f64,
+    pub max_pressure: T,
     /// Greatest extent along x [m].
-    pub length: f64,
+    pub length: T,
     /// Extent across [m].
-    pub width: f64,
+    pub width: T,
     /// Area [m²].
-    pub area: f64,
+    pub area: T,
     /// Longitudinal, lateral [-] and spin [1/m] creepage at the patch's position.
-    pub creepage: [f64; 3],
+    pub creepage: [T; 3],
     /// Share of the area that slips, 0 to 1 [-].
-    pub slip_share: f64,
+    pub slip_share: T,
     /// Power turned into heat [W].
-    pub frictional_power: f64,
+    pub frictional_power: T,
     /// T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks [-].
-    pub tgamma_damage: f64,
+    pub tgamma_damage: T,
     /// Surface fatigue index: above 0 the surface ratchets [-].
-    pub surface_fatigue_index: f64,
+    pub surface_fatigue_index: T,
 }
 
 /// What a body has lost.
@@ -70,30 +71,44 @@ pub struct BodyWear {
 
 /// All outputs; one field for each FMU output of design section 3.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Output {
+pub struct Output<T = f64> {
     /// On the wheel, about the wheel marker.
-    pub wheel: Wrench,
+    pub wheel: Wrench<T>,
     /// On each rail, about the rail marker.
-    pub rails: [Wrench; RAILS],
+    pub rails: [Wrench<T>; RAILS],
     /// Height of the wheel marker: the one found if the load is given, else that of the input [m].
-    pub wheel_z: f64,
+    pub wheel_z: T,
     /// Number of loaded zones found.
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
     pub fallback_count: i32,
     /// Dissipated energy per distance, spin included [J/m].
-    pub wear_number: f64,
+    pub wear_number: T,
     /// Power turned into heat [W].
-    pub frictional_power: f64,
+    pub frictional_power: T,
     /// The heaviest patches, heaviest first.
-    pub patches: [Patch; REPORTED_PATCHES],
+    pub patches: [Patch<T>; REPORTED_PATCHES],
     /// Wear of the wheel.
     pub wheel_wear: BodyWear,
     /// Wear of each rail.
     pub rail_wear: [BodyWear; RAILS],
 }
 
-impl Output {
+impl<T: Real> Output<T> {
+    /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which have no derivatives, are left out.
+    #[must_use]
+    pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
+        Output {
+            wheel: self.wheel.each(&mut turn),
+            rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
+            wheel_z: turn(self.wheel_z),
+            wear_number: turn(self.wear_number),
+            frictional_power: turn(self.frictional_power),
+            patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),
+            ..Output::default()
+        }
+    }
+
     /// The same result seen in a mirror along the track; profile coordinates stay those of the right side.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
@@ -106,14 +121,42 @@ impl Output {
     }
 }
 
-impl Wrench {
+impl<T: Real> Wrench<T> {
+    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Wrench<S> {
+        Wrench { force: self.force.map(&mut *turn), moment: self.moment.map(turn) }
+    }
+
     fn mirrored(&self) -> Self {
         let ([fx, fy, fz], [mx, my, mz]) = (self.force, self.moment);
         Self { force: [fx, -fy, fz], moment: [-mx, my, -mz] }
     }
 }
 
-impl Patch {
+impl<T: Real> Patch<T> {
+    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Patch<S> {
+        Patch {
+            rail: self.rail,
+            normal_force: turn(self.normal_force),
+            creep_force: self.creep_force.map(&mut *turn),
+            spin_moment: turn(self.spin_moment),
+            contact_angle: turn(self.contact_angle),
+            position: self.position.map(&mut *turn),
+            wheel_y: turn(self.wheel_y),
+            rail_y: turn(self.rail_y),
+            rolling_radius: turn(self.rolling_radius),
+            penetration: turn(self.penetration),
+            max_pressure: turn(self.max_pressure),
+            length: turn(self.length),
+            width: turn(self.width),
+            area: turn(self.area),
+            creepage: self.creepage.map(&mut *turn),
+            slip_share: turn(self.slip_share),
+            frictional_power: turn(self.frictional_power),
+            tgamma_damage: turn(self.tgamma_damage),
+            surface_fatigue_index: turn(self.surface_fatigue_index),
+        }
+    }
+
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.position;
         let [longitudinal, lateral, spin] = self.creepage;

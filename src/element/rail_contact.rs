@@ -24,15 +24,15 @@ use crate::normal::{self, NormalModel, NormalProblem};
 /// One rail and what is prepared for its contact with the wheel.
 #[derive(Clone, Debug)]
 pub struct RailContact {
-    wheel: Profile,
+    pub(super) wheel: Profile,
     /// Name of the rail's profile.
     rail_name: String,
-    nominal_radius: f64,
-    rail: PlacedRail,
+    pub(super) nominal_radius: f64,
+    pub(super) rail: PlacedRail,
     clearance: Clearance,
     /// Stretches of the contact line that may touch.
     ranges: Room<[f64; 2]>,
-    search: ContactSearch,
+    pub(super) search: ContactSearch,
     /// Distance of the contact line from the rail over all contacts.
     probes: Room<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
@@ -100,12 +100,20 @@ impl RailContact {
 
     /// Whether any contact appears for `input` (right side) with rail number `k`.
     pub fn touches(&mut self, k: usize, input: &Input) -> bool {
+        self.search_contacts(k, input) && !self.search.contacts.is_empty()
+    }
+
+    /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds show that there are none.
+    pub(super) fn search_contacts(&mut self, k: usize, input: &Input) -> bool {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         self.find_ranges(input, &pose);
+        if self.ranges.is_empty() {
+            return false;
+        }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
         self.search.search(&line, &self.rail, &self.ranges);
-        !self.search.contacts.is_empty()
+        true
     }
 
     /// Fills `ranges` with the stretches of the contact line that may touch, and places the deviations along the track.

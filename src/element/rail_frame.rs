@@ -5,33 +5,35 @@ use nalgebra::Vector3;
 use super::input::{RailMotion, WheelMotion};
 use crate::geometry::contact_line::WheelPose;
 use crate::geometry::placed_rail::PlacedRail;
+use crate::math::real::Real;
 
 /// The frame of a rail that may have moved and rolled from its design position.
 #[derive(Clone, Copy, Debug)]
-pub struct RailFrame {
+pub struct RailFrame<T = f64> {
     /// Rail marker in the track frame [m].
-    pub marker: Vector3<f64>,
+    pub marker: Vector3<T>,
     /// Roll of the rail [rad].
-    pub roll: f64,
-    sine: f64,
-    cosine: f64,
+    pub roll: T,
+    sine: T,
+    cosine: T,
 }
 
-impl RailFrame {
+impl<T: Real> RailFrame<T> {
     /// The frame of a rail that has moved by `motion` from its design position.
-    pub fn new(rail: &PlacedRail, motion: &RailMotion) -> Self {
+    pub fn new(rail: &PlacedRail, motion: &RailMotion<T>) -> Self {
         let (sine, cosine) = motion.roll.sin_cos();
-        let marker = Vector3::new(0.0, rail.marker[0] + motion.y, rail.marker[1] + motion.z);
+        let marker =
+            Vector3::new(T::from(0.0), motion.y + rail.marker[0], motion.z + rail.marker[1]);
         Self { marker, roll: motion.roll, sine, cosine }
     }
 
     /// The wheel as seen from the rail.
-    pub fn pose(&self, wheel: &WheelMotion) -> WheelPose {
+    pub fn pose(&self, wheel: &WheelMotion<T>) -> WheelPose<T> {
         let to = Vector3::from(wheel.position) - self.marker;
         WheelPose {
             // The rail is the same all along: x counts from the wheel marker.
             marker: [
-                0.0,
+                T::from(0.0),
                 to.y * self.cosine + to.z * self.sine,
                 to.z * self.cosine - to.y * self.sine,
             ],
@@ -41,7 +43,7 @@ impl RailFrame {
     }
 
     /// A direction (y, z) of the rail's frame in the track frame.
-    pub fn direction(&self, [y, z]: [f64; 2]) -> Vector3<f64> {
-        Vector3::new(0.0, y * self.cosine - z * self.sine, y * self.sine + z * self.cosine)
+    pub fn direction(&self, [y, z]: [T; 2]) -> Vector3<T> {
+        Vector3::new(T::from(0.0), y * self.cosine - z * self.sine, y * self.sine + z * self.cosine)
     }
 }

@@ -11,6 +11,7 @@ use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
 use crate::io::{Deviations, load_deviations};
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Corrugation of a rail: its height over the station, a cosine and what a file holds on top.
@@ -108,8 +109,9 @@ impl Parameters {
         require(name("phase"), phase, true, finite)?;
         let WheelFlat { length, angle, depth, shape } = self.wheel.flat;
         let name = |part: &str| format!("wheel.flat.{part}");
-        let fits = (0.0..=0.5 * radius).contains(&length);
-        require(name("length"), length, fits, "from 0 to half the nominal radius, in m")?;
+        // What is shorter than a micrometre is rounding of the radius.
+        let fits = length == 0.0 || (1e-6..=0.5 * radius).contains(&length);
+        require(name("length"), length, fits, "0, or from 1e-6 m to half the nominal radius")?;
         require(name("angle"), angle, true, finite)?;
         let fits = (0.0..=0.05 * length.max(1e-9)).contains(&depth);
         require(name("depth"), depth, fits, "from 0 to a twentieth of its length, in m")?;
@@ -128,11 +130,15 @@ impl Parameters {
             })
         };
         if !matches!(self.normal_model, NormalModel::Hertz | NormalModel::PiotrowskiKik) {
-            let value = format!("{:?}", self.normal_model);
-            return refuse("normal.model", &value, "hertz or piotrowski_kik");
+            let value = match self.normal_model {
+                NormalModel::Strips => "strips",
+                NormalModel::BoundaryElement => "boundary_element",
+                _ => "piotrowski_kik_corrected",
+            };
+            return refuse("normal.model", value, "hertz or piotrowski_kik");
         }
         if self.creepage_model == CreepageModel::Curved {
-            return refuse("creepage.model", "Curved", "kinematic or flat");
+            return refuse("creepage.model", "curved", "kinematic or flat");
         }
         Ok(())
     }
@@ -197,19 +203,25 @@ pub fn rail_deviations(
 
 /// Where the surface of an uneven wheel lies in a zone, and how it leans.
 #[derive(Clone, Copy, Debug)]
-pub struct ZoneSurface {
+pub struct ZoneSurface<T = f64> {
     /// How much deeper along the normal than the even contact line the wheel is at the centroid of the load [m].
-    pub depth: f64,
+    pub depth: T,
     /// Deviation of the radius there [m].
-    pub radius: f64,
+    pub radius: T,
     /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
-    pub lean: f64,
+    pub lean: T,
+}
+
+impl<T: Real> ZoneSurface<T> {
+    /// That of an even wheel on an even rail.
+    #[must_use]
+    pub fn even() -> Self {
+        let zero = T::from(0.0);
+        Self { depth: zero, radius: zero, lean: zero }
+    }
 }
 
 impl ZoneSurface {
-    /// That of an even wheel on an even rail.
-    pub const EVEN: Self = Self { depth: 0.0, radius: 0.0, lean: 0.0 };
-
     /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to which the strip with a parameter
     /// belongs [m].
     ///
@@ -242,14 +254,14 @@ impl ZoneSurface {
 /// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their
 /// deviations: with the forward `velocity` [m/s] and the `pitch_rate` [rad/s] of a wheel of `nominal_radius` [m].
 #[must_use]
-pub fn closing_speed(
+pub fn closing_speed<T: Real>(
     lifting: &Lifting,
     [rail, wheel]: [f64; 2],
-    velocity: f64,
-    pitch_rate: f64,
+    velocity: T,
+    pitch_rate: T,
     nominal_radius: f64,
-) -> f64 {
-    lifting.share * (rail * velocity - wheel * pitch_rate * nominal_radius)
+) -> T {
+    (velocity * rail - pitch_rate * wheel * nominal_radius) * lifting.share
 }
 
 /// Deviations of wheel and rail number `k` together, if there are any.

@@ -4,6 +4,7 @@ use super::output::BodyWear;
 use super::parameters::{RAILS, WearDistribution, WearModel, WearParameters};
 use crate::geometry::curve::Curve;
 use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::line_separation::RailSeparation;
 use crate::geometry::separation::Separation;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
@@ -124,12 +125,12 @@ impl WearSums {
         (of(&self.wheel), rails)
     }
 
-    /// Makes ready for the strips of `zone`.
-    pub fn begin_zone(&mut self, zone: &Zone) {
-        self.first = zone.first;
+    /// Makes ready for the `count` strips of a zone from number `first` on.
+    pub fn begin_zone(&mut self, first: usize, count: usize) {
+        self.first = first;
         for column in [&mut self.dissipation, &mut self.slip_area] {
             column.clear();
-            column.resize(zone.count, 0.0);
+            column.resize(count, 0.0);
         }
     }
 

@@ -4,10 +4,14 @@
 //! tag, format, GUID                 what it is, and of which variables
 //! purpose, life, prepared, evaluated
 //!                                   one byte each
-//! fallbacks, experiment, time
-//! nominal height
+//! experiment, time
+//! nominal heights
 //! inputs and parameters             in the order of the variables
 //! derivatives of inputs             their number, then reference, three numbers each
+//! last step                         one byte whether it is kept; its length, pairs of force and velocity
+//! energy residual
+//! of each element:
+//! fallbacks
 //! wear                              one byte whether there is any; clock; wheel and rails:
 //!                                   one byte whether it is there, number of cells, totals and
 //!                                   sums since the last update, three numbers
@@ -18,16 +22,17 @@
 
 use super::error::FmiError;
 use super::extrapolation::{Extrapolation, ORDERS};
-use super::instance::{Experiment, Purpose, State};
-use super::snapshot::{Outputs, Snapshot};
+use super::instance::{Experiment, LastStep, Purpose, State};
+use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::element::WearState;
 use crate::element::parameters::RAILS;
-use crate::variables::{GUID, Kind, VARIABLES, Value, Values};
+use crate::element::work_pairs::MOST_PAIRS;
+use crate::variables::{Causality, Described, Kind, Value, ValuesOf, Variable, WHEEL, WHEELSET};
 use crate::wear::ArcState;
 
 const TAG: &[u8] = b"wheelrail state";
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 const STATES: [State; 6] = [
     State::Instantiated,
@@ -39,27 +44,23 @@ const STATES: [State; 6] = [
 ];
 
 /// The bytes of a state.
-pub fn write(snapshot: &Snapshot) -> Vec<u8> {
+pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
     let mut bytes = TAG.to_vec();
     bytes.extend(FORMAT.to_le_bytes());
-    text(&mut bytes, GUID);
+    text(&mut bytes, S::UNIT.guid);
     // A closed instance is not asked for its state.
     let life = STATES.iter().position(|s| *s == snapshot.state).unwrap_or_default();
     let evaluated = snapshot.outputs != Outputs::Stale;
     let stepped = snapshot.purpose == Purpose::CoSimulation;
     bytes.extend([u8::from(stepped), life as u8, u8::from(snapshot.prepared), u8::from(evaluated)]);
-    bytes.extend(snapshot.fallbacks.to_le_bytes());
     let stop = snapshot.experiment.and_then(|e| e.stop);
     bytes.extend([u8::from(snapshot.experiment.is_some()), u8::from(stop.is_some())]);
-    for number in [
-        snapshot.experiment.map_or(0.0, |e| e.start),
-        stop.unwrap_or_default(),
-        snapshot.time,
-        snapshot.values.nominal_wheel_z,
-    ] {
+    for number in
+        [snapshot.experiment.map_or(0.0, |e| e.start), stop.unwrap_or_default(), snapshot.time]
+    {
         bytes.extend(number.to_le_bytes());
     }
-    for variable in VARIABLES.iter().filter(|v| v.is_settable()) {
+    for variable in calculated::<S>().chain(settable::<S>()) {
         match snapshot.values.get(variable) {
             Value::Real(value) => bytes.extend(value.to_le_bytes()),
             Value::Integer(value) => bytes.extend(value.to_le_bytes()),
@@ -72,22 +73,44 @@ pub fn write(snapshot: &Snapshot) -> Vec<u8> {
         bytes.extend(reference.to_le_bytes());
         bytes.extend(derivatives.iter().flat_map(|d| d.to_le_bytes()));
     }
-    bytes.push(u8::from(snapshot.wear.is_some()));
-    if let Some(wear) = &snapshot.wear {
-        bytes.extend(wear.clock.to_le_bytes());
-        for arc in [Some(&wear.wheel)].into_iter().chain(wear.rails.iter().map(Option::as_ref)) {
-            bytes.push(u8::from(arc.is_some()));
-            let Some(arc) = arc else { continue };
-            bytes.extend((arc.total.len() as u32).to_le_bytes());
-            let sums = [arc.volume, arc.pending_area, arc.most_pending];
-            for number in arc.total.iter().chain(&arc.pending).chain(&sums) {
-                bytes.extend(number.to_le_bytes());
-            }
-        }
+    bytes.push(u8::from(snapshot.last_step.is_some()));
+    if let Some(LastStep { duration, pairs }) = &snapshot.last_step {
+        let numbers = std::iter::once(duration).chain(pairs.as_flattened());
+        bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
+    }
+    bytes.extend(snapshot.values.coupling.energy_residual.to_le_bytes());
+    for memory in snapshot.memories.iter().take(S::PREFIXES.len()) {
+        write_memory(memory, &mut bytes);
     }
     let checksum = crc32fast::hash(&bytes);
     bytes.extend(checksum.to_le_bytes());
     bytes
+}
+
+fn write_memory(memory: &Memory, bytes: &mut Vec<u8>) {
+    bytes.extend(memory.fallbacks.to_le_bytes());
+    bytes.push(u8::from(memory.wear.is_some()));
+    let Some(wear) = &memory.wear else { return };
+    bytes.extend(wear.clock.to_le_bytes());
+    for arc in [Some(&wear.wheel)].into_iter().chain(wear.rails.iter().map(Option::as_ref)) {
+        bytes.push(u8::from(arc.is_some()));
+        let Some(arc) = arc else { continue };
+        bytes.extend((arc.total.len() as u32).to_le_bytes());
+        let sums = [arc.volume, arc.pending_area, arc.most_pending];
+        for number in arc.total.iter().chain(&arc.pending).chain(&sums) {
+            bytes.extend(number.to_le_bytes());
+        }
+    }
+}
+
+/// Heights of first touch.
+fn calculated<S: Described>() -> impl Iterator<Item = &'static Variable> {
+    S::UNIT.variables.iter().filter(|v| v.causality == Causality::CalculatedParameter)
+}
+
+/// Inputs and parameters.
+fn settable<S: Described>() -> impl Iterator<Item = &'static Variable> {
+    S::UNIT.variables.iter().filter(|v| v.is_settable())
 }
 
 fn text(bytes: &mut Vec<u8>, text: &str) {
@@ -99,7 +122,7 @@ fn text(bytes: &mut Vec<u8>, text: &str) {
 ///
 /// # Errors
 /// Bytes that are damaged, no state at all, or of another version of the unit.
-pub fn read(bytes: &[u8]) -> Result<Snapshot, FmiError> {
+pub fn read<S: Described>(bytes: &[u8]) -> Result<Snapshot<S>, FmiError> {
     let bad = |problem: &str| FmiError::BadBytes(problem.into());
     let damaged = || bad("is damaged: fewer or other bytes than fmi2SerializeFMUstate has written");
     let Some(rest) = bytes.strip_prefix(TAG) else {
@@ -120,8 +143,12 @@ pub fn read(bytes: &[u8]) -> Result<Snapshot, FmiError> {
     let body = body.get(bytes.len() - head.0.len()..).ok_or_else(damaged)?;
     let mut reader = Reader(body);
     let guid = reader.text().ok_or_else(damaged)?;
-    if guid != GUID {
-        let problem = format!("is of a unit with GUID \"{guid}\", this one has \"{GUID}\"");
+    let own = S::UNIT;
+    if guid != own.guid {
+        let problem = match [&WHEEL, &WHEELSET].into_iter().find(|unit| unit.guid == guid) {
+            Some(other) => format!("is of {}, this unit is {}", other.identifier, own.identifier),
+            None => format!("is of a unit with GUID \"{guid}\", this one has \"{}\"", own.guid),
+        };
         return Err(FmiError::BadBytes(problem));
     }
     reader.snapshot().filter(|_| reader.0.is_empty()).ok_or_else(damaged)
@@ -189,8 +216,27 @@ impl<'a> Reader<'a> {
         self.real().filter(|number| number.is_finite() && *number >= 0.0)
     }
 
+    fn finite(&mut self) -> Option<f64> {
+        self.real().filter(|number| number.is_finite())
+    }
+
+    fn last_step(&mut self) -> Option<LastStep> {
+        let duration = self.amount()?;
+        let mut pairs = [[0.0; 2]; MOST_PAIRS];
+        for number in pairs.as_flattened_mut() {
+            *number = self.finite()?;
+        }
+        Some(LastStep { duration, pairs })
+    }
+
+    fn memory(&mut self) -> Option<Memory> {
+        let fallbacks = u64::from_le_bytes(self.array()?);
+        let wear = if self.boolean()? { Some(self.wear()?) } else { None };
+        Some(Memory { fallbacks, wear })
+    }
+
     /// Everything after the head; every value is one that could have been set.
-    fn snapshot(&mut self) -> Option<Snapshot> {
+    fn snapshot<S: Described>(&mut self) -> Option<Snapshot<S>> {
         let purpose = if self.boolean()? { Purpose::CoSimulation } else { Purpose::ModelExchange };
         let [life] = self.array()?;
         let state = *STATES.get(usize::from(life))?;
@@ -199,11 +245,9 @@ impl<'a> Reader<'a> {
             Purpose::CoSimulation => matches!(state, State::EventMode | State::ContinuousTime),
         };
         let (prepared, evaluated) = (self.boolean()?, self.boolean()?);
-        let fallbacks = u64::from_le_bytes(self.array()?);
         let (planned, stops) = (self.boolean()?, self.boolean()?);
-        let [start, stop, time, nominal_wheel_z] =
-            [self.real()?, self.real()?, self.real()?, self.real()?];
-        if ![start, stop, time, nominal_wheel_z].iter().all(|number| number.is_finite()) {
+        let [start, stop, time] = [self.real()?, self.real()?, self.real()?];
+        if ![start, stop, time].iter().all(|number| number.is_finite()) {
             return None;
         }
         // An element is there from the end of initialization on.
@@ -211,8 +255,12 @@ impl<'a> Reader<'a> {
         if of_the_other || !(early || prepared) {
             return None;
         }
-        let mut values = Values { nominal_wheel_z, ..Values::default() };
-        for variable in VARIABLES.iter().filter(|v| v.is_settable()) {
+        let mut values = ValuesOf::<S>::default();
+        for variable in calculated::<S>() {
+            let height = self.finite()?;
+            values.write(variable, Value::Real(height));
+        }
+        for variable in settable::<S>() {
             let value = match variable.kind {
                 Kind::Real => Value::Real(self.real()?),
                 Kind::Integer | Kind::Enumeration(_) => {
@@ -223,23 +271,28 @@ impl<'a> Reader<'a> {
             };
             values.set(variable, value).ok()?;
         }
-        let mut extrapolation = Extrapolation::new();
+        let mut extrapolation = Extrapolation::new(S::UNIT);
         for _ in 0..u32::from_le_bytes(self.array()?) {
             let reference = u32::from_le_bytes(self.array()?);
             for order in 1..=ORDERS {
-                extrapolation.set(&[reference], &[order as i32], &[self.real()?]).ok()?;
+                extrapolation.set(S::UNIT, &[reference], &[order as i32], &[self.real()?]).ok()?;
             }
         }
-        let wear = if self.boolean()? { Some(self.wear()?) } else { None };
+        let last_step = if self.boolean()? { Some(self.last_step()?) } else { None };
+        values.coupling.energy_residual = self.finite()?;
+        let mut memories: [Memory; MOST_ELEMENTS] = Default::default();
+        for memory in memories.iter_mut().take(S::PREFIXES.len()) {
+            *memory = self.memory()?;
+        }
         Some(Snapshot {
             purpose,
             state,
             prepared,
-            wear,
+            last_step,
+            memories,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
             values,
             extrapolation,
-            fallbacks,
             experiment: planned.then_some(Experiment { start, stop: stops.then_some(stop) }),
             time,
         })
@@ -249,11 +302,13 @@ impl<'a> Reader<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::Element;
     use crate::fmi::instance::Instance;
     use crate::fmi::logger::Logger;
+    use crate::wheelset::Wheelset;
 
-    fn saved() -> Snapshot {
-        let mut instance = Instance::new(Purpose::CoSimulation, Vec::new());
+    fn saved<S: Described>() -> Snapshot<S> {
+        let mut instance = Instance::<S>::new(Purpose::CoSimulation, Vec::new());
         instance.setup_experiment(0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization().unwrap();
@@ -262,52 +317,68 @@ mod tests {
         instance.saved(key).unwrap().clone()
     }
 
-    #[test]
-    fn what_is_written_is_read() {
-        let state = saved();
-        let read = read(&write(&state)).unwrap();
+    fn comes_back<S: Described>() {
+        let state = saved::<S>();
+        let read = read::<S>(&write(&state)).unwrap();
         assert_eq!(read.values, state.values);
         assert_eq!((read.state, read.experiment), (state.state, state.experiment));
         assert_eq!(read.time.to_bits(), 0.75_f64.to_bits());
+        assert_eq!(read.memories, state.memories);
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        comes_back::<Element>();
+        comes_back::<Wheelset>();
     }
 
     #[test]
     fn every_damaged_byte_and_every_cut_is_found() {
-        let bytes = write(&saved());
+        let bytes = write(&saved::<Element>());
         for i in 0..bytes.len() {
-            assert!(read(&bytes[..i]).is_err(), "cut after {i}");
+            assert!(read::<Element>(&bytes[..i]).is_err(), "cut after {i}");
             for bit in 0..8 {
                 let mut damaged = bytes.clone();
                 damaged[i] ^= 1 << bit;
-                assert!(read(&damaged).is_err(), "bit {bit} of byte {i}");
+                assert!(read::<Element>(&damaged).is_err(), "bit {bit} of byte {i}");
             }
         }
         let longer = [&*bytes, &[0]].concat();
-        assert!(read(&longer).is_err());
+        assert!(read::<Element>(&longer).is_err());
     }
 
     #[test]
     fn bytes_with_a_good_checksum_and_bad_values_are_refused() {
-        let mut state = saved();
+        let mut state = saved::<Element>();
         state.values.input.friction = -1.0;
-        assert!(read(&write(&state)).unwrap_err().to_string().contains("damaged"));
+        assert!(read::<Element>(&write(&state)).unwrap_err().to_string().contains("damaged"));
         state = saved();
         state.time = f64::NAN;
-        assert!(read(&write(&state)).is_err());
+        assert!(read::<Element>(&write(&state)).is_err());
+        state = saved();
+        state.values.nominal = f64::INFINITY;
+        assert!(read::<Element>(&write(&state)).is_err());
     }
 
     #[test]
     fn the_message_tells_foreign_from_old_bytes() {
-        let bytes = write(&saved());
-        assert!(read(b"something else").unwrap_err().to_string().contains("no state"));
+        let bytes = write(&saved::<Element>());
+        let message = |bytes: &[u8]| read::<Element>(bytes).unwrap_err().to_string();
+        assert!(message(b"something else").contains("no state"));
         let mut other = bytes.clone();
         other[TAG.len()] = 9;
-        assert!(read(&other).unwrap_err().to_string().contains("format 9"));
-        let mut other = bytes;
+        assert!(message(&other).contains("format 9"));
+        let mut other = bytes.clone();
         other[TAG.len() + 8] ^= 1;
         let end = other.len() - 4;
         let checksum = crc32fast::hash(&other[..end]);
         other[end..].copy_from_slice(&checksum.to_le_bytes());
-        assert!(read(&other).unwrap_err().to_string().contains("GUID"));
+        assert!(message(&other).contains("GUID"));
+        assert!(
+            message(&write(&saved::<Wheelset>()))
+                .contains("is of WheelSet, this unit is WheelRail")
+        );
+        let error = read::<Wheelset>(&bytes).unwrap_err().to_string();
+        assert!(error.contains("is of WheelRail, this unit is WheelSet"), "{error}");
     }
 }

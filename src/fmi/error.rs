@@ -41,6 +41,24 @@ pub enum FmiError {
     /// A derivative of what is no continuous input.
     #[error("{0} is no input: only inputs have time derivatives")]
     NoInput(&'static str),
+    /// A directional derivative of or by what has none.
+    #[error("{name} is not admitted as {role} of a directional derivative: {reason}")]
+    NoDerivative {
+        /// The variable.
+        name: &'static str,
+        /// Unknown or known.
+        role: &'static str,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// A seed that is not a number.
+    #[error("seed {seed} of {name} is not admitted: a finite number")]
+    BadSeed {
+        /// The input.
+        name: &'static str,
+        /// The seed.
+        seed: f64,
+    },
     /// A derivative that is not a number.
     #[error("derivative {order} of {name} = {value} is not admitted: a finite number")]
     BadDerivative {
@@ -77,13 +95,15 @@ pub enum FmiError {
     UnknownCategory(String),
     /// A library and a description that do not belong together.
     #[error(
-        "the GUID is \"{given}\", but this library is of \"{own}\": use the modelDescription.xml packed with it"
+        "the GUID is \"{given}\", but this library is of \"{wheel}\" (WheelRail) and \"{wheelset}\" (WheelSet): use the modelDescription.xml packed with it"
     )]
     WrongGuid {
         /// What the host read.
         given: String,
-        /// That of the library.
-        own: &'static str,
+        /// That of the wheel unit of the library.
+        wheel: &'static str,
+        /// That of the wheelset unit of the library.
+        wheelset: &'static str,
     },
     /// A type of unit that FMI does not know.
     #[error("fmuType {0} is neither model exchange (0) nor co-simulation (1)")]

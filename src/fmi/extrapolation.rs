@@ -1,8 +1,9 @@
 //! Inputs that go on with their time derivatives over the next step.
 
 use super::error::FmiError;
+use super::instance::variable;
 use super::types::ValueReference;
-use crate::variables::{Causality, Kind, VARIABLES, Value, Values, check};
+use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, check};
 
 /// Highest derivative that is taken.
 pub const ORDERS: usize = 3;
@@ -16,9 +17,9 @@ pub const ORDERS: usize = 3;
 pub struct Extrapolation(Vec<(ValueReference, [f64; ORDERS])>);
 
 impl Extrapolation {
-    /// None, with room for all inputs.
-    pub fn new() -> Self {
-        let inputs = VARIABLES.iter().filter(|v| v.causality == Causality::Input);
+    /// None, with room for all inputs of a unit.
+    pub fn new(unit: &Unit) -> Self {
+        let inputs = unit.variables.iter().filter(|v| v.causality == Causality::Input);
         Self(Vec::with_capacity(inputs.count()))
     }
 
@@ -41,15 +42,13 @@ impl Extrapolation {
     /// Sets derivatives of orders 1 to [`ORDERS`]; all or, if one is refused, none.
     pub fn set(
         &mut self,
+        unit: &'static Unit,
         references: &[ValueReference],
         orders: &[i32],
         values: &[f64],
     ) -> Result<(), FmiError> {
         for ((&reference, &order), &value) in references.iter().zip(orders).zip(values) {
-            let last = VARIABLES.len() - 1;
-            let variable = VARIABLES
-                .get(reference as usize)
-                .ok_or(FmiError::UnknownReference { reference, last })?;
+            let variable = variable(unit, reference)?;
             if variable.causality != Causality::Input || variable.kind != Kind::Real {
                 return Err(FmiError::NoInput(variable.name));
             }
@@ -73,13 +72,17 @@ impl Extrapolation {
     }
 
     /// Moves the inputs on by a step [s]; refused, with nothing changed, where one leaves its range. Whether any moved.
-    pub fn apply(&self, step: f64, values: &mut Values) -> Result<bool, FmiError> {
+    pub fn apply<S: Described>(
+        &self,
+        step: f64,
+        values: &mut ValuesOf<S>,
+    ) -> Result<bool, FmiError> {
         if self.0.is_empty() {
             return Ok(false);
         }
         let before = values.input;
         for &(reference, [first, second, third]) in &self.0 {
-            let variable = &VARIABLES[reference as usize];
+            let variable = &S::UNIT.variables[reference as usize];
             let Value::Real(value) = values.get(variable) else { continue };
             let value = value + step * (first + 0.5 * step * (second + step * third / 3.0));
             if let Err(refusal) = check(variable, Value::Real(value)) {

@@ -8,11 +8,11 @@ use std::sync::{Mutex, TryLockError};
 
 use super::error::FmiError;
 use super::handle::{self, Entry};
-use super::instance::{Instance, Purpose, State};
+use super::instance::{AnyInstance, Purpose, State};
 use super::location;
 use super::logger::{Category, Logger};
 use super::types::{CO_SIMULATION, Component, MODEL_EXCHANGE, Status};
-use crate::variables::GUID;
+use crate::variables::{Unit, WHEEL, WHEELSET};
 
 /// A function of the interface and the states in which FMI allows it.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ calls! {
 pub fn guard(
     component: Component,
     call: Call,
-    body: impl FnOnce(&mut Instance, &Logger) -> Result<Status, FmiError>,
+    body: impl FnOnce(&mut AnyInstance, &Logger) -> Result<Status, FmiError>,
 ) -> Status {
     catch_unwind(AssertUnwindSafe(|| {
         let Some(entry) = handle::find(component) else { return Status::Error };
@@ -101,10 +101,10 @@ pub fn guard(
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
             Err(TryLockError::WouldBlock) => return Status::Error,
         };
-        let result = instance.state.admits(call).and_then(|()| {
+        let result = instance.state().admits(call).and_then(|()| {
             catch_unwind(AssertUnwindSafe(|| body(&mut instance, &entry.logger))).unwrap_or_else(
                 |_| {
-                    instance.state = State::Closed;
+                    instance.put_into(State::Closed);
                     Err(FmiError::Panic)
                 },
             )
@@ -139,9 +139,9 @@ pub struct Request<'a> {
 pub fn instantiate(request: Request, logger: Logger) -> Component {
     const NAME: &str = "fmi2Instantiate";
     catch_unwind(AssertUnwindSafe(|| match examine(request, &logger) {
-        Ok((purpose, folders)) => {
+        Ok((unit, purpose, folders)) => {
             logger.log(Status::Ok, Category::Events, NAME);
-            let instance = Mutex::new(Instance::new(purpose, folders));
+            let instance = Mutex::new(AnyInstance::new(unit, purpose, folders));
             handle::insert(Entry { logger, instance }).unwrap_or(null_mut())
         }
         Err(error) => {
@@ -152,8 +152,11 @@ pub fn instantiate(request: Request, logger: Logger) -> Component {
     .unwrap_or(null_mut())
 }
 
-/// What the instance is for, and where profiles are looked for: in the resources, then in the working directory.
-fn examine(request: Request, logger: &Logger) -> Result<(Purpose, Vec<PathBuf>), FmiError> {
+/// Of which unit the instance is, what it is for, and where profiles are looked for: in the resources, then in the working directory.
+fn examine(
+    request: Request,
+    logger: &Logger,
+) -> Result<(&'static Unit, Purpose, Vec<PathBuf>), FmiError> {
     if request.instance_name.is_empty() {
         return Err(FmiError::NoName);
     }
@@ -163,9 +166,11 @@ fn examine(request: Request, logger: &Logger) -> Result<(Purpose, Vec<PathBuf>),
         other => return Err(FmiError::WrongFmuType(other)),
     };
     let given = request.guid?;
-    if given != GUID {
-        return Err(FmiError::WrongGuid { given: given.into(), own: GUID });
-    }
+    // One library serves both: the description says which variables the host knows.
+    let unit =
+        [&WHEEL, &WHEELSET].into_iter().find(|unit| unit.guid == given).ok_or_else(|| {
+            FmiError::WrongGuid { given: given.into(), wheel: WHEEL.guid, wheelset: WHEELSET.guid }
+        })?;
     let location = request.resource_location?;
     let resources = location::folder(location);
     if resources.is_none() && !location.is_empty() {
@@ -175,7 +180,7 @@ fn examine(request: Request, logger: &Logger) -> Result<(Purpose, Vec<PathBuf>),
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let folders = resources.map(|folder| folder.join("profiles")).into_iter();
-    Ok((purpose, folders.chain([working_directory]).collect()))
+    Ok((unit, purpose, folders.chain([working_directory]).collect()))
 }
 
 /// Takes the instance out of the table; freed, forged and null handles do nothing.
@@ -245,7 +250,7 @@ mod tests {
         let request = Request {
             instance_name: c"wheel",
             fmu_type: CO_SIMULATION,
-            guid: Ok(GUID),
+            guid: Ok(WHEEL.guid),
             resource_location: Ok(""),
         };
         let component = instantiate(request, Logger::new(&functions, c"wheel".into(), false));

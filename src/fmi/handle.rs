@@ -5,7 +5,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
-use super::instance::Instance;
+use super::instance::AnyInstance;
 use super::logger::Logger;
 use super::slots::Slots;
 use super::types::Component;
@@ -16,7 +16,7 @@ pub struct Entry {
     /// Outside the lock, so that a refusal can be explained at any time.
     pub logger: Logger,
     /// The instance; locked for the length of a call.
-    pub instance: Mutex<Instance>,
+    pub instance: Mutex<AnyInstance>,
 }
 
 static INSTANCES: RwLock<Slots<Arc<Entry>>> = RwLock::new(Slots::new());

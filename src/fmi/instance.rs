@@ -1,4 +1,4 @@
-//! One element with its variables and its place in the life cycle.
+//! A wheel or a wheelset with its variables and its place in the life cycle.
 
 use std::ffi::{CString, c_char};
 use std::path::{Path, PathBuf};
@@ -9,11 +9,15 @@ use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
 use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
+use crate::element::Element;
 use crate::element::parameters::WearModel;
-use crate::element::{Element, Input, Parameters};
+use crate::element::work_pairs::{WorkPairs, energy_residual};
 use crate::error::ContactError;
 use crate::io::save_profile;
-use crate::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, admits, check};
+use crate::variables::{
+    Causality, Described, Kind, Unit, Value, ValuesOf, Variable, admits, check,
+};
+use crate::wheelset::Wheelset;
 
 /// What an instance is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,37 +58,94 @@ pub struct Experiment {
 
 /// What an `fmi2Component` stands for.
 #[derive(Debug)]
-pub struct Instance {
+pub enum AnyInstance {
+    /// Of `WheelRail.fmu`.
+    Wheel(Box<Instance<Element>>),
+    /// Of `WheelSet.fmu`.
+    Wheelset(Box<Instance<Wheelset>>),
+}
+
+/// Runs the same lines on an instance of any unit.
+macro_rules! on_instance {
+    ($any:expr, |$instance:ident| $body:expr) => {
+        match $any {
+            $crate::fmi::instance::AnyInstance::Wheel($instance) => $body,
+            $crate::fmi::instance::AnyInstance::Wheelset($instance) => $body,
+        }
+    };
+}
+pub(super) use on_instance;
+
+impl AnyInstance {
+    /// An instance of `unit` with start values.
+    pub fn new(unit: &Unit, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+        if unit.guid == Wheelset::UNIT.guid {
+            Self::Wheelset(Box::new(Instance::new(purpose, profile_folders)))
+        } else {
+            Self::Wheel(Box::new(Instance::new(purpose, profile_folders)))
+        }
+    }
+
+    /// Place in the life cycle.
+    #[inline]
+    pub fn state(&self) -> State {
+        on_instance!(self, |instance| instance.state)
+    }
+
+    /// Moves to another place in the life cycle.
+    pub fn put_into(&mut self, state: State) {
+        on_instance!(self, |instance| instance.state = state);
+    }
+}
+
+/// The beginning of the last step: its length [s], and the forces that a host held over it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LastStep {
+    /// Length [s].
+    pub duration: f64,
+    /// Forces and velocities at its beginning.
+    pub pairs: WorkPairs,
+}
+
+/// An instance of one unit.
+#[derive(Debug)]
+pub struct Instance<S: Described> {
     /// What it is made for.
     pub purpose: Purpose,
     /// Place in the life cycle.
     pub state: State,
-    pub(super) values: Values,
+    pub(super) values: ValuesOf<S>,
     pub(super) profile_folders: Vec<PathBuf>,
-    pub(super) element: Option<Element>,
+    pub(super) element: Option<S>,
     /// Parameters were set since the element was made from them.
     pub(super) parameters_changed: bool,
     /// The input for which the nominal height was found.
-    pub(super) nominal_input: Option<Input>,
+    pub(super) nominal_input: Option<S::Input>,
     /// Inputs were set, or the element made, since the outputs were evaluated.
     pub(super) outputs_stale: bool,
     pub(super) experiment: Option<Experiment>,
     pub(super) time: f64,
     /// Time derivatives of the inputs over the next step.
     pub(super) extrapolation: Extrapolation,
+    /// The input for which stiffness and damping were found.
+    pub(super) slopes_at: Option<S::Input>,
+    /// Where the last step began, if energy is monitored.
+    pub(super) last_step: Option<LastStep>,
+    /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
+    pub(super) rates: Option<Box<ValuesOf<S>>>,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
     /// States handed out and not freed yet.
-    pub snapshots: Slots<Snapshot>,
+    pub snapshots: Slots<Snapshot<S>>,
 }
 
-impl Instance {
+impl<S: Described> Instance<S> {
     /// An instance with start values; profiles are looked for in the folders, in order.
     pub fn new(purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
         Self {
             purpose,
             state: State::Instantiated,
-            values: Values::default(),
+            values: ValuesOf::default(),
             profile_folders,
             element: None,
             parameters_changed: true,
@@ -92,7 +153,10 @@ impl Instance {
             outputs_stale: true,
             experiment: None,
             time: 0.0,
-            extrapolation: Extrapolation::new(),
+            extrapolation: Extrapolation::new(S::UNIT),
+            slopes_at: None,
+            last_step: None,
+            rates: None,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -165,19 +229,48 @@ impl Instance {
         {
             return Err(FmiError::AfterStop { time, stop });
         }
+        // Of the inputs as they were set, before derivatives carry them on.
+        let start =
+            if self.values.coupling.monitor { Some(self.work_pairs(logger)?) } else { None };
         self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
         self.extrapolation.clear();
-        let wears = self.values.parameters.wear.model != WearModel::Off;
-        let status = if wears { self.wear_off(step, logger)? } else { Status::Ok };
+        let status = match self.wear_model() {
+            WearModel::Off => Status::Ok,
+            _ => self.wear_off(step, logger)?,
+        };
         self.time = time + step;
-        Ok(status)
+        Ok(start.map_or(status, |(watched, pairs)| {
+            self.watch(step, &pairs);
+            status.max(watched)
+        }))
+    }
+
+    /// Forces and velocities of the inputs.
+    fn work_pairs(&mut self, logger: &Logger) -> Result<(Status, WorkPairs), FmiError> {
+        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
+    }
+
+    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
+    fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
+        let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
+        self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);
+        self.last_step = Some(LastStep { duration, pairs: *pairs });
+    }
+
+    /// The wear law, which is the same for all elements.
+    fn wear_model(&self) -> WearModel {
+        let all = S::parameters_of_elements(&self.values.parameters);
+        all.first().map_or(WearModel::Off, |parameters| parameters.wear.model)
     }
 
     /// Wears off what the contacts of the inputs wear off in a step, and evaluates the outputs with it.
     fn wear_off(&mut self, step: f64, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
-        let fallbacks = self.values.output.fallback_count;
-        element.advance(&self.values.input, &mut self.values.output, step)?;
+        let fallbacks = S::fallback_count(&self.values.output);
+        element.advance_all(&self.values.input, &mut self.values.output, step)?;
+        // On other profiles.
+        self.slopes_at = None;
         self.outputs_stale = false;
         Ok(self.fallback_status(fallbacks, logger))
     }
@@ -185,15 +278,19 @@ impl Instance {
     /// Ends the run: writes the worn profiles that the parameters ask for.
     pub fn terminate(&mut self) -> Result<(), FmiError> {
         if let (State::Stepping, Some(element)) = (self.state, &self.element) {
-            let Parameters { wheel, rails, .. } = &self.values.parameters;
-            let worn_wheel = ("wear.wheel.file", &wheel.worn_file, element.worn_wheel());
-            let worn_rails = ["wear.rail[1].file", "wear.rail[2].file"]
-                .into_iter()
-                .enumerate()
-                .map(|(k, name)| (name, &rails[k].worn_file, element.worn_rail(k)));
-            for (name, file, profile) in std::iter::once(worn_wheel).chain(worn_rails) {
-                if let (false, Some(profile)) = (file.is_empty(), profile) {
-                    save_profile(name, Path::new(file), &profile)?;
+            let all = S::parameters_of_elements(&self.values.parameters);
+            let sides = S::PREFIXES.iter().zip(all).zip(element.elements());
+            for ((prefix, parameters), element) in sides {
+                let worn_wheel =
+                    ("wear.wheel.file", &parameters.wheel.worn_file, element.worn_wheel());
+                let worn_rails = ["wear.rail[1].file", "wear.rail[2].file"]
+                    .into_iter()
+                    .enumerate()
+                    .map(|(k, name)| (name, &parameters.rails[k].worn_file, element.worn_rail(k)));
+                for (name, file, profile) in std::iter::once(worn_wheel).chain(worn_rails) {
+                    if let (false, Some(profile)) = (file.is_empty(), profile) {
+                        save_profile(&format!("{prefix}{name}"), Path::new(file), &profile)?;
+                    }
                 }
             }
         }
@@ -208,7 +305,7 @@ impl Instance {
         orders: &[i32],
         values: &[f64],
     ) -> Result<(), FmiError> {
-        self.extrapolation.set(references, orders, values)
+        self.extrapolation.set(S::UNIT, references, orders, values)
     }
 
     /// Sets the time of model exchange.
@@ -234,7 +331,7 @@ impl Instance {
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_real, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Real(value) = self.values.get(&VARIABLES[reference as usize]) {
+            if let Value::Real(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
                 *out = value;
             }
         }
@@ -250,7 +347,7 @@ impl Instance {
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_integer, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Integer(value) = self.values.get(&VARIABLES[reference as usize]) {
+            if let Value::Integer(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
                 *out = value;
             }
         }
@@ -266,7 +363,7 @@ impl Instance {
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_boolean, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Boolean(value) = self.values.get(&VARIABLES[reference as usize]) {
+            if let Value::Boolean(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
                 *out = if value { TRUE } else { FALSE };
             }
         }
@@ -281,11 +378,12 @@ impl Instance {
         logger: &Logger,
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_text, logger)?;
-        let texts = references.iter().map(|&r| match self.values.get(&VARIABLES[r as usize]) {
-            // A text that was set holds no null character.
-            Value::Text(text) => CString::new(text).unwrap_or_default(),
-            _ => CString::default(),
-        });
+        let texts =
+            references.iter().map(|&r| match self.values.get(&S::UNIT.variables[r as usize]) {
+                // A text that was set holds no null character.
+                Value::Text(text) => CString::new(text).unwrap_or_default(),
+                _ => CString::default(),
+            });
         self.handed_out = texts.collect();
         for (out, text) in out.iter_mut().zip(&self.handed_out) {
             *out = text.as_ptr();
@@ -301,16 +399,16 @@ impl Instance {
     ) -> Result<Status, FmiError> {
         let fixed = !matches!(self.state, State::Instantiated | State::Initialization);
         for (i, &reference) in references.iter().enumerate() {
-            let variable = VARIABLES.get(reference as usize);
+            let variable = S::UNIT.variables.get(reference as usize);
             let accepted = variable.is_some_and(|v| {
                 admits(v, value(i)) && !(fixed && v.causality == Causality::Parameter)
             });
             if !accepted {
-                return Err(refusal(reference, value(i)));
+                return Err(refusal(S::UNIT, reference, value(i)));
             }
         }
         for (i, &reference) in references.iter().enumerate() {
-            let variable = &VARIABLES[reference as usize];
+            let variable = &S::UNIT.variables[reference as usize];
             // Setting the same value again costs no evaluation.
             if self.values.write(variable, value(i)) {
                 self.outputs_stale = true;
@@ -327,62 +425,86 @@ impl Instance {
         belongs: fn(Kind) -> bool,
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let (mut outputs, mut nominal) = (false, false);
+        let (mut outputs, mut nominal, mut requested) = (false, false, false);
         for &reference in references {
-            let variable = variable(reference)?;
+            let variable = variable(S::UNIT, reference)?;
             if !belongs(variable.kind) {
                 return Err(wrong_type(variable));
             }
             outputs |= variable.causality == Causality::Output;
+            requested |= variable.on_request;
             nominal |= variable.causality == Causality::CalculatedParameter;
         }
         if self.state == State::Initialization && (outputs || nominal) {
             self.prepare_element(nominal)?;
         }
-        if outputs && self.outputs_stale { self.evaluate(logger) } else { Ok(Status::Ok) }
+        let status =
+            if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        if requested && self.values.coupling.monitor {
+            self.find_slopes()?;
+        }
+        Ok(status)
+    }
+
+    /// Brings stiffness and damping up to date, after the outputs.
+    #[cold]
+    fn find_slopes(&mut self) -> Result<(), FmiError> {
+        let Some(subject) = &mut self.element else { return Ok(()) };
+        let ValuesOf { input, output, coupling, .. } = &mut self.values;
+        if self.slopes_at == Some(*input) {
+            return Ok(());
+        }
+        for k in 0..S::PREFIXES.len() {
+            let at = subject.input_of_element(k, input, output);
+            let slopes = subject.elements_mut()[k].vertical_slopes(&at)?;
+            (coupling.stiffness[k], coupling.damping[k]) = (slopes.stiffness, slopes.damping);
+        }
+        self.slopes_at = Some(*input);
+        Ok(())
     }
 
     /// Makes the element if there is none of these parameters, or none of this input if the nominal
     /// height is wanted.
-    fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
+    pub(super) fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
         if !self.is_prepared() || moved {
-            let is_wearing = self.values.parameters.wear.model != WearModel::Off;
-            if is_wearing && self.purpose == Purpose::ModelExchange {
+            let wear_model = self.wear_model();
+            if wear_model != WearModel::Off && self.purpose == Purpose::ModelExchange {
                 return Err(FmiError::from(ContactError::BadText {
                     name: "wear.model".into(),
-                    value: self.values.parameters.wear.model.name().into(),
+                    value: wear_model.name().into(),
                     allowed: "in model exchange off: a host that integrates by itself asks for forces at times that it \
                               may not go to; profiles wear in the steps of co-simulation"
                         .into(),
                 }));
             }
             let (parameters, input) = (&self.values.parameters, &self.values.input);
-            let element = Element::new(parameters, input, &self.profile_folders)?;
-            self.values.nominal_wheel_z = element.nominal_wheel_z();
+            let element = S::prepare(parameters, input, &self.profile_folders)?;
+            self.values.nominal = element.nominal();
             self.nominal_input = Some(self.values.input);
             self.element = Some(element);
             self.parameters_changed = false;
             self.outputs_stale = true;
+            self.slopes_at = None;
         }
         Ok(())
     }
 
     fn evaluate(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
-        let fallbacks = self.values.output.fallback_count;
-        element.evaluate(&self.values.input, &mut self.values.output)?;
+        let fallbacks = S::fallback_count(&self.values.output);
+        element.evaluate_all(&self.values.input, &mut self.values.output)?;
         self.outputs_stale = false;
         Ok(self.fallback_status(fallbacks, logger))
     }
 
     /// A warning if there are more fallbacks than `before`.
     fn fallback_status(&self, before: i32, logger: &Logger) -> Status {
-        if self.values.output.fallback_count == before {
+        let count = S::fallback_count(&self.values.output);
+        if count == before {
             return Status::Ok;
         }
         if logger.takes(Category::Warning) {
-            let count = self.values.output.fallback_count;
             let message =
                 format!("a solver fell back to a simpler model: fallback_count = {count}");
             logger.log(Status::Warning, Category::Warning, &message);
@@ -392,16 +514,18 @@ impl Instance {
 }
 
 #[inline]
-fn variable(reference: ValueReference) -> Result<&'static Variable, FmiError> {
-    VARIABLES
-        .get(reference as usize)
-        .ok_or(FmiError::UnknownReference { reference, last: VARIABLES.len() - 1 })
+pub(super) fn variable(
+    unit: &'static Unit,
+    reference: ValueReference,
+) -> Result<&'static Variable, FmiError> {
+    let last = unit.variables.len() - 1;
+    unit.variables.get(reference as usize).ok_or(FmiError::UnknownReference { reference, last })
 }
 
 /// Why a value is not accepted; after initialization, if there is nothing else against it.
 #[cold]
-fn refusal(reference: ValueReference, value: Value) -> FmiError {
-    let variable = match variable(reference) {
+fn refusal(unit: &'static Unit, reference: ValueReference, value: Value) -> FmiError {
+    let variable = match variable(unit, reference) {
         Ok(variable) => variable,
         Err(error) => return error,
     };
@@ -417,7 +541,7 @@ fn refusal(reference: ValueReference, value: Value) -> FmiError {
     check(variable, value).map_or_else(FmiError::from, |()| FmiError::Fixed(variable.name))
 }
 
-fn is_real(kind: Kind) -> bool {
+pub(super) fn is_real(kind: Kind) -> bool {
     matches!(kind, Kind::Real)
 }
 
@@ -434,7 +558,7 @@ fn is_text(kind: Kind) -> bool {
 }
 
 #[cold]
-fn wrong_type(variable: &Variable) -> FmiError {
+pub(super) fn wrong_type(variable: &Variable) -> FmiError {
     let kind = match variable.kind {
         Kind::Real => "Real",
         Kind::Integer => "Integer",

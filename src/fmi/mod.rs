@@ -1,11 +1,13 @@
-//! The element behind the C interface of FMI 2.0 for co-simulation and model exchange.
+//! Wheel and wheelset behind the C interface of FMI 2.0 for co-simulation and model exchange.
+//!
+//! One library serves both units, `WheelRail.fmu` and `WheelSet.fmu`: the GUID of an instance says which variables it has.
 //!
 //! ```text
 //! abi        the exported functions: raw pointers in, one guarded call each
 //! guard      finds the instance, checks that the call is legal now, stops panics, logs
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
-//! instance   one element with its variables and its place in the life cycle
+//! instance   a wheel or a wheelset with its variables and its place in the life cycle
 //! extrapolation   inputs that go on with their time derivatives
 //! snapshot   what is remembered of it by `fmi2GetFMUstate`
 //! bytes      the same as bytes
@@ -25,6 +27,7 @@
 
 pub mod abi;
 mod bytes;
+mod directional;
 mod error;
 mod extrapolation;
 mod guard;

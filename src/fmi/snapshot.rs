@@ -2,16 +2,16 @@
 
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
-use super::instance::{Experiment, Instance, Purpose, State};
+use super::instance::{Experiment, Instance, LastStep, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::{Element, WearState};
-use crate::variables::Values;
+use crate::variables::{Described, ValuesOf};
 
 /// Everything an instance has to remember; forces follow from it bit for bit.
 ///
 /// The element itself is not kept: it follows from the parameters.
 #[derive(Clone, Debug)]
-pub struct Snapshot {
+pub struct Snapshot<S: Described> {
     /// What the instance was made for.
     pub purpose: Purpose,
     /// Place in the life cycle.
@@ -21,18 +21,30 @@ pub struct Snapshot {
     /// How the outputs among the values are.
     pub outputs: Outputs,
     /// Parameters, inputs, outputs and the nominal height.
-    pub values: Values,
+    pub values: ValuesOf<S>,
     /// Time derivatives of the inputs over the next step.
     pub extrapolation: Extrapolation,
-    /// Contacts and zones that found no room, so far.
-    pub fallbacks: u64,
-    /// What is worn off, if anything wears.
-    pub wear: Option<WearState>,
+    /// Where the last step began, if energy is monitored.
+    pub last_step: Option<LastStep>,
+    /// What each element remembers; default beyond their number.
+    pub memories: [Memory; MOST_ELEMENTS],
     /// Time span of the experiment.
     pub experiment: Option<Experiment>,
     /// End of the last step [s].
     pub time: f64,
 }
+
+/// What one element remembers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Memory {
+    /// Contacts and zones that found no room, so far.
+    pub fallbacks: u64,
+    /// What is worn off, if anything wears.
+    pub wear: Option<WearState>,
+}
+
+/// A wheelset has two.
+pub const MOST_ELEMENTS: usize = 2;
 
 /// How the outputs of a state are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +57,7 @@ pub enum Outputs {
     LeftOut,
 }
 
-impl Instance {
+impl<S: Described> Instance<S> {
     /// Saves the state as it is now, over that of `key` unless it is null; gives its key.
     ///
     /// Over an old state of the same parameters nothing is allocated.
@@ -66,7 +78,7 @@ impl Instance {
     }
 
     /// Keeps a state that was read from bytes, in place of that of `key` unless it is null; gives its key.
-    pub fn put(&mut self, key: Key, snapshot: Snapshot) -> Result<Key, FmiError> {
+    pub fn put(&mut self, key: Key, snapshot: Snapshot<S>) -> Result<Key, FmiError> {
         if snapshot.purpose != self.purpose {
             let (from, own) = match self.purpose {
                 Purpose::ModelExchange => ("co-simulation", "model exchange"),
@@ -83,7 +95,7 @@ impl Instance {
     }
 
     /// The state of a key.
-    pub fn saved(&self, key: Key) -> Result<&Snapshot, FmiError> {
+    pub fn saved(&self, key: Key) -> Result<&Snapshot<S>, FmiError> {
         self.snapshots.get(key).ok_or(UNKNOWN)
     }
 
@@ -95,7 +107,7 @@ impl Instance {
         loaded
     }
 
-    fn snapshot(&self) -> Snapshot {
+    fn snapshot(&self) -> Snapshot<S> {
         Snapshot {
             purpose: self.purpose,
             state: self.state,
@@ -103,41 +115,56 @@ impl Instance {
             outputs: if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated },
             values: self.values.clone(),
             extrapolation: self.extrapolation.clone(),
-            fallbacks: self.element.as_ref().map_or(0, Element::fallbacks),
-            wear: self.element.as_ref().and_then(Element::wear_state),
+            last_step: self.last_step,
+            memories: self.memories(),
             experiment: self.experiment,
             time: self.time,
         }
     }
 
-    fn overwrite(&self, old: &mut Snapshot) {
+    fn memories(&self) -> [Memory; MOST_ELEMENTS] {
+        let mut memories = [const { Memory { fallbacks: 0, wear: None } }; MOST_ELEMENTS];
+        for (memory, element) in memories.iter_mut().zip(self.elements()) {
+            *memory = Memory { fallbacks: element.fallbacks(), wear: element.wear_state() };
+        }
+        memories
+    }
+
+    fn elements(&self) -> &[Element] {
+        self.element.as_ref().map_or(&[], S::elements)
+    }
+
+    fn overwrite(&self, old: &mut Snapshot<S>) {
         if old.values.parameters != self.values.parameters {
             *old = self.snapshot();
             return;
         }
         copy_what_moves(&self.values, &mut old.values);
         old.extrapolation.copy_from(&self.extrapolation);
+        old.last_step = self.last_step;
         old.state = self.state;
         old.prepared = self.is_prepared();
         old.outputs = if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated };
-        old.fallbacks = self.element.as_ref().map_or(0, Element::fallbacks);
-        match &self.element {
-            Some(element) => element.copy_wear_state(&mut old.wear),
-            None => old.wear = None,
+        if self.element.is_none() {
+            old.memories = Default::default();
+        }
+        for (memory, element) in old.memories.iter_mut().zip(self.elements()) {
+            memory.fallbacks = element.fallbacks();
+            element.copy_wear_state(&mut memory.wear);
         }
         old.experiment = self.experiment;
         old.time = self.time;
     }
 
-    fn restore(&mut self, saved: &Snapshot) -> Result<(), FmiError> {
+    fn restore(&mut self, saved: &Snapshot<S>) -> Result<(), FmiError> {
         let same = self.values.parameters == saved.values.parameters;
         if saved.prepared && !(same && self.is_prepared()) {
-            let Values { parameters, input, .. } = &saved.values;
-            let mut element = Element::new(parameters, input, &self.profile_folders)?;
-            wear_as_saved(&mut element, saved)?;
+            let ValuesOf { parameters, input, .. } = &saved.values;
+            let mut element = S::prepare(parameters, input, &self.profile_folders)?;
+            wear_as_saved(element.elements_mut(), &saved.memories)?;
             self.element = Some(element);
         } else if let Some(element) = self.element.as_mut().filter(|_| saved.prepared) {
-            wear_as_saved(element, saved)?;
+            wear_as_saved(element.elements_mut(), &saved.memories)?;
         }
         if same {
             copy_what_moves(&saved.values, &mut self.values);
@@ -145,6 +172,8 @@ impl Instance {
             self.values.clone_from(&saved.values);
         }
         self.extrapolation.copy_from(&saved.extrapolation);
+        self.last_step = saved.last_step;
+        self.slopes_at = None;
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
         self.nominal_input = None;
@@ -153,35 +182,41 @@ impl Instance {
         self.time = saved.time;
         if let Some(element) = &mut self.element {
             if saved.outputs == Outputs::LeftOut {
-                element.evaluate(&self.values.input, &mut self.values.output)?;
+                element.evaluate_all(&self.values.input, &mut self.values.output)?;
             }
-            element.set_fallbacks(saved.fallbacks);
-            self.values.output.fallback_count = element.fallback_count();
+            for (element, memory) in element.elements_mut().iter_mut().zip(&saved.memories) {
+                element.set_fallbacks(memory.fallbacks);
+            }
+            element.report_fallbacks(&mut self.values.output);
         }
         Ok(())
     }
 }
 
-/// Takes the element's wear back to that of a saved state; refused where its profiles are not those of the state.
-fn wear_as_saved(element: &mut Element, saved: &Snapshot) -> Result<(), FmiError> {
-    match &saved.wear {
-        Some(wear) if !element.set_wear_state(wear) => Err(FmiError::BadBytes(
-            "holds the wear of other profiles than the parameters name".into(),
-        )),
-        _ => Ok(()),
+/// Takes the wear of elements back to that of a saved state; refused where their profiles are not those of the state.
+fn wear_as_saved(elements: &mut [Element], saved: &[Memory]) -> Result<(), FmiError> {
+    for (element, memory) in elements.iter_mut().zip(saved) {
+        if memory.wear.as_ref().is_some_and(|wear| !element.set_wear_state(wear)) {
+            let problem = "holds the wear of other profiles than the parameters name";
+            return Err(FmiError::BadBytes(problem.into()));
+        }
     }
+    Ok(())
 }
 
 const UNKNOWN: FmiError = FmiError::UnknownState("FMUstate");
 
-fn hand_out(snapshots: &mut Slots<Snapshot>, snapshot: Snapshot) -> Result<Key, FmiError> {
+fn hand_out<S: Described>(
+    snapshots: &mut Slots<Snapshot<S>>,
+    snapshot: Snapshot<S>,
+) -> Result<Key, FmiError> {
     let allowed = "one of fewer than 2^32 states";
     let full = FmiError::BadArgument { name: "FMUstate", value: f64::INFINITY, allowed };
     snapshots.insert(snapshot).ok_or(full)
 }
 
 /// All values but the parameters.
-fn copy_what_moves(from: &Values, to: &mut Values) {
-    (to.input, to.output) = (from.input, from.output);
-    to.nominal_wheel_z = from.nominal_wheel_z;
+fn copy_what_moves<S: Described>(from: &ValuesOf<S>, to: &mut ValuesOf<S>) {
+    (to.input, to.output, to.nominal) = (from.input, from.output, from.nominal);
+    to.coupling = from.coupling;
 }

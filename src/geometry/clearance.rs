@@ -5,6 +5,8 @@
 //! enough to meet the rail lies within a chord of the axle's vertical plane, so that yaw moves it sideways by at most
 //! chord · yaw.
 
+use std::ops::Range;
+
 use crate::geometry::contact_line::WheelPose;
 use crate::geometry::curve::Curve;
 
@@ -16,6 +18,8 @@ const SAMPLE: f64 = 1e-4;
 const MARGIN: f64 = 5e-6;
 /// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
 const LEVELS: usize = 9;
+/// Cells of the wheel that are looked at together before any of them is looked at alone.
+const BLOCK: usize = 16;
 /// Cells beyond either end of the rail that any level can reach.
 const PADDING: usize = 1 << (LEVELS - 1);
 
@@ -28,6 +32,8 @@ pub struct Clearance {
     rail_start: f64,
     /// Greatest z of the wheel profile over each of its cells [m].
     lows: Vec<f64>,
+    /// The same over each block of cells [m].
+    block_lows: Vec<f64>,
     /// First and last parameter of the profile over each of its cells [m].
     spans: Vec<[f64; 2]>,
     /// Lateral position of the first cell of the wheel on its profile [m].
@@ -40,6 +46,26 @@ pub struct Clearance {
     wheel_extent: [f64; 2],
     /// Half length of the part of the wheel's outer circle that can be as low as the rail [m].
     chord: f64,
+}
+
+/// The cells of a wheel in some pose that lie opposite to a rail.
+struct OppositeCells<'a> {
+    /// Cells of the wheel; empty beside the rail.
+    cells: Range<usize>,
+    /// What the number of a cell of the rail is above that of the cell of the wheel over it.
+    offset: isize,
+    /// Highest place of the rail that each cell of the wheel can reach, by cells of the rail [m].
+    tops: &'a [f64],
+    /// The same for a whole block of cells, by that in its middle; empty where the angles are too large [m].
+    block_tops: &'a [f64],
+}
+
+impl OppositeCells<'_> {
+    /// Highest place of the rail that a cell of the wheel can reach [m].
+    #[inline]
+    fn top(&self, cell: usize) -> f64 {
+        self.tops[(cell as isize + self.offset) as usize]
+    }
 }
 
 impl Clearance {
@@ -72,6 +98,10 @@ impl Clearance {
         Self {
             tops,
             rail_start: rail_left - PADDING as f64 * CELL,
+            block_lows: lows
+                .chunks(BLOCK)
+                .map(|block| block.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+                .collect(),
             lows,
             spans,
             wheel_start: wheel_left,
@@ -96,10 +126,12 @@ impl Clearance {
     /// rolls; infinite beside the rail [m].
     #[must_use]
     pub fn height_near_touch(&self, pose: &WheelPose) -> f64 {
-        let Some((_, lows, tops)) = self.opposite_cells(pose) else {
+        let Some(opposite) = self.opposite_cells(pose) else {
             return self.clear_height(pose.roll);
         };
-        let least = lows.iter().zip(tops).map(|(low, top)| top - low).fold(f64::INFINITY, f64::min);
+        let least = (opposite.cells.clone())
+            .map(|cell| opposite.top(cell) - self.lows[cell])
+            .fold(f64::INFINITY, f64::min);
         least - self.nominal_radius - self.drop(pose.roll)
     }
 
@@ -107,60 +139,78 @@ impl Clearance {
     /// stands at `pose`: none for a lifted wheel, everything where the angles are too large for a bound.
     pub fn ranges(&self, pose: &WheelPose, ranges: &mut Vec<[f64; 2]>) {
         ranges.clear();
-        let Some((first, lows, tops)) = self.opposite_cells(pose) else {
+        let Some(opposite) = self.opposite_cells(pose) else {
             ranges.push([f64::MIN, f64::MAX]);
             return;
         };
         let low = pose.marker[2] + self.nominal_radius + self.drop(pose.roll);
-        for (i, (cell, top)) in lows.iter().zip(tops).enumerate() {
-            if cell + low < *top {
+        let mut next = opposite.cells.start;
+        while next < opposite.cells.end {
+            let block = next / BLOCK;
+            let cells = next..((block + 1) * BLOCK).min(opposite.cells.end);
+            next = cells.end;
+            if self.block_is_clear(block, low, &opposite) {
                 continue;
             }
-            let span = self.spans[first + i];
-            let is_full = ranges.len() == ranges.capacity();
-            match ranges.last_mut() {
-                Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
-                // No room for another stretch: the last one grows over the gap.
-                Some(range) if is_full => range[1] = span[1],
-                _ => ranges.push(span),
+            for cell in cells {
+                if self.lows[cell] + low < opposite.top(cell) {
+                    continue;
+                }
+                let span = self.spans[cell];
+                let is_full = ranges.len() == ranges.capacity();
+                match ranges.last_mut() {
+                    Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
+                    // No room for another stretch: the last one grows over the gap.
+                    Some(range) if is_full => range[1] = span[1],
+                    _ => ranges.push(span),
+                }
             }
         }
     }
 
-    /// Number of the first cell of the wheel that the rail reaches at `pose`, the lows of it and of the cells after it, and the tops
-    /// of the rail opposite to them as far as roll and yaw can move points sideways; nothing where the angles are too large for
-    /// a bound.
-    fn opposite_cells(&self, pose: &WheelPose) -> Option<(usize, &[f64], &[f64])> {
+    /// Whether no cell of a block of the wheel can touch, by the lowest of them and the highest place of the rail that any can reach.
+    #[inline]
+    fn block_is_clear(&self, block: usize, low: f64, opposite: &OppositeCells) -> bool {
+        let middle = (block * BLOCK + BLOCK / 2) as isize + opposite.offset;
+        let top = opposite.block_tops.get(middle as usize);
+        top.is_some_and(|top| self.block_lows[block] + low < *top)
+    }
+
+    /// The cells of the wheel that the rail reaches at `pose`, and the tops of the rail opposite to them as far as roll and yaw can
+    /// move points sideways; nothing where the angles are too large for a bound.
+    fn opposite_cells(&self, pose: &WheelPose) -> Option<OppositeCells<'_>> {
         let WheelPose { marker, roll, yaw } = *pose;
         let [extent_y, extent_z] = self.wheel_extent;
         let sideways =
             self.chord * yaw.abs() + extent_y * (yaw * yaw + roll * roll) + extent_z * roll.abs();
         // One cell more, because the two grids do not meet.
-        let reach = sideways / CELL + 1.0;
-        let level = (0..LEVELS).find(|&level| f64::from(1 << level) >= reach)?;
+        let level = level_within(sideways / CELL + 1.0)?;
         let top = &self.tops[level];
         let y = marker[1] - self.nominal_radius * roll.sin();
         let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
         // Far beside the rail; this also keeps the conversion below exact.
         if offset.abs() > 1e6 {
-            return Some((0, &[], &[]));
+            return Some(OppositeCells { cells: 0..0, offset: 0, tops: &[], block_tops: &[] });
         }
         let offset = offset as isize;
         // The cells of `top` that the rail reaches at this level.
         let rail = [PADDING - (1 << level), top.len() - PADDING + (1 << level)];
         let within = |cell: usize| (cell as isize - offset).clamp(0, self.lows.len() as isize);
         let [first, last] = rail.map(|cell| within(cell) as usize);
-        if first >= last {
-            return Some((0, &[], &[]));
-        }
-        let tops = &top[(first as isize + offset) as usize..];
-        Some((first, &self.lows[first..last], tops))
+        let block_level = level_within(f64::from(1 << level) + (BLOCK / 2) as f64);
+        let block_tops = block_level.map_or(&[][..], |level| &self.tops[level]);
+        Some(OppositeCells { cells: first..last, offset, tops: top, block_tops })
     }
 
     /// How far roll and what the tables leave open can lower a point of the wheel [m].
     fn drop(&self, roll: f64) -> f64 {
         self.wheel_extent[0] * roll.abs() + MARGIN
     }
+}
+
+/// Least level whose reach is at least `cells`.
+fn level_within(cells: f64) -> Option<usize> {
+    (0..LEVELS).find(|&level| f64::from(1 << level) >= cells)
 }
 
 /// Points of a curve with their parameters.

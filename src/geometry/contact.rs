@@ -1,32 +1,34 @@
 //! A contact of wheel and rail: the place of first touch and the frame there.
 
+use crate::math::real::Real;
+
 /// One patch: where wheel and rail touch first and the frame there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct Contact<T = f64> {
     /// Parameter of the contact line [m].
-    pub u: f64,
+    pub u: T,
     /// Parameter of the rail's curve [m].
-    pub rail_s: f64,
+    pub rail_s: T,
     /// Penetration δ > 0 [m].
-    pub penetration: f64,
+    pub penetration: T,
     /// Point of the rail: the origin of the contact frame [m].
-    pub origin: [f64; 2],
+    pub origin: [T; 2],
     /// Unit vector (y, z) of the frame's lateral axis.
-    pub tangent: [f64; 2],
+    pub tangent: [T; 2],
     /// First and one past the last of its probes.
     pub probes: [usize; 2],
 }
 
-impl Contact {
+impl<T: Real> Contact<T> {
     /// Unit vector (y, z) of the frame's normal, into the rail.
     #[must_use]
-    pub fn normal(&self) -> [f64; 2] {
+    pub fn normal(&self) -> [T; 2] {
         [-self.tangent[1], self.tangent[0]]
     }
 
     /// Roll of the contact frame about x [rad].
     #[must_use]
-    pub fn angle(&self) -> f64 {
+    pub fn angle(&self) -> T {
         self.tangent[1].atan2(self.tangent[0])
     }
 }

@@ -18,6 +18,7 @@ mod rim;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;
+use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
 const LEAST_SLOPE_COSINE: f64 = 0.05;
@@ -31,70 +32,70 @@ const LEAST_SECTION_SHARE: f64 = 0.1;
 
 /// Where and how a wheel stands in the frame of a rail.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WheelPose {
+pub struct WheelPose<T = f64> {
     /// Wheel marker, from the rail marker [m].
-    pub marker: [f64; 3],
+    pub marker: [T; 3],
     /// Roll angle against the rail [rad].
-    pub roll: f64,
+    pub roll: T,
     /// Yaw angle [rad].
-    pub yaw: f64,
+    pub yaw: T,
 }
 
 /// The contact line of a wheel in a given pose.
 #[derive(Clone, Copy, Debug)]
-pub struct ContactLine<'a> {
+pub struct ContactLine<'a, T = f64> {
     profile: &'a Curve,
     nominal_radius: f64,
-    marker: [f64; 3],
+    marker: [T; 3],
     /// Axle direction u.
-    axle: [f64; 3],
+    axle: [T; 3],
     /// c = sqrt(1 - u_x²).
-    cosine: f64,
+    cosine: T,
     /// u_x / c.
-    lead: f64,
+    lead: T,
     /// (y, z) of e1, the projection of x on the planes of the rolling circles.
-    ahead: [f64; 2],
+    ahead: [T; 2],
     /// (y, z) of e2, the direction down, across x and the axle.
-    down: [f64; 2],
+    down: [T; 2],
     /// Deviations of wheel and rail along the track, where there are any.
     deviations: Option<&'a Longitudinal>,
 }
 
 /// The point of a rolling circle that belongs to the line.
-struct OnCircle {
-    radius: f64,
+struct OnCircle<T> {
+    radius: T,
     /// One over y_w', as far as the slope is followed.
-    flatness: f64,
+    flatness: T,
     /// Slope of the profile.
-    slope: f64,
+    slope: T,
     /// sin α and cos α.
-    sine: f64,
-    cosine: f64,
+    sine: T,
+    cosine: T,
     /// (y, z) of the radial direction n.
-    radial: [f64; 2],
+    radial: [T; 2],
 }
 
 /// A point of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinePoint {
+pub struct LinePoint<T = f64> {
     /// Coordinate along the track [m].
-    pub x: f64,
+    pub x: T,
     /// Point (y, z) across [m].
-    pub point: [f64; 2],
+    pub point: [T; 2],
     /// Tangent (y, z), towards the field side, of length close to one.
-    pub tangent: [f64; 2],
+    pub tangent: [T; 2],
 }
 
-impl<'a> ContactLine<'a> {
+impl<'a, T: Real> ContactLine<'a, T> {
     /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its running circle [m].
     #[must_use]
-    pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose) -> Self {
+    pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose<T>) -> Self {
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
         let (sin_yaw, cos_yaw) = pose.yaw.sin_cos();
         // R_x(roll) R_z(yaw) e_y
         let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
         // An axle along the track has no such line: kept away from zero, the result stays finite.
-        let cosine = axle[1].hypot(axle[2]).max(1e-9);
+        let cosine = axle[1].hypot(axle[2]).at_least(1e-9);
         Self {
             profile,
             nominal_radius,
@@ -106,13 +107,6 @@ impl<'a> ContactLine<'a> {
             down: [-axle[2] / cosine, axle[1] / cosine],
             deviations: None,
         }
-    }
-
-    /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
-    /// are nearer to each other by their deviations.
-    #[must_use]
-    pub fn with_deviations(self, deviations: &'a Longitudinal) -> Self {
-        Self { deviations: Some(deviations), ..self }
     }
 
     /// Radius of the running circle [m].
@@ -127,20 +121,10 @@ impl<'a> ContactLine<'a> {
         [self.profile.start(), self.profile.end()]
     }
 
-    /// The point at parameter `s` [m].
+    /// As [`at`](ContactLine::at), without deviations along the track.
     #[inline]
     #[must_use]
-    pub fn at(&self, s: f64) -> LinePoint {
-        if let Some(deviations) = self.deviations {
-            return self.lifted(s, deviations);
-        }
-        self.even_at(s)
-    }
-
-    /// As [`at`](Self::at), without deviations along the track.
-    #[inline]
-    #[must_use]
-    pub fn even_at(&self, s: f64) -> LinePoint {
+    pub fn even_at(&self, s: T) -> LinePoint<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) }
@@ -149,7 +133,7 @@ impl<'a> ContactLine<'a> {
     /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
     #[inline]
     #[must_use]
-    pub fn even_with_derivative(&self, s: f64) -> (LinePoint, [f64; 2]) {
+    pub fn even_with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         if self.follows_rim(&p) {
@@ -159,7 +143,7 @@ impl<'a> ContactLine<'a> {
         let [_, uy, uz] = self.axle;
         let turning = self.turning(&p, &on);
         let sideways = on.radius * turning / on.cosine;
-        let across = |i: usize, axle: f64| {
+        let across = |i: usize, axle: T| {
             p.first[0] * axle
                 + p.first[1] * on.radial[i]
                 + sideways * (self.ahead[i] * on.cosine - self.down[i] * on.sine)
@@ -169,22 +153,22 @@ impl<'a> ContactLine<'a> {
 
     /// d sin α/ds where neither bound is active.
     #[inline]
-    fn turning(&self, p: &CurvePoint, on: &OnCircle) -> f64 {
-        if on.sine.abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
+    fn turning(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
+        if on.sine.value().abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
             self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
         } else {
-            0.0
+            T::from(0.0)
         }
     }
 
     /// Where on its rolling circle the profile point `p` belongs to the line.
     #[inline]
-    fn circle(&self, p: &CurvePoint) -> OnCircle {
-        let radius = self.nominal_radius + p.point[1];
-        let flatness = 1.0 / p.first[0].max(LEAST_SLOPE_COSINE);
+    fn circle(&self, p: &CurvePoint<T>) -> OnCircle<T> {
+        let radius = p.point[1] + self.nominal_radius;
+        let flatness = T::from(1.0) / p.first[0].at_least(LEAST_SLOPE_COSINE);
         let slope = p.first[1] * flatness;
-        let sine = (slope * self.lead).clamp(-MOST_SINE, MOST_SINE);
-        let cosine = (1.0 - sine * sine).sqrt();
+        let sine = (slope * self.lead).within(-MOST_SINE, MOST_SINE);
+        let cosine = (-(sine * sine) + 1.0).sqrt();
         let radial = [
             self.ahead[0] * sine + self.down[0] * cosine,
             self.ahead[1] * sine + self.down[1] * cosine,
@@ -193,7 +177,7 @@ impl<'a> ContactLine<'a> {
     }
 
     #[inline]
-    fn point(&self, p: &CurvePoint, on: &OnCircle) -> LinePoint {
+    fn point(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> LinePoint<T> {
         let [ux, uy, uz] = self.axle;
         LinePoint {
             x: self.marker[0] + p.point[0] * ux + on.radius * self.cosine * on.sine,
@@ -206,6 +190,113 @@ impl<'a> ContactLine<'a> {
                 p.first[0] * on.radial[1] - p.first[1] * uz,
                 p.first[1] * uy - p.first[0] * on.radial[0],
             ],
+        }
+    }
+
+    /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the normal section along x [m].
+    ///
+    /// ```text
+    /// 1/R = cos γ cos α c²/r + κ (u_x/cos γ)²/cos α
+    /// ```
+    ///
+    /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point ahead of the axle is one of
+    /// another circle of a yawed wheel. On a straight wheel R = r/cos γ.
+    #[must_use]
+    pub fn wheel_point(&self, s: T) -> WheelPoint<T> {
+        let p = self.profile.at(s);
+        if self.follows_rim(&p) {
+            return self.rim(s, &p, &self.circle(&p)).wheel_point();
+        }
+        let radius = p.point[1] + self.nominal_radius;
+        let slope_cosine = (p.first[0] / p.first[0].hypot(p.first[1])).at_least(LEAST_SLOPE_COSINE);
+        let straight = slope_cosine / radius;
+        let section_curvature = if self.is_straight() {
+            straight
+        } else {
+            let on = self.circle(&p);
+            let across = self.cosine * self.lead / slope_cosine;
+            let bent = straight * on.cosine * self.cosine * self.cosine
+                + self.mean_curvature(s) * across * across / on.cosine;
+            bent.max(straight * LEAST_SECTION_SHARE)
+        };
+        WheelPoint {
+            y: p.point[0],
+            rolling_radius: radius,
+            section_radius: T::from(1.0) / section_curvature,
+        }
+    }
+
+    /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side; positive where it bulges [1/m].
+    fn mean_curvature(&self, s: T) -> T {
+        let [start, end] = self.range();
+        let (from, to) =
+            ((s - CURVATURE_REACH).at_least(start), (s + CURVATURE_REACH).at_most(end));
+        let (a, b) = (self.profile.at(from).first, self.profile.at(to).first);
+        // The sine of the turn, which stays far below a right angle.
+        (a[1] * b[0] - a[0] * b[1]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]) * (to - from))
+    }
+
+    /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
+    #[must_use]
+    pub fn curvature(&self, s: T) -> T {
+        -self.profile.at(s).curvature()
+    }
+
+    /// Whether the wheel does not yaw, and would not if it yawed a little: derivatives by yaw are those of a line that leads.
+    #[inline]
+    fn is_straight(&self) -> bool {
+        !T::HAS_SLOPES && self.lead == 0.0
+    }
+
+    /// The same line without derivatives.
+    #[must_use]
+    pub fn value(&self) -> ContactLine<'a> {
+        let value = |x: T| x.value();
+        ContactLine {
+            profile: self.profile,
+            nominal_radius: self.nominal_radius,
+            marker: self.marker.map(value),
+            axle: self.axle.map(value),
+            cosine: self.cosine.value(),
+            lead: self.lead.value(),
+            ahead: self.ahead.map(value),
+            down: self.down.map(value),
+            deviations: self.deviations,
+        }
+    }
+}
+
+impl<'a> ContactLine<'a> {
+    /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
+    /// are nearer to each other by their deviations.
+    #[must_use]
+    pub fn with_deviations(self, deviations: &'a Longitudinal) -> Self {
+        Self { deviations: Some(deviations), ..self }
+    }
+
+    /// The point at parameter `s` [m].
+    #[inline]
+    #[must_use]
+    pub fn at(&self, s: f64) -> LinePoint {
+        if let Some(deviations) = self.deviations {
+            return self.lifted(s, deviations);
+        }
+        self.even_at(s)
+    }
+
+    /// The same line in other numbers, which do not move.
+    #[must_use]
+    pub fn fixed<T: Real>(&self) -> ContactLine<'a, T> {
+        ContactLine {
+            profile: self.profile,
+            nominal_radius: self.nominal_radius,
+            marker: self.marker.map(T::from),
+            axle: self.axle.map(T::from),
+            cosine: self.cosine.into(),
+            lead: self.lead.into(),
+            ahead: self.ahead.map(T::from),
+            down: self.down.map(T::from),
+            deviations: self.deviations,
         }
     }
 
@@ -229,63 +320,15 @@ impl<'a> ContactLine<'a> {
         let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
         even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))
     }
-
-    /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the normal section along x [m].
-    ///
-    /// ```text
-    /// 1/R = cos γ cos α c²/r + κ (u_x/cos γ)²/cos α
-    /// ```
-    ///
-    /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point ahead of the axle is one of
-    /// another circle of a yawed wheel. On a straight wheel R = r/cos γ.
-    #[must_use]
-    pub fn wheel_point(&self, s: f64) -> WheelPoint {
-        let p = self.profile.at(s);
-        if self.follows_rim(&p) {
-            return self.rim(s, &p, &self.circle(&p)).wheel_point();
-        }
-        let radius = self.nominal_radius + p.point[1];
-        let slope_cosine = (p.first[0] / p.first[0].hypot(p.first[1])).max(LEAST_SLOPE_COSINE);
-        let straight = slope_cosine / radius;
-        let section_curvature = if self.lead == 0.0 {
-            straight
-        } else {
-            let on = self.circle(&p);
-            let across = self.cosine * self.lead / slope_cosine;
-            let bent = straight * on.cosine * self.cosine * self.cosine
-                + self.mean_curvature(s) * across * across / on.cosine;
-            bent.max(LEAST_SECTION_SHARE * straight)
-        };
-        WheelPoint {
-            y: p.point[0],
-            rolling_radius: radius,
-            section_radius: 1.0 / section_curvature,
-        }
-    }
-
-    /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side; positive where it bulges [1/m].
-    fn mean_curvature(&self, s: f64) -> f64 {
-        let [start, end] = self.range();
-        let (from, to) = ((s - CURVATURE_REACH).max(start), (s + CURVATURE_REACH).min(end));
-        let (a, b) = (self.profile.at(from).first, self.profile.at(to).first);
-        // The sine of the turn, which stays far below a right angle.
-        (a[1] * b[0] - a[0] * b[1]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]) * (to - from))
-    }
-
-    /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
-    #[must_use]
-    pub fn curvature(&self, s: f64) -> f64 {
-        -self.profile.at(s).curvature()
-    }
 }
 
 /// A point of the wheel's profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WheelPoint {
+pub struct WheelPoint<T = f64> {
     /// Lateral coordinate on the wheel profile [m].
-    pub y: f64,
+    pub y: T,
     /// Distance from the axle [m].
-    pub rolling_radius: f64,
+    pub rolling_radius: T,
     /// Radius of the wheel's normal section along x [m].
-    pub section_radius: f64,
+    pub section_radius: T,
 }

@@ -4,6 +4,8 @@
 //! a cubic spline (values and first derivatives at the knots) is carried over exactly. The parameter is
 //! close to arc length, which makes steep flanks and vertical faces as good as the tread.
 
+use crate::math::real::Real;
+
 /// Point and tangent of a curve at one knot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knot {
@@ -17,20 +19,20 @@ pub struct Knot {
 
 /// Point and derivatives of a curve with respect to its parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
+pub struct CurvePoint<T = f64> {
     /// Point (y, z) [m].
-    pub point: [f64; 2],
+    pub point: [T; 2],
     /// First derivative [-].
-    pub first: [f64; 2],
+    pub first: [T; 2],
     /// Second derivative [1/m].
-    pub second: [f64; 2],
+    pub second: [T; 2],
 }
 
-impl CurvePoint {
+impl<T: Real> CurvePoint<T> {
     /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z, as a rail head does seen along
     /// growing y [1/m].
     #[must_use]
-    pub fn curvature(&self) -> f64 {
+    pub fn curvature(&self) -> T {
         let speed = self.first[0].hypot(self.first[1]);
         (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / speed.powi(3)
     }
@@ -97,16 +99,17 @@ impl Curve {
     /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
     #[inline]
     #[must_use]
-    pub fn at(&self, s: f64) -> CurvePoint {
-        let p = &self.pieces[self.piece_of(s)];
+    pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
+        let p = &self.pieces[self.piece_of(s.value())];
         let u = s - p.start;
         let [c0, c1, c2, c3] = &p.coefficients;
         // Both coordinates at once: one vector instruction for the pair.
-        let (mut point, mut first, mut second) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        let zero = [T::from(0.0); 2];
+        let (mut point, mut first, mut second) = (zero, zero, zero);
         for i in 0..2 {
-            point[i] = c0[i] + u * (c1[i] + u * (c2[i] + u * c3[i]));
-            first[i] = c1[i] + u * (2.0 * c2[i] + u * (3.0 * c3[i]));
-            second[i] = 2.0 * c2[i] + u * (6.0 * c3[i]);
+            point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
+            first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
+            second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
         }
         CurvePoint { point, first, second }
     }

@@ -7,7 +7,8 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::separation::{Separation, SeparationPoint};
+use crate::geometry::separation::{FrameSeparation, Separation, SeparationPoint};
+use crate::math::real::Real;
 
 /// The separation of a contact line and a rail in the frame of a contact.
 #[derive(Clone, Debug)]
@@ -33,8 +34,17 @@ pub struct Lifting<'a> {
     pub share: f64,
 }
 
+/// The separation of a contact line and a rail, with derivatives where the numbers have them.
+pub trait RailSeparation<'a, T: Real>: FrameSeparation<T> {
+    /// How the bodies deviate along the track from even ones.
+    fn lifting(&self) -> Option<Lifting<'a>>;
+
+    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
+    fn rail_parameter(&mut self, u: T) -> T;
+}
+
 /// Cosine of the angle to the contact frame beyond which a line counts as ended.
-const LEAST_COSINE: f64 = 0.15;
+pub(super) const LEAST_COSINE: f64 = 0.15;
 /// Distance over which the rail's curve is as good as a parabola [m].
 const OPPOSITE: f64 = 3e-6;
 /// Newton steps for the point of the rail opposite to one of the wheel.
@@ -120,13 +130,22 @@ impl<'a> LineSeparation<'a> {
         self.near[0]
     }
 
-    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
-    #[must_use]
-    pub fn rail_parameter(&mut self, u: f64) -> f64 {
+    /// As [`RailSeparation::rail_parameter`]; nothing where no point of the rail lies opposite.
+    pub(super) fn opposite_parameter(&mut self, u: f64) -> Option<f64> {
         let point = self.line.even_at(u).point;
         let [o, t] = [self.contact.origin, self.contact.tangent];
         let y = (point[0] - o[0]) * t[0] + (point[1] - o[1]) * t[1];
-        self.opposite(y).map_or(self.contact.rail_s, |found| found[0])
+        self.opposite(y).map(|found| found[0])
+    }
+}
+
+impl<'a> RailSeparation<'a, f64> for LineSeparation<'a> {
+    fn lifting(&self) -> Option<Lifting<'a>> {
+        self.lifting
+    }
+
+    fn rail_parameter(&mut self, u: f64) -> f64 {
+        self.opposite_parameter(u).unwrap_or(self.contact.rail_s)
     }
 }
 

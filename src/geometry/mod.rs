@@ -9,6 +9,8 @@ pub mod curve;
 pub(crate) mod curve_sections;
 pub mod line_separation;
 pub mod longitudinal;
+pub mod moving_contact;
+pub mod moving_separation;
 pub mod placed_rail;
 pub mod profile;
 mod profile_checks;

@@ -1,6 +1,7 @@
 //! A rail as it stands under the wheel: its curve in the frame of its marker, and the nearest point to a given one.
 
 use crate::geometry::curve::{Curve, Knot};
+use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
 const COARSE_POINTS: usize = 32;
@@ -144,15 +145,15 @@ impl PlacedRail {
 
     /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].
     #[must_use]
-    pub fn profile_y(&self, s: f64) -> f64 {
+    pub fn profile_y<T: Real>(&self, s: T) -> T {
         let p = self.curve.at(s).point;
         let [sine, cosine] = self.inclination;
-        (self.hand * p[0] + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
+        (p[0] * self.hand + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
     }
 
     /// Curvature at `s`, positive where the rail bulges [1/m].
     #[must_use]
-    pub fn curvature(&self, s: f64) -> f64 {
+    pub fn curvature<T: Real>(&self, s: T) -> T {
         self.curve.at(s).curvature()
     }
 

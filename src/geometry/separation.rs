@@ -1,17 +1,19 @@
 //! Distance of the undeformed wheel and rail along the normal of a contact frame.
 
+use crate::math::real::Real;
+
 /// Separation at one place of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeparationPoint {
+pub struct SeparationPoint<T = f64> {
     /// Lateral coordinate in the contact frame, from the contact point [m].
-    pub y: f64,
+    pub y: T,
     /// Derivative of `y` with respect to the parameter of the line, > 0 [-].
-    pub dy: f64,
+    pub dy: T,
     /// Separation of the two lines less that at the contact point; infinite where no normal meets both [m].
-    pub f: f64,
+    pub f: T,
     /// Coordinate of the contact line along the track, from the wheel marker; where bodies are not even, of the place at which they
     /// are nearest [m].
-    pub x: f64,
+    pub x: T,
 }
 
 /// The separation of two contact lines as a function of a parameter that grows with y.
@@ -31,6 +33,53 @@ pub trait Separation {
     /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
     fn along(&mut self, u: f64) -> f64 {
         self.at(u).x
+    }
+}
+
+/// The separation as what is found on it needs it: with derivatives, where the numbers have them.
+///
+/// Searches go by values. What they find moves with pose and level, and has the derivatives of that movement.
+pub trait FrameSeparation<T: Real> {
+    /// The separation at parameter `u` [m].
+    fn point(&mut self, u: T) -> SeparationPoint<T>;
+
+    /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
+    fn centre_at(&mut self, u: T) -> T;
+
+    /// Value of the separation at parameter `u` [m].
+    fn value(&mut self, u: f64) -> f64;
+
+    /// The parameter at which the separation is `level`, found at the value `u` [m].
+    fn edge(&mut self, u: f64, level: T) -> T;
+
+    /// The separation at a probe that is a local minimum [m].
+    fn minimum(&mut self, probe: &Probe) -> T;
+}
+
+impl<S: Separation> FrameSeparation<f64> for S {
+    #[inline]
+    fn point(&mut self, u: f64) -> SeparationPoint {
+        self.at(u)
+    }
+
+    #[inline]
+    fn centre_at(&mut self, u: f64) -> f64 {
+        self.along(u)
+    }
+
+    #[inline]
+    fn value(&mut self, u: f64) -> f64 {
+        self.at(u).f
+    }
+
+    #[inline]
+    fn edge(&mut self, u: f64, _: f64) -> f64 {
+        u
+    }
+
+    #[inline]
+    fn minimum(&mut self, probe: &Probe) -> f64 {
+        probe.f
     }
 }
 

@@ -3,23 +3,25 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::motion::{RailMotion, WheelMotion};
+use crate::math::real::Real;
 
 /// Creepage of the wheel against the rail at one point of the contact plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Creepage {
+pub struct Creepage<T = f64> {
     /// Longitudinal, ξ = relative velocity along x over V [-].
-    pub longitudinal: f64,
+    pub longitudinal: T,
     /// Lateral, η, along the lateral axis of the contact frame [-].
-    pub lateral: f64,
+    pub lateral: T,
     /// Spin, φ = normal component of the relative angular velocity over V [1/m].
-    pub spin: f64,
+    pub spin: T,
 }
 
-impl Creepage {
-    /// Whether all three vanish, so that there is nothing to compute.
+impl<T: Real> Creepage<T> {
+    /// Whether all three vanish, so that there is nothing to compute; never where they have derivatives.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.abs() == 0.0)
+        !T::HAS_SLOPES
+            && [self.longitudinal, self.lateral, self.spin].iter().all(|c| c.value().abs() == 0.0)
     }
 }
 
@@ -31,70 +33,70 @@ const MOST_CREEPAGE: f64 = 1e6;
 /// alone: (v_x + ω r)/V. Yaw, the turning of the wheel about other axes and the motion of the rail do not enter; there is no
 /// lateral creepage and no spin.
 #[must_use]
-pub fn kinematic_creepage(
-    velocity: f64,
-    pitch_rate: f64,
-    rolling_radius: f64,
-    reference_speed: f64,
-) -> Creepage {
+pub fn kinematic_creepage<T: Real>(
+    velocity: T,
+    pitch_rate: T,
+    rolling_radius: T,
+    reference_speed: T,
+) -> Creepage<T> {
     let slip = velocity + pitch_rate * rolling_radius;
     Creepage { longitudinal: bounded(slip / reference_speed), ..Creepage::default() }
 }
 
-fn bounded(creepage: f64) -> f64 {
-    creepage.clamp(-MOST_CREEPAGE, MOST_CREEPAGE)
+fn bounded<T: Real>(creepage: T) -> T {
+    creepage.within(-MOST_CREEPAGE, MOST_CREEPAGE)
 }
 
 /// The speed to which creepages refer, and the direction of rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RollingSpeed {
+pub struct RollingSpeed<T = f64> {
     /// V = max((|v_x| + |ω| r)/2, floor) > 0 [m/s].
-    pub reference: f64,
+    pub reference: T,
     /// 1 when the contact moves forward over both bodies, 0 when backward, in between where they disagree [-].
-    pub forward_share: f64,
+    pub forward_share: T,
 }
 
 /// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative when rolling forward)
 /// [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
 #[must_use]
-pub fn rolling_speed(
-    velocity: f64,
-    pitch_rate: f64,
-    rolling_radius: f64,
+pub fn rolling_speed<T: Real>(
+    velocity: T,
+    pitch_rate: T,
+    rolling_radius: T,
     floor: f64,
-) -> RollingSpeed {
+) -> RollingSpeed<T> {
     let circumferential = -pitch_rate * rolling_radius;
-    let reference = (0.5 * (velocity.abs() + circumferential.abs())).max(floor);
+    let reference = ((velocity.abs() + circumferential.abs()) * 0.5).at_least(floor);
     // Mean velocity of the contact over the material of wheel and rail.
-    let contact = 0.5 * (velocity + circumferential);
-    RollingSpeed { reference, forward_share: (0.5 * (1.0 + contact / reference)).clamp(0.0, 1.0) }
+    let contact = (velocity + circumferential) * 0.5;
+    RollingSpeed { reference, forward_share: ((contact / reference + 1.0) * 0.5).within(0.0, 1.0) }
 }
 
 /// Unit vectors of a contact in the track frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactAxes {
+pub struct ContactAxes<T = f64> {
     /// Along the track, or along its surface where a corrugated rail leans.
-    pub longitudinal: Vector3<f64>,
+    pub longitudinal: Vector3<T>,
     /// Across, in the contact plane, towards the field side.
-    pub lateral: Vector3<f64>,
+    pub lateral: Vector3<T>,
     /// Into the rail.
-    pub normal: Vector3<f64>,
+    pub normal: Vector3<T>,
 }
 
-impl ContactAxes {
+impl<T: Real> ContactAxes<T> {
     /// The axes of a contact plane along the track with unit vectors `lateral` and `normal`.
     #[must_use]
-    pub fn along_track(lateral: Vector3<f64>, normal: Vector3<f64>) -> Self {
+    pub fn along_track(lateral: Vector3<T>, normal: Vector3<T>) -> Self {
         Self { longitudinal: Vector3::x(), lateral, normal }
     }
 
     /// The same axes turned about the lateral one, so that the normal leans forward by an angle with that tangent.
     #[must_use]
-    pub fn leaning(self, tangent: f64) -> Self {
+    pub fn leaning(self, tangent: T) -> Self {
         if tangent == 0.0 {
             return self;
         }
-        let size = 1.0 / tangent.hypot(1.0);
+        let size = T::from(1.0) / tangent.hypot(1.0.into());
         Self {
             longitudinal: (self.longitudinal - self.normal * tangent) * size,
             normal: (self.normal + self.longitudinal * tangent) * size,
@@ -105,24 +107,24 @@ impl ContactAxes {
 
 /// Velocities of wheel and rail at any point, in the track frame.
 #[derive(Clone, Copy, Debug)]
-pub struct RelativeMotion {
-    wheel_marker: Vector3<f64>,
-    wheel_velocity: Vector3<f64>,
-    wheel_rotation: Vector3<f64>,
+pub struct RelativeMotion<T = f64> {
+    wheel_marker: Vector3<T>,
+    wheel_velocity: Vector3<T>,
+    wheel_rotation: Vector3<T>,
     /// The part of the wheel's rotation that is not about its axle.
-    attitude_rotation: Vector3<f64>,
-    rail_marker: Vector3<f64>,
-    rail_velocity: Vector3<f64>,
-    rail_rotation: Vector3<f64>,
+    attitude_rotation: Vector3<T>,
+    rail_marker: Vector3<T>,
+    rail_velocity: Vector3<T>,
+    rail_rotation: Vector3<T>,
 }
 
-impl RelativeMotion {
+impl<T: Real> RelativeMotion<T> {
     /// The motion of a wheel against a rail whose marker is at `rail_marker` [m].
     #[must_use]
-    pub fn new(wheel: &WheelMotion, rail: &RailMotion, rail_marker: Vector3<f64>) -> Self {
+    pub fn new(wheel: &WheelMotion<T>, rail: &RailMotion<T>, rail_marker: Vector3<T>) -> Self {
         let (sin_roll, cos_roll) = wheel.roll.sin_cos();
         let (sin_yaw, cos_yaw) = wheel.yaw.sin_cos();
-        let rolled_z = Vector3::new(0.0, -sin_roll, cos_roll);
+        let rolled_z = Vector3::new(T::from(0.0), -sin_roll, cos_roll);
         let axle = Vector3::new(-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll);
         let attitude_rotation = Vector3::x() * wheel.roll_rate + rolled_z * wheel.yaw_rate;
         Self {
@@ -131,7 +133,7 @@ impl RelativeMotion {
             wheel_rotation: attitude_rotation + axle * wheel.pitch_rate,
             attitude_rotation,
             rail_marker,
-            rail_velocity: Vector3::new(0.0, rail.vy, rail.vz),
+            rail_velocity: Vector3::new(T::from(0.0), rail.vy, rail.vz),
             rail_rotation: Vector3::x() * rail.roll_rate,
         }
     }
@@ -140,10 +142,10 @@ impl RelativeMotion {
     #[must_use]
     pub fn creepage(
         &self,
-        point: Vector3<f64>,
-        axes: &ContactAxes,
-        reference_speed: f64,
-    ) -> Creepage {
+        point: Vector3<T>,
+        axes: &ContactAxes<T>,
+        reference_speed: T,
+    ) -> Creepage<T> {
         let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
         let slip = wheel - self.rail_velocity_at(point);
         let spin = (self.wheel_rotation - self.rail_rotation).dot(&axes.normal);
@@ -157,12 +159,12 @@ impl RelativeMotion {
     /// Velocity at which the undeformed bodies close at `point`: without the turning about the axle, which moves no wheel
     /// surface, as the wheel is round [m/s].
     #[must_use]
-    pub fn closing_velocity(&self, point: Vector3<f64>) -> Vector3<f64> {
+    pub fn closing_velocity(&self, point: Vector3<T>) -> Vector3<T> {
         self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
             - self.rail_velocity_at(point)
     }
 
-    fn rail_velocity_at(&self, point: Vector3<f64>) -> Vector3<f64> {
+    fn rail_velocity_at(&self, point: Vector3<T>) -> Vector3<T> {
         self.rail_velocity + self.rail_rotation.cross(&(point - self.rail_marker))
     }
 }

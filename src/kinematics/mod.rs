@@ -2,3 +2,4 @@
 
 pub mod creepage;
 pub mod motion;
+mod rigid_body;

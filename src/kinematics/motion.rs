@@ -2,38 +2,38 @@
 
 /// Position and velocity of the wheel marker, and attitude of the wheel, in the track frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WheelMotion {
+pub struct WheelMotion<T = f64> {
     /// Position (x, y, z) of the wheel marker [m].
-    pub position: [f64; 3],
+    pub position: [T; 3],
     /// Roll angle, about x [rad].
-    pub roll: f64,
+    pub roll: T,
     /// Yaw angle, about the rolled z axis [rad].
-    pub yaw: f64,
+    pub yaw: T,
     /// Pitch angle, about the axle [rad].
-    pub pitch: f64,
+    pub pitch: T,
     /// Velocity of the wheel marker [m/s].
-    pub velocity: [f64; 3],
+    pub velocity: [T; 3],
     /// Rate of the roll angle [rad/s].
-    pub roll_rate: f64,
+    pub roll_rate: T,
     /// Rate of the yaw angle [rad/s].
-    pub yaw_rate: f64,
+    pub yaw_rate: T,
     /// Rate of the pitch angle, negative when rolling forward [rad/s].
-    pub pitch_rate: f64,
+    pub pitch_rate: T,
 }
 
 /// Deviation of a rail from its design position and its velocity, of the rail marker.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RailMotion {
+pub struct RailMotion<T = f64> {
     /// Lateral deviation [m].
-    pub y: f64,
+    pub y: T,
     /// Vertical deviation, down [m].
-    pub z: f64,
+    pub z: T,
     /// Roll angle, about x through the rail marker [rad].
-    pub roll: f64,
+    pub roll: T,
     /// Lateral velocity [m/s].
-    pub vy: f64,
+    pub vy: T,
     /// Vertical velocity, down [m/s].
-    pub vz: f64,
+    pub vz: T,
     /// Rate of the roll angle [rad/s].
-    pub roll_rate: f64,
+    pub roll_rate: T,
 }

@@ -1,48 +1,50 @@
 //! Complete elliptic integrals of parameter m = k².
 
+use super::real::Real;
+
 /// The complete integrals and two differences of them that would cancel if formed from K and E.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Complete {
+pub struct Complete<T = f64> {
     /// First kind, K(m).
-    pub first: f64,
+    pub first: T,
     /// Second kind, E(m).
-    pub second: f64,
+    pub second: T,
     /// K(m) - E(m), without cancellation as m goes to zero.
-    pub first_minus_second: f64,
+    pub first_minus_second: T,
     /// E(m) - (1 - m) K(m), without cancellation as m goes to zero.
-    pub second_minus_reduced_first: f64,
+    pub second_minus_reduced_first: T,
 }
 
 /// K, E and their differences by the arithmetic-geometric mean, to rounding; 0 ≤ m < 1.
 ///
 /// `complement` is 1 - m, handed over separately so that m close to one loses nothing.
 #[must_use]
-pub fn complete(complement: f64) -> Complete {
+pub fn complete<T: Real>(complement: T) -> Complete<T> {
     debug_assert!(complement > 0.0 && complement <= 1.0);
-    let m = 1.0 - complement;
-    let (mut a, mut g) = (1.0, complement.sqrt());
+    let m = -complement + 1.0;
+    let (mut a, mut g) = (T::from(1.0), complement.sqrt());
     // E = K (1 - sum), sum = Σ 2^(n-1) c_n², c_0² = m; the terms after the first are kept apart for the
     // difference m - sum.
-    let (mut tail, mut power) = (0.0, 1.0);
+    let (mut tail, mut power) = (T::from(0.0), 1.0);
     // Quadratic convergence: six steps reach rounding down to complements of 1e-30.
     for _ in 0..8 {
-        let c = 0.5 * (a - g);
-        let mean = 0.5 * (a + g);
+        let c = (a - g) * 0.5;
+        let mean = (a + g) * 0.5;
         g = (a * g).sqrt();
         a = mean;
-        tail += power * c * c;
+        tail += c * power * c;
         power *= 2.0;
-        if c.abs() < 1e-9 * a {
+        if c.value().abs() < 1e-9 * a.value() {
             break;
         }
     }
-    let first = std::f64::consts::FRAC_PI_2 / a;
-    let sum = 0.5 * m + tail;
+    let first = T::from(std::f64::consts::FRAC_PI_2) / a;
+    let sum = m * 0.5 + tail;
     Complete {
         first,
-        second: first * (1.0 - sum),
+        second: first * (-sum + 1.0),
         first_minus_second: first * sum,
-        second_minus_reduced_first: first * (0.5 * m - tail),
+        second_minus_reduced_first: first * (m * 0.5 - tail),
     }
 }
 
@@ -52,9 +54,9 @@ pub fn complete(complement: f64) -> Complete {
 /// and 17.3.36), absolute error below 4e-8 for 0 ≤ m ≤ 1; `complement` is 1 - m.
 #[inline]
 #[must_use]
-pub fn first_minus_second_split(complement: f64) -> (f64, f64) {
+pub fn first_minus_second_split<T: Real>(complement: T) -> (T, T) {
     let c = complement;
-    let poly = |p: &[f64; 5]| p[0] + c * (p[1] + c * (p[2] + c * (p[3] + c * p[4])));
+    let poly = |p: &[f64; 5]| c * (c * (c * (c * p[4] + p[3]) + p[2]) + p[1]) + p[0];
     (poly(&REGULAR), poly(&LOGARITHMIC))
 }
 
@@ -81,9 +83,9 @@ const LOGARITHMIC: [f64; 5] = [
 /// Returns [k0, k1, e0, e1] of the same polynomials, absolute error of K and E below 4e-8; `complement` is 1 - m.
 #[inline]
 #[must_use]
-pub fn first_and_second_split(complement: f64) -> [f64; 4] {
+pub fn first_and_second_split<T: Real>(complement: T) -> [T; 4] {
     let c = complement;
-    let poly = |p: &[f64; 5]| p[0] + c * (p[1] + c * (p[2] + c * (p[3] + c * p[4])));
+    let poly = |p: &[f64; 5]| c * (c * (c * (c * p[4] + p[3]) + p[2]) + p[1]) + p[0];
     [poly(&FIRST), poly(&FIRST_LOGARITHMIC), poly(&SECOND), poly(&SECOND_LOGARITHMIC)]
 }
 

@@ -12,6 +12,8 @@
 //! The stiffness k is that of a Hertzian load N_e ~ δ^(3/2). Under a wheel load of 50 kN (δ about 65 µm) the last factor is
 //! 0.98.
 
+use crate::math::real::Real;
+
 /// Contact stiffness at which the damping coefficient is the one given [N/m].
 pub const REFERENCE_STIFFNESS: f64 = 5e8;
 
@@ -21,15 +23,15 @@ pub const REFERENCE_PENETRATION: f64 = 1e-5;
 /// Normal force with damping [N] from the elastic load `load` ≥ 0 [N] at `penetration` > 0 [m], the closing speed [m/s]
 /// (positive when approaching) and the coefficient c_ref ≥ 0 at the reference stiffness [N s/m].
 #[must_use]
-pub fn damped_load(load: f64, penetration: f64, closing_speed: f64, coefficient: f64) -> f64 {
+pub fn damped_load<T: Real>(load: T, penetration: T, closing_speed: T, coefficient: f64) -> T {
     if coefficient == 0.0 || load <= 0.0 {
         return load;
     }
-    let stiffness = 1.5 * load / penetration;
+    let stiffness = load * 1.5 / penetration;
     let onset = penetration * penetration
         / (penetration * penetration + REFERENCE_PENETRATION * REFERENCE_PENETRATION);
-    let damping = coefficient * (stiffness / REFERENCE_STIFFNESS).sqrt() * onset;
-    (load + damping * closing_speed).max(0.0)
+    let damping = (stiffness / REFERENCE_STIFFNESS).sqrt() * coefficient * onset;
+    (load + damping * closing_speed).at_least(0.0)
 }
 
 #[cfg(test)]

@@ -10,34 +10,35 @@
 use std::f64::consts::PI;
 
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::separation::Separation;
+use crate::geometry::separation::FrameSeparation;
 use crate::math::elliptic::{Complete, complete};
+use crate::math::real::Real;
 
 /// The contact ellipse and its load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipse {
+pub struct Ellipse<T = f64> {
     /// Semi-axis along rolling, a [m].
-    pub semi_axis_along: f64,
+    pub semi_axis_along: T,
     /// Semi-axis across, b [m].
-    pub semi_axis_across: f64,
+    pub semi_axis_across: T,
     /// Normal force [N].
-    pub load: f64,
+    pub load: T,
     /// Greatest pressure p0 [Pa].
-    pub max_pressure: f64,
+    pub max_pressure: T,
 }
 
 /// The ellipse for the approach δ > 0 [m] of bodies with undeformed distance `along` x² + `across` y², both > 0 [1/m],
 /// and the contact modulus E* [Pa].
 #[must_use]
-pub fn ellipse(along: f64, across: f64, approach: f64, contact_modulus: f64) -> Ellipse {
+pub fn ellipse<T: Real>(along: T, across: T, approach: T, contact_modulus: f64) -> Ellipse<T> {
     let (axis_ratio, integrals) = axis_ratio(along.max(across) / along.min(across));
     let Complete { first, second, .. } = integrals;
     let major = axis_ratio * (second * approach / (first * (along + across))).sqrt();
     let minor = major / axis_ratio;
-    let load = 2.0 * PI * contact_modulus * approach * major / (3.0 * first);
+    let load = approach * (2.0 * PI * contact_modulus) * major / (first * 3.0);
     let (semi_axis_along, semi_axis_across) =
         if along > across { (minor, major) } else { (major, minor) };
-    let max_pressure = 1.5 * load / (PI * major * minor);
+    let max_pressure = load * 1.5 / (major * PI * minor);
     Ellipse { semi_axis_along, semi_axis_across, load, max_pressure }
 }
 
@@ -45,8 +46,9 @@ pub fn ellipse(along: f64, across: f64, approach: f64, contact_modulus: f64) -> 
 ///
 /// Starts from the rational fit of Antoine, Visa, Sauvey and Abba (2006), 5e-6 off up to λ = 1e4, and corrects it by Newton
 /// steps in the logarithms.
-pub(super) fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
-    let log_lambda = curvature_ratio.ln();
+pub(super) fn axis_ratio<T: Real>(curvature_ratio: T) -> (T, Complete<T>) {
+    let moving = curvature_ratio.ln();
+    let log_lambda = moving.value();
     let squared = (log_lambda / std::f64::consts::LN_10).powi(2);
     let polynomial =
         |c: [f64; 4]| 1.0 + squared * (c[0] + squared * (c[1] + squared * (c[2] + squared * c[3])));
@@ -54,6 +56,8 @@ pub(super) fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
         * polynomial([0.402_274_36, 3.749_175_2e-2, 7.485_576_1e-4, 2.166_702_8e-6])
         / polynomial([0.426_788_78, 4.260_540_1e-2, 9.078_692_2e-4, 2.786_892_7e-6]);
     let mut log_kappa = exponent * log_lambda;
+    // Of ln κ by ln λ: that of nearly equal curvatures, until there is a better one.
+    let mut rate = 2.0 / 3.0;
     for _ in 0..3 {
         let integrals = complete((-2.0 * log_kappa).exp());
         // Below this the fit is exact to rounding and λ(κ) has lost its digits.
@@ -61,13 +65,15 @@ pub(super) fn axis_ratio(curvature_ratio: f64) -> (f64, Complete) {
             break;
         }
         let (residual, slope) = log_curvature_ratio(log_kappa, &integrals);
+        rate = 1.0 / slope;
         let step = (residual - log_lambda) / slope;
         log_kappa -= step;
         if step.abs() < 1e-9 {
             break;
         }
     }
-    (log_kappa.exp(), complete((-2.0 * log_kappa).exp()))
+    let log_kappa = moving.chain(log_kappa, || rate);
+    (log_kappa.exp(), complete((log_kappa * -2.0).exp()))
 }
 
 /// ln λ as a function of ln κ, and its derivative.
@@ -88,32 +94,36 @@ fn log_curvature_ratio(log_kappa: f64, c: &Complete) -> (f64, f64) {
 const LEAST_CURVATURE_RATIO: f64 = 1e-3;
 
 /// Fills `strips` with the ellipse at the contact point.
-pub fn solve(problem: &NormalProblem, separation: &mut impl Separation, strips: &mut Strips) {
-    let along = 0.5 / problem.radius;
-    let across = (0.5 * problem.lateral_curvature).max(LEAST_CURVATURE_RATIO * along);
+pub fn solve<T: Real>(
+    problem: &NormalProblem<T>,
+    separation: &mut impl FrameSeparation<T>,
+    strips: &mut Strips<T>,
+) {
+    let along = T::from(0.5) / problem.radius;
+    let across = (problem.lateral_curvature * 0.5).max(along * LEAST_CURVATURE_RATIO);
     let found = ellipse(along, across, problem.approach, problem.contact_modulus);
-    let at = separation.at(problem.contact_u);
+    let at = separation.point(problem.contact_u);
     let first = strips.y.len();
     for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
         let chord = (1.0 - node * node).sqrt();
-        strips.y.push(found.semi_axis_across * node);
-        strips.width.push(found.semi_axis_across * weight);
+        strips.y.push(found.semi_axis_across * *node);
+        strips.width.push(found.semi_axis_across * *weight);
         strips.x.push(at.x);
         strips.half_length.push(found.semi_axis_along * chord);
         strips.pressure.push(found.max_pressure * chord);
         // The contact line straight on from its contact point: the ellipse does not know more of it.
-        strips.u.push(problem.contact_u + found.semi_axis_across * node / at.dy);
+        strips.u.push(problem.contact_u + found.semi_axis_across * *node / at.dy);
     }
     strips.zones.push(Zone {
         first,
         count: problem.rule.nodes.len(),
         load: found.load,
         max_pressure: found.max_pressure,
-        length: 2.0 * found.semi_axis_along,
-        width: 2.0 * found.semi_axis_across,
-        area: PI * found.semi_axis_along * found.semi_axis_across,
+        length: found.semi_axis_along * 2.0,
+        width: found.semi_axis_across * 2.0,
+        area: found.semi_axis_along * PI * found.semi_axis_across,
         x: at.x,
-        y: 0.0,
+        y: T::from(0.0),
         u: problem.contact_u,
     });
 }

@@ -16,8 +16,9 @@ pub use boundary_element::ElementPressure;
 pub use shape_correction::ShapeFit;
 pub use zones::Edge;
 
-use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::separation::{FrameSeparation, Probe, Separation};
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 use crate::math::room::Room;
 
 /// Normal contact model.
@@ -38,53 +39,53 @@ pub enum NormalModel {
 
 /// One loaded zone: a connected part of the contact area.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Zone {
+pub struct Zone<T = f64> {
     /// Index of its first strip.
     pub first: usize,
     /// Number of its strips.
     pub count: usize,
     /// Normal force without damping [N].
-    pub load: f64,
+    pub load: T,
     /// Greatest pressure [Pa].
-    pub max_pressure: f64,
+    pub max_pressure: T,
     /// Length of the longest strip [m]; strips of a yawed wheel are shifted against each other besides.
-    pub length: f64,
+    pub length: T,
     /// Extent across [m].
-    pub width: f64,
+    pub width: T,
     /// Area [m²].
-    pub area: f64,
+    pub area: T,
     /// Centroid of the load along the track, from the wheel marker [m].
-    pub x: f64,
+    pub x: T,
     /// Centroid of the load across, in the contact frame from the contact point [m].
-    pub y: f64,
+    pub y: T,
     /// Parameter of the contact line at the centroid of the load [m].
-    pub u: f64,
+    pub u: T,
 }
 
 /// The loaded zones of one contact frame and their strips, as columns of equal length.
 ///
 /// Strip j carries p(x, y_j) = pressure_j sqrt(1 - ((x - x_j)/half_length_j)²).
 #[derive(Clone, Debug, Default)]
-pub struct Strips {
+pub struct Strips<T = f64> {
     /// The zones, in growing y.
-    pub zones: Room<Zone>,
+    pub zones: Room<Zone<T>>,
     /// Lateral coordinate of each strip in the contact frame [m].
-    pub y: Room<f64>,
+    pub y: Room<T>,
     /// Width [m].
-    pub width: Room<f64>,
+    pub width: Room<T>,
     /// Centre along the track, from the wheel marker [m].
-    pub x: Room<f64>,
+    pub x: Room<T>,
     /// Half length along x [m].
-    pub half_length: Room<f64>,
+    pub half_length: Room<T>,
     /// Pressure at the centre [Pa].
-    pub pressure: Room<f64>,
+    pub pressure: Room<T>,
     /// Parameter of the contact line [m].
-    pub u: Room<f64>,
+    pub u: Room<T>,
     /// The elements that the strips were made from, if the normal model has them.
     pub elements: Option<Box<ElementPressure>>,
 }
 
-impl Strips {
+impl<T: Real> Strips<T> {
     /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
     #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
@@ -125,14 +126,15 @@ impl Strips {
 
     /// Normal force of all zones, without damping [N].
     #[must_use]
-    pub fn load(&self) -> f64 {
+    pub fn load(&self) -> T {
         self.zones.iter().map(|zone| zone.load).sum()
     }
 
     /// Fills load, area and centroid of `zone` from its strips.
-    fn summarise(&self, zone: &mut Zone) {
+    fn summarise(&self, zone: &mut Zone<T>) {
         let strips = zone.first..zone.first + zone.count;
-        let (mut load, mut area, mut x, mut y, mut u) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut load, mut area) = (T::from(0.0), T::from(0.0));
+        let (mut x, mut y, mut u) = (T::from(0.0), T::from(0.0), T::from(0.0));
         for j in strips {
             let strip_area = self.half_length[j] * self.width[j];
             let strip_load = strip_area * self.pressure[j];
@@ -142,8 +144,8 @@ impl Strips {
             y += strip_load * self.y[j];
             u += strip_load * self.u[j];
         }
-        zone.area = 2.0 * area;
-        zone.load = std::f64::consts::FRAC_PI_2 * load;
+        zone.area = area * 2.0;
+        zone.load = load * std::f64::consts::FRAC_PI_2;
         if load > 0.0 {
             (zone.x, zone.y, zone.u) = (x / load, y / load, u / load);
         }
@@ -152,17 +154,17 @@ impl Strips {
 
 /// What all normal models are told about one contact frame.
 #[derive(Clone, Copy, Debug)]
-pub struct NormalProblem<'a> {
+pub struct NormalProblem<'a, T = f64> {
     /// Approach: overlap of the undeformed bodies at the contact point, > 0 [m].
-    pub approach: f64,
+    pub approach: T,
     /// Radius of the normal section of the wheel along x, > 0 [m].
-    pub radius: f64,
+    pub radius: T,
     /// Contact modulus E* of the two bodies [Pa].
     pub contact_modulus: f64,
     /// Parameter of the contact line at the contact point [m].
-    pub contact_u: f64,
+    pub contact_u: T,
     /// Relative curvature of the two profiles at the contact point, f''(0) without yaw [1/m].
-    pub lateral_curvature: f64,
+    pub lateral_curvature: T,
     /// Quadrature rule across a zone; its nodes are the strips.
     pub rule: &'a GaussLegendre,
     /// Elements along and across the contact, for the model with boundary elements.
@@ -183,22 +185,32 @@ pub fn solve(
     probes: &[Probe],
     strips: &mut Strips,
 ) -> usize {
-    match model {
-        NormalModel::Hertz => {
-            hertz::solve(problem, separation, strips);
-            0
-        }
-        // What a solver of strips falls back to.
-        NormalModel::PiotrowskiKik | NormalModel::PiotrowskiKikCorrected | NormalModel::Strips => {
-            let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
-            piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
-        }
-        NormalModel::BoundaryElement => {
-            boundary_element::solve(problem, problem.elements, separation, probes, strips)
-                .unwrap_or_else(|| {
-                    let epsilon = virtual_penetration;
-                    1 + piotrowski_kik::solve(problem, epsilon, None, separation, probes, strips)
-                })
-        }
+    if model != NormalModel::BoundaryElement {
+        let epsilon = virtual_penetration;
+        return solve_in_frame(model, epsilon, shape_fit, problem, separation, probes, strips);
     }
+    boundary_element::solve(problem, problem.elements, separation, probes, strips).unwrap_or_else(
+        || {
+            let epsilon = virtual_penetration;
+            1 + piotrowski_kik::solve(problem, epsilon, None, separation, probes, strips)
+        },
+    )
+}
+
+/// As [`solve`], with derivatives where the numbers have them, by Hertz or Piotrowski and Kik, to whom the others fall back.
+pub fn solve_in_frame<T: piotrowski_kik::Influence>(
+    model: NormalModel,
+    virtual_penetration: f64,
+    shape_fit: ShapeFit,
+    problem: &NormalProblem<T>,
+    separation: &mut impl FrameSeparation<T>,
+    probes: &[Probe],
+    strips: &mut Strips<T>,
+) -> usize {
+    if model == NormalModel::Hertz {
+        hertz::solve(problem, separation, strips);
+        return 0;
+    }
+    let shape = (model == NormalModel::PiotrowskiKikCorrected).then_some(shape_fit);
+    piotrowski_kik::solve(problem, virtual_penetration, shape, separation, probes, strips)
 }

@@ -20,28 +20,29 @@ use multiversion::multiversion;
 use super::shape_correction::{self, ShapeFit};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::separation::{FrameSeparation, Probe};
+use crate::math::dual::Dual;
 use crate::math::elliptic::first_minus_second_split;
-use crate::math::logarithm::ln;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 
 /// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape` corrects the shape of the
 /// contact area where it is given.
 ///
 /// Returns the number of zones that found no room in `strips` (they are left out of the load).
-pub fn solve(
-    problem: &NormalProblem,
+pub fn solve<T: Influence>(
+    problem: &NormalProblem<T>,
     virtual_penetration: f64,
     shape: Option<ShapeFit>,
-    separation: &mut impl Separation,
+    separation: &mut impl FrameSeparation<T>,
     probes: &[Probe],
-    strips: &mut Strips,
+    strips: &mut Strips<T>,
 ) -> usize {
-    let depth = virtual_penetration * problem.approach;
-    let mut longest = (2.0 * problem.radius * depth).sqrt();
+    let depth = problem.approach * virtual_penetration;
+    let mut longest = (problem.radius * 2.0 * depth).sqrt();
     let mut left_out = 0;
     // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
-    let mut load_integral = 0.0;
+    let mut load_integral = T::from(0.0);
     for_each_zone(separation, probes, depth, |separation, edge| {
         let count = problem.rule.nodes.len();
         if !strips.has_room_for(count) {
@@ -49,15 +50,15 @@ pub fn solve(
             return;
         }
         let first = strips.y.len();
-        let (middle, half) = (0.5 * (edge.left + edge.right), 0.5 * (edge.right - edge.left));
-        let mut deepest: f64 = 0.0;
+        let (middle, half) = ((edge.left + edge.right) * 0.5, (edge.right - edge.left) * 0.5);
+        let mut deepest = T::from(0.0);
         for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
-            let u = middle + half * node;
-            let at = separation.at(u);
-            let g = (depth - at.f).max(0.0);
-            let width = half * weight * at.dy;
-            let half_length = (2.0 * problem.radius * g).sqrt();
-            load_integral += std::f64::consts::PI * problem.radius * g * width;
+            let u = middle + half * *node;
+            let at = separation.point(u);
+            let g = (depth - at.f).at_least(0.0);
+            let width = half * *weight * at.dy;
+            let half_length = (problem.radius * 2.0 * g).sqrt();
+            load_integral += problem.radius * std::f64::consts::PI * g * width;
             deepest = deepest.max(g);
             strips.y.push(at.y);
             strips.width.push(width);
@@ -67,21 +68,25 @@ pub fn solve(
             strips.u.push(u);
         }
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
-        for probe in probes.iter().filter(|p| p.u > edge.left && p.u < edge.right) {
-            deepest = deepest.max(depth - probe.f).min(depth);
+        let inside = probes.iter().filter(|p| edge.left < p.u && edge.right > p.u);
+        if let Some(lowest) = inside.min_by(|a, b| a.f.total_cmp(&b.f)) {
+            if depth - lowest.f > deepest {
+                deepest = depth - separation.minimum(lowest);
+            }
+            deepest = deepest.min(depth);
         }
-        let length = 2.0 * (2.0 * problem.radius * deepest).sqrt();
+        let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
         let [left, right] = edges(&zone, strips, problem.rule);
         strips.zones.push(Zone { width: right - left, ..zone });
     });
     if let Some(fit) = shape {
-        longest *= shape_correction::apply(fit, 2.0 * longest, problem.rule, separation, strips);
+        longest *= shape_correction::apply(fit, longest * 2.0, problem.rule, separation, strips);
     }
-    let mut displacement_integral = 0.0;
+    let mut displacement_integral = T::from(0.0);
     for zone in strips.zones.iter() {
         let range = zone.first..zone.first + zone.count;
-        displacement_integral += regular_influence(
+        displacement_integral += T::regular_influence(
             &strips.half_length[range.clone()],
             &strips.y[range.clone()],
             &strips.width[range],
@@ -92,18 +97,18 @@ pub fn solve(
     }
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
-        std::f64::consts::PI * problem.contact_modulus * problem.approach / displacement_integral
+        problem.approach * (std::f64::consts::PI * problem.contact_modulus) / displacement_integral
     } else {
         // Zones without width at the limit of what is resolved; they count as left out.
         left_out += strips.zones.len();
-        0.0
+        T::from(0.0)
     };
     for pressure in strips.pressure.iter_mut() {
         *pressure *= scale;
     }
     for i in 0..strips.zones.len() {
         let mut zone = strips.zones[i];
-        zone.max_pressure = 0.5 * zone.length * scale;
+        zone.max_pressure = zone.length * 0.5 * scale;
         strips.summarise(&mut zone);
         strips.zones[i] = zone;
     }
@@ -111,7 +116,7 @@ pub fn solve(
 }
 
 /// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are reached along the tangent.
-pub(super) fn edges(zone: &Zone, strips: &Strips, rule: &GaussLegendre) -> [f64; 2] {
+pub(super) fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [T; 2] {
     let last = zone.count - 1;
     [(0, -1.0), (last, 1.0)].map(|(i, end)| {
         let j = zone.first + i;
@@ -122,20 +127,21 @@ pub(super) fn edges(zone: &Zone, strips: &Strips, rule: &GaussLegendre) -> [f64;
 /// Sum over strips of width times the integrand of I2, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough
 /// for Gauss-Legendre.
 ///
-/// Compiled for several instruction sets, the widest one chosen at run time; the order of the sums is fixed by
-/// [`LANES`], so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn regular_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
-    let scale = 1.0 / (longest * longest);
-    let term = |half_length: f64, y: f64, width: f64| {
+/// The order of the sums is fixed by [`LANES`].
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn regular_influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> T {
+    let scale = T::from(1.0) / (longest * longest);
+    let term = |half_length: T, y: T, width: T| {
         // The logarithm is kept finite; at y = 0 its two occurrences cancel.
-        let y_squared = (y * y * scale).max(1e-24);
+        let y_squared = (y * y * scale).at_least(1e-24);
         let sum = half_length * half_length * scale + y_squared;
         let (regular, logarithmic) = first_minus_second_split(y_squared / sum);
-        let (log_y, log_sum) = (ln(y_squared), ln(sum));
-        width * longest * (2.0 * sum.sqrt() * (regular - (log_y - log_sum) * logarithmic) + log_y)
+        let (log_y, log_sum) = (y_squared.normal_ln(), sum.normal_ln());
+        width * longest * (sum.sqrt() * 2.0 * (regular - (log_y - log_sum) * logarithmic) + log_y)
     };
-    let mut sums = [0.0; LANES];
+    let mut sums = [T::from(0.0); LANES];
     let blocks = half_lengths.chunks_exact(LANES);
     let rest = half_lengths.len() - blocks.remainder().len();
     for ((a, y), w) in blocks.zip(ys.chunks_exact(LANES)).zip(widths.chunks_exact(LANES)) {
@@ -146,17 +152,44 @@ fn regular_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: 
     for j in rest..half_lengths.len() {
         sums[j - rest] += term(half_lengths[j], ys[j], widths[j]);
     }
-    sums.iter().sum()
+    sums.iter().copied().sum()
+}
+
+/// Numbers over which the influence of strips is summed.
+pub trait Influence: Real {
+    /// See [`regular_influence`].
+    fn regular_influence(
+        half_lengths: &[Self],
+        ys: &[Self],
+        widths: &[Self],
+        longest: Self,
+    ) -> Self {
+        regular_influence(half_lengths, ys, widths, longest)
+    }
+}
+
+impl<const N: usize> Influence for Dual<N> {}
+
+impl Influence for f64 {
+    fn regular_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
+        fast_influence(half_lengths, ys, widths, longest)
+    }
+}
+
+/// Compiled for several instruction sets, the widest one chosen at run time; all of them give the same bits.
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
+    regular_influence(half_lengths, ys, widths, longest)
 }
 
 /// Strips whose influence is summed at once.
 const LANES: usize = 8;
 
 /// -longest · ∫ ln(y²/longest²) dy from `left` to `right`: what [`regular_influence`] has taken out.
-fn singular_influence(left: f64, right: f64, longest: f64) -> f64 {
-    let antiderivative = |y: f64| {
+fn singular_influence<T: Real>(left: T, right: T, longest: T) -> T {
+    let antiderivative = |y: T| {
         let t = y.abs() / longest;
-        if t > 0.0 { 2.0 * y * (t.ln() - 1.0) } else { 0.0 }
+        if t > 0.0 { y * 2.0 * (t.ln() - 1.0) } else { T::from(0.0) }
     };
     -longest * (antiderivative(right) - antiderivative(left))
 }

@@ -17,8 +17,9 @@
 use super::hertz::axis_ratio;
 use super::piotrowski_kik::edges;
 use super::{Strips, Zone};
-use crate::geometry::separation::Separation;
+use crate::geometry::separation::FrameSeparation;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 
 /// How the corrected ratio follows from that of the interpenetration region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,44 +37,45 @@ const RATIOS: [f64; 2] = [1e-3, 1e3];
 impl ShapeFit {
     /// Corrected ratio β of length to width from the `ratio` L/W > 0 of the interpenetration region [-].
     #[must_use]
-    pub fn corrected_ratio(self, ratio: f64) -> f64 {
-        let ratio = ratio.clamp(RATIOS[0], RATIOS[1]);
+    pub fn corrected_ratio<T: Real>(self, ratio: T) -> T {
+        let ratio = ratio.within(RATIOS[0], RATIOS[1]);
         let is_long = ratio >= 1.0;
         // A/B ≤ 1 of the paper, and how many times longer one axis is than the other.
         let curvatures = if is_long { ratio.powi(-2) } else { ratio * ratio };
         let slenderness = match self {
-            Self::Hertz => axis_ratio(1.0 / curvatures).0,
+            Self::Hertz => axis_ratio(T::from(1.0) / curvatures).0,
             Self::Paper => {
-                1.0 / (curvatures * (0.5837 - 0.1053 * curvatures) + 0.5184 * curvatures.sqrt())
+                let polynomial = curvatures * (curvatures * -0.1053 + 0.5837);
+                T::from(1.0) / (polynomial + curvatures.sqrt() * 0.5184)
             }
         };
-        if is_long { slenderness } else { 1.0 / slenderness }
+        if is_long { slenderness } else { T::from(1.0) / slenderness }
     }
 }
 
 /// Corrects the zones of `strips`, whose pressures are not yet scaled, from the length L of the interpenetration region [m];
 /// returns Lc/L.
-pub fn apply(
+pub fn apply<T: Real>(
     fit: ShapeFit,
-    length: f64,
+    length: T,
     rule: &GaussLegendre,
-    separation: &mut impl Separation,
-    strips: &mut Strips,
-) -> f64 {
-    let width: f64 = strips.zones.iter().map(|zone| zone.width).sum();
+    separation: &mut impl FrameSeparation<T>,
+    strips: &mut Strips<T>,
+) -> T {
+    let width: T = strips.zones.iter().map(|zone| zone.width).sum();
     if width <= 0.0 || length <= 0.0 {
-        return 1.0;
+        return T::from(1.0);
     }
     let ratio = length / width;
     let shortening = (fit.corrected_ratio(ratio) / ratio).sqrt();
-    let stretch = 1.0 / shortening;
+    let stretch = T::from(1.0) / shortening;
     // Loaded width between the contact point and the zone under way, before it is stretched.
-    let (mut to_the_right, mut to_the_left) = (0.0, 0.0);
+    let (mut to_the_right, mut to_the_left) = (T::from(0.0), T::from(0.0));
     let count = strips.zones.len();
     for index in 0..count {
         let [left, right] = edges(&strips.zones[index], strips, rule);
         if right > 0.0 {
-            let anchor = left.max(0.0);
+            let anchor = left.at_least(0.0);
             to_the_left += anchor - left;
             stretch_zone(index, stretch, to_the_right - anchor, rule, separation, strips);
             to_the_right += right - anchor;
@@ -93,13 +95,13 @@ pub fn apply(
 const LEAST_SLOPE: f64 = 0.1;
 
 /// Moves the strips of a zone from y to y + (`stretch` - 1)(y + `offset`) and shortens them as much as they get wider.
-fn stretch_zone(
+fn stretch_zone<T: Real>(
     index: usize,
-    stretch: f64,
-    offset: f64,
+    stretch: T,
+    offset: T,
     rule: &GaussLegendre,
-    separation: &mut impl Separation,
-    strips: &mut Strips,
+    separation: &mut impl FrameSeparation<T>,
+    strips: &mut Strips<T>,
 ) {
     let Zone { first, count, width, length, .. } = strips.zones[index];
     let half_range =
@@ -108,9 +110,9 @@ fn stretch_zone(
         let j = first + i;
         let shift = (stretch - 1.0) * (strips.y[j] + offset);
         // Along the tangent: what is left is half the curvature times the square of the shift.
-        let dy = (strips.width[j] / (half_range * rule.weights[i])).max(LEAST_SLOPE);
+        let dy = (strips.width[j] / (half_range * rule.weights[i])).at_least(LEAST_SLOPE);
         strips.u[j] += shift / dy;
-        strips.x[j] = separation.along(strips.u[j]);
+        strips.x[j] = separation.centre_at(strips.u[j]);
         strips.y[j] += shift;
         strips.width[j] *= stretch;
         strips.half_length[j] /= stretch;

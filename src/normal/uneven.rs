@@ -241,7 +241,7 @@ impl UnevenStrips {
                 left_out += 1;
                 continue;
             }
-            let mut zone = Zone { first: strips.y.len(), count: number, ..Zone::default() };
+            let mut zone: Zone = Zone { first: strips.y.len(), count: number, ..Zone::default() };
             let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
             for s in members() {
                 let half_length = 0.5 * (s.ends[1] - s.ends[0]);

@@ -1,15 +1,16 @@
 //! Loaded zones: the intervals of the contact line on which the separation stays below a level.
 
-use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::separation::{FrameSeparation, Probe};
+use crate::math::real::Real;
 use crate::math::root::bracketed;
 
 /// The two edges of a loaded zone as parameters of the contact line [m].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub struct Edge<T = f64> {
     /// Left edge.
-    pub left: f64,
+    pub left: T,
     /// Right edge.
-    pub right: f64,
+    pub right: T,
 }
 
 /// Calls `found` for every interval with f < `level`, in growing u; at the ends of the probes it is cut off.
@@ -17,12 +18,13 @@ pub struct Edge {
 /// A probe below the level starts or carries on a zone; the edge lies between it and its neighbour above the
 /// level and is found as a root, so that it is a smooth function of the level and of the geometry. Every local minimum
 /// and maximum is a probe with an exact value, so that no zone and no gap is missed.
-pub fn for_each_zone<S: Separation>(
+pub fn for_each_zone<T: Real, S: FrameSeparation<T>>(
     separation: &mut S,
     probes: &[Probe],
-    level: f64,
-    mut found: impl FnMut(&mut S, Edge),
+    level: T,
+    mut found: impl FnMut(&mut S, Edge<T>),
 ) {
+    let (moving_level, level) = (level, level.value());
     let mut i = 0;
     while i < probes.len() {
         if probes[i].f >= level {
@@ -40,6 +42,7 @@ pub fn for_each_zone<S: Separation>(
         if let (Some(left), Some(right)) = (left, right)
             && right > left
         {
+            let [left, right] = [left, right].map(|u| separation.edge(u, moving_level));
             found(separation, Edge { left, right });
         }
         i += 1;
@@ -48,8 +51,8 @@ pub fn for_each_zone<S: Separation>(
 
 /// Walks from a probe inside a zone to the first one outside and returns the root in between; the last probe
 /// where all are inside, and nothing where the first is not inside itself.
-fn edge<'a>(
-    separation: &mut impl Separation,
+fn edge<'a, T: Real>(
+    separation: &mut impl FrameSeparation<T>,
     probes: impl Iterator<Item = &'a Probe>,
     level: f64,
 ) -> Option<f64> {
@@ -61,7 +64,7 @@ fn edge<'a>(
         let f = if (probe.f - level).abs() > ESTIMATE_MARGIN * level {
             probe.f
         } else {
-            separation.at(probe.u).f
+            separation.value(probe.u)
         };
         if f < level {
             inside = Some((probe.u, height(f)));
@@ -71,7 +74,7 @@ fn edge<'a>(
         // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
         let outside = (probe.u, height(f).min(1.0));
         return Some(bracketed(inside, outside, EDGE_BRACKET, |u| {
-            height(separation.at(u).f).min(1.0)
+            height(separation.value(u)).min(1.0)
         }));
     }
     inside.map(|(u, _)| u)

@@ -11,41 +11,42 @@
 //! length to width with the area, greatest length with the area) this one has the least error: see docs/validation.md.
 
 use super::rigid_slip::RigidSlip;
-use super::tables::{CreepForceTable, EllipseForce, scales};
+use super::tables::{CreepForceTable, EllipseForce, Tabulated};
 use super::{CreepForce, Creepage, Rolling};
 use crate::material::MaterialPair;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Semi-axes of an ellipse that is loaded like a zone, or like a part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EquivalentEllipse {
+pub struct EquivalentEllipse<T = f64> {
     /// Along rolling, > 0 [m].
-    pub along: f64,
+    pub along: T,
     /// Across, > 0 [m].
-    pub across: f64,
+    pub across: T,
 }
 
 /// A part of a zone: its load, where that is, and its ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LoadedPart {
+pub struct LoadedPart<T = f64> {
     /// Share of the zone's load, above 0 to 1.
-    pub share: f64,
+    pub share: T,
     /// Centroid of its load along the track and across, from that of the zone [m].
-    pub centre: [f64; 2],
+    pub centre: [T; 2],
     /// The ellipse.
-    pub ellipse: EquivalentEllipse,
+    pub ellipse: EquivalentEllipse<T>,
     /// Mean creepage, weighted by load.
-    pub creepage: Creepage,
+    pub creepage: Creepage<T>,
 }
 
 /// Greatest ratio of the semi-axes.
 const MOST_RATIO: f64 = 1e6;
 
-impl LoadedPart {
+impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
     #[must_use]
-    pub fn whole(zone: &Zone, strips: &Strips, creepage: Creepage) -> Self {
-        let (mut load, mut along, mut across) = (0.0, 0.0, 0.0);
+    pub fn whole(zone: &Zone<T>, strips: &Strips<T>, creepage: Creepage<T>) -> Self {
+        let (mut load, mut along, mut across) = (T::from(0.0), T::from(0.0), T::from(0.0));
         for j in zone.first..zone.first + zone.count {
             let weight = strips.half_length[j] * strips.width[j] * strips.pressure[j];
             let arm = strips.y[j] - zone.y;
@@ -54,19 +55,19 @@ impl LoadedPart {
             across += weight * arm * arm;
         }
         let ellipse = EquivalentEllipse::of_moments(along / load, across / load, zone.width);
-        Self { share: 1.0, centre: [0.0; 2], ellipse, creepage }
+        Self { share: T::from(1.0), centre: [T::from(0.0); 2], ellipse, creepage }
     }
 
     /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no load.
     #[must_use]
     pub fn of(
-        zone: &Zone,
-        strips: &Strips,
-        slip: &impl RigidSlip,
-        member: impl Fn(f64) -> f64,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        slip: &impl RigidSlip<T>,
+        member: impl Fn(T) -> T,
     ) -> Option<Self> {
-        let (mut total, mut load, mut along, mut x, mut y) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        let mut creepage = Creepage::default();
+        let [mut total, mut load, mut along, mut x, mut y] = [T::from(0.0); 5];
+        let mut creepage = Creepage::<T>::default();
         let range = zone.first..zone.first + zone.count;
         let weight_of = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
         for j in range.clone() {
@@ -82,11 +83,11 @@ impl LoadedPart {
             creepage.lateral += weight * own.lateral;
             creepage.spin += weight * own.spin;
         }
-        if load <= LEAST_SHARE * total {
+        if load <= total * LEAST_SHARE {
             return None;
         }
         let y = y / load;
-        let across: f64 =
+        let across: T =
             range.map(|j| weight_of(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
         Some(Self {
             share: load / total,
@@ -104,17 +105,17 @@ impl LoadedPart {
 /// Parts that carry less of the load are nothing.
 const LEAST_SHARE: f64 = 1e-9;
 
-impl EquivalentEllipse {
+impl<T: Real> EquivalentEllipse<T> {
     /// From the means of x_l² and y² over the load [m²]; without a moment across, as a single row of elements has none, from the `width` [m].
-    fn of_moments(along: f64, across: f64, width: f64) -> Self {
-        let along = (1.25 * along).sqrt();
-        let across = if across > 0.0 { (5.0 * across).sqrt() } else { 0.5 * width };
+    fn of_moments(along: T, across: T, width: T) -> Self {
+        let along = (along * 1.25).sqrt();
+        let across = if across > 0.0 { (across * 5.0).sqrt() } else { width * 0.5 };
         Self { along, across: across.max(along / MOST_RATIO) }
     }
 
     /// c = sqrt(a b) [m].
     #[must_use]
-    pub fn mean_radius(&self) -> f64 {
+    pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
     }
 
@@ -124,26 +125,30 @@ impl EquivalentEllipse {
     pub fn tabulated_force(
         &self,
         table: &CreepForceTable,
-        material: &MaterialPair,
-        creepage: &Creepage,
+        material: &MaterialPair<T>,
+        creepage: &Creepage<T>,
         rolling: Rolling,
-        limit: f64,
-        area: f64,
-    ) -> CreepForce {
+        limit: T,
+        area: T,
+    ) -> CreepForce<T>
+    where
+        T: Tabulated,
+    {
         let c = self.mean_radius();
         // However little the limit is, creepages stay finite.
-        let scale = (material.shear_modulus * c * c / limit).min(1e60);
+        let scale = (material.shear_modulus * c * c / limit).at_most(1e60);
         // Backwards the ellipse is the same seen in a mirror along x.
         let direction = rolling.direction();
         let Creepage { longitudinal, lateral, spin } = *creepage;
-        let v = [direction * longitudinal, lateral, direction * c * spin]
-            .map(|v| (scale * v).clamp(-1e100, 1e100));
-        let scales = scales((self.along / self.across).ln(), material.poisson_ratio);
-        let EllipseForce { force, slip_share } = table.force(&scales, v);
+        let v = [longitudinal * direction, lateral, c * direction * spin]
+            .map(|v| (scale * v).within(-1e100, 1e100));
+        let log_ratio = (self.along / self.across).ln();
+        let EllipseForce { force, slip_share } =
+            T::tabulated(table, log_ratio, material.poisson_ratio, v);
         CreepForce {
-            longitudinal: direction * limit * force[0],
+            longitudinal: limit * direction * force[0],
             lateral: limit * force[1],
-            spin_moment: direction * limit * c * force[2],
+            spin_moment: limit * direction * c * force[2],
             slip_area: slip_share * area,
             fell_back: false,
         }

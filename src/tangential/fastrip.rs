@@ -32,6 +32,8 @@ use multiversion::multiversion;
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
 use super::{Rolling, StripForce};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Normalised spin of a strip from which on FASTSIM takes over [-].
@@ -41,7 +43,7 @@ const SPIN_TO: f64 = 0.98;
 
 /// Strips that are marched together.
 const LANES: usize = 32;
-type Lanes = [f64; LANES];
+type Lanes<T> = [T; LANES];
 
 /// FaStrip with a fixed number of elements along each strip.
 #[derive(Clone, Debug)]
@@ -52,7 +54,7 @@ pub struct Fastrip {
 
 /// One element, in units of the strip's half length and greatest bound.
 #[derive(Clone, Copy, Debug)]
-struct Element {
+pub struct Element {
     /// Abscissa of its middle, 1 at the leading edge.
     middle: f64,
     /// Abscissa of the middle of the step to it.
@@ -64,8 +66,8 @@ struct Element {
 }
 
 /// Integral of sqrt(1 - t²) from 0 to `t`.
-fn ellipse_integral(t: f64) -> f64 {
-    0.5 * (t * (1.0 - t * t).max(0.0).sqrt() + t.asin())
+fn ellipse_integral<T: Real>(t: T) -> T {
+    (t * (-(t * t) + 1.0).at_least(0.0).sqrt() + t.asin()) * 0.5
 }
 
 impl Fastrip {
@@ -92,24 +94,24 @@ impl Fastrip {
     /// `friction` > 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
     /// the elastic load.
     #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
-    pub fn strip_forces(
+    pub fn strip_forces<T: Marching>(
         &self,
-        zone: &Zone,
-        strips: &Strips,
-        flexibility: &ZoneFlexibility,
-        marching: &ZoneFlexibility,
-        slip: &impl RigidSlip,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        flexibility: &ZoneFlexibility<T>,
+        marching: &ZoneFlexibility<T>,
+        slip: &impl RigidSlip<T>,
         rolling: Rolling,
-        friction: f64,
+        friction: T,
         poisson_ratio: f64,
-        mut each: impl FnMut(usize, StripForce),
+        mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let range = zone.first..zone.first + zone.count;
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
-            let mut march = March::default();
-            let mut theory = [StripTheory::default(); LANES];
+            let mut march = March::<T>::default();
+            let mut theory = [StripTheory::<T>::default(); LANES];
             let lanes = (range.end - start).min(LANES);
             for (lane, own) in theory.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
@@ -120,13 +122,13 @@ impl Fastrip {
                 }
                 let growth = slip.growth(j, marching);
                 march.bound[lane] = bound;
-                march.step_x[lane] = -step * a * growth.longitudinal;
-                march.step_y[lane] = -step * a * growth.lateral;
-                march.step_y_per_abscissa[lane] = -step * a * direction * a * growth.twist;
+                march.step_x[lane] = a * -step * growth.longitudinal;
+                march.step_y[lane] = a * -step * growth.lateral;
+                march.step_y_per_abscissa[lane] = a * -step * direction * a * growth.twist;
                 let growth = slip.growth(j, flexibility);
                 // However little the bound is, its inverse can be squared.
-                let per_bound = (a / bound).min(1e60);
-                let twist = direction * flexibility.semi_axis_along * growth.twist;
+                let per_bound = (a / bound).at_most(1e60);
+                let twist = flexibility.semi_axis_along * direction * growth.twist;
                 *own = StripTheory::new(&growth, twist, per_bound, poisson_ratio)
                     .on_strip(flexibility.semi_axis_along / a);
                 march.adhesion_x[lane] = own.kappa;
@@ -135,16 +137,16 @@ impl Fastrip {
                 march.slip_length[lane] = own.slip_length;
                 march.slip_integral[lane] = own.slip_integral;
             }
-            let (fastsim, behind) = march_strips(&march, &self.elements, step);
+            let (fastsim, behind) = T::march_beyond(&march, &self.elements, step);
             for (lane, own) in theory.iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
                 let [x, y, moment] = own.adhesion();
                 let bound = march.bound[lane];
                 // FASTSIM in the first place, strip theory in the second.
-                let mix = |f: f64, s: f64| own.fastsim_share * f + (1.0 - own.fastsim_share) * s;
+                let mix = |f: T, s: T| own.fastsim_share * f + (-own.fastsim_share + 1.0) * s;
                 let area = strips.width[j] * a;
-                let arm = direction * a;
+                let arm = a * direction;
                 each(
                     j,
                     StripForce {
@@ -153,7 +155,7 @@ impl Fastrip {
                         moment: area
                             * arm
                             * mix(fastsim.moment[lane], behind.moment[lane] + bound * moment),
-                        slip_area: area * mix(fastsim.slipping[lane], 2.0 * own.slip_length),
+                        slip_area: area * mix(fastsim.slipping[lane].into(), own.slip_length * 2.0),
                     },
                 );
             }
@@ -163,56 +165,57 @@ impl Fastrip {
 
 /// Strip theory of one strip.
 #[derive(Clone, Copy, Debug, Default)]
-struct StripTheory {
+struct StripTheory<T> {
     /// κ.
-    kappa: f64,
+    kappa: T,
     /// λ.
-    lambda: f64,
+    lambda: T,
     /// φ.
-    spin: f64,
+    spin: T,
     /// d, at most 1: then the whole strip slips.
-    slip_length: f64,
+    slip_length: T,
     /// Integral of sqrt(1 - t²) from the centre of the strip to where adhesion begins.
-    slip_integral: f64,
+    slip_integral: T,
     /// Share of FASTSIM in the tractions.
-    fastsim_share: f64,
+    fastsim_share: T,
 }
 
-impl StripTheory {
+impl<T: Real> StripTheory<T> {
     /// In terms of the zone: `slip_length` over the semi-axis a of the ellipse. `twist` is a C along rolling, `per_bound` a_j/(μ q).
-    fn new(growth: &Growth, twist: f64, per_bound: f64, poisson_ratio: f64) -> Self {
-        let k = 16.0 * (1.0 - poisson_ratio) / (3.0 * PI * PI) * per_bound;
+    fn new(growth: &Growth<T>, twist: T, per_bound: T, poisson_ratio: f64) -> Self {
+        let k = per_bound * (16.0 * (1.0 - poisson_ratio) / (3.0 * PI * PI));
         let (xi, eta) = (-k * growth.longitudinal, -k * growth.lateral);
-        let spin = -3.0 / 8.0 * per_bound * twist;
-        let fading = ((spin.abs() - SPIN_FROM) / (SPIN_TO - SPIN_FROM)).clamp(0.0, 1.0);
-        let spin = spin.clamp(-SPIN_TO, SPIN_TO);
-        let rest = 1.0 - spin * spin;
+        let spin = per_bound * (-3.0 / 8.0) * twist;
+        let fading = ((spin.abs() - SPIN_FROM) / (SPIN_TO - SPIN_FROM)).within(0.0, 1.0);
+        let spin = spin.within(-SPIN_TO, SPIN_TO);
+        let rest = -(spin * spin) + 1.0;
         let slip = ((eta * eta + rest * xi * xi).sqrt() + eta * spin) / rest;
         // Without any slip both directions are 0/0, and multiply nothing.
-        let slip = slip.max(f64::MIN_POSITIVE);
+        let slip = slip.at_least(f64::MIN_POSITIVE);
         Self {
             kappa: xi / slip,
             lambda: eta / slip + spin,
             spin,
             slip_length: slip / (1.0 - poisson_ratio),
-            slip_integral: 0.0,
-            fastsim_share: fading * fading * (3.0 - 2.0 * fading),
+            slip_integral: T::from(0.0),
+            fastsim_share: fading * fading * (-(fading * 2.0) + 3.0),
         }
     }
 
     /// The same over the half length of the strip; `semi_axes` is a/a_j.
-    fn on_strip(self, semi_axes: f64) -> Self {
-        let slip_length = (self.slip_length * semi_axes).min(1.0);
-        Self { slip_length, slip_integral: ellipse_integral(2.0 * slip_length - 1.0), ..self }
+    fn on_strip(self, semi_axes: T) -> Self {
+        let slip_length = (self.slip_length * semi_axes).at_most(1.0);
+        Self { slip_length, slip_integral: ellipse_integral(slip_length * 2.0 - 1.0), ..self }
     }
 
     /// Integrals over the adhesion area of p_x, p_y and t p_y, in units of μ q.
-    fn adhesion(&self) -> [f64; 3] {
+    fn adhesion(&self) -> [T; 3] {
         let d = self.slip_length;
-        let height = 0.25 * PI - self.slip_integral;
-        let inner = 0.5 * PI * (1.0 - d) * (1.0 - d);
+        let height = -self.slip_integral + 0.25 * PI;
+        let rest = -d + 1.0;
+        let inner = rest * (0.5 * PI) * rest;
         // 1 - t² where adhesion begins is 4 d (1 - d).
-        let (first, inner_first) = ((4.0 * d * (1.0 - d)).powf(1.5) / 3.0, d * inner);
+        let (first, inner_first) = ((d * 4.0 * rest).three_halves() / 3.0, d * inner);
         let difference = height - inner;
         [
             self.kappa * difference,
@@ -224,74 +227,115 @@ impl StripTheory {
 
 /// What the march of up to [`LANES`] strips needs.
 #[derive(Clone, Copy, Debug, Default)]
-struct March {
+pub struct March<T> {
     /// Traction increments of FASTSIM for each element.
-    step_x: Lanes,
-    step_y: Lanes,
-    step_y_per_abscissa: Lanes,
+    step_x: Lanes<T>,
+    step_y: Lanes<T>,
+    step_y_per_abscissa: Lanes<T>,
     /// μ q.
-    bound: Lanes,
+    bound: Lanes<T>,
     /// κ, λ, φ and d, and the integral to where adhesion begins.
-    adhesion_x: Lanes,
-    adhesion_y: Lanes,
-    spin: Lanes,
-    slip_length: Lanes,
-    slip_integral: Lanes,
+    adhesion_x: Lanes<T>,
+    adhesion_y: Lanes<T>,
+    spin: Lanes<T>,
+    slip_length: Lanes<T>,
+    slip_integral: Lanes<T>,
 }
 
 /// Integrals over each strip, over t.
 #[derive(Clone, Copy, Debug, Default)]
-struct Integrals {
-    x: Lanes,
-    y: Lanes,
+pub struct Integrals<T> {
+    x: Lanes<T>,
+    y: Lanes<T>,
     /// Of t p_y.
-    moment: Lanes,
-    slipping: Lanes,
+    moment: Lanes<T>,
+    slipping: Lanes<f64>,
+}
+
+/// Numbers with which strips are marched.
+pub trait Marching: Real {
+    /// See [`march_strips`].
+    fn march_beyond(
+        march: &March<Self>,
+        elements: &[Element],
+        step: f64,
+    ) -> (Integrals<Self>, Integrals<Self>) {
+        march_strips(march, elements, step)
+    }
+}
+
+impl<const N: usize> Marching for Dual<N> {}
+
+impl Marching for f64 {
+    #[inline]
+    fn march_beyond(
+        march: &March<f64>,
+        elements: &[Element],
+        step: f64,
+    ) -> (Integrals<f64>, Integrals<f64>) {
+        fast_march(march, elements, step)
+    }
+}
+
+/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
+/// so that all of them give the same bits.
+#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
+fn fast_march(
+    march: &March<f64>,
+    elements: &[Element],
+    step: f64,
+) -> (Integrals<f64>, Integrals<f64>) {
+    march_strips(march, elements, step)
 }
 
 /// Marches the strips of all lanes at once; `step` is the length of an element. Gives the tractions of FASTSIM, and those of
 /// FaStrip less the closed form of [`StripTheory::adhesion`]: where the strip slips, and what is cut off where it adheres.
-///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
-/// so that all of them give the same bits.
-#[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn march_strips(march: &March, elements: &[Element], step: f64) -> (Integrals, Integrals) {
-    let (mut fastsim, mut behind) = (Integrals::default(), Integrals::default());
-    let (mut px, mut py) = ([0.0; LANES], [0.0; LANES]);
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn march_strips<T: Real>(
+    march: &March<T>,
+    elements: &[Element],
+    step: f64,
+) -> (Integrals<T>, Integrals<T>) {
+    let (mut fastsim, mut behind) = (Integrals::<T>::default(), Integrals::<T>::default());
+    let (mut px, mut py) = ([T::from(0.0); LANES], [T::from(0.0); LANES]);
     let mut length = 0.5;
     for element in elements {
         let [rear, front] = element.integral;
         let mean = (front - rear) / step;
         for lane in 0..LANES {
             let bound = march.bound[lane];
-            let twist = element.step_middle * march.step_y_per_abscissa[lane];
-            let trial_x = px[lane] + length * march.step_x[lane];
-            let trial_y = py[lane] + length * (march.step_y[lane] + twist);
+            let twist = march.step_y_per_abscissa[lane] * element.step_middle;
+            let trial_x = px[lane] + march.step_x[lane] * length;
+            let trial_y = py[lane] + (march.step_y[lane] + twist) * length;
             let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
-            let size = magnitude.max(f64::MIN_POSITIVE);
-            let scale = (bound * mean / size).min(1.0);
+            let size = magnitude.at_least(f64::MIN_POSITIVE);
+            let scale = (bound * mean / size).at_most(1.0);
             px[lane] = trial_x * scale;
             py[lane] = trial_y * scale;
-            fastsim.x[lane] += step * px[lane];
-            fastsim.y[lane] += step * py[lane];
-            fastsim.moment[lane] += step * element.middle * py[lane];
+            fastsim.x[lane] += px[lane] * step;
+            fastsim.y[lane] += py[lane] * step;
+            fastsim.moment[lane] += py[lane] * (step * element.middle);
             fastsim.slipping[lane] += if scale < 1.0 { step } else { 0.0 };
             // Behind the place where adhesion begins.
-            let limit = bound * (front.min(march.slip_integral[lane]) - rear).max(0.0) / size;
+            let reach = march.slip_integral[lane].at_most(front);
+            let limit = bound * (reach - rear).at_least(0.0) / size;
             // In front of it: what strip theory has beyond the bound.
             let d = march.slip_length[lane];
-            let (from_middle, half) = (element.middle - d, 1.0 - d);
-            let inner = (half * half - from_middle * from_middle).max(0.0).sqrt();
-            let difference = element.height - inner;
+            let (from_middle, half) = (-d + element.middle, -d + 1.0);
+            let inner = (half * half - from_middle * from_middle).at_least(0.0).sqrt();
+            let difference = -inner + element.height;
             let stick_x = march.adhesion_x[lane] * difference;
             let stick_y = march.adhesion_y[lane] * difference + march.spin[lane] * inner;
-            let size = (stick_x * stick_x + stick_y * stick_y).sqrt().max(f64::MIN_POSITIVE);
-            let share = ((element.middle + 1.0 - 2.0 * d) / step + 0.5).clamp(0.0, 1.0);
-            let cut = bound * share * step * ((element.height / size).min(1.0) - 1.0);
+            let size = (stick_x * stick_x + stick_y * stick_y).sqrt().at_least(f64::MIN_POSITIVE);
+            let share = ((-(d * 2.0) + (element.middle + 1.0)) / step + 0.5).within(0.0, 1.0);
+            let excess = (T::from(element.height) / size).at_most(1.0) - 1.0;
+            let cut = bound * share * step * excess;
             let y = limit * trial_y + cut * stick_y;
             behind.x[lane] += limit * trial_x + cut * stick_x;
             behind.y[lane] += y;
-            behind.moment[lane] += element.middle * y;
+            behind.moment[lane] += y * element.middle;
         }
         length = 1.0;
     }

@@ -18,6 +18,8 @@ use multiversion::multiversion;
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
 use super::{Rolling, StripForce};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Shape of the traction bound along and across a zone.
@@ -32,7 +34,7 @@ pub enum TractionBound {
 
 /// Strips that are marched together.
 const LANES: usize = 32;
-type Lanes = [f64; LANES];
+type Lanes<T> = [T; LANES];
 
 /// FASTSIM with a fixed number of elements along each strip.
 #[derive(Clone, Debug)]
@@ -71,50 +73,50 @@ impl Fastsim {
     /// `friction` ≥ 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
     /// the elastic load.
     #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
-    pub fn strip_forces(
+    pub fn strip_forces<T: Marching>(
         &self,
-        zone: &Zone,
-        strips: &Strips,
-        flexibility: &ZoneFlexibility,
-        slip: &impl RigidSlip,
+        zone: &Zone<T>,
+        strips: &impl Marched<T>,
+        flexibility: &ZoneFlexibility<T>,
+        slip: &impl RigidSlip<T>,
         rolling: Rolling,
-        friction: f64,
-        mut each: impl FnMut(usize, StripForce),
+        friction: T,
+        mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let range = zone.first..zone.first + zone.count;
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
-            TractionBound::Elliptic => 0.0,
+            TractionBound::Elliptic => T::from(0.0),
             TractionBound::Parabolic => {
-                let moment: f64 =
-                    range.clone().map(|j| strips.width[j] * strips.half_length[j].powi(3)).sum();
-                if moment > 0.0 { 0.75 * zone.load / moment } else { 0.0 }
+                let moment: T =
+                    range.clone().map(|j| strips.width(j) * strips.half_length(j).powi(3)).sum();
+                if moment > 0.0 { zone.load * 0.75 / moment } else { T::from(0.0) }
             }
         };
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
-            let mut march = March::default();
+            let mut march = March::<T>::default();
             let lanes = (range.end - start).min(LANES);
-            let mut areas = [0.0; LANES];
+            let mut areas = [T::from(0.0); LANES];
             for (lane, area) in areas.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
-                let a = strips.half_length[j];
-                let step = 2.0 * a / n;
+                let a = strips.half_length(j);
+                let step = a * 2.0 / n;
                 let growth = slip.growth(j, flexibility);
                 march.step_x[lane] = -step * growth.longitudinal;
                 march.step_y[lane] = -step * growth.lateral;
                 march.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
                 march.bound[lane] = friction
                     * match self.bound {
-                        TractionBound::Elliptic => strips.pressure[j],
+                        TractionBound::Elliptic => strips.pressure(j),
                         TractionBound::Parabolic => parabola * a * a,
                     };
-                *area = strips.width[j] * step;
+                *area = strips.width(j) * step;
             }
-            let sums = march_strips(&march, &self.profile, &self.abscissae);
+            let sums = T::march(&march, &self.profile, &self.abscissae);
             for (lane, area) in areas.into_iter().enumerate().take(lanes) {
                 let j = start + lane;
-                let arm = direction * strips.half_length[j];
+                let arm = strips.half_length(j) * direction;
                 each(
                     j,
                     StripForce {
@@ -177,48 +179,101 @@ impl Fastsim {
     }
 }
 
+/// Strips that can be marched through.
+pub trait Marched<T> {
+    /// Half length of strip `j` [m].
+    fn half_length(&self, j: usize) -> T;
+
+    /// Its width [m].
+    fn width(&self, j: usize) -> T;
+
+    /// Pressure at its centre [Pa].
+    fn pressure(&self, j: usize) -> T;
+}
+
+/// Strips that do not move can be marched through with derivatives of what does.
+impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
+    #[inline]
+    fn half_length(&self, j: usize) -> T {
+        self.half_length[j].into()
+    }
+
+    #[inline]
+    fn width(&self, j: usize) -> T {
+        self.width[j].into()
+    }
+
+    #[inline]
+    fn pressure(&self, j: usize) -> T {
+        self.pressure[j].into()
+    }
+}
+
 /// What the march of up to [`LANES`] strips needs: traction increments per element and bounds.
 #[derive(Clone, Copy, Debug, Default)]
-struct March {
-    step_x: Lanes,
-    step_y: Lanes,
-    step_y_per_abscissa: Lanes,
-    bound: Lanes,
+pub struct March<T> {
+    step_x: Lanes<T>,
+    step_y: Lanes<T>,
+    step_y_per_abscissa: Lanes<T>,
+    bound: Lanes<T>,
 }
 
 /// Sums over the elements of each strip.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    x: Lanes,
-    y: Lanes,
-    y_abscissa: Lanes,
-    slipping: Lanes,
+pub struct Sums<T> {
+    x: Lanes<T>,
+    y: Lanes<T>,
+    y_abscissa: Lanes<T>,
+    slipping: Lanes<f64>,
 }
 
-/// Marches the strips of all lanes at once.
-///
+/// Numbers with which strips are marched.
+pub trait Marching: Real {
+    /// Marches the strips of all lanes at once.
+    fn march(march: &March<Self>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
+        march_strips(march, profile, abscissae)
+    }
+}
+
+impl<const N: usize> Marching for Dual<N> {}
+
+impl Marching for f64 {
+    #[inline]
+    fn march(march: &March<f64>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<f64> {
+        fast_march(march, profile, abscissae)
+    }
+}
+
 /// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
 /// so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn march_strips(march: &March, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums {
-    let mut sums = Sums::default();
-    let (mut px, mut py) = ([0.0; LANES], [0.0; LANES]);
+fn fast_march(march: &March<f64>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<f64> {
+    march_strips(march, profile, abscissae)
+}
+
+/// Marches the strips of all lanes at once.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn march_strips<T: Real>(march: &March<T>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<T> {
+    let mut sums = Sums::<T>::default();
+    let (mut px, mut py) = ([T::from(0.0); LANES], [T::from(0.0); LANES]);
     // The first element's middle is half a step behind the leading edge.
     let mut length = 0.5;
     for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
         for lane in 0..LANES {
-            let trial_x = px[lane] + length * march.step_x[lane];
+            let trial_x = px[lane] + march.step_x[lane] * length;
             let trial_y = py[lane]
-                + length * (march.step_y[lane] + step_abscissa * march.step_y_per_abscissa[lane]);
+                + (march.step_y[lane] + march.step_y_per_abscissa[lane] * *step_abscissa) * length;
             let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
-            let ratio = march.bound[lane] * bound / magnitude;
+            let ratio = march.bound[lane] * *bound / magnitude;
             // 0/0 of an idle lane is not a number, and `min` then takes the one.
-            let scale = ratio.min(1.0);
+            let scale = ratio.at_most(1.0);
             px[lane] = trial_x * scale;
             py[lane] = trial_y * scale;
             sums.x[lane] += px[lane];
             sums.y[lane] += py[lane];
-            sums.y_abscissa[lane] += abscissa * py[lane];
+            sums.y_abscissa[lane] += py[lane] * *abscissa;
             sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
         }
         length = 1.0;

@@ -4,12 +4,13 @@
 //! zone itself. The strips of all ellipses are those of one circle, stretched.
 
 use super::equivalent_ellipse::EquivalentEllipse;
-use super::fastsim::Fastsim;
+use super::fastsim::{Fastsim, Marching};
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
 use super::{CreepForce, Creepage, Flexibilities, Rolling};
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Strips of the ellipse: as many as are marched at once.
@@ -43,18 +44,18 @@ impl Default for EllipseStrips {
 
 /// Rigid slip of an ellipse seen on the circle: lengths along in units of a, across in units of b.
 #[derive(Clone, Copy, Debug)]
-struct StretchedSlip<'a> {
+struct StretchedSlip<'a, T> {
     circle: &'a Strips,
-    ellipse: EquivalentEllipse,
-    creepage: Creepage,
+    ellipse: EquivalentEllipse<T>,
+    creepage: Creepage<T>,
 }
 
-impl RigidSlip for StretchedSlip<'_> {
-    fn mean(&self) -> Creepage {
+impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
+    fn mean(&self) -> Creepage<T> {
         self.creepage
     }
 
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
         let EquivalentEllipse { along, across } = self.ellipse;
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let y = across * self.circle.y[j];
@@ -66,7 +67,7 @@ impl RigidSlip for StretchedSlip<'_> {
         }
     }
 
-    fn creepage(&self, _: usize) -> Creepage {
+    fn creepage(&self, _: usize) -> Creepage<T> {
         self.creepage
     }
 }
@@ -75,16 +76,16 @@ impl EllipseStrips {
     /// The force of FASTSIM on `ellipse`, moment about its centre; `limit` is μ N > 0 [N].
     #[allow(clippy::too_many_arguments)] // what the ellipse is and how it moves
     #[must_use]
-    pub fn force(
+    pub fn force<T: Marching>(
         &self,
         fastsim: &Fastsim,
-        ellipse: &EquivalentEllipse,
+        ellipse: &EquivalentEllipse<T>,
         flexibilities: Flexibilities,
-        material: &MaterialPair,
-        creepage: &Creepage,
+        material: &MaterialPair<T>,
+        creepage: &Creepage<T>,
         rolling: Rolling,
-        limit: f64,
-    ) -> CreepForce {
+        limit: T,
+    ) -> CreepForce<T> {
         let mut flexibility = ZoneFlexibility::of_ellipse(ellipse.along, ellipse.across, material);
         if flexibilities == Flexibilities::Blended {
             flexibility = flexibility.blended(creepage, limit);
@@ -93,9 +94,10 @@ impl EllipseStrips {
         let area = ellipse.along * ellipse.across;
         // Friction times amplitude of the pressure, which the circle has as 1.
         let bound = limit / (area * self.zone.load);
-        let mut total = CreepForce::default();
-        let circle = &self.strips;
-        fastsim.strip_forces(&self.zone, circle, &flexibility, &slip, rolling, bound, |j, f| {
+        let mut total = CreepForce::<T>::default();
+        let (circle, load) = (&self.strips, self.zone.load.into());
+        let zone = Zone { count: STRIPS, load, ..Zone::default() };
+        fastsim.strip_forces(&zone, circle, &flexibility, &slip, rolling, bound, |j, f| {
             total.longitudinal += area * f.longitudinal;
             total.lateral += area * f.lateral;
             total.spin_moment +=

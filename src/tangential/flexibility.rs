@@ -13,28 +13,29 @@ use std::f64::consts::PI;
 use super::Creepage;
 use super::kalker_coefficients::kalker_coefficients;
 use crate::material::MaterialPair;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Flexibility for each creepage: displacement over traction [m/Pa].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ZoneFlexibility {
+pub struct ZoneFlexibility<T = f64> {
     /// For longitudinal creepage, L1.
-    pub longitudinal: f64,
+    pub longitudinal: T,
     /// For lateral creepage, L2.
-    pub lateral: f64,
+    pub lateral: T,
     /// For spin, L3.
-    pub spin: f64,
+    pub spin: T,
     /// Semi-axis a of the equivalent ellipse along rolling [m].
-    pub semi_axis_along: f64,
+    pub semi_axis_along: T,
     /// G c² c11 and G c² c22: linear creep force over creepage [N].
-    stiffness: [f64; 2],
+    stiffness: [T; 2],
 }
 
-impl ZoneFlexibility {
+impl<T: Real> ZoneFlexibility<T> {
     /// The three flexibilities of `zone`, whose area is positive.
     #[must_use]
-    pub fn new(zone: &Zone, strips: &Strips, material: &MaterialPair) -> Self {
-        let (mut second, mut third) = (0.0, 0.0);
+    pub fn new(zone: &Zone<T>, strips: &Strips<T>, material: &MaterialPair<T>) -> Self {
+        let (mut second, mut third) = (T::from(0.0), T::from(0.0));
         for j in zone.first..zone.first + zone.count {
             let (a, width) = (strips.half_length[j], strips.width[j]);
             second += width * a * a;
@@ -45,9 +46,9 @@ impl ZoneFlexibility {
         let c = kalker_coefficients(axis_ratio, material.poisson_ratio);
         let scale = material.shear_modulus * c_squared;
         Self {
-            longitudinal: 2.0 * second / (scale * c.c11),
-            lateral: 2.0 * second / (scale * c.c22),
-            spin: 2.0 / 3.0 * third / (scale * c_squared.sqrt() * c.c23),
+            longitudinal: second * 2.0 / (scale * c.c11),
+            lateral: second * 2.0 / (scale * c.c22),
+            spin: third * (2.0 / 3.0) / (scale * c_squared.sqrt() * c.c23),
             semi_axis_along: (c_squared * axis_ratio).sqrt(),
             stiffness: [scale * c.c11, scale * c.c22],
         }
@@ -55,13 +56,13 @@ impl ZoneFlexibility {
 
     /// Kalker's three flexibilities of an ellipse with semi-axes `along` and `across` > 0 [m].
     #[must_use]
-    pub fn of_ellipse(along: f64, across: f64, material: &MaterialPair) -> Self {
+    pub fn of_ellipse(along: T, across: T, material: &MaterialPair<T>) -> Self {
         let c = kalker_coefficients(along / across, material.poisson_ratio);
         let scale = material.shear_modulus * along * across;
         Self {
-            longitudinal: 8.0 * along / (3.0 * material.shear_modulus * c.c11),
-            lateral: 8.0 * along / (3.0 * material.shear_modulus * c.c22),
-            spin: PI * along * (along / across).sqrt() / (4.0 * material.shear_modulus * c.c23),
+            longitudinal: along * 8.0 / (material.shear_modulus * 3.0 * c.c11),
+            lateral: along * 8.0 / (material.shear_modulus * 3.0 * c.c22),
+            spin: along * PI * (along / across).sqrt() / (material.shear_modulus * 4.0 * c.c23),
             semi_axis_along: along,
             stiffness: [scale * c.c11, scale * c.c22],
         }
@@ -71,11 +72,11 @@ impl ZoneFlexibility {
     ///
     /// Source: Vollebregt and Voltr, Vehicle System Dynamics 61 (2023) 309-317. `friction_limit` is μ N > 0 [N].
     #[must_use]
-    pub fn blended(&self, creepage: &Creepage, friction_limit: f64) -> Self {
+    pub fn blended(&self, creepage: &Creepage<T>, friction_limit: T) -> Self {
         let a = self.semi_axis_along;
-        let spin = creepage.spin * (PI * a * a / 4.0) / (8.0 * a / 3.0);
+        let spin = creepage.spin * (a * PI * a / 4.0) / (a * 8.0 / 3.0);
         let squares = [creepage.longitudinal.powi(2), creepage.lateral.powi(2), spin * spin];
-        let total = squares.iter().sum::<f64>();
+        let total = squares.iter().copied().sum::<T>();
         if total <= 0.0 {
             return *self;
         }
@@ -83,8 +84,8 @@ impl ZoneFlexibility {
             / (squares[0] / self.longitudinal + squares[1] / self.lateral + squares[2] / self.spin);
         let saturation = (friction_limit / self.stiffness[0]).powi(2)
             + (friction_limit / self.stiffness[1]).powi(2);
-        let share = (((squares[0] + squares[1]) / saturation).sqrt() / 3.0).min(1.0);
-        let blend = |own: f64| (1.0 - share) * own + share * common;
+        let share = (((squares[0] + squares[1]) / saturation).sqrt() / 3.0).at_most(1.0);
+        let blend = |own: T| (-share + 1.0) * own + share * common;
         Self {
             longitudinal: blend(self.longitudinal),
             lateral: blend(self.lateral),

@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 use super::RollingState;
 use super::kalker_coefficients::kalker_coefficients;
 use crate::material::MaterialPair;
+use crate::math::real::Real;
 use crate::normal::Zone;
 
 /// How friction and initial slope depend on the creepage.
@@ -72,19 +73,19 @@ impl FrictionLaw {
 
     /// Coefficient of friction and elastic constants for `zone` in `state`.
     #[must_use]
-    pub fn applied(
+    pub fn applied<T: Real>(
         &self,
-        zone: &Zone,
-        material: &MaterialPair,
-        state: &RollingState,
-    ) -> (f64, MaterialPair) {
+        zone: &Zone<T>,
+        material: &MaterialPair<T>,
+        state: &RollingState<T>,
+    ) -> (T, MaterialPair<T>) {
         let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
         let mut friction = state.friction;
         if self.falls() {
-            let spin = state.creepage.spin * (0.05f64).sqrt() * zone.length.hypot(zone.width);
+            let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
             let speed = state.speed * slip.hypot(spin);
             let left = self.falling_share;
-            friction *= left + (1.0 - left) * (-self.falling_decay * speed).exp();
+            friction *= (speed * -self.falling_decay).exp() * (1.0 - left) + left;
         }
         let mut material = *material;
         if self.reduces() {
@@ -92,11 +93,12 @@ impl FrictionLaw {
             let c11 = kalker_coefficients(zone.length / zone.width, material.poisson_ratio).c11;
             let ab = zone.area / PI;
             let stiffness = material.shear_modulus * PI * ab * self.reduction * c11;
-            let limit = 4.0 * friction * zone.load * state.load_factor;
+            let limit = friction * 4.0 * zone.load * state.load_factor;
             // Without friction any creepage is great.
-            let over = if slip > 0.0 { stiffness * slip / limit } else { 0.0 };
-            let k = self.reduction * (share + (1.0 - share) / (1.0 + self.reduction_decay * over));
-            material.shear_modulus *= k.max(LEAST_REDUCTION);
+            let over = if slip > 0.0 { stiffness * slip / limit } else { T::from(0.0) };
+            let left = T::from(1.0 - share) / (over * self.reduction_decay + 1.0);
+            let k = (left + share) * self.reduction;
+            material.shear_modulus *= k.at_least(LEAST_REDUCTION);
         }
         (friction, material)
     }

@@ -11,23 +11,27 @@
 
 use std::f64::consts::PI;
 
+use crate::math::real::Real;
+
 /// The coefficients of longitudinal and lateral creepage and of spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KalkerCoefficients {
+pub struct KalkerCoefficients<T = f64> {
     /// Longitudinal force for longitudinal creepage.
-    pub c11: f64,
+    pub c11: T,
     /// Lateral force for lateral creepage.
-    pub c22: f64,
+    pub c22: T,
     /// Lateral force for spin.
-    pub c23: f64,
+    pub c23: T,
     /// Moment for spin.
-    pub c33: f64,
+    pub c33: T,
 }
 
 /// The coefficients of an ellipse with semi-axis ratio a/b > 0 (a along rolling) and 0 ≤ ν ≤ 0.5.
 #[must_use]
-pub fn kalker_coefficients(axis_ratio: f64, poisson_ratio: f64) -> KalkerCoefficients {
-    let [c11, c22, c23, c33] = logarithms(axis_ratio.ln(), poisson_ratio).map(|[c, _]| c.exp());
+pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: f64) -> KalkerCoefficients<T> {
+    let t = axis_ratio.ln();
+    let [c11, c22, c23, c33] =
+        logarithms(t.value(), poisson_ratio).map(|[c, by_t]| t.chain(c, || by_t).exp());
     KalkerCoefficients { c11, c22, c23, c33 }
 }
 

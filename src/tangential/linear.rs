@@ -15,30 +15,31 @@
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
 use super::{Rolling, StripForce};
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Hands the force of each strip of `zone` to `each`.
-pub fn strip_forces(
-    zone: &Zone,
-    strips: &Strips,
-    flexibility: &ZoneFlexibility,
-    slip: &impl RigidSlip,
+pub fn strip_forces<T: Real>(
+    zone: &Zone<T>,
+    strips: &Strips<T>,
+    flexibility: &ZoneFlexibility<T>,
+    slip: &impl RigidSlip<T>,
     rolling: Rolling,
-    mut each: impl FnMut(usize, StripForce),
+    mut each: impl FnMut(usize, StripForce<T>),
 ) {
     for j in zone.first..zone.first + zone.count {
         let a = strips.half_length[j];
         let growth = slip.growth(j, flexibility);
-        let square = 2.0 * strips.width[j] * a * a;
+        let square = strips.width[j] * 2.0 * a * a;
         // Backwards the strip is the same seen in a mirror along x.
-        let cube = rolling.direction() * square * a / 3.0;
+        let cube = square * rolling.direction() * a / 3.0;
         each(
             j,
             StripForce {
                 longitudinal: -square * growth.longitudinal,
                 lateral: -square * growth.lateral - cube * growth.twist,
                 moment: cube * growth.lateral,
-                slip_area: 0.0,
+                slip_area: T::from(0.0),
             },
         );
     }

@@ -17,6 +17,8 @@ pub mod waist;
 
 pub use crate::kinematics::creepage::Creepage;
 use crate::material::MaterialPair;
+use crate::math::dual::Dual;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 use boundary_element::LoadedElements;
 use ellipse_force::spread_by_load;
@@ -79,19 +81,19 @@ impl Rolling {
 
 /// Force of one strip on the wheel, along x and along the strip's tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StripForce {
+pub struct StripForce<T = f64> {
     /// Longitudinal force [N].
-    pub longitudinal: f64,
+    pub longitudinal: T,
     /// Lateral force [N].
-    pub lateral: f64,
+    pub lateral: T,
     /// Moment about the normal through the strip's centre [N m].
-    pub moment: f64,
+    pub moment: T,
     /// Area that slips [m²].
-    pub slip_area: f64,
+    pub slip_area: T,
 }
 
-impl StripForce {
-    fn times(self, share: f64) -> Self {
+impl<T: Real> StripForce<T> {
+    fn times(self, share: T) -> Self {
         Self {
             longitudinal: share * self.longitudinal,
             lateral: share * self.lateral,
@@ -103,23 +105,23 @@ impl StripForce {
 
 /// Creep force of one zone on the wheel, in the contact frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CreepForce {
+pub struct CreepForce<T = f64> {
     /// Longitudinal force [N].
-    pub longitudinal: f64,
+    pub longitudinal: T,
     /// Lateral force [N].
-    pub lateral: f64,
+    pub lateral: T,
     /// Moment about the normal through the centroid of the load [N m].
-    pub spin_moment: f64,
+    pub spin_moment: T,
     /// Area that slips [m²].
-    pub slip_area: f64,
+    pub slip_area: T,
     /// Whether a simpler model took the place of one that did not converge.
     pub fell_back: bool,
 }
 
-impl CreepForce {
+impl<T: Real> CreepForce<T> {
     /// Adds the force of strip `j` of `zone`, a flat one.
     #[inline]
-    fn add(&mut self, zone: &Zone, strips: &Strips, j: usize, force: &StripForce) {
+    fn add(&mut self, zone: &Zone<T>, strips: &Strips<T>, j: usize, force: &StripForce<T>) {
         let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
         self.longitudinal += force.longitudinal;
         self.lateral += force.lateral;
@@ -130,17 +132,17 @@ impl CreepForce {
 
 /// How a zone rolls and how much friction it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RollingState {
+pub struct RollingState<T = f64> {
     /// Creepage at the centroid of load of the zone.
-    pub creepage: Creepage,
+    pub creepage: Creepage<T>,
     /// 1 when rolling forward, 0 when backward; see [`rolling_speed`](crate::kinematics::creepage::rolling_speed) [-].
-    pub forward_share: f64,
+    pub forward_share: T,
     /// Coefficient of friction, ≥ 0 [-].
-    pub friction: f64,
+    pub friction: T,
     /// Normal force with damping over that without, ≥ 0 [-].
-    pub load_factor: f64,
+    pub load_factor: T,
     /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed alone.
-    pub speed: f64,
+    pub speed: T,
 }
 
 /// The chosen tangential model with its settings.
@@ -190,15 +192,21 @@ impl Tangential {
     }
 
     /// State and elastic constants of a zone as the law of friction has them.
-    fn under_law(
+    fn under_law<T: Real>(
         &self,
-        zone: &Zone,
-        material: &MaterialPair,
-        state: &RollingState,
-    ) -> (RollingState, MaterialPair) {
+        zone: &Zone<T>,
+        material: &MaterialPair<T>,
+        state: &RollingState<T>,
+    ) -> (RollingState<T>, MaterialPair<T>) {
         let Some(law) = &self.law else { return (*state, *material) };
         let (friction, material) = law.applied(zone, material, state);
         (RollingState { friction, ..*state }, material)
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> TangentialModel {
+        self.model
     }
 
     /// Whether the forces of the strips are corrected as a whole.
@@ -210,13 +218,13 @@ impl Tangential {
     /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
     /// compute: no model, no friction, no load or no creepage.
     #[must_use]
-    pub fn creep_force(
+    pub fn creep_force<T: CreepNumber>(
         &self,
-        zone: &Zone,
-        strips: &Strips,
-        material: &MaterialPair,
-        state: &RollingState,
-    ) -> Option<CreepForce> {
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        material: &MaterialPair<T>,
+        state: &RollingState<T>,
+    ) -> Option<CreepForce<T>> {
         self.creep_force_with(zone, strips, material, state, |_, _| {})
     }
 
@@ -224,14 +232,14 @@ impl Tangential {
     /// [`strip_forces`](Self::strip_forces).
     #[must_use]
     #[inline]
-    pub fn creep_force_with(
+    pub fn creep_force_with<T: CreepNumber>(
         &self,
-        zone: &Zone,
-        strips: &Strips,
-        material: &MaterialPair,
-        state: &RollingState,
-        mut each: impl FnMut(usize, &StripForce),
-    ) -> Option<CreepForce> {
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        material: &MaterialPair<T>,
+        state: &RollingState<T>,
+        mut each: impl FnMut(usize, &StripForce<T>),
+    ) -> Option<CreepForce<T>> {
         (!state.creepage.is_zero()).then_some(())?;
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
@@ -240,7 +248,7 @@ impl Tangential {
             spread_by_load(zone, strips, &force, |j, force| each(j, &force));
             return Some(force);
         }
-        let mut total = CreepForce::default();
+        let mut total = CreepForce::<T>::default();
         let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
             total.add(zone, strips, j, &force);
             each(j, &force);
@@ -253,14 +261,14 @@ impl Tangential {
     ///
     /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
     /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
-    pub fn strip_forces(
+    pub fn strip_forces<T: CreepNumber>(
         &self,
-        zone: &Zone,
-        strips: &Strips,
-        material: &MaterialPair,
-        slip: &impl RigidSlip,
-        state: &RollingState,
-        mut each: impl FnMut(usize, StripForce),
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        material: &MaterialPair<T>,
+        slip: &impl RigidSlip<T>,
+        state: &RollingState<T>,
+        mut each: impl FnMut(usize, StripForce<T>),
     ) -> Option<Outcome> {
         let state = RollingState { creepage: slip.mean(), ..*state };
         let (state, material) = self.under_law(zone, material, &state);
@@ -284,9 +292,10 @@ impl Tangential {
         }
         let mut outcome = Outcome::Solved;
         let elements = (self.model == TangentialModel::BoundaryElement)
-            .then(|| LoadedElements::of(zone, strips, self.elements));
-        let backward_share = 1.0 - forward_share;
-        let mut marched = CreepForce::default();
+            .then(|| T::elements(zone, strips, self.elements))
+            .flatten();
+        let backward_share = -forward_share + 1.0;
+        let mut marched = CreepForce::<T>::default();
         for (rolling, share) in
             [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
         {
@@ -295,17 +304,15 @@ impl Tangential {
             }
             let friction = friction * load_factor;
             if let Some(elements) = &elements {
-                let tractions = elements.tractions(strips, material, slip, rolling, friction);
-                if tractions.converged {
-                    let add = |j, force: StripForce| each(j, force.times(share));
-                    elements.strip_forces(zone, strips, &tractions, add);
+                let add = |j, force: StripForce<T>| each(j, force.times(share));
+                if T::on_elements(elements, zone, strips, material, slip, rolling, friction, add) {
                     continue;
                 }
                 outcome = Outcome::FellBack;
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
-            let share = if is_bounded { share } else { share * load_factor.min(1.0) };
-            let add = |j, force: StripForce| each(j, force.times(share));
+            let share = if is_bounded { share } else { share * load_factor.at_most(1.0) };
+            let add = |j, force: StripForce<T>| each(j, force.times(share));
             match self.model {
                 TangentialModel::None | TangentialModel::Tables => {}
                 TangentialModel::Linear => {
@@ -316,7 +323,7 @@ impl Tangential {
                     march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
                 }
                 TangentialModel::FastsimCorrected => {
-                    let add = |j, force: StripForce| {
+                    let add = |j, force: StripForce<T>| {
                         let force = force.times(share);
                         marched.add(zone, strips, j, &force);
                         each(j, force);
@@ -345,6 +352,56 @@ impl Tangential {
             spread_by_load(zone, strips, &force, each);
         }
         Some(outcome)
+    }
+}
+
+/// Numbers with which tangential problems are solved; the half-space solution on elements is one of plain numbers alone.
+pub trait CreepNumber: fastsim::Marching + fastrip::Marching + tables::Tabulated {
+    /// The elements of a zone for the half-space solution.
+    #[must_use]
+    fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {
+        None
+    }
+
+    /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
+    #[must_use]
+    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
+    fn on_elements(
+        _: &LoadedElements,
+        _: &Zone<Self>,
+        _: &Strips<Self>,
+        _: &MaterialPair<Self>,
+        _: &impl RigidSlip<Self>,
+        _: Rolling,
+        _: Self,
+        _: impl FnMut(usize, StripForce<Self>),
+    ) -> bool {
+        false
+    }
+}
+
+impl<const N: usize> CreepNumber for Dual<N> {}
+
+impl CreepNumber for f64 {
+    fn elements(zone: &Zone, strips: &Strips, count: [usize; 2]) -> Option<LoadedElements> {
+        Some(LoadedElements::of(zone, strips, count))
+    }
+
+    fn on_elements(
+        elements: &LoadedElements,
+        zone: &Zone,
+        strips: &Strips,
+        material: &MaterialPair,
+        slip: &impl RigidSlip,
+        rolling: Rolling,
+        friction: f64,
+        each: impl FnMut(usize, StripForce),
+    ) -> bool {
+        let tractions = elements.tractions(strips, material, slip, rolling, friction);
+        if tractions.converged {
+            elements.strip_forces(zone, strips, &tractions, each);
+        }
+        tractions.converged
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Creepage;
 use super::flexibility::ZoneFlexibility;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// How fast the traction on the wheel grows along one strip, by the distance s from its leading edge, as long as it adheres:
@@ -10,46 +11,46 @@ use crate::normal::{Strips, Zone};
 /// dp_x/ds = -longitudinal,  dp_y/ds = -(lateral + twist · t),  t along x from the strip's centre
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Growth {
+pub struct Growth<T = f64> {
     /// [Pa/m].
-    pub longitudinal: f64,
+    pub longitudinal: T,
     /// At the centre of the strip [Pa/m].
-    pub lateral: f64,
+    pub lateral: T,
     /// [Pa/m²].
-    pub twist: f64,
+    pub twist: T,
 }
 
 /// Rigid slip over the reference speed on all strips of a zone.
-pub trait RigidSlip {
+pub trait RigidSlip<T = f64> {
     /// The creepage of the zone as a whole: its longitudinal and lateral part act through the flexibilities L1 and L2, what
     /// the strips deviate from it and spin through L3.
-    fn mean(&self) -> Creepage;
+    fn mean(&self) -> Creepage<T>;
 
     /// Growth of the traction on strip `j`.
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth;
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T>;
 
     /// Creepage at the centre of strip `j`, that of the zone carried on where it belongs to another one.
-    fn creepage(&self, j: usize) -> Creepage;
+    fn creepage(&self, j: usize) -> Creepage<T>;
 }
 
 /// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η + φ x.
 #[derive(Clone, Copy, Debug)]
-pub struct FlatSlip<'a> {
+pub struct FlatSlip<'a, T = f64> {
     /// The zone.
-    pub zone: &'a Zone,
+    pub zone: &'a Zone<T>,
     /// Its strips, and maybe others.
-    pub strips: &'a Strips,
+    pub strips: &'a Strips<T>,
     /// Creepage at the centroid of the load.
-    pub creepage: Creepage,
+    pub creepage: Creepage<T>,
 }
 
-impl RigidSlip for FlatSlip<'_> {
-    fn mean(&self) -> Creepage {
+impl<T: Real> RigidSlip<T> for FlatSlip<'_, T> {
+    fn mean(&self) -> Creepage<T> {
         self.creepage
     }
 
     #[inline]
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
         Growth {
@@ -59,7 +60,7 @@ impl RigidSlip for FlatSlip<'_> {
         }
     }
 
-    fn creepage(&self, j: usize) -> Creepage {
+    fn creepage(&self, j: usize) -> Creepage<T> {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let (x, y) = (self.strips.x[j] - self.zone.x, self.strips.y[j] - self.zone.y);
         Creepage { longitudinal: longitudinal - spin * y, lateral: lateral + spin * x, spin }
@@ -68,22 +69,22 @@ impl RigidSlip for FlatSlip<'_> {
 
 /// A creepage of its own for each strip, at its centre and in its own tangent plane.
 #[derive(Clone, Copy, Debug)]
-pub struct StripSlip<'a> {
+pub struct StripSlip<'a, T = f64> {
     /// Index of the first strip of the zone.
     pub first: usize,
     /// Creepage of each of its strips.
-    pub creepages: &'a [Creepage],
+    pub creepages: &'a [Creepage<T>],
     /// Their mean, weighted by load.
-    pub mean: Creepage,
+    pub mean: Creepage<T>,
 }
 
-impl RigidSlip for StripSlip<'_> {
-    fn mean(&self) -> Creepage {
+impl<T: Real> RigidSlip<T> for StripSlip<'_, T> {
+    fn mean(&self) -> Creepage<T> {
         self.mean
     }
 
     #[inline]
-    fn growth(&self, j: usize, flexibility: &ZoneFlexibility) -> Growth {
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
         let own = &self.creepages[j - self.first];
         let mean = &self.mean;
         Growth {
@@ -95,7 +96,7 @@ impl RigidSlip for StripSlip<'_> {
         }
     }
 
-    fn creepage(&self, j: usize) -> Creepage {
+    fn creepage(&self, j: usize) -> Creepage<T> {
         j.checked_sub(self.first).and_then(|i| self.creepages.get(i)).copied().unwrap_or(self.mean)
     }
 }

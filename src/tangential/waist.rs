@@ -10,6 +10,7 @@
 //!
 //! All of it is a continuous function of the strips.
 
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 /// Depth of a waist from which on a zone is one.
@@ -17,28 +18,29 @@ const WHOLE: f64 = 0.5;
 
 /// A waist and what is left and right of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Waist {
+pub struct Waist<T = f64> {
     /// Share w of the two lobes in the force, above 0 to 1.
-    pub share: f64,
+    pub share: T,
     /// Where it is, as the lateral coordinate of strips [m].
-    y: f64,
+    y: T,
     /// Width over which strips go over from one lobe to the other [m].
-    blend: f64,
+    blend: T,
 }
 
-impl Waist {
+impl<T: Real> Waist<T> {
     /// The deepest waist of `zone`, if it has one.
     #[must_use]
-    pub fn of(zone: &Zone, strips: &Strips) -> Option<Self> {
+    pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
         let load = |j: usize| strips.half_length[j] * strips.pressure[j];
         // Where load falls and rises again; the peaks on both sides of the deepest such place.
-        let (mut peak, mut least, mut best) = (0f64, f64::INFINITY, None::<[f64; 3]>);
+        let (mut peak, mut least) = (T::from(0.0), T::from(f64::INFINITY));
+        let mut best = None::<[T; 3]>;
         for j in range.clone() {
             let q = load(j);
             least = least.min(q);
             let lower = q.min(peak);
-            if least < WHOLE * lower {
+            if least < lower * WHOLE {
                 let depth = least / lower;
                 if best.is_none_or(|[before, ..]| depth < before) {
                     best = Some([depth, least, lower]);
@@ -49,27 +51,27 @@ impl Waist {
             }
         }
         let [depth, least, lower] = best?;
-        let x = 1.0 - depth / WHOLE;
-        let share = x * x * (3.0 - 2.0 * x);
+        let x = -(depth / WHOLE) + 1.0;
+        let share = x * x * (-(x * 2.0) + 3.0);
         // Its middle: strips by how far they are below a quarter of the way up, between strips that are above.
-        let level = least + 0.25 * (lower - least);
+        let level = least + (lower - least) * 0.25;
         let first = range.clone().find(|&j| load(j) >= level)?;
         let last = range.rev().find(|&j| load(j) >= level)?;
-        let (mut sum, mut y) = (0.0, 0.0);
+        let (mut sum, mut y) = (T::from(0.0), T::from(0.0));
         for j in first..=last {
-            let weight = strips.width[j] * (level - load(j)).max(0.0).powi(2);
+            let weight = strips.width[j] * (level - load(j)).at_least(0.0).powi(2);
             sum += weight;
             y += weight * strips.y[j];
         }
-        let blend = 2.0 * zone.width / zone.count as f64;
+        let blend = zone.width * 2.0 / zone.count as f64;
         (sum > 0.0).then(|| Self { share, y: y / sum, blend })
     }
 
     /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
     #[must_use]
-    pub fn left(&self, y: f64) -> f64 {
-        let x = ((self.y - y) / self.blend + 0.5).clamp(0.0, 1.0);
-        x * x * (3.0 - 2.0 * x)
+    pub fn left(&self, y: T) -> T {
+        let x = ((self.y - y) / self.blend + 0.5).within(0.0, 1.0);
+        x * x * (-(x * 2.0) + 3.0)
     }
 }
 

@@ -1,15 +1,26 @@
-//! The variables of the element by name: what the FMI interface and the command line have in common.
+//! The variables of wheel and wheelset by name: what the FMI interface and the command line have in common.
 //!
-//! `modelDescription/variables.toml` is the only declaration. From it come [`VARIABLES`], the typed
-//! access of [`Values`], the GUID and the model description of the FMU, so that they cannot disagree.
+//! `modelDescription/variables.toml` is the only declaration of what a wheel has, and `wheelset.toml` beside it says what of that a
+//! wheelset has on each side and what only once. From them come the tables [`WHEEL`] and [`WHEELSET`], the typed access of
+//! [`ValuesOf`], the GUIDs and the model descriptions of the FMUs, so that they cannot disagree.
 
 mod table;
 mod text;
 mod values;
 
-pub use table::{GUID, LOG_CATEGORIES, VARIABLES};
+use crate::element::Element;
+use crate::wheelset::Wheelset;
+
+pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
 pub(crate) use values::admits;
-pub use values::{Values, check};
+pub use values::{Coupling, Described, ValuesOf, check};
+
+/// The values of a wheel.
+pub type Values = ValuesOf<Element>;
+/// The values of a wheelset.
+pub type WheelsetValues = ValuesOf<Wheelset>;
+/// Identifies the description of the wheel unit.
+pub const GUID: &str = WHEEL.guid;
 
 /// Who sets a variable, and when.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +100,7 @@ pub struct Variable {
     pub name: &'static str,
     /// The quantity, its frame and sign.
     pub description: &'static str,
-    /// Place in [`VARIABLES`], which is also the FMI value reference.
+    /// Place in the table of its unit, which is also the FMI value reference.
     pub reference: usize,
     /// Type.
     pub kind: Kind,
@@ -105,6 +116,8 @@ pub struct Variable {
     pub start: Option<Value<'static>>,
     /// References of the inputs and parameters on which an output depends.
     pub dependencies: &'static [usize],
+    /// Whether it is computed only when it is read.
+    pub on_request: bool,
     /// What is admitted, in words.
     pub allowed: &'static str,
 }
@@ -114,6 +127,31 @@ impl Variable {
     #[must_use]
     pub fn is_settable(&self) -> bool {
         matches!(self.causality, Causality::Input | Causality::Parameter)
+    }
+}
+
+/// A unit: what one archive stands for.
+#[derive(Debug)]
+pub struct Unit {
+    /// `modelIdentifier`: name of the archive and of the library in it.
+    pub identifier: &'static str,
+    /// Identifies the description from which library and XML were made: its hash.
+    pub guid: &'static str,
+    /// Every variable; its place is its FMI value reference.
+    pub variables: &'static [Variable],
+}
+
+impl Unit {
+    /// The variable of that name.
+    ///
+    /// # Errors
+    /// With the nearest name if there is none.
+    pub fn find(&self, name: &str) -> Result<&'static Variable, UnknownVariable> {
+        self.variables.iter().find(|v| v.name == name).ok_or_else(|| {
+            let names = self.variables.iter().map(|v| v.name);
+            let nearest = names.min_by_key(|n| text::distance(name, n));
+            UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
+        })
     }
 }
 
@@ -127,32 +165,38 @@ pub struct UnknownVariable {
     pub nearest: &'static str,
 }
 
-/// The variable of that name.
+/// The variable of that name of a wheel.
 ///
 /// # Errors
 /// With the nearest name if there is none.
 pub fn find(name: &str) -> Result<&'static Variable, UnknownVariable> {
-    VARIABLES.iter().find(|v| v.name == name).ok_or_else(|| {
-        let nearest = VARIABLES.iter().map(|v| v.name).min_by_key(|n| text::distance(name, n));
-        UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
-    })
+    WHEEL.find(name)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const UNITS: [&Unit; 2] = [&WHEEL, &WHEELSET];
+
+    fn all() -> impl Iterator<Item = &'static Variable> {
+        UNITS.into_iter().flat_map(|unit| unit.variables)
+    }
+
     #[test]
     fn names_are_unique_and_references_are_places() {
-        for (place, v) in VARIABLES.iter().enumerate() {
-            assert_eq!(v.reference, place);
-            assert_eq!(find(v.name).unwrap(), v);
+        for unit in UNITS {
+            for (place, v) in unit.variables.iter().enumerate() {
+                assert_eq!(v.reference, place);
+                assert_eq!(unit.find(v.name).unwrap(), v);
+            }
         }
+        assert_ne!(WHEEL.guid, WHEELSET.guid);
     }
 
     #[test]
     fn start_values_lie_in_their_range_and_outputs_have_none() {
-        for v in VARIABLES {
+        for v in all() {
             assert_eq!(v.start.is_some(), v.is_settable(), "{}", v.name);
             let start = match v.start {
                 Some(Value::Real(start)) => start,
@@ -170,10 +214,37 @@ mod tests {
 
     #[test]
     fn outputs_depend_on_inputs_and_parameters_only() {
-        for v in VARIABLES {
-            assert_eq!(v.dependencies.is_empty(), v.is_settable(), "{}", v.name);
-            assert!(v.dependencies.iter().all(|&d| VARIABLES[d].is_settable()), "{}", v.name);
-            assert!(v.dependencies.windows(2).all(|d| d[0] < d[1]), "{}", v.name);
+        for unit in UNITS {
+            for v in unit.variables {
+                assert_eq!(v.dependencies.is_empty(), v.is_settable(), "{}", v.name);
+                let settable = |&d: &usize| unit.variables[d].is_settable();
+                assert!(v.dependencies.iter().all(settable), "{}", v.name);
+                assert!(v.dependencies.windows(2).all(|d| d[0] < d[1]), "{}", v.name);
+            }
+        }
+    }
+
+    /// Messages of the elements name variables of a wheel; those of a wheelset must be ones that it has.
+    #[test]
+    fn a_wheelset_has_on_each_side_or_once_what_a_wheel_has() {
+        // What a wheelset has in its own way: the motion of its centre, two sides.
+        let own = |name: &str| {
+            let coordinate = name.strip_prefix("wheel.").is_some_and(|c| {
+                WHEELSET.variables.iter().any(|v| v.name == format!("wheelset.{c}"))
+            }) && find(name).unwrap().causality == Causality::Input;
+            coordinate || name == "side"
+        };
+        for v in VARIABLES.iter().filter(|v| !own(v.name)) {
+            for side in crate::wheelset::SIDES {
+                let name = if v.is_settable() || v.name.starts_with("coupling.") {
+                    crate::wheelset::name_on_side(v.name, side)
+                } else {
+                    format!("{side}.{}", v.name)
+                };
+                let of_wheelset = WHEELSET.find(&name).unwrap_or_else(|e| panic!("{e}"));
+                assert_eq!((of_wheelset.kind, of_wheelset.unit), (v.kind, v.unit), "{name}");
+                assert_eq!((of_wheelset.min, of_wheelset.max), (v.min, v.max), "{name}");
+            }
         }
     }
 
@@ -182,5 +253,6 @@ mod tests {
         let error = find("wheel.forcez").unwrap_err();
         assert_eq!(error.nearest, "wheel.force.z");
         assert!(find("patch[9].area").unwrap_err().nearest.ends_with("].area"));
+        assert_eq!(WHEELSET.find("left.wheel.profil").unwrap_err().nearest, "left.wheel.profile");
     }
 }

@@ -1,12 +1,14 @@
 //! The generated table and field access; `build/code.rs` writes the included text.
 
-use super::values::Values;
-use super::{Causality, Enumeration, Item, Kind, Value, Variable};
+use super::values::{Described, ValuesOf};
+use super::{Causality, Enumeration, Item, Kind, Unit, Value, Variable};
+use crate::element::Element;
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
     CreepageModel, FlatShape, Flexibilities, NormalModel, RAILS, ShapeFit, Side, TangentialModel,
     TractionBound, VerticalMode, WearDistribution, WearModel,
 };
+use crate::wheelset::Wheelset;
 
 /// A field that is an integer or an enumeration outside.
 trait IntegerField {

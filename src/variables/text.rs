@@ -1,10 +1,10 @@
 //! Variables as text, for files and messages.
 
-use super::values::bad_text;
-use super::{Kind, Value, Values, Variable};
+use super::values::{Described, bad_text};
+use super::{Kind, Value, ValuesOf, Variable};
 use crate::error::ContactError;
 
-impl Values {
+impl<S: Described> ValuesOf<S> {
     /// Sets an input or a parameter from text: numbers in SI, `true` or `false`, items by name.
     ///
     /// # Errors
@@ -26,7 +26,7 @@ impl Values {
         }
     }
 
-    /// The value of a variable as text that [`Values::set_from_text`] reads back to the same bits.
+    /// The value of a variable as text that [`ValuesOf::set_from_text`] reads back to the same bits.
     #[must_use]
     pub fn text_of(&self, variable: &Variable) -> String {
         match (self.get(variable), variable.kind) {
@@ -60,7 +60,7 @@ pub(super) fn distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::variables::{VARIABLES, find};
+    use crate::variables::{VARIABLES, Values, find};
 
     #[test]
     fn text_is_read_back_to_the_same_value() {

@@ -1,39 +1,88 @@
 //! The values of all variables of one element, set and read through the table.
 
-use super::table::{
-    VARIABLES, boolean_field, integer_field, real_field, real_slot, set_boolean_field,
-    set_integer_field, set_text_field, text_field,
-};
-use super::{Kind, Value, Variable};
-use crate::element::{Input, Output, Parameters};
+use super::{Kind, Unit, Value, Variable};
+use crate::element::subject::Subject;
 use crate::error::ContactError;
 
 /// Everything that can be set or read by name.
 ///
 /// Setting checks type and range, so that what is in here can be handed to the element. Of the
 /// functions only those for texts allocate, and those that write a refusal.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Values {
+#[derive(Clone, Debug)]
+pub struct ValuesOf<S: Subject> {
     /// Parameters, fixed once an element is made from them.
-    pub parameters: Parameters,
+    pub parameters: S::Parameters,
     /// Inputs.
-    pub input: Input,
+    pub input: S::Input,
     /// Outputs, as last evaluated.
-    pub output: Output,
-    /// Height of the wheel marker at which the wheel just touches [m].
-    pub nominal_wheel_z: f64,
+    pub output: S::Output,
+    /// Heights at which a wheel or a wheelset just touches [m].
+    pub nominal: S::Nominal,
+    /// What goes on between the contact and a host that steps.
+    pub coupling: Coupling,
 }
 
-impl Default for Values {
+/// What goes on between the contact and a host that steps; an element by itself knows nothing of steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coupling {
+    /// Whether all this is computed.
+    pub monitor: bool,
+    /// Vertical stiffness of the contact of each wheel [N/m].
+    pub stiffness: [f64; 2],
+    /// Vertical damping of the contact of each wheel [N s/m].
+    pub damping: [f64; 2],
+    /// Energy that forces held over the step before the last one have put into the bodies beyond the mean of those at both ends [J].
+    pub energy_residual: f64,
+}
+
+impl<S: Subject> PartialEq for ValuesOf<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.parameters == other.parameters
+            && self.input == other.input
+            && self.output == other.output
+            && self.nominal == other.nominal
+            && self.coupling == other.coupling
+    }
+}
+
+/// A subject whose variables are declared; the functions, generated from the declaration, read and write the field behind a variable.
+///
+/// A reference of another type gives `None` or changes nothing: callers check the type first.
+pub trait Described: Subject {
+    /// Its unit.
+    const UNIT: &'static Unit;
+
+    /// Of a real variable.
+    fn real(values: &ValuesOf<Self>, reference: usize) -> Option<f64>;
+    /// Of an integer or an enumeration.
+    fn integer(values: &ValuesOf<Self>, reference: usize) -> Option<i32>;
+    /// Of a boolean variable.
+    fn boolean(values: &ValuesOf<Self>, reference: usize) -> Option<bool>;
+    /// Of a text variable.
+    fn text(values: &ValuesOf<Self>, reference: usize) -> Option<&str>;
+    /// The field of a real variable that is not computed from inputs, if there is one field alone.
+    fn real_slot(values: &mut ValuesOf<Self>, reference: usize) -> Option<&mut f64>;
+    /// Sets a real parameter that stands for several fields.
+    fn set_real(values: &mut ValuesOf<Self>, reference: usize, value: f64);
+    /// Sets an integer or an enumeration, whose value was checked.
+    fn set_integer(values: &mut ValuesOf<Self>, reference: usize, value: i32);
+    /// Sets a boolean variable.
+    fn set_boolean(values: &mut ValuesOf<Self>, reference: usize, value: bool);
+    /// Sets a text variable.
+    fn set_text(values: &mut ValuesOf<Self>, reference: usize, value: &str);
+}
+
+impl<S: Described> Default for ValuesOf<S> {
     /// The start values of the declaration; outputs are zero.
     fn default() -> Self {
         let mut values = Self {
-            parameters: Parameters::default(),
-            input: Input::default(),
-            output: Output::default(),
-            nominal_wheel_z: 0.0,
+            parameters: S::Parameters::default(),
+            input: S::Input::default(),
+            output: S::Output::default(),
+            nominal: S::Nominal::default(),
+            coupling: Coupling::default(),
         };
-        for variable in VARIABLES {
+        for variable in S::UNIT.variables {
             if let Some(start) = variable.start {
                 values.write(variable, start);
             }
@@ -42,7 +91,7 @@ impl Default for Values {
     }
 }
 
-impl Values {
+impl<S: Described> ValuesOf<S> {
     /// Sets an input or a parameter.
     ///
     /// # Errors
@@ -53,18 +102,16 @@ impl Values {
         Ok(())
     }
 
-    /// The value of a variable.
+    /// The value of a variable of this unit.
     #[must_use]
     #[inline]
     pub fn get(&self, variable: &Variable) -> Value<'_> {
         let reference = variable.reference;
         let value = match variable.kind {
-            Kind::Real => real_field(self, reference).map(Value::Real),
-            Kind::Integer | Kind::Enumeration(_) => {
-                integer_field(self, reference).map(Value::Integer)
-            }
-            Kind::Boolean => boolean_field(self, reference).map(Value::Boolean),
-            Kind::Text => text_field(self, reference).map(Value::Text),
+            Kind::Real => S::real(self, reference).map(Value::Real),
+            Kind::Integer | Kind::Enumeration(_) => S::integer(self, reference).map(Value::Integer),
+            Kind::Boolean => S::boolean(self, reference).map(Value::Boolean),
+            Kind::Text => S::text(self, reference).map(Value::Text),
         };
         // Table and access come from the same declaration.
         debug_assert!(value.is_some(), "{} has no field of its type", variable.name);
@@ -75,9 +122,10 @@ impl Values {
     #[inline]
     pub(crate) fn write(&mut self, variable: &Variable, value: Value) -> bool {
         let reference = variable.reference;
-        if let Value::Real(value) = value {
+        if let Value::Real(value) = value
+            && let Some(field) = S::real_slot(self, reference)
+        {
             // Inputs are set at every step: the field is looked up once for both.
-            let Some(field) = real_slot(self, reference) else { return false };
             let changed = field.to_bits() != value.to_bits();
             *field = value;
             return changed;
@@ -85,10 +133,10 @@ impl Values {
         let changed = self.get(variable) != value;
         if changed {
             match value {
-                Value::Real(_) => {}
-                Value::Integer(value) => set_integer_field(self, reference, value),
-                Value::Boolean(value) => set_boolean_field(self, reference, value),
-                Value::Text(value) => set_text_field(self, reference, value),
+                Value::Real(value) => S::set_real(self, reference, value),
+                Value::Integer(value) => S::set_integer(self, reference, value),
+                Value::Boolean(value) => S::set_boolean(self, reference, value),
+                Value::Text(value) => S::set_text(self, reference, value),
             }
         }
         changed
@@ -150,35 +198,73 @@ pub(super) fn bad_text(variable: &Variable, value: &str, allowed: &str) -> Conta
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::Element;
     use crate::element::parameters::NormalModel;
-    use crate::variables::{Causality, find};
+    use crate::variables::{Causality, Values, WHEELSET, WheelsetValues, find};
+    use crate::wheelset::Wheelset;
 
-    #[test]
-    fn declared_start_values_are_the_defaults_of_the_rust_types() {
-        let values = Values::default();
-        assert_eq!(values.parameters, Parameters::default());
-        assert_eq!(values.input, Input::default());
+    fn start_values_are_defaults<S: Described>() {
+        let values = ValuesOf::<S>::default();
+        assert_eq!(values.parameters, S::Parameters::default());
+        assert_eq!(values.input, S::Input::default());
     }
 
     #[test]
-    fn every_start_value_can_be_set_and_is_read_back() {
-        let mut values = Values::default();
-        for v in VARIABLES.iter().filter(|v| v.is_settable()) {
+    fn declared_start_values_are_the_defaults_of_the_rust_types() {
+        start_values_are_defaults::<Element>();
+        start_values_are_defaults::<Wheelset>();
+    }
+
+    fn start_values_can_be_set<S: Described>() {
+        let mut values = ValuesOf::<S>::default();
+        for v in S::UNIT.variables.iter().filter(|v| v.is_settable()) {
             values.set(v, v.start.unwrap()).unwrap();
             assert_eq!(Some(values.get(v)), v.start, "{}", v.name);
         }
     }
 
     #[test]
-    fn every_enumeration_item_reaches_its_field() {
-        let mut values = Values::default();
-        for v in VARIABLES {
+    fn every_start_value_can_be_set_and_is_read_back() {
+        start_values_can_be_set::<Element>();
+        start_values_can_be_set::<Wheelset>();
+    }
+
+    fn enumerations_reach_their_fields<S: Described>() {
+        let mut values = ValuesOf::<S>::default();
+        for v in S::UNIT.variables {
             let Kind::Enumeration(e) = v.kind else { continue };
             for item in e.items {
                 values.set(v, Value::Integer(item.value)).unwrap();
                 assert_eq!(values.get(v), Value::Integer(item.value), "{}", v.name);
             }
         }
+    }
+
+    #[test]
+    fn what_a_wheelset_has_once_reaches_both_sides() {
+        let mut values = WheelsetValues::default();
+        for (name, value) in [
+            ("normal.damping", Value::Real(3e4)),
+            ("normal.strips", Value::Integer(11)),
+            ("normal.model", Value::Integer(1)),
+        ] {
+            values.set(WHEELSET.find(name).unwrap(), value).unwrap();
+        }
+        for side in &values.parameters.sides {
+            assert_eq!((side.damping.to_bits(), side.strips), (3e4_f64.to_bits(), 11));
+            assert_eq!(side.normal_model, NormalModel::Hertz);
+        }
+        let radius = WHEELSET.find("left.wheel.nominal_radius").unwrap();
+        values.set(radius, Value::Real(0.45)).unwrap();
+        let radii = values.parameters.sides.map(|side| side.wheel.nominal_radius.to_bits());
+        assert_eq!(radii, [0.46_f64, 0.45].map(f64::to_bits));
+    }
+
+    #[test]
+    fn every_enumeration_item_reaches_its_field() {
+        enumerations_reach_their_fields::<Element>();
+        enumerations_reach_their_fields::<Wheelset>();
+        let mut values = Values::default();
         let model = find("normal.model").unwrap();
         values.set(model, Value::Integer(1)).unwrap();
         assert_eq!(values.parameters.normal_model, NormalModel::Hertz);
@@ -204,11 +290,16 @@ mod tests {
         assert_eq!(values, Values::default());
     }
 
-    #[test]
-    fn every_output_has_a_field() {
-        let values = Values::default();
-        for v in VARIABLES.iter().filter(|v| v.causality == Causality::Output) {
+    fn outputs_have_fields<S: Described>() {
+        let values = ValuesOf::<S>::default();
+        for v in S::UNIT.variables.iter().filter(|v| v.causality == Causality::Output) {
             assert!(matches!(values.get(v), Value::Real(_) | Value::Integer(_)), "{}", v.name);
         }
+    }
+
+    #[test]
+    fn every_output_has_a_field() {
+        outputs_have_fields::<Element>();
+        outputs_have_fields::<Wheelset>();
     }
 }

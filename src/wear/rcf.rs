@@ -2,6 +2,8 @@
 //!
 //! Both are quoted from memory of the literature; dimension and continuity were checked.
 
+use crate::math::real::Real;
+
 /// T-gamma damage of a rail by one passage, as a share of its life [-]: the damage function of the whole life rail model
 /// (Burstow 2003, grade R220 to R260).
 ///
@@ -14,16 +16,16 @@
 /// force on the wheel points the way it runs, so that the rail is pushed backwards. Beyond 175 N wear removes more than cracks grow,
 /// whatever the direction: the number is negative.
 #[must_use]
-pub fn tgamma_damage(wear_number: f64, is_driving: bool) -> f64 {
+pub fn tgamma_damage<T: Real>(wear_number: T, is_driving: bool) -> T {
     let [threshold, peak, balance] = [15.0, 65.0, 175.0];
     let damage = if wear_number < threshold {
-        0.0
+        T::from(0.0)
     } else if wear_number < peak {
-        10e-6 * (wear_number - threshold) / (peak - threshold)
+        (wear_number - threshold) * 10e-6 / (peak - threshold)
     } else {
-        10e-6 * (balance - wear_number) / (balance - peak)
+        (-wear_number + balance) * 10e-6 / (balance - peak)
     };
-    if is_driving { damage } else { damage.min(0.0) }
+    if is_driving { damage } else { damage.at_most(0.0) }
 }
 
 /// Surface fatigue index of a patch [-] (Ekberg, Kabo and Andersson 2002): above 0 the surface ratchets.
@@ -34,17 +36,17 @@ pub fn tgamma_damage(wear_number: f64, is_driving: bool) -> f64 {
 ///
 /// `normal_force` N > 0 [N], creep force [N], `area` [m²], `shear_yield` [Pa]; 0 without load.
 #[must_use]
-pub fn surface_fatigue_index(
-    normal_force: f64,
-    creep_force: [f64; 2],
-    area: f64,
+pub fn surface_fatigue_index<T: Real>(
+    normal_force: T,
+    creep_force: [T; 2],
+    area: T,
     shear_yield: f64,
-) -> f64 {
+) -> T {
     if normal_force <= 0.0 {
-        return 0.0;
+        return T::from(0.0);
     }
     let utilised = creep_force[0].hypot(creep_force[1]) / normal_force;
-    utilised - 2.0 * area * shear_yield / (3.0 * normal_force)
+    utilised - area * 2.0 * shear_yield / (normal_force * 3.0)
 }
 
 #[cfg(test)]

@@ -12,6 +12,8 @@
 //! volume between the two curves exactly that of the law. Depths run as a cubic spline, so that the new curve is as smooth as the unworn
 //! one, and equal to it where nothing is worn off.
 
+use super::section::{POINTS, Station, arc_length, hermite, moments};
+use super::smoothing::smoothed;
 use super::worn_arc::{Body, WornArc};
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
@@ -20,31 +22,6 @@ use crate::math::spline::{SplineEnd, interpolating_slopes};
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
 const MOST_DEPTH: f64 = 0.01;
 const MOST_OF_RADIUS: f64 = 0.5;
-/// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in curvature, and the tangent
-/// of the worn one must not.
-const CURVATURE_REACH: f64 = 1e-3;
-/// Standard deviation of the kernel that halves a wave, over the length of the wave: sqrt(ln 2/2)/π.
-const DEVIATION: f64 = 0.187_390_6;
-/// Half length of the kernel in standard deviations: beyond lie 6e-7 of it, which go to the rest.
-const KERNEL_REACH: f64 = 5.0;
-/// Points on each piece of a curve: exact for what is integrated.
-const POINTS: usize = 5;
-
-/// A knot of the unworn curve.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Station {
-    point: [f64; 2],
-    first: [f64; 2],
-    /// Unit vector into the body.
-    inward: [f64; 2],
-    /// Mean curvature about the knot, positive where the body bulges [1/m].
-    curvature: f64,
-    /// Moments of the piece of the curve that ends here; see [`moments`].
-    before: [f64; 2],
-    /// Length of that piece by its chord and turn [m].
-    length: f64,
-}
-
 /// What an update has found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UpdateReport {
@@ -72,7 +49,7 @@ impl WornArc {
             (self.area, self.depth) = (0.0, 0.0);
             return (self.base.clone(), UpdateReport::default());
         }
-        let smoothed = self.smoothed(smoothing);
+        let smoothed = smoothed(&self.state.total, self.cell, smoothing);
         let (depths, is_worn_through) = self.depths(&smoothed);
         let depths = self.depths_at_knots(&depths);
         let rule = GaussLegendre::new(POINTS);
@@ -100,39 +77,9 @@ impl WornArc {
     /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of each cell's middle and depth [m].
     #[must_use]
     pub fn depth_over_arc(&self, smoothing: f64) -> Vec<[f64; 2]> {
-        let (depths, _) = self.depths(&self.smoothed(smoothing));
+        let (depths, _) = self.depths(&smoothed(&self.state.total, self.cell, smoothing));
         let middle = |i: usize| self.start + (i as f64 + 0.5) * self.cell;
         depths.iter().enumerate().map(|(i, &depth)| [middle(i), depth]).collect()
-    }
-
-    /// The totals under a Gaussian kernel; at the ends they go on mirrored, so that nothing is lost.
-    fn smoothed(&self, wavelength: f64) -> Vec<f64> {
-        let deviation = DEVIATION * wavelength / self.cell;
-        let total = &self.state.total;
-        let reach = ((KERNEL_REACH * deviation).ceil() as usize).min(total.len() - 1);
-        if reach == 0 {
-            return total.clone();
-        }
-        let mut kernel: Vec<f64> =
-            (0..=reach).map(|i| (-0.5 * (i as f64 / deviation).powi(2)).exp()).collect();
-        let sum = 2.0 * kernel.iter().sum::<f64>() - kernel[0];
-        for weight in &mut kernel {
-            *weight /= sum;
-        }
-        let last = total.len() as isize - 1;
-        let mut smoothed = vec![0.0; total.len()];
-        for (i, value) in total.iter().enumerate().filter(|(_, value)| **value > 0.0) {
-            for (offset, weight) in kernel.iter().enumerate() {
-                let ends = if offset == 0 { 1 } else { 2 };
-                for sign in [-1, 1].into_iter().take(ends) {
-                    let at = i as isize + sign * offset as isize;
-                    let at = if at < 0 { -1 - at } else { at };
-                    let at = if at > last { 2 * last + 1 - at } else { at };
-                    smoothed[at as usize] += weight * value;
-                }
-            }
-        }
-        smoothed
     }
 
     /// Depth in the middle of each cell for volumes per length of arc [m], and whether some were too much.
@@ -265,76 +212,6 @@ fn is_bare(depths: &[[f64; 2]]) -> bool {
     depths.iter().flatten().all(|d| *d == 0.0)
 }
 
-/// The knots at parameters `knots` of an unworn curve.
-pub(super) fn stations(base: &Curve, body: Body, knots: &[f64]) -> Vec<Station> {
-    let rule = GaussLegendre::new(POINTS);
-    let knot = |s: f64| {
-        let at = base.at(s);
-        Knot { s, point: at.point, tangent: at.first }
-    };
-    let station = |(i, &s): (usize, &f64)| {
-        let [before, here] = [knot(knots[i.saturating_sub(1)]), knot(s)];
-        let Knot { point, tangent: first, .. } = here;
-        let length = first[0].hypot(first[1]);
-        let normal = [-first[1] / length, first[0] / length];
-        let inward = match body {
-            Body::Rail { .. } => normal,
-            Body::Wheel { .. } => normal.map(|n| -n),
-        };
-        Station {
-            point,
-            first,
-            inward,
-            curvature: bulge(base, body, s),
-            before: moments(body.radius(), [&before, &here], &rule),
-            length: arc_length([before.point, point], [before.tangent, first]),
-        }
-    };
-    knots.iter().enumerate().map(station).collect()
-}
-
-/// ∫ (R + z)² dy and ∫ z dy over the cubic between two knots, R a `radius` [m]: exact with [`POINTS`] points.
-fn moments(radius: f64, [from, to]: [&Knot; 2], rule: &GaussLegendre) -> [f64; 2] {
-    let h = to.s - from.s;
-    let mut sums = [0.0; 2];
-    if h <= 0.0 {
-        return sums;
-    }
-    let cubic = |t: f64, c: usize| {
-        hermite(t, h, [from.point[c], to.point[c]], [from.tangent[c], to.tangent[c]])
-    };
-    for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
-        let t = 0.5 * (1.0 + node);
-        let ([_, dy], [z, _]) = (cubic(t, 0), cubic(t, 1));
-        let share = 0.5 * h * weight * dy;
-        sums = [sums[0] + share * (radius + z) * (radius + z), sums[1] + share * z];
-    }
-    sums
-}
-
-/// Mean curvature of an unworn profile about `s`, positive where the body bulges [1/m].
-pub(super) fn bulge(base: &Curve, body: Body, s: f64) -> f64 {
-    let from = (s - CURVATURE_REACH).max(base.start());
-    let to = (s + CURVATURE_REACH).min(base.end());
-    let (a, b) = (base.at(from).first, base.at(to).first);
-    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]) / (to - from);
-    match body {
-        Body::Rail { .. } => turn,
-        Body::Wheel { .. } => -turn,
-    }
-}
-
-/// Share by which the circumference at `s` shrinks with the depth [1/m].
-pub(super) fn shrinking(base: &Curve, body: Body, s: f64) -> f64 {
-    match body {
-        Body::Rail { .. } => 0.0,
-        Body::Wheel { nominal_radius } => {
-            let at = base.at(s);
-            at.first[0] / (at.first[0].hypot(at.first[1]) * (nominal_radius + at.point[1]))
-        }
-    }
-}
-
 /// Most turns towards the volume, and the share that may be missing.
 const MOST_TURNS: usize = 3;
 const ACCURACY: f64 = 1e-9;
@@ -343,22 +220,6 @@ const MOST_STEPS: usize = 60;
 /// Least length of a worn piece over that of the unworn one: a parameter has to grow.
 const LEAST_STRETCH: f64 = 0.05;
 
-/// Value and derivative of a cubic at the share `t` of a piece of length `h`.
-fn hermite(t: f64, h: f64, values: [f64; 2], slopes: [f64; 2]) -> [f64; 2] {
-    let rise = (values[1] - values[0]) / h;
-    let [m0, m1] = slopes;
-    let (c2, c3) = ((3.0 * rise - 2.0 * m0 - m1) * t, (m0 + m1 - 2.0 * rise) * t * t);
-    [values[0] + h * t * (m0 + c2 + c3), m0 + 2.0 * c2 + 3.0 * c3]
-}
-
-/// Length of an arc between two points with the tangents there, from its chord and its turn.
-fn arc_length(points: [[f64; 2]; 2], tangents: [[f64; 2]; 2]) -> f64 {
-    let [p, q] = points;
-    let [a, b] = tangents;
-    let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-    (q[0] - p[0]).hypot(q[1] - p[1]) * (1.0 + turn * turn / 24.0)
-}
-
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
@@ -366,7 +227,6 @@ mod tests {
     use super::*;
     use crate::geometry::profile::ProfileKind;
     use crate::geometry::standard_profiles::built_in;
-    use crate::wear::worn_arc::CELL;
 
     const WHEEL: Body = Body::Wheel { nominal_radius: 0.46 };
     const RAIL: Body = Body::Rail { distance: 1e3 };
@@ -462,25 +322,6 @@ mod tests {
             let (a, b) = (once.at(s).point, often.at(s).point);
             assert!((a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-15);
         }
-    }
-
-    #[test]
-    fn smoothing_halves_the_stated_wave_and_keeps_the_sum() {
-        let mut arc = arc("60E1", ProfileKind::Rail, RAIL);
-        let n = arc.state.total.len();
-        let wave = |i: usize| 1.0 + (std::f64::consts::TAU * i as f64 * arc.cell / 4e-3).cos();
-        arc.state.total = (0..n).map(wave).collect();
-        let smoothed = arc.smoothed(4e-3);
-        assert_relative_eq!(
-            smoothed.iter().sum::<f64>(),
-            arc.state.total.iter().sum::<f64>(),
-            max_relative = 1e-12
-        );
-        let inner = &smoothed[n / 3..n / 2];
-        let [low, high] =
-            inner.iter().fold([f64::MAX, f64::MIN], |[low, high], &v| [low.min(v), high.max(v)]);
-        assert_relative_eq!(0.5 * (high - low), 0.5, epsilon = 0.01);
-        assert!(CELL >= arc.cell);
     }
 
     #[test]

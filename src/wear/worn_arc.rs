@@ -4,7 +4,7 @@
 //! belongs to the unworn profile; places are given by parameters of the curve in use and carried over. Depths are those of the
 //! layer along the inward normal of the unworn profile.
 
-use super::update::{Station, bulge, shrinking, stations};
+use super::section::{Station, bulge, shrinking, stations};
 use crate::geometry::curve::Curve;
 
 /// Length of the cells [m]: the narrowest patches of a flange are ten of them.

@@ -41,14 +41,14 @@ class Description(unittest.TestCase):
         exchange = self.model.modelExchange
         self.assertTrue(exchange.canGetAndSetFMUstate)
         self.assertTrue(exchange.canSerializeFMUstate)
-        self.assertFalse(exchange.providesDirectionalDerivative)
+        self.assertTrue(exchange.providesDirectionalDerivative)
         self.assertFalse(exchange.needsExecutionTool)
         claims = self.model.coSimulation
         self.assertTrue(claims.canHandleVariableCommunicationStepSize)
         self.assertTrue(claims.canNotUseMemoryManagementFunctions)
         self.assertTrue(claims.canGetAndSetFMUstate)
         self.assertTrue(claims.canSerializeFMUstate)
-        self.assertFalse(claims.providesDirectionalDerivative)
+        self.assertTrue(claims.providesDirectionalDerivative)
         self.assertTrue(claims.canInterpolateInputs)
         self.assertFalse(claims.maxOutputDerivativeOrder)
         self.assertFalse(claims.needsExecutionTool)

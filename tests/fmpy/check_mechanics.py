@@ -73,6 +73,27 @@ class Wheel(unittest.TestCase):
         self.assertLessEqual(-braked.get("wheel.force.x"), limit * (1 + 1e-9))
         self.assertGreater(braked.get("frictional_power"), 0.0)
 
+    def test_directional_derivatives_are_those_of_differences(self):
+        unit = self.pressed(inputs={"wheel.yaw": 2e-3, "wheel.vy": 0.02})
+        outputs = ["wheel.force.y", "wheel.force.z", "wheel.moment.x", "rail[1].force.y"]
+        for name, step in {"wheel.z": 1e-8, "wheel.y": 1e-7, "wheel.vy": 1e-5}.items():
+            at = unit.get(name)
+            sides = []
+            for shift in (-step, step):
+                unit.set({name: at + shift})
+                sides.append([unit.get(output) for output in outputs])
+            unit.set({name: at})
+            found = unit.slave.getDirectionalDerivative(
+                [unit.variables[output].valueReference for output in outputs],
+                [unit.variables[name].valueReference],
+                [1.0],
+            )
+            scale = max(abs(rate) for rate in found)
+            self.assertGreater(scale, 0.0)
+            for output, rate, before, after in zip(outputs, found, *sides):
+                difference = (after - before) / (2.0 * step)
+                self.assertAlmostEqual(rate, difference, delta=1e-5 * scale, msg=f"{output} by {name}")
+
     def test_a_step_changes_nothing_that_inputs_do_not(self):
         unit = self.pressed()
         before = unit.outputs()

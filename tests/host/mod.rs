@@ -12,7 +12,7 @@ use wheelrail::fmi::types::{
     CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
     TRUE, Text, ValueReference,
 };
-use wheelrail::variables::{GUID, find};
+use wheelrail::variables::{Unit, WHEEL, WHEELSET, find};
 
 /// One message as the logger got it.
 #[derive(Clone, Debug)]
@@ -29,6 +29,8 @@ type Answer = Box<dyn FnMut(&Message) + Send>;
 /// The host's side of one instance; its address is the component environment.
 pub struct Host {
     pub component: Component,
+    /// Whose variables it names.
+    pub unit: &'static Unit,
     pub messages: Mutex<Vec<Message>>,
     pub on_message: Mutex<Option<Answer>>,
 }
@@ -80,18 +82,28 @@ impl Default for Arguments {
         Self {
             name: Some(c"front left".into()),
             fmu_type: CO_SIMULATION,
-            guid: Some(CString::new(GUID).unwrap()),
+            guid: Some(CString::new(WHEEL.guid).unwrap()),
             location: Some(CString::new(resources).unwrap()),
             logging_on: false,
         }
     }
 }
 
+impl Arguments {
+    /// For an instance of a unit.
+    pub fn of(unit: &Unit) -> Self {
+        Self { guid: Some(CString::new(unit.guid).unwrap()), ..Self::default() }
+    }
+}
+
 impl Host {
     /// A host with an instance, or with null if it was refused.
     pub fn instantiate(arguments: &Arguments) -> Box<Self> {
+        let is_wheelset =
+            arguments.guid.as_ref().is_some_and(|guid| guid.to_str() == Ok(WHEELSET.guid));
         let mut host = Box::new(Self {
             component: null_mut(),
+            unit: if is_wheelset { &WHEELSET } else { &WHEEL },
             messages: Mutex::default(),
             on_message: Mutex::default(),
         });
@@ -127,7 +139,13 @@ impl Host {
 
     /// A host with an instance in initialization mode.
     pub fn initializing() -> Box<Self> {
-        let host = Self::new();
+        Self::initializing_with(&Arguments::default())
+    }
+
+    /// The same for other arguments.
+    pub fn initializing_with(arguments: &Arguments) -> Box<Self> {
+        let host = Self::instantiate(arguments);
+        assert!(!host.component.is_null(), "{:?}", host.messages.lock().unwrap());
         assert_eq!(fmi2SetupExperiment(host.component, FALSE, 0.0, 0.0, FALSE, 0.0), Status::Ok);
         assert_eq!(fmi2EnterInitializationMode(host.component), Status::Ok);
         host
@@ -138,6 +156,18 @@ impl Host {
         let host = Self::initializing();
         assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
         host
+    }
+
+    /// The same for a unit.
+    pub fn stepping_of(unit: &Unit) -> Box<Self> {
+        let host = Self::initializing_with(&Arguments::of(unit));
+        assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+        host
+    }
+
+    /// The value reference of a variable of its unit.
+    pub fn reference(&self, name: &str) -> ValueReference {
+        ValueReference::try_from(self.unit.find(name).unwrap().reference).unwrap()
     }
 
     /// A host with an instance for model exchange, initialized.
@@ -156,7 +186,8 @@ impl Host {
     }
 
     pub fn set_reals(&self, values: &[(&str, f64)]) -> Status {
-        let references: Vec<ValueReference> = values.iter().map(|(n, _)| reference(n)).collect();
+        let references: Vec<ValueReference> =
+            values.iter().map(|(n, _)| self.reference(n)).collect();
         let values: Vec<f64> = values.iter().map(|(_, v)| *v).collect();
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold as many elements as the count says.
         unsafe {
@@ -165,7 +196,7 @@ impl Host {
     }
 
     pub fn get_reals(&self, names: &[&str]) -> Result<Vec<f64>, Status> {
-        let references: Vec<ValueReference> = names.iter().map(|n| reference(n)).collect();
+        let references: Vec<ValueReference> = names.iter().map(|n| self.reference(n)).collect();
         let mut values = vec![0.0; names.len()];
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold as many elements as the count says.
         let status = unsafe {
@@ -180,13 +211,20 @@ impl Host {
 
     pub fn set_integer(&self, name: &str, value: i32) -> Status {
         // SAFETY: FMI 2.0, 2.1.7: arrays of one element.
-        unsafe { fmi2SetInteger(self.component, &reference(name), 1, &raw const value) }
+        unsafe { fmi2SetInteger(self.component, &self.reference(name), 1, &raw const value) }
+    }
+
+    pub fn set_boolean(&self, name: &str, value: bool) -> Status {
+        let value = if value { TRUE } else { FALSE };
+        // SAFETY: FMI 2.0, 2.1.7: arrays of one element.
+        unsafe { fmi2SetBoolean(self.component, &self.reference(name), 1, &raw const value) }
     }
 
     pub fn get_integer(&self, name: &str) -> i32 {
         let mut value = 0;
         // SAFETY: FMI 2.0, 2.1.7: arrays of one element.
-        let status = unsafe { fmi2GetInteger(self.component, &reference(name), 1, &raw mut value) };
+        let status =
+            unsafe { fmi2GetInteger(self.component, &self.reference(name), 1, &raw mut value) };
         assert!(status <= Status::Warning, "{}", self.last());
         value
     }
@@ -195,7 +233,7 @@ impl Host {
         let value = CString::new(value).unwrap();
         let start = value.as_ptr();
         // SAFETY: FMI 2.0, 2.1.2 and 2.1.7: arrays of one element, a null-terminated text.
-        unsafe { fmi2SetString(self.component, &reference(name), 1, &raw const start) }
+        unsafe { fmi2SetString(self.component, &self.reference(name), 1, &raw const start) }
     }
 
     pub fn step(&self, time: f64, step: f64) -> Status {
@@ -209,7 +247,7 @@ impl Drop for Host {
     }
 }
 
-/// The value reference of a variable.
+/// The value reference of a variable of a wheel.
 pub fn reference(name: &str) -> ValueReference {
     ValueReference::try_from(find(name).unwrap().reference).unwrap()
 }

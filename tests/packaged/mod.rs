@@ -15,6 +15,16 @@ pub fn fmu() -> PathBuf {
     FMU.get_or_init(|| build("fmu", "")).clone()
 }
 
+/// Path of `WheelSet.fmu`, packed with it.
+///
+/// # Panics
+/// As [`fmu`].
+pub fn wheelset() -> PathBuf {
+    let path = fmu().with_file_name("WheelSet.fmu");
+    assert!(path.is_file(), "{} was not packed", path.display());
+    path
+}
+
 /// The same for other platforms too, or for an old system: what `WHEELRAIL_PLATFORMS` can name.
 ///
 /// # Panics

@@ -33,6 +33,9 @@ pub const PIOTROWSKI_KIK_SLENDER: f64 = 1e-3;
 /// solved bit for bit alike.
 pub const SIMILARITY: f64 = 1e-9;
 
+/// A force that is none, of a wheel that is picometres deep: its depth is rounding [N].
+pub const NO_FORCE: f64 = 1e-9;
+
 /// The same beyond, a/b 0.03 to 0.05 and 20 to 33, where the fits are carried into asymptotes that are themselves a few per cent off.
 pub const KALKER_ENDS: [f64; 3] = [2.2e-2, 1.6e-2, 2.1e-2];
 
@@ -338,3 +341,23 @@ pub const WEAR_FORCE_CHANGE: f64 = 1.0;
 
 /// A profile that was written and read back, distance from itself [m]: a spline through points 0.1 mm apart at the jumps of curvature.
 pub const PROFILE_READ_BACK: f64 = 1e-7;
+
+/// Wheel markers of a wheelset against products of rotation matrices: position [m], velocity over 60 m/s.
+pub const WHEELSET_MARKER: f64 = 1e-15;
+
+/// Forces of a wheelset against two wheels moved by hand, relative to the greatest component.
+pub const WHEELSET_FORCE: f64 = 1e-12;
+
+/// Derivatives of outputs by inputs against central differences, over the greatest one of its unit and input; random poses, by model:
+/// the target. Measured: 8e-7 at worst, with a given load, 3e-11 in the median; what is left is rounding of the differences.
+pub const DERIVATIVES: f64 = 1e-6;
+
+/// Sum of the energy residuals of undamped bounces over what the mass and the contact have gained: the rule of the trapezoid between the ends of
+/// a step, up to an eighth of a period long.
+pub const ENERGY_RESIDUAL: f64 = 1e-3;
+
+/// Longest stable steps against their formulas: the search for them.
+pub const LONGEST_STEP: f64 = 1e-4;
+
+/// The same for forces one step late, whose formula is that for light damping.
+pub const DELAYED_STEP: f64 = 0.05;

@@ -121,7 +121,10 @@ fn settable(cases: &Cases, name: &str) -> Result<&'static Variable> {
 pub fn placed(error: ContactError, row: &Row<'_>) -> anyhow::Error {
     let (ContactError::BadValue { name, .. }
     | ContactError::BadText { name, .. }
-    | ContactError::Profile { name, .. }) = &error;
+    | ContactError::Profile { name, .. }) = &error
+    else {
+        return anyhow::Error::new(error).context(row.place());
+    };
     let column = row.cells().find(|(_, column, _)| column == name).map(|(column, ..)| column);
     let place = column.map_or_else(|| row.place(), |column| row.cell_place(column));
     anyhow::Error::new(error).context(place)
@@ -147,7 +150,7 @@ impl Evaluator {
         element.evaluate(input, output)?;
         output.fallback_count -= before;
         // Every row is a start of its own.
-        values.nominal_wheel_z = element.touching_height(input);
+        values.nominal = element.touching_height(input);
         Ok(())
     }
 }

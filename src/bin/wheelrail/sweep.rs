@@ -2,16 +2,17 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use wheelrail::element::{Element, Input};
-use wheelrail::variables::{Causality, Kind, VARIABLES, Value, Values, Variable};
+use wheelrail::variables::{Causality, Kind, VARIABLES, Value, Values, Variable, find};
 
 use crate::args::TableFiles;
 use crate::cases::Cases;
 use crate::evaluate::read_values;
 use crate::figures::sweep::{self as figure, Curve};
 use crate::output;
+use crate::simulate::assignment;
 
 /// Step along a path of inputs: the largest jump and the roughness of every output
 ///
@@ -20,6 +21,7 @@ use crate::output;
 /// path is halved again and again, so that a jump is told from a steep slope: `jump` is what is left of the change, share
 /// of the largest value on the path. `roughness` is the median second difference over the same, where the output changes. One row for each
 /// output that changes; `at` counts rows from 1: 1.25 is a quarter of the way from the first to the second.
+/// With --vary the path is run once for each value of a parameter, to compare models.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -31,6 +33,9 @@ pub struct Arguments {
     /// Steps from one row to the next
     #[arg(long, default_value_t = 1000, value_parser = clap::value_parser!(u32).range(4..=10_000_000))]
     pub steps: u32,
+    /// Run the path with each of these values of a parameter
+    #[arg(long, value_name = "NAME=VALUE,VALUE,...", value_parser = assignment)]
+    pub vary: Option<(String, String)>,
     /// Every step as CSV
     #[arg(long, value_name = "FILE")]
     pub history: Option<PathBuf>,
@@ -45,6 +50,9 @@ const SUSPECTS: usize = 4;
 const HALVINGS: u32 = 48;
 /// Changes below this share of the largest value are rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Jumps below this share of the largest value are not marked in figures.
+const LEAST_DRAWN: f64 = 1e-9;
 
 /// What was found of one output.
 struct Found {
@@ -80,36 +88,77 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             row + 1
         );
     }
-    let element = Element::new(&corners[0].parameters, &corners[0].input, &[cases.folder()])?;
-    let outputs = VARIABLES
+    let variants = variants(arguments.vary.as_ref(), corners)?;
+    let outputs: Vec<&'static Variable> = VARIABLES
         .iter()
         .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real)
         .collect();
-    let mut path = Path { element, values: corners[0].clone(), corners, outputs };
     let steps = arguments.steps as usize;
-    let count = (path.corners.len() - 1) * steps;
+    let count = (variants[0].corners.len() - 1) * steps;
     let destination = arguments.files.output.as_deref();
-    let progress = output::progress(count, destination)?;
-    let mut history = Vec::with_capacity(count + 1);
-    for step in 0..=count {
-        history.push(path.at(step as f64 / steps as f64)?);
-        progress.inc(1);
+    let progress = output::progress(count * variants.len(), destination)?;
+    let mut swept = Vec::new();
+    for Variant { name, corners } in variants {
+        let (values, outputs) = (corners[0].clone(), outputs.clone());
+        let element = Element::new(&values.parameters, &values.input, &[cases.folder()])?;
+        let mut path = Path { element, corners, values, outputs };
+        let mut history = Vec::with_capacity(count + 1);
+        for step in 0..=count {
+            history.push(path.at(step as f64 / steps as f64)?);
+            progress.inc(1);
+        }
+        let mut found = Vec::new();
+        for output in 0..path.outputs.len() {
+            if let Some(row) = path.examine(output, &history, steps)? {
+                found.push(row);
+            }
+        }
+        swept.push(Swept { name, history, found });
     }
     progress.finish_and_clear();
-    let mut found = Vec::new();
-    for output in 0..path.outputs.len() {
-        if let Some(row) = path.examine(output, &history, steps)? {
-            found.push(row);
-        }
-    }
-    write_found(&found, destination)?;
+    let varied = arguments.vary.as_ref().map(|(name, _)| name.as_str());
+    write_found(varied, &swept, destination)?;
     if let Some(file) = &arguments.history {
-        write_history(&path.outputs, &history, steps, file)?;
+        write_history(varied, &outputs, &swept, steps, file)?;
     }
     if let Some(file) = &arguments.figure {
-        draw(&path.outputs, &history, steps, &found, file)?;
+        draw(varied, &outputs, &swept, steps, file)?;
     }
     Ok(())
+}
+
+/// The path with one value of the parameter that is varied.
+struct Variant {
+    /// That value; empty where none is.
+    name: String,
+    corners: Vec<Values>,
+}
+
+/// What a variant gave.
+struct Swept {
+    name: String,
+    history: Vec<Vec<f64>>,
+    found: Vec<Found>,
+}
+
+/// The path once for each value that is asked for.
+fn variants(vary: Option<&(String, String)>, corners: Vec<Values>) -> Result<Vec<Variant>> {
+    let Some((name, values)) = vary else {
+        return Ok(vec![Variant { name: String::new(), corners }]);
+    };
+    let place = || format!("--vary {name}");
+    let variable = find(name).with_context(place)?;
+    if variable.causality != Causality::Parameter {
+        bail!("--vary {name}: it is no parameter; inputs vary along the path");
+    }
+    let variant = |value: &str| {
+        let mut corners = corners.clone();
+        for corner in &mut corners {
+            corner.set_from_text(variable, value).with_context(place)?;
+        }
+        Ok(Variant { name: value.into(), corners })
+    };
+    values.split(',').map(|value| variant(value.trim())).collect()
 }
 
 impl Path {
@@ -204,63 +253,87 @@ fn between(values: &Values, from: &Input, to: &Input, share: f64) -> Input {
     between.input
 }
 
-fn write_found(found: &[Found], destination: Option<&std::path::Path>) -> Result<()> {
+fn write_found(
+    varied: Option<&str>,
+    swept: &[Swept],
+    destination: Option<&std::path::Path>,
+) -> Result<()> {
     let mut table = output::table(destination)?;
-    table.write_record(["output", "unit", "largest", "roughness", "jump", "at"])?;
-    for row in found {
-        table.write_record([
-            row.variable.name.to_owned(),
-            row.variable.unit.to_owned(),
-            format!("{:.6e}", row.largest),
-            format!("{:.2e}", row.roughness),
-            format!("{:.2e}", row.jump),
-            if row.jump > 0.0 { format!("{:.9}", row.at) } else { String::new() },
-        ])?;
+    let columns = ["output", "unit", "largest", "roughness", "jump", "at"];
+    table.write_record(varied.into_iter().chain(columns))?;
+    for Swept { name, found, .. } in swept {
+        for row in found {
+            let at = if row.jump > 0.0 { format!("{:.9}", row.at) } else { String::new() };
+            let cells = [
+                row.variable.name.to_owned(),
+                row.variable.unit.to_owned(),
+                format!("{:.6e}", row.largest),
+                format!("{:.2e}", row.roughness),
+                format!("{:.2e}", row.jump),
+                at,
+            ];
+            table.write_record(varied.map(|_| name.clone()).into_iter().chain(cells))?;
+        }
     }
     Ok(table.flush()?)
 }
 
 fn write_history(
+    varied: Option<&str>,
     outputs: &[&Variable],
-    history: &[Vec<f64>],
+    swept: &[Swept],
     steps: usize,
     file: &std::path::Path,
 ) -> Result<()> {
     let mut table = output::table(Some(file))?;
-    table.write_record(["at"].into_iter().chain(outputs.iter().map(|v| v.name)))?;
-    for (step, row) in history.iter().enumerate() {
-        let at = 1.0 + step as f64 / steps as f64;
-        table.write_record([at].iter().chain(row).map(|value| format!("{value:?}")))?;
+    let names = ["at"].into_iter().chain(outputs.iter().map(|v| v.name));
+    table.write_record(varied.into_iter().chain(names))?;
+    for Swept { name, history, .. } in swept {
+        for (step, row) in history.iter().enumerate() {
+            let at = 1.0 + step as f64 / steps as f64;
+            let cells = [at].into_iter().chain(row.iter().copied()).map(|v| format!("{v:?}"));
+            table.write_record(varied.map(|_| name.clone()).into_iter().chain(cells))?;
+        }
     }
     Ok(table.flush()?)
 }
 
 fn draw(
+    varied: Option<&str>,
     outputs: &[&Variable],
-    history: &[Vec<f64>],
+    swept: &[Swept],
     steps: usize,
-    found: &[Found],
     file: &std::path::Path,
 ) -> Result<()> {
-    let curve = |name: &str| {
-        let column = outputs.iter().position(|v| v.name == name);
-        let jump = found.iter().find(|f| f.variable.name == name && f.jump > 0.0);
+    let curve = |swept: &Swept, output: &str, name: String| {
+        let column = outputs.iter().position(|v| v.name == output);
+        let drawn = |f: &&Found| f.variable.name == output && f.jump > LEAST_DRAWN;
+        let jump = swept.found.iter().find(drawn);
         Curve {
-            name: name.to_owned(),
-            points: (history.iter().enumerate())
+            name,
+            points: (swept.history.iter().enumerate())
                 .filter_map(|(i, row)| Some((1.0 + i as f64 / steps as f64, row[column?])))
                 .collect(),
             jump: jump.map(|f| (f.at, f.jump)),
         }
     };
-    figure::draw(
-        file,
-        &[
-            ("Force on the wheel [N]", ["x", "y", "z"].map(|a| curve(&format!("wheel.force.{a}")))),
-            (
-                "Normal force of the heaviest patches [N]",
-                [1, 2, 3].map(|k| curve(&format!("patch[{k}].normal_force"))),
-            ),
-        ],
-    )
+    let panels: Vec<(String, Vec<Curve>)> = if let Some(varied) = varied {
+        let axes = ["x", "y", "z"].into_iter();
+        axes.map(|axis| {
+            let output = format!("wheel.force.{axis}");
+            let curves = swept.iter().map(|s| curve(s, &output, s.name.clone())).collect();
+            (format!("{output} [N] by {varied}"), curves)
+        })
+        .collect()
+    } else {
+        let forces = ["x", "y", "z"].map(|axis| format!("wheel.force.{axis}"));
+        let patches = [1, 2, 3].map(|k| format!("patch[{k}].normal_force"));
+        [("Force on the wheel [N]", forces), ("Normal force of the heaviest patches [N]", patches)]
+            .map(|(title, names)| {
+                let curves = names.map(|name| curve(&swept[0], &name, name.clone()));
+                (title.to_owned(), curves.into())
+            })
+            .into()
+    };
+    figure::draw(file, &panels)
 }

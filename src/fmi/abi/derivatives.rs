@@ -1,25 +1,36 @@
-//! Derivatives: of inputs over time; others are not supported yet.
+//! Derivatives: of outputs by inputs, and of inputs over time.
 
 use std::ffi::c_int;
 
-use super::arguments::array;
+use super::arguments::{array, array_mut};
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Component, Status, ValueReference};
 
-/// `fmi2GetDirectionalDerivative`: not supported yet.
+/// `fmi2GetDirectionalDerivative`.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetDirectionalDerivative(
+pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     component: Component,
-    _unknowns: *const ValueReference,
-    _unknown_count: usize,
-    _knowns: *const ValueReference,
-    _known_count: usize,
-    _seed: *const f64,
-    _sensitivity: *mut f64,
+    unknowns: *const ValueReference,
+    unknown_count: usize,
+    knowns: *const ValueReference,
+    known_count: usize,
+    seed: *const f64,
+    sensitivity: *mut f64,
 ) -> Status {
-    guard(component, Call::DIRECTIONAL_DERIVATIVE, |_, _| {
-        Err(FmiError::NotSupported("providesDirectionalDerivative"))
+    guard(component, Call::DIRECTIONAL_DERIVATIVE, |instance, _| {
+        // SAFETY: FMI 2.0, 2.1.9: the arrays hold `nUnknown` or `nKnown` elements, and what is written overlaps with none.
+        let (unknowns, knowns, seed, sensitivity) = unsafe {
+            (
+                array("vUnknown_ref", unknowns, unknown_count)?,
+                array("vKnown_ref", knowns, known_count)?,
+                array("dvKnown", seed, known_count)?,
+                array_mut("dvUnknown", sensitivity, unknown_count)?,
+            )
+        };
+        on_instance!(instance, |i| i.directional_derivative(unknowns, knowns, seed, sensitivity))?;
+        Ok(Status::Ok)
     })
 }
 
@@ -41,7 +52,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
                 array("value", values, count)?,
             )
         };
-        instance.set_input_derivatives(references, orders, values)?;
+        on_instance!(instance, |i| i.set_input_derivatives(references, orders, values))?;
         Ok(Status::Ok)
     })
 }

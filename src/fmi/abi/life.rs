@@ -5,6 +5,7 @@ use std::ptr::null_mut;
 
 use super::arguments::{text, texts};
 use crate::fmi::guard::{self, Call, Request, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::logger::{Category, Logger};
 use crate::fmi::types::{Boolean, CallbackFunctions, Component, FALSE, Status, Text};
 
@@ -90,7 +91,7 @@ pub extern "C" fn fmi2SetupExperiment(
 ) -> Status {
     guard(component, Call::SETUP_EXPERIMENT, |instance, _| {
         let stop = (stop_time_defined != FALSE).then_some(stop_time);
-        instance.setup_experiment(start_time, stop)?;
+        on_instance!(instance, |i| i.setup_experiment(start_time, stop))?;
         Ok(Status::Ok)
     })
 }
@@ -99,7 +100,7 @@ pub extern "C" fn fmi2SetupExperiment(
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
     guard(component, Call::ENTER_INITIALIZATION, |instance, _| {
-        instance.enter_initialization()?;
+        on_instance!(instance, |i| i.enter_initialization())?;
         Ok(Status::Ok)
     })
 }
@@ -108,7 +109,7 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     guard(component, Call::EXIT_INITIALIZATION, |instance, logger| {
-        instance.exit_initialization()?;
+        on_instance!(instance, |i| i.exit_initialization())?;
         logger.log(Status::Ok, Category::Events, "initialized");
         Ok(Status::Ok)
     })
@@ -118,7 +119,7 @@ pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Terminate(component: Component) -> Status {
     guard(component, Call::TERMINATE, |instance, logger| {
-        instance.terminate()?;
+        on_instance!(instance, |i| i.terminate())?;
         logger.log(Status::Ok, Category::Events, "terminated");
         Ok(Status::Ok)
     })
@@ -128,7 +129,7 @@ pub extern "C" fn fmi2Terminate(component: Component) -> Status {
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Reset(component: Component) -> Status {
     guard(component, Call::RESET, |instance, logger| {
-        instance.reset();
+        on_instance!(instance, |i| i.reset());
         logger.log(Status::Ok, Category::Events, "reset");
         Ok(Status::Ok)
     })

@@ -5,14 +5,14 @@
 use super::arguments::{array, array_mut, write};
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::State;
+use crate::fmi::instance::{State, on_instance};
 use crate::fmi::types::{Boolean, Component, EventInfo, FALSE, Status};
 
 /// `fmi2EnterEventMode`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterEventMode(component: Component) -> Status {
     guard(component, Call::ENTER_EVENT_MODE, |instance, _| {
-        instance.state = State::EventMode;
+        instance.put_into(State::EventMode);
         Ok(Status::Ok)
     })
 }
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterContinuousTimeMode(component: Component) -> Status {
     guard(component, Call::ENTER_CONTINUOUS_TIME_MODE, |instance, _| {
-        instance.state = State::ContinuousTime;
+        instance.put_into(State::ContinuousTime);
         Ok(Status::Ok)
     })
 }
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetTime(component: Component, time: f64) -> Status {
     guard(component, Call::SET_TIME, |instance, _| {
-        instance.set_time(time)?;
+        on_instance!(instance, |i| i.set_time(time))?;
         Ok(Status::Ok)
     })
 }

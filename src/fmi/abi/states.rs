@@ -7,6 +7,7 @@ use super::arguments::{array, array_mut, write};
 use crate::fmi::bytes;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Component, FmuState, Status};
 
 /// `fmi2GetFMUstate`: a new state where null is handed over; another one of this instance is written over.
@@ -15,7 +16,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuSt
     guard(component, Call::GET_FMU_STATE, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.8: the argument points to a state pointer of the host.
         let target = unsafe { array_mut("FMUstate", state, 1)? };
-        target[0] = instance.save(target[0])?;
+        target[0] = on_instance!(instance, |i| i.save(target[0]))?;
         Ok(Status::Ok)
     })
 }
@@ -24,7 +25,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuSt
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetFMUstate(component: Component, state: FmuState) -> Status {
     guard(component, Call::SET_FMU_STATE, |instance, _| {
-        instance.load(state)?;
+        on_instance!(instance, |i| i.load(state))?;
         Ok(Status::Ok)
     })
 }
@@ -36,7 +37,10 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(component: Component, state: *mut FmuS
         // SAFETY: FMI 2.0, 2.1.8: the argument points to a state pointer of the host.
         let target = unsafe { array_mut("FMUstate", state, usize::from(!state.is_null()))? };
         if let Some(held) = target.first_mut().filter(|held| !held.is_null()) {
-            instance.snapshots.remove(*held).ok_or(FmiError::UnknownState("FMUstate"))?;
+            let is_known = on_instance!(instance, |i| i.snapshots.remove(*held).is_some());
+            if !is_known {
+                return Err(FmiError::UnknownState("FMUstate"));
+            }
             *held = null_mut();
         }
         Ok(Status::Ok)
@@ -51,7 +55,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     size: *mut usize,
 ) -> Status {
     guard(component, Call::SERIALIZED_SIZE, |instance, _| {
-        let count = bytes::write(instance.saved(state)?).len();
+        let count = on_instance!(instance, |i| bytes::write(i.saved(state)?).len());
         // SAFETY: FMI 2.0, 2.1.8: the argument points to one size.
         unsafe { write("size", size, count) }
     })
@@ -66,7 +70,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     size: usize,
 ) -> Status {
     guard(component, Call::SERIALIZE, |instance, _| {
-        let bytes = bytes::write(instance.saved(state)?);
+        let bytes = on_instance!(instance, |i| bytes::write(i.saved(state)?));
         // SAFETY: FMI 2.0, 2.1.8: `serializedState` holds `size` bytes.
         let target = unsafe { array_mut("serializedState", target.cast::<u8>(), size)? };
         let allowed = "at least what fmi2SerializedFMUstateSize gives";
@@ -89,7 +93,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
         let (bytes, target) = unsafe {
             (array("serializedState", bytes.cast::<u8>(), size)?, array_mut("FMUstate", state, 1)?)
         };
-        target[0] = instance.put(target[0], bytes::read(bytes)?)?;
+        target[0] = on_instance!(instance, |i| i.put(target[0], bytes::read(bytes)?)?);
         Ok(Status::Ok)
     })
 }

@@ -4,6 +4,7 @@ use std::ffi::c_int;
 
 use super::arguments::write;
 use crate::fmi::guard::{Call, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::logger::{Category, Logger};
 use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, status_kind};
 
@@ -16,7 +17,11 @@ pub extern "C" fn fmi2DoStep(
     _no_set_fmu_state_prior_to_current_point: Boolean,
 ) -> Status {
     guard(component, Call::DO_STEP, |instance, logger| {
-        instance.step(current_communication_point, communication_step_size, logger)
+        on_instance!(instance, |i| i.step(
+            current_communication_point,
+            communication_step_size,
+            logger
+        ))
     })
 }
 
@@ -49,7 +54,9 @@ pub unsafe extern "C" fn fmi2GetRealStatus(
 ) -> Status {
     guard(component, Call::GET_REAL_STATUS, |instance, logger| match kind {
         // SAFETY: FMI 2.0, 4.2.3: `value` points to one real.
-        status_kind::LAST_SUCCESSFUL_TIME => unsafe { write("value", value, instance.time()) },
+        status_kind::LAST_SUCCESSFUL_TIME => unsafe {
+            write("value", value, on_instance!(instance, |i| i.time()))
+        },
         _ => Ok(no_such_status(kind, logger)),
     })
 }

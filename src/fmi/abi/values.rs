@@ -4,6 +4,7 @@ use std::ffi::c_char;
 
 use super::arguments::{array, array_mut, texts};
 use crate::fmi::guard::{Call, guard};
+use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, ValueReference};
 use crate::variables::Value;
 
@@ -19,7 +20,7 @@ pub unsafe extern "C" fn fmi2GetReal(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
-        instance.get_real(references, values, logger)
+        on_instance!(instance, |i| i.get_real(references, values, logger))
     })
 }
 
@@ -35,7 +36,7 @@ pub unsafe extern "C" fn fmi2SetReal(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
-        instance.set(references, |i| Value::Real(values[i]))
+        on_instance!(instance, |i| i.set(references, |i| Value::Real(values[i])))
     })
 }
 
@@ -51,7 +52,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
-        instance.get_integer(references, values, logger)
+        on_instance!(instance, |i| i.get_integer(references, values, logger))
     })
 }
 
@@ -67,7 +68,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
-        instance.set(references, |i| Value::Integer(values[i]))
+        on_instance!(instance, |i| i.set(references, |i| Value::Integer(values[i])))
     })
 }
 
@@ -83,7 +84,7 @@ pub unsafe extern "C" fn fmi2GetBoolean(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
-        instance.get_boolean(references, values, logger)
+        on_instance!(instance, |i| i.get_boolean(references, values, logger))
     })
 }
 
@@ -99,7 +100,7 @@ pub unsafe extern "C" fn fmi2SetBoolean(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
-        instance.set(references, |i| Value::Boolean(values[i] != FALSE))
+        on_instance!(instance, |i| i.set(references, |i| Value::Boolean(values[i] != FALSE)))
     })
 }
 
@@ -115,7 +116,7 @@ pub unsafe extern "C" fn fmi2GetString(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
-        instance.get_text(references, values, logger)
+        on_instance!(instance, |i| i.get_text(references, values, logger))
     })
 }
 
@@ -131,6 +132,6 @@ pub unsafe extern "C" fn fmi2SetString(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, texts("value", values, count)?) };
-        instance.set(references, |i| Value::Text(values[i]))
+        on_instance!(instance, |i| i.set(references, |i| Value::Text(values[i])))
     })
 }

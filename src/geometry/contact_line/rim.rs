@@ -14,6 +14,8 @@
 
 use super::{CURVATURE_REACH, ContactLine, LEAST_SLOPE_COSINE, LinePoint, OnCircle, WheelPoint};
 use crate::geometry::curve::CurvePoint;
+use crate::math::dual::Dual;
+use crate::math::real::Real;
 use crate::math::root::bracketed;
 
 /// Yaw at which a steep face touches at 1/√2 of its half chord: half a chord of 0.2 m then leans over by the 40 µm that loaded
@@ -25,48 +27,40 @@ const RIM_STEP: f64 = 1e-3;
 const RIM_BRACKET: f64 = 1e-10;
 
 /// A point of the line on the rim of a steep face.
-pub(super) struct Rim<'a> {
-    line: &'a ContactLine<'a>,
+pub(super) struct Rim<'a, T> {
+    line: &'a ContactLine<'a, T>,
     /// Point of the profile that touches.
-    edge: CurvePoint,
-    edge_s: f64,
+    edge: CurvePoint<T>,
+    edge_s: T,
     /// How far ahead of the axle along e1, and how far down along e2 [m].
-    ahead: f64,
-    height: f64,
+    ahead: T,
+    height: T,
     /// Derivatives of `ahead` and of the profile's lateral coordinate with respect to the height.
-    ahead_rate: f64,
-    lateral_rate: f64,
+    ahead_rate: T,
+    lateral_rate: T,
     /// Derivative of the height with respect to the parameter of the line.
-    height_rate: f64,
+    height_rate: T,
 }
 
-impl<'a> ContactLine<'a> {
+impl<'a, T: Real> ContactLine<'a, T> {
     /// Whether at profile point `p` the line runs along a rim.
     #[inline]
-    pub(super) fn follows_rim(&self, p: &CurvePoint) -> bool {
+    pub(super) fn follows_rim(&self, p: &CurvePoint<T>) -> bool {
         p.first[0] < LEAST_SLOPE_COSINE && self.lead != 0.0
     }
 
     /// The point for the parameter `s` with profile point `p`, a place of which the bound of the slope makes `on`.
     #[cold]
-    pub(super) fn rim(&'a self, s: f64, p: &CurvePoint, on: &OnCircle) -> Rim<'a> {
+    pub(super) fn rim(&'a self, s: T, p: &CurvePoint<T>, on: &OnCircle<T>) -> Rim<'a, T> {
         let height = on.radius * on.cosine;
         let (start, end) = (self.profile.start(), self.profile.end());
-        let radius_of = |p: &CurvePoint| self.nominal_radius + p.point[1];
-        // How far below H the outline is at `s`: above it on the face, below it on the rounding.
-        let beyond = |s: f64| {
-            let p = self.profile.at(s);
-            let lead = self.lead * p.first[1];
-            if p.first[0] <= lead.abs() {
-                return -height;
-            }
-            let sine = lead / p.first[0];
-            radius_of(&p) * (1.0 - sine * sine).sqrt() - height
-        };
+        let radius_of = |p: &CurvePoint<T>| p.point[1] + self.nominal_radius;
+        let (lead, level) = (self.lead.value(), height.value());
+        let beyond = |s: f64| self.beyond(s, lead, level);
         // The rounding is on the side of the larger radii.
-        let step = RIM_STEP.copysign(p.first[1]);
-        let (mut above, mut below) = (s, s);
-        let mut beyond_below = beyond(s);
+        let step = RIM_STEP.copysign(p.first[1].value());
+        let (mut above, mut below) = (s.value(), s.value());
+        let mut beyond_below = beyond(s.value());
         while beyond_below < 0.0 && below > start - RIM_STEP && below < end + RIM_STEP {
             above = below;
             below += step;
@@ -74,21 +68,23 @@ impl<'a> ContactLine<'a> {
         }
         let below = below.clamp(start, end);
         let edge_s = if beyond_below > 0.0 && (above - below).abs() > 0.0 {
-            bracketed((above, beyond(above)), (below, beyond_below), RIM_BRACKET, beyond)
+            let found =
+                bracketed((above, beyond(above)), (below, beyond_below), RIM_BRACKET, beyond);
+            self.moving_edge(found, height)
         } else {
-            below
+            below.into()
         };
         let edge = self.profile.at(edge_s);
         let radius = radius_of(&edge);
-        let half_chord = (radius * radius - height * height).max(0.0).sqrt();
-        let share = self.lead.abs() / self.lead.hypot(TURNING_YAW);
+        let half_chord = (radius * radius - height * height).at_least(0.0).sqrt();
+        let share = self.lead.abs() / self.lead.hypot(TURNING_YAW.into());
         let regular = on.radius * on.sine;
         let side = self.lead.signum() * p.first[1].signum();
-        let ahead = regular + share * (side * half_chord - regular);
+        let ahead = regular + share * (half_chord * side - regular);
         // d sin α/ds of the outline, and with it how fast the edge moves along the profile.
-        let flatness = 1.0 / edge.first[0].max(1e-9);
-        let sine = (half_chord / radius).min(0.999_999);
-        let cosine = (1.0 - sine * sine).sqrt();
+        let flatness = T::from(1.0) / edge.first[0].at_least(1e-9);
+        let sine = (half_chord / radius).at_most(0.999_999);
+        let cosine = (-(sine * sine) + 1.0).sqrt();
         let turning = self.lead.abs()
             * (edge.second[1] * edge.first[0] - edge.first[1] * edge.second[0]).abs()
             * flatness
@@ -100,17 +96,42 @@ impl<'a> ContactLine<'a> {
             edge_s,
             ahead,
             height,
-            ahead_rate: (1.0 - share) * on.sine / on.cosine
-                - share * side * height / half_chord.max(1e-9),
-            lateral_rate: (1.0 - share) * edge.first[0] / fall.max(1e-9).copysign(p.first[1]),
+            ahead_rate: (-share + 1.0) * on.sine / on.cosine
+                - share * side * height / half_chord.at_least(1e-9),
+            lateral_rate: (-share + 1.0) * edge.first[0]
+                / fall.at_least(1e-9).copysign(p.first[1].value()),
             height_rate: p.first[1] * on.cosine,
         }
     }
+
+    /// How far below the height H the outline of a line with this lead is at profile parameter `s`, above it on the face, below it on the
+    /// rounding.
+    fn beyond<S: Real>(&self, s: S, lead: S, height: S) -> S {
+        let p = self.profile.at(s);
+        let lead = lead * p.first[1];
+        if p.first[0] <= lead.abs() {
+            return -height;
+        }
+        let sine = lead / p.first[0];
+        let radius = p.point[1] + self.nominal_radius;
+        radius * (-(sine * sine) + 1.0).sqrt() - height
+    }
+
+    /// The rim that was found at `edge` as it moves with lead and height.
+    fn moving_edge(&self, edge: f64, height: T) -> T {
+        if !T::HAS_SLOPES {
+            return edge.into();
+        }
+        let rate = self.beyond(edge.into(), self.lead, height);
+        let (lead, level) = (self.lead.value().into(), height.value().into());
+        let slope = self.beyond(Dual::<1>::variable(edge, 0), lead, level);
+        T::moving(edge, rate / -slope.slopes[0])
+    }
 }
 
-impl Rim<'_> {
+impl<T: Real> Rim<'_, T> {
     /// Derivative of (y, z) with respect to the height.
-    fn along_height(&self) -> [f64; 2] {
+    fn along_height(&self) -> [T; 2] {
         let ContactLine { axle: [_, uy, uz], ahead, down, .. } = *self.line;
         let axle = [uy, uz];
         // At the edge of the outline only the height moves the point: the profile's own slope is made up for by the chord.
@@ -118,10 +139,10 @@ impl Rim<'_> {
     }
 
     /// The point of the line.
-    pub(super) fn point(&self) -> LinePoint {
+    pub(super) fn point(&self) -> LinePoint<T> {
         let ContactLine { marker, axle, ahead, down, cosine, .. } = *self.line;
         let [tangent_y, tangent_z] = self.along_height();
-        let length = tangent_y.hypot(tangent_z).copysign(self.height_rate);
+        let length = tangent_y.hypot(tangent_z).copysign(self.height_rate.value());
         let place = |i: usize| {
             marker[i + 1]
                 + self.edge.point[0] * axle[i + 1]
@@ -136,26 +157,27 @@ impl Rim<'_> {
     }
 
     /// Derivative of (y, z) with respect to the parameter of the line.
-    pub(super) fn derivative(&self) -> [f64; 2] {
+    pub(super) fn derivative(&self) -> [T; 2] {
         self.along_height().map(|rate| rate * self.height_rate)
     }
 
     /// Derivative of x with respect to the parameter of the line.
-    pub(super) fn advance(&self) -> f64 {
+    pub(super) fn advance(&self) -> T {
         self.line.cosine * self.ahead_rate * self.height_rate
     }
 
     /// The wheel at the rim.
-    pub(super) fn wheel_point(&self) -> WheelPoint {
-        let radius = self.line.nominal_radius + self.edge.point[1];
+    pub(super) fn wheel_point(&self) -> WheelPoint<T> {
+        let radius = self.edge.point[1] + self.line.nominal_radius;
         let sine = self.ahead / radius;
         let middle = if self.edge.first[1] > 0.0 { CURVATURE_REACH } else { -CURVATURE_REACH };
         // The rounding below the face, which has no curvature of its own.
-        let rounding = self.line.mean_curvature(self.edge_s + middle).max(0.0);
+        let rounding = self.line.mean_curvature(self.edge_s + middle).at_least(0.0);
         WheelPoint {
             y: self.edge.point[0],
             rolling_radius: self.ahead.hypot(self.height),
-            section_radius: 1.0 / (LEAST_SLOPE_COSINE / radius + rounding * sine * sine),
+            section_radius: T::from(1.0)
+                / (T::from(LEAST_SLOPE_COSINE) / radius + rounding * sine * sine),
         }
     }
 }

@@ -29,6 +29,8 @@ use std::sync::OnceLock;
 
 use super::kalker_coefficients;
 use crate::math::b_spline;
+use crate::math::dual::Dual;
+use crate::math::real::Real;
 use coefficients::Place;
 use direction::Direction;
 use nodes::{
@@ -48,15 +50,63 @@ const MOST_CREEPAGE: f64 = 1e60;
 
 /// Creep force of an ellipse over μ N (moment over μ N c), on the body whose creepage is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct EllipseForce {
+pub struct EllipseForce<T = f64> {
     /// Longitudinal and lateral force and spin moment.
-    pub force: [f64; 3],
+    pub force: [T; 3],
     /// Share of the area that slips, 0 to 1.
-    pub slip_share: f64,
+    pub slip_share: T,
 }
 
-/// Derivatives of longitudinal and lateral force and moment by the three creepages v and ln(a/b).
-pub type ForceSlopes = [[f64; 4]; 3];
+/// Derivatives of longitudinal and lateral force, moment and share of slip by the three creepages v and ln(a/b).
+pub type ForceSlopes = [[f64; 4]; 4];
+
+/// Numbers for which forces are looked up.
+pub trait Tabulated: Real {
+    /// Creep force of an ellipse of ln(a/b) = `log_ratio` for finite creepages `v`.
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: Self,
+        poisson_ratio: f64,
+        v: [Self; 3],
+    ) -> EllipseForce<Self>;
+}
+
+impl Tabulated for f64 {
+    #[inline]
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: f64,
+        poisson_ratio: f64,
+        v: [f64; 3],
+    ) -> EllipseForce {
+        table.force(&scales(log_ratio, poisson_ratio), v)
+    }
+}
+
+impl<const N: usize> Tabulated for Dual<N> {
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: Self,
+        poisson_ratio: f64,
+        v: [Self; 3],
+    ) -> EllipseForce<Self> {
+        let scales = scales(log_ratio.value, poisson_ratio);
+        let (found, slopes) = table.force_and_slopes(&scales, v.map(Self::value));
+        let with_slopes = |value: f64, by: &[f64; 4]| {
+            let moved = v[0] * by[0] + v[1] * by[1] + v[2] * by[2] + log_ratio * by[3];
+            Self::moving(value, moved)
+        };
+        let [x, y, moment] = found.force;
+        EllipseForce {
+            force: [
+                with_slopes(x, &slopes[0]),
+                with_slopes(y, &slopes[1]),
+                with_slopes(moment, &slopes[2]),
+            ],
+            slip_share: with_slopes(found.slip_share, &slopes[3]),
+        }
+    }
+}
 
 /// The table in memory.
 #[derive(Clone, Debug)]
@@ -102,7 +152,7 @@ impl Scales {
         [-c11 * v1, -c22 * v2 - c23 * v3, c23 * v2 - c33 * v3]
     }
 
-    fn linear_slopes(&self, [v1, v2, v3]: [f64; 3]) -> ForceSlopes {
+    fn linear_slopes(&self, [v1, v2, v3]: [f64; 3]) -> [[f64; 4]; 3] {
         let [c11, c22, c23, c33] = self.kalker;
         let [s11, s22, s23, s33] = self.kalker_slopes;
         [
@@ -220,7 +270,8 @@ impl CreepForceTable {
     #[must_use]
     pub fn force_and_slopes(&self, scales: &Scales, v: [f64; 3]) -> (EllipseForce, ForceSlopes) {
         let Some((v, scaled)) = within_range(scales, v) else {
-            return (EllipseForce::default(), scales.linear_slopes([0.0; 3]));
+            let [x, y, moment] = scales.linear_slopes([0.0; 3]);
+            return (EllipseForce::default(), [x, y, moment, [0.0; 4]]);
         };
         let along = Direction::of(scaled);
         let length = along.length;
@@ -258,7 +309,7 @@ impl CreepForceTable {
         ];
         let ds_dlength = left / (length + HALF);
         let mut force = [0.0; 3];
-        let mut slopes = [[0.0; 4]; 3];
+        let mut slopes = [[0.0; 4]; 4];
         for k in 0..3 {
             let plane_of = |sum: &[f64; 4]| match k {
                 0 => 0.0,
@@ -305,6 +356,7 @@ impl CreepForceTable {
                 + squared * by_t
                 + (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum::<f64>();
         }
+        slopes[3] = slip_slopes(&rest, &along, [ds_dlength, by_ratio], unit, scale, scaled_by_t);
         let left_by = |n: usize| -ds_dlength * unit[n];
         let left_slopes = [
             scale[0] * left_by(0),
@@ -317,6 +369,30 @@ impl CreepForceTable {
         let force = bound.applied(force);
         (EllipseForce { force, slip_share: rest[0][3].clamp(0.0, 1.0) }, slopes)
     }
+}
+
+/// Derivatives of the share of slip, the last channel of `rest`, by the three creepages v and ln(a/b): with those of the saturation by ρ and
+/// of the place in the table by ln(a/b), of X by v, and of X by ln(a/b).
+fn slip_slopes(
+    rest: &coefficients::Sums,
+    along: &Direction,
+    [by_length, by_ratio]: [f64; 2],
+    unit: [f64; 3],
+    scale: [f64; 3],
+    scaled_by_t: [f64; 3],
+) -> [f64; 4] {
+    if rest[0][3] <= 0.0 || rest[0][3] >= 1.0 {
+        return [0.0; 4];
+    }
+    // Of an even function: what was folded does not count.
+    let by_x = [0, 1, 2].map(|n| {
+        SATURATION_CELLS as f64 * rest[2][3] * by_length * unit[n]
+            + PER_ELEVATION[0] * along.slopes[0][n] * rest[3][3]
+            + PER_AZIMUTH[0] * along.slopes[1][n] * rest[4][3]
+    });
+    let by_t: f64 = (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum();
+    let [x, y, z] = [0, 1, 2].map(|n| scale[n] * by_x[n]);
+    [x, y, z, by_t + by_ratio * rest[1][3]]
 }
 
 /// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin that vanishes in full sliding.

@@ -7,12 +7,17 @@ use plotters::prelude::*;
 
 use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
 
-const SIZE: (u32, u32) = (1000, 760);
-const COLOURS: [RGBColor; 3] = [BLUE, VERMILION, GREY];
+/// Width of the figure and height of one panel.
+const SIZE: (u32, u32) = (1000, 380);
+// From Okabe and Ito (2008), as the others.
+const GREEN: RGBColor = RGBColor(0, 158, 115);
+const ORANGE: RGBColor = RGBColor(230, 159, 0);
+const PURPLE: RGBColor = RGBColor(204, 121, 167);
+const COLOURS: [RGBColor; 6] = [BLUE, VERMILION, GREY, GREEN, ORANGE, PURPLE];
 
 /// One output along the path.
 pub struct Curve {
-    /// Its FMU name.
+    /// Its FMU name, or what tells it from the others.
     pub name: String,
     /// Place on the path in rows from 1, and value.
     pub points: Vec<(f64, f64)>,
@@ -20,12 +25,13 @@ pub struct Curve {
     pub jump: Option<(f64, f64)>,
 }
 
-/// Draws panels with a title and three curves each into the file `path`; a dashed line stands where a curve jumps.
+/// Draws panels with a title and up to six curves each into the file `path`; a dashed line stands where a curve jumps.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn draw(path: &Path, panels: &[(&str, [Curve; 3])]) -> Result<()> {
-    save(path, SIZE, |area| {
+pub fn draw(path: &Path, panels: &[(String, Vec<Curve>)]) -> Result<()> {
+    let size = (SIZE.0, SIZE.1 * panels.len() as u32);
+    save(path, size, |area| {
         for (cell, (title, curves)) in area.split_evenly((panels.len(), 1)).iter().zip(panels) {
             draw_panel(cell, title, curves)?;
         }
@@ -55,7 +61,7 @@ fn draw_panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<()> {
         .axis_desc_style(text(15))
         .x_desc("Place on the path: row of the table")
         .draw()?;
-    for (curve, colour) in curves.iter().zip(COLOURS) {
+    for (curve, colour) in curves.iter().zip(COLOURS.into_iter().cycle()) {
         if let Some((at, _)) = curve.jump {
             let dashes = DashedLineSeries::new(
                 [(at, y.start), (at, y.end)],

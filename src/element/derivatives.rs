@@ -1,0 +1,321 @@
+//! Derivatives of the outputs by the inputs, exact but for rounding.
+//!
+//! Searches (contacts, edges of zones, the height that carries a load) go by plain numbers as in an evaluation. What they found fulfils
+//! equations, and moves as these tell; all the rest is evaluated once more with dual numbers ([`Dual`]). The derivative belongs to the force
+//! as it is computed, element by element of the tractions. At a kink, such as the end of an adhesion area that passes from one element
+//! to the next, it is that of one side.
+
+use super::Output;
+use super::evaluate::Element;
+use super::input::{INPUT_NAMES, INPUTS, Input};
+use super::models::Models;
+use super::moving_contact::{Kink, MovingNumber};
+use super::output::REPORTED_PATCHES;
+use super::parameters::{NormalModel, Side, VerticalMode};
+use crate::error::ContactError;
+use crate::math::dual::Dual;
+use crate::tangential::TangentialModel;
+
+/// Directions that are followed at once for a whole Jacobian.
+const DIRECTIONS: usize = 7;
+
+/// Memory for evaluations with derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct DerivativeMemory {
+    /// For one direction, and one more for the height that carries a load.
+    one: Models<Dual<2>>,
+    one_output: Output<Dual<2>>,
+    /// For many at once.
+    all: Models<Dual<DIRECTIONS>>,
+    all_output: Output<Dual<DIRECTIONS>>,
+}
+
+/// Places of height and load among the inputs.
+const HEIGHT: usize = 2;
+const LOAD: usize = 26;
+/// Difference of the vertical force from the load, share of it and force [N], up to which the load counts as carried.
+const CARRIED: [f64; 2] = [1e-6, 1e-3];
+
+impl Element {
+    /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates of the inputs: with the Jacobian J of the outputs,
+    /// J · direction, as the rates of the outputs in `rates`. Counts and wear have none.
+    ///
+    /// In load mode the height follows the load, and the rate of `wheel.z` is without effect. The first call allocates. The element is left as
+    /// it was.
+    ///
+    /// ```
+    /// use wheelrail::element::{Element, Input, Output, Parameters};
+    ///
+    /// let mut input = Input::default();
+    /// let mut element = Element::new(&Parameters::default(), &input, &[])?;
+    /// input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
+    /// // Stiffness of the contact: the change of the vertical force with the height.
+    /// let mut down = Input::from_array([0.0; 27]);
+    /// down.wheel.position[2] = 1.0;
+    /// let mut rates = Output::default();
+    /// element.directional_derivative(&input, &down, &mut rates)?;
+    /// assert!(rates.wheel.force[2] < -5e8);
+    /// # Ok::<(), wheelrail::error::ContactError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The input at fault, by its FMU name, or [`ContactError::NoDerivative`]; `rates` is then as before.
+    pub fn directional_derivative(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
+    ) -> Result<(), ContactError> {
+        let (input, mut memory) = self.begin_derivatives(input)?;
+        let mirrored = self.side == Side::Left;
+        let direction = if mirrored { direction.mirrored() } else { *direction };
+        let DerivativeMemory { one, one_output, .. } = &mut *memory;
+        let followed = self.carried_at(&input).and_then(|at| {
+            self.follow(&at, &[direction.to_array()], one, one_output, |_, found| {
+                *rates = if mirrored { found.mirrored() } else { found };
+            })
+        });
+        self.memory = Some(memory);
+        followed.map_err(at_this_input)
+    }
+
+    /// All derivatives of the outputs: `columns` gets one entry for each input, in the order of
+    /// [`INPUT_NAMES`](super::input::INPUT_NAMES), with the derivatives by it as the rates of the outputs. Cheaper than as many calls of
+    /// [`directional_derivative`](Self::directional_derivative).
+    ///
+    /// # Errors
+    /// As [`directional_derivative`](Self::directional_derivative); `columns` are then as before or hold a part.
+    pub fn jacobian(
+        &mut self,
+        input: &Input,
+        columns: &mut Vec<Output>,
+    ) -> Result<(), ContactError> {
+        let (input, mut memory) = self.begin_derivatives(input)?;
+        let DerivativeMemory { all, all_output, .. } = &mut *memory;
+        let followed =
+            self.carried_at(&input).and_then(|at| self.all_columns(&at, all, all_output, columns));
+        self.memory = Some(memory);
+        followed.map_err(at_this_input)
+    }
+
+    /// Checks input and models, and takes the memory out, so that it can be lent beside the element.
+    fn begin_derivatives(
+        &mut self,
+        input: &Input,
+    ) -> Result<(Input, Box<DerivativeMemory>), ContactError> {
+        let input = input.admitted()?;
+        let refuse = |name, reason| Err(ContactError::NoDerivative { name: Some(name), reason });
+        if self.models.normal == NormalModel::BoundaryElement {
+            return refuse(
+                "normal.model = boundary_element",
+                "they are there for real-time models",
+            );
+        }
+        if self.models.tangential.model() == TangentialModel::BoundaryElement {
+            let reason = "they are there for real-time models";
+            return refuse("tangential.model = boundary_element", reason);
+        }
+        if self.models.uneven.is_some() {
+            let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
+            return refuse(name, "they are there for bodies that are even along the track");
+        }
+        if self.models.strip_solver.is_some() {
+            return refuse("normal.model = strips", "they are not there yet");
+        }
+        let memory = self.memory.take().unwrap_or_else(|| {
+            Box::new(DerivativeMemory {
+                one: self.models.in_other_numbers(),
+                one_output: Output::default(),
+                all: self.models.in_other_numbers(),
+                all_output: Output::default(),
+            })
+        });
+        Ok((input, memory))
+    }
+
+    /// The columns of [`jacobian`](Self::jacobian).
+    fn all_columns(
+        &mut self,
+        at: &(Input, Height),
+        models: &mut Models<Dual<DIRECTIONS>>,
+        output: &mut Output<Dual<DIRECTIONS>>,
+        columns: &mut Vec<Output>,
+    ) -> Result<(), Kink> {
+        let mirrored = self.side == Side::Left;
+        columns.clear();
+        columns.resize(INPUTS, Output::default());
+        let most = if at.1 == Height::Given { DIRECTIONS } else { DIRECTIONS - 1 };
+        let mut i = 0;
+        while i < INPUTS {
+            let (mut directions, mut places) = ([[0.0; INPUTS]; DIRECTIONS], [0; DIRECTIONS]);
+            let mut count = 0;
+            while i < INPUTS && count < most {
+                if self.has_effect(i) {
+                    let mut unit = [0.0; INPUTS];
+                    unit[i] = 1.0;
+                    let unit = Input::from_array(unit);
+                    let unit = if mirrored { unit.mirrored() } else { unit };
+                    (directions[count], places[count]) = (unit.to_array(), i);
+                    count += 1;
+                }
+                i += 1;
+            }
+            self.follow(at, &directions[..count], models, output, |n, found| {
+                columns[places[n]] = if mirrored { found.mirrored() } else { found };
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Hands the rates of the outputs of a right wheel in each of the `directions` to `each`: at most N, and where the height follows the
+    /// load or the rails at most N - 1.
+    fn follow<const N: usize>(
+        &mut self,
+        at: &(Input, Height),
+        directions: &[[f64; INPUTS]],
+        models: &mut Models<Dual<N>>,
+        output: &mut Output<Dual<N>>,
+        mut each: impl FnMut(usize, Output),
+    ) -> Result<(), Kink> {
+        let (input, height) = at;
+        let values = input.to_array();
+        let follows = *height != Height::Given;
+        let input = Input::from_array(std::array::from_fn(|i| {
+            let mut number = Dual::from(values[i]);
+            for (slope, direction) in number.slopes.iter_mut().zip(directions) {
+                *slope = if follows && i == HEIGHT { 0.0 } else { direction[i] };
+            }
+            if follows && i == HEIGHT {
+                number.slopes[N - 1] = 1.0;
+            }
+            number
+        }));
+        let mut deepest = None;
+        if *height == Height::Touching {
+            *output = Output::default();
+            deepest = self.deepest(&input)?;
+        } else {
+            self.moving_forces(&input, models, output)?;
+        }
+        for (n, direction) in directions.iter().enumerate() {
+            // The rate of the height, so that the force goes with the load, or the contact stays one point.
+            let down = match (height, deepest) {
+                (Height::Given, _) => 0.0,
+                (Height::Loaded, _) => {
+                    let force = output.wheel.force[2].slopes;
+                    -(direction[LOAD] + force[n]) / force[N - 1]
+                }
+                (Height::Touching, Some(Dual { slopes, .. })) => -slopes[n] / slopes[N - 1],
+                (Height::Touching, None) => direction[HEIGHT],
+            };
+            let mut rates =
+                output.each(|x| x.slopes[n] + if follows { down * x.slopes[N - 1] } else { 0.0 });
+            if follows {
+                rates.wheel_z = down;
+            }
+            if !is_finite(&rates) {
+                return Err("a force grows without bound there");
+            }
+            each(n, rates);
+        }
+        Ok(())
+    }
+
+    /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor has the station of even bodies, nor a
+    /// load where the height is given.
+    fn has_effect(&self, i: usize) -> bool {
+        match INPUT_NAMES[i] {
+            "track.s" | "wheel.pitch" => false,
+            "wheel.load" => self.vertical_mode == VerticalMode::Load,
+            name if name.starts_with("rail[1]") => self.rails[0].is_some(),
+            name if name.starts_with("rail[2]") => self.rails[1].is_some(),
+            _ => true,
+        }
+    }
+
+    /// The input of a right side, at the height that carries its load if that is given.
+    fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
+        let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
+        if self.vertical_mode == VerticalMode::Penetration {
+            return Ok((input, Height::Given));
+        }
+        let mut output = Output::default();
+        let load = input.wheel_load;
+        // No evaluation was asked for.
+        let work = self.work;
+        self.carry_load(&mut input, &mut output);
+        self.work = work;
+        if load <= 0.0 {
+            return Ok((input, Height::Touching));
+        }
+        let missing = -output.wheel.force[2] - load;
+        if missing.abs() > CARRIED[0] * load + CARRIED[1] {
+            return Err("the rails carry wheel.load at no height near");
+        }
+        Ok((input, Height::Loaded))
+    }
+
+    /// Forces, patches and height with derivatives for the `input` of a right side.
+    fn moving_forces<T: MovingNumber>(
+        &mut self,
+        input: &Input<T>,
+        models: &mut Models<T>,
+        output: &mut Output<T>,
+    ) -> Result<(), Kink> {
+        *output = Output::default();
+        models.patches.clear();
+        for (k, rail) in self.rails.iter_mut().enumerate() {
+            if let Some(rail) = rail {
+                rail.move_along(k, input, models, output)?;
+            }
+        }
+        output.wheel_z = input.wheel.position[2];
+        let patches = &mut models.patches;
+        patches.sort_unstable_by(|a, b| b.normal_force.value().total_cmp(&a.normal_force.value()));
+        for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {
+            *slot = *patch;
+        }
+        Ok(())
+    }
+
+    /// Deepest penetration with any rail, if the wheel touches one.
+    fn deepest<T: MovingNumber>(&mut self, input: &Input<T>) -> Result<Option<T>, Kink> {
+        let mut deepest = None::<T>;
+        for (k, rail) in self.rails.iter_mut().enumerate() {
+            let Some(rail) = rail else { continue };
+            if let Some(found) = rail.moving_penetration(k, input)?
+                && deepest.is_none_or(|deepest| found > deepest)
+            {
+                deepest = Some(found);
+            }
+        }
+        Ok(deepest)
+    }
+}
+
+/// What the height of the wheel follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Height {
+    /// The input.
+    Given,
+    /// The load.
+    Loaded,
+    /// The height of first touch, where there is no load.
+    Touching,
+}
+
+/// Whether all rates are finite.
+fn is_finite(rates: &Output) -> bool {
+    let mut sum = 0.0;
+    // Zero times anything that is not finite is not a number.
+    let _ = rates.each(|rate| {
+        sum += 0.0 * rate;
+        rate
+    });
+    sum == 0.0
+}
+
+#[cold]
+fn at_this_input(reason: Kink) -> ContactError {
+    ContactError::NoDerivative { name: None, reason }
+}

@@ -1,0 +1,120 @@
+//! The contact of one wheel with one rail with derivatives: what the search finds, as it moves.
+
+use super::contact_forces::ContactForces;
+use super::evaluate::Work;
+use super::input::Input;
+use super::models::Models;
+use super::number::ElementNumber;
+use super::output::Output;
+use super::rail_contact::RailContact;
+use super::rail_frame::RailFrame;
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::moving_separation::MovingSeparation;
+use crate::math::real::Real;
+use crate::normal::{self, NormalProblem};
+
+/// Numbers with derivatives, and the separation that goes with them.
+pub trait MovingNumber:
+    for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, Self>> + Real
+{
+}
+
+impl<T> MovingNumber for T where
+    T: for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, T>> + Real
+{
+}
+
+/// Why there is no derivative.
+pub type Kink = &'static str;
+
+/// A contact that the search has put at the end of a body.
+pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
+
+impl RailContact {
+    /// As [`evaluate`](Self::evaluate) with derivatives, for even bodies.
+    ///
+    /// # Errors
+    /// What has no derivative; `output` and `models` then hold a part.
+    pub fn move_along<T: MovingNumber>(
+        &mut self,
+        k: usize,
+        input: &Input<T>,
+        models: &mut Models<T>,
+        output: &mut Output<T>,
+    ) -> Result<(), Kink> {
+        if !self.search_contacts(k, &input.value()) {
+            return Ok(());
+        }
+        let Self { rail, search, .. } = self;
+        let frame = RailFrame::new(rail, &input.rails[k]);
+        let radius = self.nominal_radius;
+        let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
+        let line = moving.value();
+        let mut work = Work::default();
+        for index in 0..search.contacts.len() {
+            let found = search.contacts[index];
+            let contact = found.moving(&moving, rail).ok_or(BODY_ENDS)?;
+            let mut values = LineSeparation::new(&line, rail, found);
+            search.refine_probes(&found, &mut values);
+            let probes = &search.probes[found.probes[0]..found.probes[1]];
+            let mut separation = MovingSeparation::new(values, &moving, rail, contact);
+            models.strips.clear();
+            let problem = NormalProblem {
+                approach: contact.penetration,
+                radius: moving.wheel_point(contact.u).section_radius,
+                contact_modulus: models.material.contact_modulus,
+                contact_u: contact.u,
+                lateral_curvature: moving.curvature(contact.u) + rail.curvature(contact.rail_s),
+                rule: &models.rule,
+                elements: models.elements,
+            };
+            normal::solve_in_frame(
+                models.normal,
+                models.virtual_penetration,
+                models.shape_fit,
+                &problem,
+                &mut separation,
+                probes,
+                &mut models.strips,
+            );
+            let forces = ContactForces {
+                k,
+                input,
+                frame,
+                line: moving,
+                rail,
+                contact,
+                slopes: [0.0; 2],
+                damped_with: None,
+            };
+            forces.add(&mut separation, models, output, &mut work);
+            if separation.has_kink {
+                return Err(BODY_ENDS);
+            }
+        }
+        Ok(())
+    }
+
+    /// Deepest penetration of the contacts of rail number `k`, if there are any.
+    ///
+    /// # Errors
+    /// As [`move_along`](Self::move_along).
+    pub fn moving_penetration<T: MovingNumber>(
+        &mut self,
+        k: usize,
+        input: &Input<T>,
+    ) -> Result<Option<T>, Kink> {
+        if !self.search_contacts(k, &input.value()) {
+            return Ok(None);
+        }
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let radius = self.nominal_radius;
+        let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
+        let contacts = self.search.contacts.iter();
+        let deepest = contacts.max_by(|c, d| c.penetration.total_cmp(&d.penetration));
+        let Some(deepest) = deepest else { return Ok(None) };
+        let contact = deepest.moving(&moving, &self.rail).ok_or(BODY_ENDS)?;
+        Ok(Some(contact.penetration))
+    }
+}

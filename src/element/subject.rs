@@ -1,0 +1,165 @@
+//! What can be evaluated as a whole: one wheel, or a wheelset of two.
+
+use std::fmt::Debug;
+use std::path::PathBuf;
+use std::slice;
+
+use super::work_pairs::{WorkPairs, work_pairs};
+use super::{Element, Input, Output, Parameters};
+use crate::error::ContactError;
+
+/// One or two elements with what they have in common; inputs and outputs are those of the whole.
+///
+/// Everything that works with any of them, such as the FMI interface, is written in terms of this.
+pub trait Subject: Clone + Debug {
+    /// What is fixed once it is made.
+    type Parameters: Clone + Debug + Default + PartialEq;
+    /// What an evaluation depends on besides.
+    type Input: Copy + Debug + Default + PartialEq;
+    /// What an evaluation gives.
+    type Output: Copy + Debug + Default + PartialEq;
+    /// Heights of first touch, which follow from parameters and starting input [m].
+    type Nominal: Copy + Debug + Default + PartialEq;
+
+    /// What stands before the names of variables of each element.
+    const PREFIXES: &'static [&'static str];
+
+    /// Loads the profiles, which are looked for in `profile_folders`, checks the parameters and sizes all scratch memory.
+    ///
+    /// # Errors
+    /// The parameter or profile at fault, by its name.
+    fn prepare(
+        parameters: &Self::Parameters,
+        start: &Self::Input,
+        profile_folders: &[PathBuf],
+    ) -> Result<Self, ContactError>;
+
+    /// Heights of first touch for the starting input.
+    fn nominal(&self) -> Self::Nominal;
+
+    /// Evaluates the forces; allocates nothing.
+    ///
+    /// # Errors
+    /// The input at fault, by its name; `output` is then as before.
+    fn evaluate_all(
+        &mut self,
+        input: &Self::Input,
+        output: &mut Self::Output,
+    ) -> Result<(), ContactError>;
+
+    /// The same, and wears off what a time of `duration` ≥ 0 [s] wears off.
+    ///
+    /// # Errors
+    /// As for [`evaluate_all`](Self::evaluate_all), or a bad duration.
+    fn advance_all(
+        &mut self,
+        input: &Self::Input,
+        output: &mut Self::Output,
+        duration: f64,
+    ) -> Result<(), ContactError>;
+
+    /// The derivative of the outputs in the direction `direction` of the inputs, as rates; all is left as it was.
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or why there is none; `rates` is then as before.
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Self::Input,
+        direction: &Self::Input,
+        rates: &mut Self::Output,
+    ) -> Result<(), ContactError>;
+
+    /// Its elements, in the order of [`PREFIXES`](Self::PREFIXES).
+    fn elements(&self) -> &[Element];
+
+    /// Its elements, to be changed.
+    fn elements_mut(&mut self) -> &mut [Element];
+
+    /// The parameters of each element.
+    fn parameters_of_elements(parameters: &Self::Parameters) -> &[Parameters];
+
+    /// How often a solver fell back to a simpler model, as reported.
+    fn fallback_count(output: &Self::Output) -> i32;
+
+    /// Forces on all bodies beside the velocities at which they do work.
+    fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
+
+    /// The input of element number `k` where it was evaluated: with the height, and for a wheelset the roll, that `output` has found.
+    fn input_of_element(&self, k: usize, input: &Self::Input, output: &Self::Output) -> Input;
+
+    /// Puts the counts of the elements as they are into `output`.
+    fn report_fallbacks(&self, output: &mut Self::Output);
+}
+
+impl Subject for Element {
+    type Parameters = Parameters;
+    type Input = Input;
+    type Output = Output;
+    type Nominal = f64;
+
+    const PREFIXES: &'static [&'static str] = &[""];
+
+    fn prepare(
+        parameters: &Parameters,
+        start: &Input,
+        profile_folders: &[PathBuf],
+    ) -> Result<Self, ContactError> {
+        Self::new(parameters, start, profile_folders)
+    }
+
+    fn nominal(&self) -> f64 {
+        self.nominal_wheel_z()
+    }
+
+    fn evaluate_all(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
+        self.evaluate(input, output)
+    }
+
+    fn advance_all(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.advance(input, output, duration)
+    }
+
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
+    ) -> Result<(), ContactError> {
+        self.directional_derivative(input, direction, rates)
+    }
+
+    fn elements(&self) -> &[Element] {
+        slice::from_ref(self)
+    }
+
+    fn elements_mut(&mut self) -> &mut [Element] {
+        slice::from_mut(self)
+    }
+
+    fn parameters_of_elements(parameters: &Parameters) -> &[Parameters] {
+        slice::from_ref(parameters)
+    }
+
+    fn fallback_count(output: &Output) -> i32 {
+        output.fallback_count
+    }
+
+    fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
+        work_pairs((&input.wheel, &output.wheel), input.rails.iter().zip(&output.rails))
+    }
+
+    fn input_of_element(&self, _: usize, input: &Input, output: &Output) -> Input {
+        let mut found = *input;
+        found.wheel.position[2] = output.wheel_z;
+        found
+    }
+
+    fn report_fallbacks(&self, output: &mut Output) {
+        output.fallback_count = Element::fallback_count(self);
+    }
+}

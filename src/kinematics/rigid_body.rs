@@ -1,0 +1,92 @@
+//! Points of an axle, and how fast they move.
+
+use nalgebra::Vector3;
+
+use super::motion::WheelMotion;
+use crate::math::real::Real;
+
+impl<T: Real> WheelMotion<T> {
+    /// The axle, to the right, a unit vector in the track frame.
+    ///
+    /// ```text
+    /// u = R_x(roll) R_z(yaw) e_y = (-sin yaw, cos roll cos yaw, sin roll cos yaw)
+    /// ```
+    #[must_use]
+    pub fn axle(&self) -> Vector3<T> {
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
+        Vector3::new(-sin_yaw, cos_roll * cos_yaw, sin_roll * cos_yaw)
+    }
+
+    /// Angular velocity in the track frame but for the pitch rate, which moves no point of the axle [rad/s].
+    ///
+    /// ```text
+    /// ω - pitch_rate u = roll_rate e_x + yaw_rate e_z'
+    /// ```
+    #[must_use]
+    pub fn turning(&self) -> Vector3<T> {
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        let yaw_axis = Vector3::new(T::from(0.0), -sin_roll, cos_roll);
+        Vector3::x() * self.roll_rate + yaw_axis * self.yaw_rate
+    }
+
+    /// Angular velocity in the track frame [rad/s].
+    #[must_use]
+    pub fn angular_velocity(&self) -> Vector3<T> {
+        self.turning() + self.axle() * self.pitch_rate
+    }
+
+    /// Motion of the point of the axle `along` [m] to the right of this one; attitude and rates are those of all the body.
+    ///
+    /// ```text
+    /// X' = X + along u,   V' = V + ω × along u
+    /// ```
+    #[must_use]
+    pub fn along_axle(&self, along: f64) -> Self {
+        let arm = self.axle() * T::from(along);
+        let position = Vector3::from(self.position) + arm;
+        let velocity = Vector3::from(self.velocity) + self.turning().cross(&arm);
+        Self { position: position.into(), velocity: velocity.into(), ..*self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MOTION: WheelMotion = WheelMotion {
+        position: [0.1, 0.004, -0.459],
+        roll: 0.02,
+        yaw: -0.03,
+        pitch: 0.7,
+        velocity: [20.0, 0.3, -0.2],
+        roll_rate: 0.4,
+        yaw_rate: -0.7,
+        pitch_rate: -43.0,
+    };
+
+    #[test]
+    fn velocities_are_the_derivatives_of_positions() {
+        let at = |t: f64| {
+            let moved = |x: f64, v: f64| x + t * v;
+            let position = [0, 1, 2].map(|i| moved(MOTION.position[i], MOTION.velocity[i]));
+            let roll = moved(MOTION.roll, MOTION.roll_rate);
+            let yaw = moved(MOTION.yaw, MOTION.yaw_rate);
+            WheelMotion { position, roll, yaw, ..MOTION }.along_axle(-0.75)
+        };
+        let (before, now, after) = (at(-1e-5), at(0.0), at(1e-5));
+        for i in 0..3 {
+            let slope = (after.position[i] - before.position[i]) / 2e-5;
+            approx::assert_abs_diff_eq!(now.velocity[i], slope, epsilon = 1e-8);
+        }
+    }
+
+    #[test]
+    fn positive_roll_lowers_and_positive_yaw_sets_back_the_right_end() {
+        let still = WheelMotion { roll: 0.0, yaw: 0.0, ..MOTION };
+        let rolled = WheelMotion { roll: 0.01, ..still }.along_axle(0.75);
+        assert!(rolled.position[2] > MOTION.position[2] + 0.007);
+        let yawed = WheelMotion { yaw: 0.01, ..still }.along_axle(0.75);
+        assert!(yawed.position[0] < MOTION.position[0] - 0.007);
+    }
+}

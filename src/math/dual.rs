@@ -1,0 +1,407 @@
+//! Dual numbers: a value and its derivatives in some directions, carried through every operation by the chain rule.
+//!
+//! Written out here for two reasons: an array of slopes without an option around it becomes vector instructions, and a root of nothing
+//! has no slopes instead of some that are not numbers, so that what does not count (a strip without length) does no harm.
+
+use std::cmp::Ordering;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::logarithm;
+use super::real::Real;
+
+/// A value with its derivatives in `N` directions.
+#[derive(Clone, Copy, Debug)]
+pub struct Dual<const N: usize> {
+    /// Value.
+    pub value: f64,
+    /// Derivatives.
+    pub slopes: [f64; N],
+}
+
+impl<const N: usize> Dual<N> {
+    /// The variable with the value `value` that direction number `direction` is along.
+    #[must_use]
+    pub fn variable(value: f64, direction: usize) -> Self {
+        let mut slopes = [0.0; N];
+        slopes[direction] = 1.0;
+        Self { value, slopes }
+    }
+
+    /// A function of it with this value and derivative.
+    #[inline]
+    fn function(self, value: f64, slope: f64) -> Self {
+        Self { value, slopes: self.slopes.map(|s| s * slope) }
+    }
+
+    /// A function of two numbers with this value and these derivatives.
+    #[inline]
+    fn function_of_two(a: &Self, b: &Self, value: f64, by_a: f64, by_b: f64) -> Self {
+        let mut slopes = [0.0; N];
+        for (i, slope) in slopes.iter_mut().enumerate() {
+            *slope = a.slopes[i] * by_a + b.slopes[i] * by_b;
+        }
+        Self { value, slopes }
+    }
+}
+
+impl<const N: usize> Default for Dual<N> {
+    #[inline]
+    fn default() -> Self {
+        Self::from(0.0)
+    }
+}
+
+impl<const N: usize> From<f64> for Dual<N> {
+    #[inline]
+    fn from(value: f64) -> Self {
+        Self { value, slopes: [0.0; N] }
+    }
+}
+
+impl<const N: usize> PartialEq for Dual<N> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.value.eq(&other.value)
+    }
+}
+
+impl<const N: usize> PartialEq<f64> for Dual<N> {
+    #[inline]
+    fn eq(&self, other: &f64) -> bool {
+        self.value.eq(other)
+    }
+}
+
+impl<const N: usize> PartialOrd for Dual<N> {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl<const N: usize> PartialOrd<f64> for Dual<N> {
+    #[inline]
+    fn partial_cmp(&self, other: &f64) -> Option<Ordering> {
+        self.value.partial_cmp(other)
+    }
+}
+
+impl<const N: usize> Neg for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        self.function(-self.value, -1.0)
+    }
+}
+
+impl<const N: usize> Add for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn add(mut self, other: Self) -> Self {
+        self += other;
+        self
+    }
+}
+
+impl<const N: usize> Sub for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(mut self, other: Self) -> Self {
+        self -= other;
+        self
+    }
+}
+
+impl<const N: usize> Mul for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::function_of_two(&self, &other, self.value * other.value, other.value, self.value)
+    }
+}
+
+impl<const N: usize> Div for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let inverse = 1.0 / other.value;
+        let value = self.value / other.value;
+        Self::function_of_two(&self, &other, value, inverse, -value * inverse)
+    }
+}
+
+impl<const N: usize> Add<f64> for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: f64) -> Self {
+        Self { value: self.value + other, ..self }
+    }
+}
+
+impl<const N: usize> Sub<f64> for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: f64) -> Self {
+        Self { value: self.value - other, ..self }
+    }
+}
+
+impl<const N: usize> Mul<f64> for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: f64) -> Self {
+        self.function(self.value * other, other)
+    }
+}
+
+impl<const N: usize> Div<f64> for Dual<N> {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, other: f64) -> Self {
+        self.function(self.value / other, 1.0 / other)
+    }
+}
+
+impl<const N: usize> AddAssign for Dual<N> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        self.value += other.value;
+        for (own, other) in self.slopes.iter_mut().zip(other.slopes) {
+            *own += other;
+        }
+    }
+}
+
+impl<const N: usize> SubAssign for Dual<N> {
+    #[inline]
+    fn sub_assign(&mut self, other: Self) {
+        self.value -= other.value;
+        for (own, other) in self.slopes.iter_mut().zip(other.slopes) {
+            *own -= other;
+        }
+    }
+}
+
+impl<const N: usize> MulAssign for Dual<N> {
+    #[inline]
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<const N: usize> DivAssign for Dual<N> {
+    #[inline]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<const N: usize> MulAssign<f64> for Dual<N> {
+    #[inline]
+    fn mul_assign(&mut self, other: f64) {
+        *self = *self * other;
+    }
+}
+
+impl<const N: usize> Zero for Dual<N> {
+    #[inline]
+    fn zero() -> Self {
+        Self::from(0.0)
+    }
+
+    #[inline]
+    fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+}
+
+impl<const N: usize> One for Dual<N> {
+    #[inline]
+    fn one() -> Self {
+        Self::from(1.0)
+    }
+}
+
+impl<const N: usize> Sum for Dual<N> {
+    fn sum<I: Iterator<Item = Self>>(numbers: I) -> Self {
+        numbers.fold(Self::from(0.0), |sum, number| sum + number)
+    }
+}
+
+impl<const N: usize> Real for Dual<N> {
+    const HAS_SLOPES: bool = true;
+
+    #[inline]
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    #[inline]
+    fn moving(value: f64, rates: Self) -> Self {
+        Self { value, ..rates }
+    }
+
+    #[inline]
+    fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self {
+        self.function(value, slope())
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        if root == 0.0 { Self::from(0.0) } else { self.function(root, 0.5 / root) }
+    }
+
+    #[inline]
+    fn powi(self, power: i32) -> Self {
+        self.function(self.value.powi(power), f64::from(power) * self.value.powi(power - 1))
+    }
+
+    #[inline]
+    fn three_halves(self) -> Self {
+        self.function(self.value.powf(1.5), 1.5 * self.value.sqrt())
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.function(self.value.ln(), 1.0 / self.value)
+    }
+
+    #[inline]
+    fn normal_ln(self) -> Self {
+        self.function(logarithm::ln(self.value), 1.0 / self.value)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.function(value, value)
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        (self.function(sine, cosine), self.function(cosine, -sine))
+    }
+
+    #[inline]
+    fn asin(self) -> Self {
+        let rest = 1.0 - self.value * self.value;
+        let slope = if rest > 0.0 { 1.0 / rest.sqrt() } else { 0.0 };
+        self.function(self.value.asin(), slope)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        let square = self.value * self.value + x.value * x.value;
+        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
+        let (by_y, by_x) = (x.value * inverse, -self.value * inverse);
+        Self::function_of_two(&self, &x, self.value.atan2(x.value), by_y, by_x)
+    }
+
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        let length = self.value.hypot(other.value);
+        if length == 0.0 {
+            return Self::from(0.0);
+        }
+        let (by_self, by_other) = (self.value / length, other.value / length);
+        Self::function_of_two(&self, &other, length, by_self, by_other)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.function(self.value.abs(), self.value.signum())
+    }
+
+    #[inline]
+    fn signum(self) -> f64 {
+        self.value.signum()
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self.value >= other.value || other.value.is_nan() { self } else { other }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self.value <= other.value || other.value.is_nan() { self } else { other }
+    }
+
+    #[inline]
+    fn at_least(self, least: f64) -> Self {
+        if self.value >= least { self } else { Self::from(least) }
+    }
+
+    #[inline]
+    fn at_most(self, most: f64) -> Self {
+        if self.value <= most { self } else { Self::from(most) }
+    }
+
+    #[inline]
+    fn within(self, least: f64, most: f64) -> Self {
+        if self.value < least {
+            Self::from(least)
+        } else if self.value > most {
+            Self::from(most)
+        } else {
+            self
+        }
+    }
+
+    #[inline]
+    fn copysign(self, sign: f64) -> Self {
+        let value = self.value.copysign(sign);
+        if value.is_sign_positive() == self.value.is_sign_positive() { self } else { -self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// A function of two variables that uses every operation.
+    fn all<T: Real>(x: T, y: T) -> T {
+        let (sine, cosine) = (x * y).sin_cos();
+        let mut sum = (x + y).sqrt() + (x - y).powi(3) / (y * 2.0 + 1.0) - x.ln() * sine;
+        sum += (x / y).exp() * cosine + (x * 0.3).asin() + y.atan2(x) * 0.5 - x.hypot(y);
+        sum -= (y - x).abs() * x.normal_ln() / 3.0 + (-x).copysign(1.0);
+        sum *= x.max(y) + x.min(y) * 0.1 + x.at_least(5.0) + y.at_most(0.1) + x.within(0.0, 1.0);
+        sum += (x * y).three_halves() + y.chain(y.value() * y.value(), || 2.0 * y.value());
+        sum * [x, y].into_iter().sum::<T>()
+    }
+
+    #[test]
+    fn all_operations_have_the_slopes_of_differences_and_the_values_of_real_numbers() {
+        let at = all::<f64>;
+        let (x, y, h) = (0.7, 1.3, 1e-5);
+        let found = all(Dual::<2>::variable(x, 0), Dual::variable(y, 1));
+        assert_relative_eq!(found.value, at(x, y), max_relative = 1e-15);
+        let by_x = (at(x + h, y) - at(x - h, y)) / (2.0 * h);
+        let by_y = (at(x, y + h) - at(x, y - h)) / (2.0 * h);
+        assert_relative_eq!(found.slopes[0], by_x, max_relative = 1e-8);
+        assert_relative_eq!(found.slopes[1], by_y, max_relative = 1e-8);
+    }
+
+    #[test]
+    fn nothing_has_a_root_without_slopes() {
+        let zero = Dual::<1>::variable(0.0, 0);
+        for number in [zero.sqrt(), zero.hypot(zero), zero.atan2(zero)] {
+            assert!(number.slopes[0].abs() <= 0.0);
+        }
+    }
+}

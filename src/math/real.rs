@@ -1,0 +1,236 @@
+//! Numbers that the mechanics is written for: plain ones, and ones that carry derivatives.
+
+use std::fmt::Debug;
+use std::iter::Sum;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::logarithm;
+
+/// A real number, or one with its derivatives ([`Dual`](super::dual::Dual)).
+///
+/// Comparisons look at the value alone: where a formula has branches, derivatives are those of the branch that the value takes. For `f64`
+/// every method is the one of the standard library.
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + PartialOrd
+    + PartialOrd<f64>
+    + From<f64>
+    + Zero
+    + One
+    + Sum
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+    + MulAssign<f64>
+    + 'static
+{
+    /// Whether there are derivatives to be carried along.
+    const HAS_SLOPES: bool;
+
+    /// The number without derivatives.
+    #[must_use]
+    fn value(self) -> f64;
+
+    /// The number `value` with the derivatives of `rates`: what a search has found, and how it moves.
+    #[must_use]
+    fn moving(value: f64, rates: Self) -> Self;
+
+    /// The function of this number that has the value `value` and the derivative `slope()` there.
+    #[must_use]
+    fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self;
+
+    /// Square root; at zero without derivatives.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Whole power.
+    #[must_use]
+    fn powi(self, power: i32) -> Self;
+
+    /// Power 3/2.
+    #[must_use]
+    fn three_halves(self) -> Self;
+
+    /// Natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// Natural logarithm of a normal number > 0, as [`logarithm::ln`].
+    #[must_use]
+    fn normal_ln(self) -> Self;
+
+    /// Exponential.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// Sine and cosine.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Arc sine.
+    #[must_use]
+    fn asin(self) -> Self;
+
+    /// Angle of the point (`x`, self).
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+
+    /// sqrt(self² + other²).
+    #[must_use]
+    fn hypot(self, other: Self) -> Self;
+
+    /// Magnitude.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// 1 or -1, as the sign of the value.
+    #[must_use]
+    fn signum(self) -> f64;
+
+    /// The greater one; a number where one of them is none.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+
+    /// The lesser one; a number where one of them is none.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// The greater one of it and a constant.
+    #[must_use]
+    fn at_least(self, least: f64) -> Self;
+
+    /// The lesser one of it and a constant.
+    #[must_use]
+    fn at_most(self, most: f64) -> Self;
+
+    /// Between two constants.
+    #[must_use]
+    fn within(self, least: f64, most: f64) -> Self;
+
+    /// Its magnitude with the sign of `sign`.
+    #[must_use]
+    fn copysign(self, sign: f64) -> Self;
+}
+
+impl Real for f64 {
+    const HAS_SLOPES: bool = false;
+
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn moving(value: f64, _: Self) -> Self {
+        value
+    }
+
+    #[inline]
+    fn chain(self, value: f64, _: impl FnOnce() -> f64) -> Self {
+        value
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn powi(self, power: i32) -> Self {
+        self.powi(power)
+    }
+
+    #[inline]
+    fn three_halves(self) -> Self {
+        self.powf(1.5)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.ln()
+    }
+
+    #[inline]
+    fn normal_ln(self) -> Self {
+        logarithm::ln(self)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        self.exp()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+
+    #[inline]
+    fn asin(self) -> Self {
+        self.asin()
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        self.atan2(x)
+    }
+
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        self.hypot(other)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn signum(self) -> f64 {
+        self.signum()
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    #[inline]
+    fn at_least(self, least: f64) -> Self {
+        self.max(least)
+    }
+
+    #[inline]
+    fn at_most(self, most: f64) -> Self {
+        self.min(most)
+    }
+
+    #[inline]
+    fn within(self, least: f64, most: f64) -> Self {
+        self.clamp(least, most)
+    }
+
+    #[inline]
+    fn copysign(self, sign: f64) -> Self {
+        self.copysign(sign)
+    }
+}

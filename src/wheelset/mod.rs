@@ -1,0 +1,299 @@
+//! Two elements on one axle: motion of the centre of a wheelset in, forces on it and on both rails out.
+//!
+//! ```
+//! use wheelrail::wheelset::{Input, Output, Parameters, Wheelset};
+//!
+//! let mut input = Input::default();
+//! let mut wheelset = Wheelset::new(&Parameters::default(), &input, &[])?;
+//! input.wheelset.position[2] = wheelset.nominal_z() + 1e-4;
+//! input.wheelset.velocity[0] = 20.0;
+//! input.wheelset.pitch_rate = -20.0 / 0.46;
+//! let mut output = Output::default();
+//! wheelset.evaluate(&input, &mut output)?;
+//! // Both rails push up; in the middle of the track they do not turn the wheelset.
+//! assert!(output.wheelset.force[2] < -6e4);
+//! assert!(output.wheelset.moment[0].abs() < 1e-6);
+//! # Ok::<(), wheelrail::error::ContactError>(())
+//! ```
+
+mod derivatives;
+mod given_load;
+mod input;
+mod output;
+mod parameters;
+mod total;
+
+use std::path::PathBuf;
+
+pub use input::{Input, SideInput};
+pub use output::Output;
+pub use parameters::{Parameters, TAPE_CIRCLE};
+
+use crate::element::output::Wrench;
+use crate::element::parameters::VerticalMode;
+use crate::element::subject::Subject;
+use crate::element::work_pairs::{WorkPairs, work_pairs};
+use crate::element::{self, Element};
+use crate::error::ContactError;
+
+/// Place of the right side in all pairs.
+pub const RIGHT: usize = 0;
+/// Place of the left side in all pairs.
+pub const LEFT: usize = 1;
+/// Names of the sides, in the order of all pairs.
+pub const SIDES: [&str; 2] = ["right", "left"];
+
+/// A wheelset and the rails under it, ready to be evaluated.
+///
+/// A rigid body: its wheel markers follow the centre. Everything about frames, signs and models is as for [`Element`].
+#[derive(Clone, Debug)]
+pub struct Wheelset {
+    elements: [Element; 2],
+    vertical_mode: VerticalMode,
+    /// Place of each wheel marker along the axle [m].
+    markers: [f64; 2],
+    nominal: NominalHeights,
+}
+
+/// Heights of first touch for a starting input.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NominalHeights {
+    /// Height of the centre at which the first of the wheels touches; the starting height where both stand beside the rails [m].
+    pub wheelset_z: f64,
+    /// Height of each wheel marker at which that wheel touches; its starting height where it stands beside the rails [m].
+    pub wheel_z: [f64; 2],
+}
+
+impl Wheelset {
+    /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order), checks the parameters and sizes all
+    /// scratch memory. `start` is the input from which the nominal heights follow.
+    ///
+    /// # Errors
+    /// The parameter, profile or input at fault, by its name in `WheelSet.fmu`.
+    pub fn new(
+        parameters: &Parameters,
+        start: &Input,
+        profile_folders: &[PathBuf],
+    ) -> Result<Self, ContactError> {
+        start.check()?;
+        let markers = parameters.markers();
+        let [right, left] = parameters.checked()?;
+        let mut nominal =
+            NominalHeights { wheelset_z: f64::INFINITY, wheel_z: [start.wheelset.position[2]; 2] };
+        let mut side = |k: usize, parameters: &element::Parameters| {
+            let input = start.of_side(k, markers[k]);
+            let mut element = Element::new(parameters, &input, profile_folders)?;
+            nominal.wheel_z[k] = element.nominal_wheel_z();
+            if let Some(touching) = element.touch(&input) {
+                let lower = input.wheel.position[2] - start.wheelset.position[2];
+                nominal.wheelset_z = nominal.wheelset_z.min(touching - lower);
+            }
+            Ok(element)
+        };
+        let elements = [
+            side(RIGHT, &right).map_err(|e: ContactError| on_side(e, SIDES[RIGHT]))?,
+            side(LEFT, &left).map_err(|e: ContactError| on_side(e, SIDES[LEFT]))?,
+        ];
+        if nominal.wheelset_z.is_infinite() {
+            nominal.wheelset_z = start.wheelset.position[2];
+        }
+        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, nominal })
+    }
+
+    /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its starting height where it stands
+    /// beside the rails [m].
+    #[must_use]
+    pub fn nominal_z(&self) -> f64 {
+        self.nominal.wheelset_z
+    }
+
+    /// Heights of first touch of the wheelset and of each wheel.
+    #[must_use]
+    pub fn nominal_heights(&self) -> NominalHeights {
+        self.nominal
+    }
+
+    /// The right wheel and the left one.
+    #[must_use]
+    pub fn elements(&self) -> &[Element; 2] {
+        &self.elements
+    }
+
+    /// Evaluates the forces; allocates nothing.
+    ///
+    /// # Errors
+    /// The input at fault, by its name; `output` is then as before.
+    pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
+        self.both(input, output, Element::evaluate)
+    }
+
+    /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, as [`Element::advance`].
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or a duration that is negative or not finite; nothing is worn off then.
+    pub fn advance(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.both(input, output, |element, input, output| element.advance(input, output, duration))
+    }
+
+    /// Both sides by `evaluate`, at the height and roll that carry the loads where these are given, and the sums.
+    fn both(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        evaluate: impl FnMut(
+            &mut Element,
+            &element::Input,
+            &mut element::Output,
+        ) -> Result<(), ContactError>,
+    ) -> Result<(), ContactError> {
+        input.check()?;
+        let mut input = *input;
+        let mut is_missed = false;
+        if self.vertical_mode == VerticalMode::Load {
+            (input, is_missed) = self.carry_loads(&input)?;
+        }
+        self.sides(&input, output, evaluate)?;
+        if is_missed {
+            let right = &mut self.elements[RIGHT];
+            right.set_fallbacks(right.fallbacks() + 1);
+            self.report_fallbacks(output);
+        }
+        let mut total = Wrench::default();
+        for (along, side) in self.markers.iter().zip(&output.sides) {
+            total::add(&mut total, &input.wheelset, *along, &side.wheel);
+        }
+        let [right, left] = &output.sides;
+        output.patch_count = right.patch_count + left.patch_count;
+        output.fallback_count = right.fallback_count.saturating_add(left.fallback_count);
+        output.wear_number = right.wear_number + left.wear_number;
+        output.frictional_power = right.frictional_power + left.frictional_power;
+        (output.wheelset, output.wheelset_z) = (total, input.wheelset.position[2]);
+        output.roll = input.wheelset.roll;
+        Ok(())
+    }
+
+    /// Each side by itself.
+    fn sides(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        mut evaluate: impl FnMut(
+            &mut Element,
+            &element::Input,
+            &mut element::Output,
+        ) -> Result<(), ContactError>,
+    ) -> Result<(), ContactError> {
+        let sides = [RIGHT, LEFT].map(|k| input.of_side(k, self.markers[k]));
+        // Numbers near the greatest one may leave their range on the way to the markers.
+        for (k, side) in sides.iter().enumerate() {
+            side.check().map_err(|e| on_side(e, SIDES[k]))?;
+        }
+        for (k, side) in sides.iter().enumerate() {
+            evaluate(&mut self.elements[k], side, &mut output.sides[k])?;
+        }
+        Ok(())
+    }
+}
+
+impl Subject for Wheelset {
+    type Parameters = Parameters;
+    type Input = Input;
+    type Output = Output;
+    type Nominal = NominalHeights;
+
+    const PREFIXES: &'static [&'static str] = &["right.", "left."];
+
+    fn prepare(
+        parameters: &Parameters,
+        start: &Input,
+        profile_folders: &[PathBuf],
+    ) -> Result<Self, ContactError> {
+        Self::new(parameters, start, profile_folders)
+    }
+
+    fn nominal(&self) -> NominalHeights {
+        self.nominal
+    }
+
+    fn evaluate_all(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
+        self.evaluate(input, output)
+    }
+
+    fn advance_all(
+        &mut self,
+        input: &Input,
+        output: &mut Output,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.advance(input, output, duration)
+    }
+
+    fn directional_derivative_of_all(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        rates: &mut Output,
+    ) -> Result<(), ContactError> {
+        self.directional_derivative(input, direction, rates)
+    }
+
+    fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    fn elements_mut(&mut self) -> &mut [Element] {
+        &mut self.elements
+    }
+
+    fn parameters_of_elements(parameters: &Parameters) -> &[element::Parameters] {
+        &parameters.sides
+    }
+
+    fn fallback_count(output: &Output) -> i32 {
+        output.fallback_count
+    }
+
+    fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
+        let sides = input.sides.iter().zip(&output.sides);
+        let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));
+        work_pairs((&input.wheelset, &output.wheelset), rails)
+    }
+
+    fn input_of_element(&self, k: usize, input: &Input, output: &Output) -> element::Input {
+        let mut found = *input;
+        found.wheelset.position[2] = output.wheelset_z;
+        found.wheelset.roll = output.roll;
+        found.of_side(k, self.markers[k])
+    }
+
+    fn report_fallbacks(&self, output: &mut Output) {
+        for (element, side) in self.elements.iter().zip(&mut output.sides) {
+            side.fallback_count = element.fallback_count();
+        }
+        let [right, left] = output.sides.map(|side| side.fallback_count);
+        output.fallback_count = right.saturating_add(left);
+    }
+}
+
+/// The error of an element as one of the wheelset.
+fn on_side(error: ContactError, side: &str) -> ContactError {
+    error.renamed(|name| name_on_side(name, side))
+}
+
+/// The name in `WheelSet.fmu` of what `WheelRail.fmu` calls `name`: what belongs to one wheel or one rail has the side before it, models
+/// and materials are those of both.
+#[must_use]
+pub fn name_on_side(name: &str, side: &str) -> String {
+    let is_common = ["wheel.young_modulus", "wheel.poisson_ratio", "rail.", "wear.model"]
+        .iter()
+        .any(|common| name.starts_with(common));
+    let is_of_side = ["wheel.", "rail[", "wear.wheel.file", "wear.rail[", "friction.coefficient"]
+        .iter()
+        .any(|start| name.starts_with(start));
+    if is_of_side && !is_common { format!("{side}.{name}") } else { name.into() }
+}

@@ -1,0 +1,65 @@
+//! What is fixed once a wheelset is made.
+
+use super::{LEFT, RIGHT};
+use crate::element;
+use crate::element::parameters::Side;
+use crate::error::ContactError;
+
+/// Distance of the tape circle, the origin of the wheel profiles, from the flange back [m].
+pub const TAPE_CIRCLE: f64 = 0.07;
+
+/// Everything fixed over a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// Distance of the flange backs, > 0; the wheel markers are the distance of the tape circle farther out on both sides [m].
+    pub flange_back_distance: f64,
+    /// Right and left wheel with their rails; each `side` is that of its place, whatever it says.
+    pub sides: [element::Parameters; 2],
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self::of_both(&element::Parameters::default())
+    }
+}
+
+impl Parameters {
+    /// The same for both sides, flange backs 1.36 m apart. A second rail gets its mirror image, wherever `one` is.
+    #[must_use]
+    pub fn of_both(one: &element::Parameters) -> Self {
+        let place = |side: Side, sign: f64| {
+            let mut parameters = element::Parameters { side, ..one.clone() };
+            let y = &mut parameters.second_rail.position[0];
+            *y = sign * y.abs();
+            parameters
+        };
+        let sides = [place(Side::Right, 1.0), place(Side::Left, -1.0)];
+        Self { flange_back_distance: 1.36, sides }
+    }
+
+    /// Distance of each wheel marker from the centre, positive to the right [m].
+    #[must_use]
+    pub fn markers(&self) -> [f64; 2] {
+        let half = 0.5 * self.flange_back_distance + TAPE_CIRCLE;
+        [half, -half]
+    }
+
+    /// The parameters of each element, and whether the distance is admitted; elements check their own.
+    pub(super) fn checked(&self) -> Result<[element::Parameters; 2], ContactError> {
+        let distance = self.flange_back_distance;
+        if !(distance.is_finite() && distance > 0.0) {
+            let allowed = "a finite number greater than 0";
+            return Err(ContactError::bad_value("flange_back_distance", distance, allowed));
+        }
+        let [right, left] = &self.sides;
+        if right.vertical_mode != left.vertical_mode {
+            let (name, value) = ("vertical.mode".into(), "penetration and load".into());
+            let allowed = "the same on both sides".into();
+            return Err(ContactError::BadText { name, value, allowed });
+        }
+        let mut sides = [right.clone(), left.clone()];
+        sides[RIGHT].side = Side::Right;
+        sides[LEFT].side = Side::Left;
+        Ok(sides)
+    }
+}

@@ -1,0 +1,54 @@
+//! Forces on the wheels, brought to the centre of the wheelset.
+
+use nalgebra::Vector3;
+
+use crate::element::input::WheelMotion;
+use crate::element::output::Wrench;
+use crate::math::real::Real;
+
+/// Adds to `total`, which is about the centre with that `motion`, a force on the body and its moment about the point of the axle
+/// `along` [m] to the right of there.
+pub fn add<T: Real>(
+    total: &mut Wrench<T>,
+    motion: &WheelMotion<T>,
+    along: f64,
+    wrench: &Wrench<T>,
+) {
+    let force = Vector3::from(wrench.force);
+    let moment = Vector3::from(wrench.moment) + (motion.axle() * T::from(along)).cross(&force);
+    for i in 0..3 {
+        total.force[i] += force[i];
+        total.moment[i] += moment[i];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn power_of_the_total_is_that_of_the_parts() {
+        let motion = WheelMotion {
+            position: [0.1, 0.004, -0.459],
+            roll: 0.02,
+            yaw: -0.03,
+            pitch: 0.7,
+            velocity: [20.0, 0.3, -0.2],
+            roll_rate: 0.4,
+            yaw_rate: -0.7,
+            pitch_rate: -43.0,
+        };
+        // F · V + M · ω at a marker and at the centre.
+        let wrench = Wrench { force: [1.0, -2.0, -50.0], moment: [0.3, 0.5, -0.2] };
+        let power = |wrench: &Wrench, velocity: [f64; 3]| {
+            Vector3::from(wrench.force).dot(&Vector3::from(velocity))
+                + Vector3::from(wrench.moment).dot(&motion.angular_velocity())
+        };
+        let mut total = Wrench::default();
+        add(&mut total, &motion, 0.75, &wrench);
+        let marker = motion.along_axle(0.75);
+        let (at_marker, at_centre) =
+            (power(&wrench, marker.velocity), power(&total, motion.velocity));
+        approx::assert_relative_eq!(at_marker, at_centre, max_relative = 1e-13);
+    }
+}

@@ -1,0 +1,520 @@
+//! A wheelset against two wheels moved by hand: kinematics of the rigid body, sums, mirror image, wear, refusals by name.
+
+mod common;
+mod tolerance;
+
+use common::random::Random;
+use nalgebra::{Matrix3, Vector3};
+use wheelrail::element::input::{RailMotion, WheelMotion};
+use wheelrail::element::output::Wrench;
+use wheelrail::element::parameters::{NormalModel, Side, TangentialModel, VerticalMode, WearModel};
+use wheelrail::element::{self, Element};
+use wheelrail::wheelset::{Input, LEFT, Output, Parameters, RIGHT, SideInput, Wheelset};
+
+const HALF: f64 = 0.75;
+
+fn wheelset(parameters: &Parameters) -> Wheelset {
+    Wheelset::new(parameters, &Input::default(), &[]).unwrap()
+}
+
+fn evaluate(wheelset: &mut Wheelset, input: &Input) -> Output {
+    let mut output = Output::default();
+    wheelset.evaluate(input, &mut output).unwrap();
+    output
+}
+
+/// Anything a rolling wheelset may do, pressed on rails that move.
+fn random_input(random: &mut Random) -> Input {
+    let mut rail = || RailMotion {
+        y: random.about(1e-3),
+        z: random.about(2e-5),
+        roll: random.about(0.01),
+        vy: random.about(0.05),
+        vz: random.about(0.01),
+        roll_rate: random.about(0.05),
+    };
+    let rails = [[rail(), rail()], [rail(), rail()]];
+    let friction = [random.within(0.1, 0.5), random.within(0.1, 0.5)];
+    let speed = random.within(5.0, 60.0);
+    Input {
+        wheelset: WheelMotion {
+            position: [random.about(3.0), random.about(4e-3), -0.46 + random.within(2.5e-4, 4e-4)],
+            roll: random.about(1e-4),
+            yaw: random.about(0.01),
+            pitch: random.about(3.0),
+            velocity: [speed, random.about(0.2), random.about(0.01)],
+            roll_rate: random.about(0.02),
+            yaw_rate: random.about(0.1),
+            pitch_rate: -speed / 0.46 * (1.0 + random.about(2e-3)),
+        },
+        sides: [0, 1].map(|k| SideInput {
+            rails: rails[k],
+            wheel_load: 0.0,
+            friction: friction[k],
+        }),
+        track_s: random.about(100.0),
+    }
+}
+
+/// Rotation matrix R = `R_x(roll)` `R_z(yaw)` `R_y(pitch)`, factor by factor.
+fn rotation(roll: f64, yaw: f64, pitch: f64) -> Matrix3<f64> {
+    let ((sr, cr), (sy, cy), (sp, cp)) = (roll.sin_cos(), yaw.sin_cos(), pitch.sin_cos());
+    let about_x = Matrix3::new(1.0, 0.0, 0.0, 0.0, cr, -sr, 0.0, sr, cr);
+    let about_z = Matrix3::new(cy, -sy, 0.0, sy, cy, 0.0, 0.0, 0.0, 1.0);
+    let about_y = Matrix3::new(cp, 0.0, sp, 0.0, 1.0, 0.0, -sp, 0.0, cp);
+    about_x * about_z * about_y
+}
+
+/// Angular velocity in the track frame: ω = roll_rate e_x + yaw_rate e_z' + pitch_rate e_axle.
+fn angular_velocity(motion: &WheelMotion) -> Vector3<f64> {
+    let rolled = rotation(motion.roll, 0.0, 0.0);
+    let turned = rotation(motion.roll, motion.yaw, 0.0);
+    Vector3::x() * motion.roll_rate
+        + rolled * Vector3::z() * motion.yaw_rate
+        + turned * Vector3::y() * motion.pitch_rate
+}
+
+/// The input of a wheel whose marker is a point of the body `along` e_y from the centre.
+fn by_hand(input: &Input, side: usize, along: f64) -> element::Input {
+    let centre = &input.wheelset;
+    let arm = rotation(centre.roll, centre.yaw, centre.pitch) * Vector3::new(0.0, along, 0.0);
+    let position = Vector3::from(centre.position) + arm;
+    let velocity = Vector3::from(centre.velocity) + angular_velocity(centre).cross(&arm);
+    element::Input {
+        wheel: WheelMotion { position: position.into(), velocity: velocity.into(), ..*centre },
+        wheel_load: 0.0,
+        rails: input.sides[side].rails,
+        track_s: input.track_s,
+        friction: input.sides[side].friction,
+    }
+}
+
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+fn components(wrench: &Wrench) -> impl Iterator<Item = f64> {
+    wrench.force.into_iter().chain(wrench.moment)
+}
+
+#[test]
+fn each_side_is_a_wheel_moved_with_the_rigid_body() {
+    let parameters = Parameters::default();
+    let mut wheelset = wheelset(&parameters);
+    let mut wheels = [Side::Right, Side::Left].map(|side| {
+        let own = element::Parameters { side, ..element::Parameters::default() };
+        let mut start = element::Input::default();
+        start.wheel.position[1] = if side == Side::Left { -HALF } else { HALF };
+        Element::new(&own, &start, &[]).unwrap()
+    });
+    let mut random = Random::new(21);
+    let (mut marker_error, mut force_error, mut loaded) = (0.0_f64, 0.0_f64, 0);
+    for _ in 0..200 {
+        let input = random_input(&mut random);
+        let output = evaluate(&mut wheelset, &input);
+        for (k, along) in [(RIGHT, HALF), (LEFT, -HALF)] {
+            let (own, hand) = (input.of_side(k, along).wheel, by_hand(&input, k, along).wheel);
+            let differences = (0..3).flat_map(|i| {
+                [own.position[i] - hand.position[i], (own.velocity[i] - hand.velocity[i]) / 60.0]
+            });
+            marker_error = marker_error.max(largest(differences));
+            let mut alone = element::Output::default();
+            wheels[k].evaluate(&by_hand(&input, k, along), &mut alone).unwrap();
+            loaded += i32::from(alone.patch_count > 0);
+            let size = largest(components(&alone.wheel)).max(1.0);
+            let pairs =
+                [(output.sides[k].wheel, alone.wheel), (output.sides[k].rails[0], alone.rails[0])];
+            for (ours, theirs) in pairs {
+                let difference = components(&ours).zip(components(&theirs)).map(|(a, b)| a - b);
+                force_error = force_error.max(largest(difference) / size);
+            }
+            // With the same marker to the last bit, the same forces to the last bit.
+            wheels[k].evaluate(&input.of_side(k, along), &mut alone).unwrap();
+            assert_eq!(format!("{alone:?}"), format!("{:?}", output.sides[k]));
+        }
+    }
+    println!("markers {marker_error:e}, forces {force_error:e}, {loaded} wheels in contact");
+    assert!(loaded > 300);
+    assert!(marker_error < tolerance::WHEELSET_MARKER);
+    assert!(force_error < tolerance::WHEELSET_FORCE);
+}
+
+#[test]
+fn the_total_is_the_sum_of_both_sides_with_moments_about_the_centre() {
+    let mut wheelset = wheelset(&Parameters::default());
+    let mut random = Random::new(22);
+    for _ in 0..100 {
+        let input = random_input(&mut random);
+        let output = evaluate(&mut wheelset, &input);
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for (side, along) in output.sides.iter().zip([HALF, -HALF]) {
+            let arm = rotation(input.wheelset.roll, input.wheelset.yaw, 0.0) * Vector3::y() * along;
+            let own = Vector3::from(side.wheel.force);
+            force += own;
+            moment += Vector3::from(side.wheel.moment) + arm.cross(&own);
+        }
+        let size = force.amax();
+        assert!(
+            (force - Vector3::from(output.wheelset.force)).amax() <= tolerance::ROUNDING * size
+        );
+        assert!(
+            (moment - Vector3::from(output.wheelset.moment)).amax() <= tolerance::ROUNDING * size
+        );
+        let [right, left] = &output.sides;
+        assert_eq!(output.patch_count, right.patch_count + left.patch_count);
+        let power = right.frictional_power + left.frictional_power;
+        assert!((output.frictional_power - power).abs() <= tolerance::ROUNDING * power);
+        let wear = right.wear_number + left.wear_number;
+        assert!((output.wear_number - wear).abs() <= tolerance::ROUNDING * wear);
+    }
+}
+
+#[test]
+fn the_mirror_image_of_a_motion_gives_the_mirror_image_of_the_forces_bit_for_bit() {
+    let mut wheelset = wheelset(&Parameters::default());
+    let mut random = Random::new(23);
+    for _ in 0..100 {
+        let input = random_input(&mut random);
+        let mut image = input;
+        let centre = &mut image.wheelset;
+        for value in [
+            &mut centre.position[1],
+            &mut centre.velocity[1],
+            &mut centre.roll,
+            &mut centre.yaw,
+            &mut centre.roll_rate,
+            &mut centre.yaw_rate,
+        ] {
+            *value = -*value;
+        }
+        image.sides.swap(0, 1);
+        for rail in image.sides.iter_mut().flat_map(|side| &mut side.rails) {
+            for value in [&mut rail.y, &mut rail.roll, &mut rail.vy, &mut rail.roll_rate] {
+                *value = -*value;
+            }
+        }
+        let (ours, theirs) = (evaluate(&mut wheelset, &input), evaluate(&mut wheelset, &image));
+        let same = |a: f64, b: f64| assert!((a - b).abs() <= 0.0, "{a} and {b}");
+        let mirrored = |a: &Wrench, b: &Wrench| {
+            for (i, sign) in [1.0, -1.0, 1.0].into_iter().enumerate() {
+                same(a.force[i], sign * b.force[i]);
+                same(a.moment[i], -sign * b.moment[i]);
+            }
+        };
+        for (a, b) in ours.sides.iter().zip(theirs.sides.iter().rev()) {
+            mirrored(&a.wheel, &b.wheel);
+            mirrored(&a.rails[0], &b.rails[0]);
+            assert_eq!(a.patch_count, b.patch_count);
+        }
+        // Sums are taken in another order.
+        let size = largest(components(&ours.wheelset));
+        for (i, sign) in [1.0, -1.0, 1.0].into_iter().enumerate() {
+            let force = ours.wheelset.force[i] - sign * theirs.wheelset.force[i];
+            let moment = ours.wheelset.moment[i] + sign * theirs.wheelset.moment[i];
+            assert!(largest([force, moment]) <= tolerance::ROUNDING * size);
+        }
+    }
+}
+
+#[test]
+fn both_wheels_touch_at_the_nominal_height_in_the_middle_and_the_lower_one_first_when_rolled() {
+    let middle = wheelset(&Parameters::default());
+    let heights = middle.nominal_heights();
+    assert_eq!(heights.wheel_z[0].to_bits(), heights.wheel_z[1].to_bits());
+    assert_eq!(heights.wheelset_z.to_bits(), heights.wheel_z[0].to_bits());
+    let mut start = Input::default();
+    start.wheelset.roll = 2e-3;
+    let mut rolled = Wheelset::new(&Parameters::default(), &start, &[]).unwrap();
+    for (depth, touching) in [(-1e-9, 0), (1e-9, 1)] {
+        let mut input = start;
+        input.wheelset.position[2] = rolled.nominal_z() + depth;
+        let output = evaluate(&mut rolled, &input);
+        // Positive roll lowers the right wheel.
+        assert_eq!(output.sides.map(|side| side.patch_count), [touching, 0]);
+    }
+    // Beside both rails there is no such height.
+    start.wheelset.position = [0.0, 3.0, -0.3];
+    let beside = Wheelset::new(&Parameters::default(), &start, &[]).unwrap();
+    assert_eq!(beside.nominal_z().to_bits(), (-0.3_f64).to_bits());
+}
+
+#[test]
+fn the_wheels_stand_as_far_apart_as_the_flange_backs_say() {
+    let lateral = |distance: f64| {
+        let parameters = Parameters { flange_back_distance: distance, ..Parameters::default() };
+        let mut wheelset = wheelset(&parameters);
+        let mut input = Input::default();
+        input.wheelset.position[2] = wheelset.nominal_z() + 5e-5;
+        let output = evaluate(&mut wheelset, &input);
+        // The running circle on the profile is half of the distance and 70 mm from the centre.
+        output.sides.map(|side| side.patches[0].position[1].abs() - side.patches[0].wheel_y)
+    };
+    for distance in [1.357, 1.36, 1.363] {
+        for place in lateral(distance) {
+            let marker = 0.5 * distance + 0.07;
+            assert!((place - marker).abs() < 1e-4, "{place} for {marker}");
+        }
+    }
+}
+
+#[test]
+fn sides_may_differ_and_keep_their_place() {
+    let mut parameters = Parameters::default();
+    parameters.sides[RIGHT].side = Side::Left;
+    parameters.sides[LEFT].wheel.profile = "conical:0.05".into();
+    parameters.sides[LEFT].wheel.nominal_radius = 0.45;
+    parameters.sides[LEFT].normal_model = NormalModel::Hertz;
+    let mut wheelset = wheelset(&parameters);
+    let heights = wheelset.nominal_heights().wheel_z;
+    assert!(heights[LEFT] - heights[RIGHT] > 0.009);
+    let mut input = Input::default();
+    input.wheelset.position[2] = heights[RIGHT] + 1e-4;
+    let output = evaluate(&mut wheelset, &input);
+    assert!(output.sides[RIGHT].patches[0].position[1] > 0.7);
+    assert_eq!(output.sides[LEFT].patch_count, 0);
+}
+
+#[test]
+fn a_check_rail_stands_in_mirror_image_on_the_left() {
+    let mut one = element::Parameters::default();
+    one.rails[1].enabled = true;
+    let parameters = Parameters::of_both(&one);
+    let places = [0, 1].map(|k| parameters.sides[k].second_rail.position[0]);
+    assert!((places[0] + places[1]).abs() <= 0.0 && places[0] > 0.0);
+    // Pushed to the right, the flange back of the left wheel meets its check rail and pushes it along.
+    let mut wheelset = wheelset(&parameters);
+    let mut input = Input::default();
+    input.wheelset.position[2] = wheelset.nominal_z();
+    let mut pushed = |y: f64| {
+        input.wheelset.position[1] = y;
+        evaluate(&mut wheelset, &input).sides.map(|side| side.rails[1].force[1])
+    };
+    let (right, left) = (pushed(5e-5), pushed(-5e-5));
+    assert!(right[LEFT] > 1e3 && right[RIGHT].abs() <= 0.0, "{right:?}");
+    assert!((left[RIGHT] + right[LEFT]).abs() <= 0.0 && left[LEFT].abs() <= 0.0, "{left:?}");
+}
+
+#[test]
+fn given_loads_are_carried_at_the_height_and_roll_of_a_rigid_axle() {
+    let mut parameters = Parameters::default();
+    for side in &mut parameters.sides {
+        side.vertical_mode = VerticalMode::Load;
+    }
+    // Normal damping has no part in it.
+    let mut undamped = Parameters::default();
+    for side in &mut undamped.sides {
+        side.damping = 0.0;
+    }
+    let (mut loaded, mut rigid) = (wheelset(&parameters), wheelset(&undamped));
+    let mut random = Random::new(26);
+    for shift in [0.0, 1e-3, -3e-3, 5e-3, 7e-3] {
+        let mut input = random_input(&mut random);
+        input.wheelset.position[1] = shift;
+        for side in &mut input.sides {
+            side.wheel_load = random.within(2e4, 9e4);
+            side.rails = Default::default();
+        }
+        let output = evaluate(&mut loaded, &input);
+        assert_eq!(output.fallback_count, 0);
+        for k in [RIGHT, LEFT] {
+            let (carried, load) = (-output.sides[k].wheel.force[2], input.sides[k].wheel_load);
+            assert!((carried / load - 1.0).abs() < tolerance::PRESCRIBED_LOAD, "{carried} {load}");
+        }
+        let [right, left] = output.sides.each_ref().map(|side| side.wheel_z);
+        let between = 2.0 * HALF * output.roll.sin() * input.wheelset.yaw.cos();
+        assert!((right - left - between).abs() < 1e-14, "{right} {left} {between}");
+        // Put there, the wheelset feels the same.
+        let mut found = input;
+        (found.wheelset.position[2], found.wheelset.roll) = (output.wheelset_z, output.roll);
+        let again = evaluate(&mut rigid, &found);
+        for k in [RIGHT, LEFT] {
+            let pairs = components(&again.sides[k].wheel).zip(components(&output.sides[k].wheel));
+            let difference = largest(pairs.map(|(a, b)| a - b));
+            assert!(difference < 1e-9 * input.sides[k].wheel_load, "{difference}");
+        }
+        // Whatever height and roll were given.
+        (input.wheelset.position[2], input.wheelset.roll) = (-0.3, 0.05);
+        assert_eq!(format!("{:?}", evaluate(&mut loaded, &input)), format!("{output:?}"));
+    }
+    // A side without load is lifted from its rail; beside the rails nothing carries.
+    let mut input = Input::default();
+    input.sides[RIGHT].wheel_load = 5e4;
+    let output = evaluate(&mut loaded, &input);
+    assert!(output.sides[LEFT].wheel.force[2].abs() <= 0.0 && output.sides[RIGHT].patch_count > 0);
+    input.wheelset.position[1] = 3.0;
+    let before = output.fallback_count;
+    assert!(evaluate(&mut loaded, &input).fallback_count > before);
+    parameters.sides[LEFT].vertical_mode = VerticalMode::Penetration;
+    let error = Wheelset::new(&parameters, &Input::default(), &[]).unwrap_err().to_string();
+    assert!(error.starts_with("vertical.mode"), "{error}");
+}
+
+#[test]
+fn both_sides_wear_as_they_would_alone() {
+    let mut parameters = Parameters::default();
+    for side in &mut parameters.sides {
+        side.wear.model = WearModel::FrictionalWork;
+        side.wear.acceleration_factor = 1e5;
+        side.wear.update_interval = 3e-3;
+    }
+    let mut set = wheelset(&parameters);
+    let mut alone = set.elements().clone();
+    let mut random = Random::new(24);
+    for _ in 0..8 {
+        let input = random_input(&mut random);
+        let mut output = Output::default();
+        set.advance(&input, &mut output, 1e-3).unwrap();
+        for (k, along) in [(RIGHT, HALF), (LEFT, -HALF)] {
+            let mut single = element::Output::default();
+            alone[k].advance(&input.of_side(k, along), &mut single, 1e-3).unwrap();
+            assert_eq!(format!("{single:?}"), format!("{:?}", output.sides[k]));
+            assert!(single.wheel_wear.volume > 0.0);
+        }
+    }
+    let error = set.advance(&Input::default(), &mut Output::default(), -1.0).unwrap_err();
+    assert!(error.to_string().contains("duration = -1"), "{error}");
+}
+
+/// The coordinates, rates and loads of an input, to be changed one by one.
+fn numbers(input: &mut Input) -> Vec<&mut f64> {
+    let Input { wheelset: w, sides, track_s: _ } = input;
+    let mut all: Vec<&mut f64> = w.position.iter_mut().chain(&mut w.velocity).collect();
+    all.extend([&mut w.roll, &mut w.yaw, &mut w.pitch]);
+    all.extend([&mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate]);
+    for SideInput { rails: [rail, _], wheel_load, friction } in sides {
+        all.extend([&mut rail.y, &mut rail.z, &mut rail.roll]);
+        all.extend([&mut rail.vy, &mut rail.vz, &mut rail.roll_rate, friction, wheel_load]);
+    }
+    all
+}
+
+/// Total, each side and what is found.
+fn results(output: &Output) -> [Vec<f64>; 4] {
+    let mut forces = output.wheelset.force.to_vec();
+    let mut moments = output.wheelset.moment.to_vec();
+    for side in &output.sides {
+        forces.extend(side.wheel.force);
+        forces.extend(side.rails[0].force);
+        moments.extend(side.wheel.moment);
+        moments.extend(side.rails[0].moment);
+    }
+    [forces, moments, vec![output.wheelset_z, output.roll], vec![output.frictional_power]]
+}
+
+/// In random directions, of a model of creep forces without kinks.
+fn judge_derivatives(mode: VerticalMode, step: f64) -> f64 {
+    let mut parameters = Parameters::default();
+    for side in &mut parameters.sides {
+        (side.vertical_mode, side.tangential_model) = (mode, TangentialModel::Linear);
+    }
+    let mut wheelset = wheelset(&parameters);
+    let mut random = Random::new(27);
+    let (mut worst, mut count) = (0.0_f64, 0);
+    for _ in 0..30 {
+        let mut input = random_input(&mut random);
+        for side in &mut input.sides {
+            side.wheel_load = random.within(3e4, 9e4);
+        }
+        let at = evaluate(&mut wheelset, &input);
+        if at.sides.iter().any(|side| side.patch_count != 1) {
+            continue;
+        }
+        let mut direction = Input::at_rest();
+        for (i, number) in numbers(&mut direction).into_iter().enumerate() {
+            // A load moves by newtons where a height moves by fractions of a micrometre.
+            *number = random.about(if i == 19 || i == 27 { 1e7 } else { 1.0 });
+        }
+        let mut rates = Output::default();
+        wheelset.directional_derivative(&input, &direction, &mut rates).unwrap();
+        let mut moved = |h: f64| {
+            let (mut input, mut direction) = (input, direction);
+            let ways = numbers(&mut direction);
+            for (number, way) in numbers(&mut input).into_iter().zip(ways) {
+                *number += h * *way;
+            }
+            let output = evaluate(&mut wheelset, &input);
+            (output.patch_count == at.patch_count).then(|| results(&output))
+        };
+        let places = [moved(-step), moved(-0.5 * step), moved(0.5 * step), moved(step)];
+        let [Some(a), Some(b), Some(c), Some(d)] = places else { continue };
+        for (g, group) in results(&rates).iter().enumerate() {
+            let size = largest(group.iter().copied());
+            for (i, rate) in group.iter().enumerate() {
+                let slope = |low: &[Vec<f64>; 4], high: &[Vec<f64>; 4], h: f64| {
+                    (high[g][i] - low[g][i]) / h
+                };
+                let both = (4.0 * slope(&b, &c, step) - slope(&a, &d, 2.0 * step)) / 3.0;
+                worst = worst.max((rate - both).abs() / size);
+                count += 1;
+            }
+        }
+    }
+    println!("{mode:?}: worst of {count} rates {worst:e}");
+    assert!(count > 300, "{count}");
+    worst
+}
+
+#[test]
+fn derivatives_are_those_of_differences() {
+    assert!(judge_derivatives(VerticalMode::Penetration, 2e-7) < tolerance::DERIVATIVES);
+    assert!(judge_derivatives(VerticalMode::Load, 2e-6) < tolerance::DERIVATIVES);
+}
+
+#[test]
+fn derivatives_leave_the_wheelset_as_it_was() {
+    let mut wheelset = wheelset(&Parameters::default());
+    let input = random_input(&mut Random::new(28));
+    let before = format!("{:?}", evaluate(&mut wheelset, &input));
+    let mut direction = Input::at_rest();
+    direction.wheelset.yaw = 1.0;
+    let mut rates = Output::default();
+    wheelset.directional_derivative(&input, &direction, &mut rates).unwrap();
+    assert_eq!(format!("{:?}", evaluate(&mut wheelset, &input)), before);
+}
+
+type Place = fn(&mut Input) -> &mut f64;
+
+#[test]
+fn what_is_refused_has_its_name_in_the_wheelset_and_changes_nothing() {
+    let refused = |change: &dyn Fn(&mut Parameters)| {
+        let mut parameters = Parameters::default();
+        change(&mut parameters);
+        Wheelset::new(&parameters, &Input::default(), &[]).unwrap_err().to_string()
+    };
+    for (message, words) in [
+        (refused(&|p| p.sides[LEFT].wheel.profile = "nothing".into()), "left.wheel.profile"),
+        (refused(&|p| p.sides[RIGHT].rails[0].profile = "no.prr".into()), "right.rail[1].profile"),
+        (refused(&|p| p.sides[LEFT].wheel.nominal_radius = 0.02), "left.wheel.nominal_radius"),
+        (refused(&|p| p.sides[LEFT].wheel.young_modulus = -1.0), "wheel.young_modulus"),
+        (refused(&|p| p.sides[RIGHT].gauge = f64::NAN), "track.gauge = NaN"),
+        (refused(&|p| p.flange_back_distance = 0.0), "flange_back_distance = 0"),
+    ] {
+        assert!(message.starts_with(words), "{message}");
+    }
+    let mut wheelset = wheelset(&Parameters::default());
+    let mut output = evaluate(&mut wheelset, &random_input(&mut Random::new(25)));
+    let before = format!("{output:?}");
+    let places: [(&str, Place); 6] = [
+        ("wheelset.x", |i| &mut i.wheelset.position[0]),
+        ("wheelset.yaw_rate", |i| &mut i.wheelset.yaw_rate),
+        ("left.rail[1].vz", |i| &mut i.sides[LEFT].rails[0].vz),
+        ("right.rail[2].roll", |i| &mut i.sides[RIGHT].rails[1].roll),
+        ("left.friction.coefficient", |i| &mut i.sides[LEFT].friction),
+        ("track.s", |i| &mut i.track_s),
+    ];
+    for (name, place) in places {
+        for value in [f64::NAN, f64::NEG_INFINITY] {
+            let mut input = Input::default();
+            *place(&mut input) = value;
+            let error = wheelset.evaluate(&input, &mut output).unwrap_err().to_string();
+            assert!(error.starts_with(name), "{error}");
+        }
+    }
+    // Finite, but not at the markers any more.
+    let mut input = Input::default();
+    input.wheelset.velocity[0] = f64::MAX;
+    input.wheelset.yaw_rate = -f64::MAX;
+    let error = wheelset.evaluate(&input, &mut output).unwrap_err().to_string();
+    assert!(error.contains("wheel.vx = inf"), "{error}");
+    assert_eq!(format!("{output:?}"), before);
+}
