@@ -32,7 +32,7 @@ impl StripSolver {
         contact_modulus: f64,
         strips: &mut Strips,
     ) -> Zone {
-        let mut zone = Zone { first: strips.y.len(), count: nodes.len(), ..Zone::default() };
+        let mut zone: Zone = Zone { first: strips.y.len(), count: nodes.len(), ..Zone::default() };
         for i in nodes {
             let nodes = &self.nodes;
             let pressure = PI * contact_modulus * nodes.pressure[i];
