@@ -1,8 +1,8 @@
 //! Cells: the stretches of the contact line that can carry one lobe of pressure each.
 //!
-//! An interval of overlap is cut at its ridges, the local minima of the overlap between two deeper places. A cell holds at most one lobe;
-//! two lobes that meet at a ridge are one zone. A ridge counts by its share, the drop of the overlap from the lower of the two peaks
-//! beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
+//! An interval of overlap is cut at its ridges, the local minima of the overlap between two deeper places. A cell begins with at most one
+//! lobe, whose edges may leave it; lobes that meet are one zone. A ridge counts by its share, the drop of the overlap from the lower of
+//! the two peaks beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
 
 use crate::geometry::separation::Probe;
 use crate::math::room::Room;
