@@ -176,23 +176,24 @@ pub const YAWED_PLACE: f64 = 1e-4;
 pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
-/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have just met and four terms for the shape are few; all others are
-/// within 0.98 %.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.8], [0.3, 1.5], [1.0, 2.0]];
+/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have just met (1.73 %); it is 1.71 % before they meet at 100 kN and
+/// 0.93 % with one lobe at 50 kN, so that the meeting is not the cause. All others are within 0.98 %.
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.75], [0.3, 1.5], [1.0, 2.0]];
 
 /// The same on the four cases of two regions, worst.
 pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.8, 1.5, 2.0];
 
-/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 72 of 20 000,
+/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 56 of 20 000,
 /// most of them two lobes about to meet over a flat ridge.
-pub const STRIPS_FIXED: f64 = 5e-3;
+pub const STRIPS_FIXED: f64 = 4e-3;
 
 /// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
 pub const STRIPS_JUMP: f64 = 1e-6;
 
-/// Second difference of the normal force over the load in fine steps of the sweeps of S1002 on 60E1. The aim is none; at 5.2 mm and 104.4 to
-/// 105 µm two lobes under 120 kN about to meet are found now apart, now as one zone, 0.5 % lower.
-pub const STRIPS_SWEEP_JUMP: f64 = 1.5e-2;
+/// Second difference of the normal force over the load in fine steps of the sweeps of S1002 on 60E1. The aim is none; at 5.2 mm and 104.9 µm,
+/// 120 kN, two lobes of 15 strips meet: their strips lie further apart as one zone, and its force is 0.45 % lower. With 31 and 41 strips
+/// what is left is below 0.05 % but for poses with fixed strips.
+pub const STRIPS_SWEEP_JUMP: f64 = 5e-3;
 
 /// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
 pub const STRIPS_HERTZ: f64 = 2e-3;
@@ -322,9 +323,10 @@ pub const CORRECTED_PROFILES_MOMENT: f64 = 0.0072;
 pub const MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.14];
 pub const MANCHESTER_TABLES_FY: [f64; 2] = [0.0015, 0.05];
 
-/// Jump of the creep force where two zones of strips join, 15 strips, over the friction limit: half the load is on either, and the strips themselves
-/// are 0.1 % off there.
-pub const JOINING_ZONES: f64 = 5e-3;
+/// Jump of the creep force where two zones of strips join, 15 strips, over the friction limit: ellipses of the same moments of load do not jump. Marches
+/// have flexibilities by length and width of the lobes, and the last 0.2 mm of the gap between them close at once, without load to speak of.
+pub const JOINING_ZONES: f64 = 1e-5;
+pub const JOINING_ZONES_MARCHED: f64 = 1.5e-2;
 
 /// Worn volume against the sum of the law over the steps, and against the volume between the profiles: the target.
 pub const WORN_VOLUME: f64 = 1e-6;
@@ -359,3 +361,7 @@ pub const LONGEST_STEP: f64 = 1e-4;
 
 /// The same for forces one step late, whose formula is that for light damping.
 pub const DELAYED_STEP: f64 = 0.05;
+
+/// Share of the evaluations of a wheel on a hard profile, 0.1 µm to 0.1 mm deep, in which strips fall back: 3 of 510 on 20 µm of noise left
+/// unsmoothed, none elsewhere at every second place.
+pub const HARD_FALLBACKS: f64 = 0.01;

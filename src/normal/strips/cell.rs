@@ -1,8 +1,8 @@
 //! Cells: the stretches of the contact line that can carry one lobe of pressure each.
 //!
-//! An interval of overlap is cut at its ridges, the local minima of the overlap between two deeper places. A cell holds at most one lobe;
-//! two lobes that meet at a ridge are one zone. A ridge counts by its share, the drop of the overlap from the lower of the two peaks
-//! beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
+//! An interval of overlap is cut at its ridges, the local minima of the overlap between two deeper places. A cell begins with at most one
+//! lobe, whose edges may leave it; lobes that meet are one zone. A ridge counts by its share, the drop of the overlap from the lower of
+//! the two peaks beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
 
 use crate::geometry::separation::Probe;
 use crate::math::room::Room;
@@ -19,20 +19,18 @@ pub struct Cell {
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
-    /// Whether its bounds are ridges, and how often an edge came to them.
-    pub at_ridge: [bool; 2],
-    pub hits: [u8; 2],
+    /// Coordinates where its interval of overlap begins and ends [m].
+    pub reach: [f64; 2],
     /// Parameter of the deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
     /// Whether a lobe is in it.
     pub active: bool,
-    /// Whether the left and the right end of the lobe lie on the ridge.
-    pub pinned: [bool; 2],
-    /// Whether they end there with the shape of a free edge, and how often one has left its ridge.
-    pub held: [bool; 2],
-    pub releases: u8,
+    /// Whether the left and the right end of the lobe is that of the lobe beside it too.
+    pub met: [bool; 2],
+    /// How often its free ends have been moved to where its load ends.
+    pub retreats: u8,
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
     /// Ends of the lobe, and parameters of the line near them at the start [m].

@@ -1,49 +1,164 @@
-//! How the set of lobes changes: ends that come to a ridge or leave it, lobes that vanish or appear.
+//! How the set of lobes changes: lobes that meet or part, that vanish or appear.
 
 use super::nodes::Lobe;
-use super::solver::{EMPTY, StripSolver};
+use super::solver::StripSolver;
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
 
-/// How often an end may leave its ridge.
-const MOST_RELEASES: u8 = 2;
+/// How often free ends of a lobe may be moved.
+const MOST_RETREATS: u8 = 2;
+/// Least width of a lobe where it comes to meet another one, share of both.
+const LEAST_WIDTH: f64 = 0.02;
 /// Share of its first pressure or width with which a lobe has vanished.
 const VANISHED: f64 = 0.02;
 
 impl StripSolver {
-    /// Puts one end of a lobe on its ridge.
-    pub(super) fn pin(&mut self, number: usize, side: usize) {
-        let Lobe { cell, first, .. } = self.lobes[number];
-        let cell = &mut self.cells[cell];
-        cell.edges[side] = cell.bounds[side];
-        cell.pinned[side] = true;
+    /// Multiplies the ratios of a lobe by the distance from its end `side` to the given power.
+    fn reshape(&mut self, number: usize, side: usize, power: f64) {
+        let first = self.lobes[number].first;
         for (t, a) in self.rule.nodes.iter().enumerate() {
             let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
-            self.nodes.ratio[first + t] *= distance.sqrt();
+            self.nodes.ratio[first + t] *= distance.powf(power);
         }
     }
 
-    /// Ends on a ridge whose pressure vanishes there: they keep their place with the shape of a free edge.
-    pub(super) fn hold_empty_ends(&mut self, scale: f64) {
+    /// Joins all lobes on both sides of a ridge before the first step; whether there are any.
+    pub(super) fn begin_met(&mut self) -> bool {
+        let mut found = false;
+        for number in 1..self.lobes.len() {
+            let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
+            if right == left + 1 && self.cells[left].joined {
+                let ridge = self.cells[left].bounds[1];
+                (self.cells[left].edges[1], self.cells[right].edges[0]) = (ridge, ridge);
+                (self.cells[left].met[1], self.cells[right].met[0]) = (true, true);
+                found = true;
+            }
+        }
+        found
+    }
+
+    /// Joins the lobe `number` and the next one, or parts them.
+    pub(super) fn set_met(&mut self, number: usize, met: bool) {
+        let power = if met { 0.5 } else { -0.5 };
+        for (number, side) in [(number, 1), (number + 1, 0)] {
+            let cell = self.lobes[number].cell;
+            if self.cells[cell].met[side] != met {
+                self.cells[cell].met[side] = met;
+                self.reshape(number, side, power);
+            }
+        }
+    }
+
+    /// Pressure over π E* where the lobe `number` and the next one meet, beyond that of free ends [-].
+    fn joint_pressure(&self, number: usize) -> f64 {
+        let end = |number: usize, side: usize| -> f64 {
+            let Lobe { cell, first } = self.lobes[number];
+            let end = self.rule.met_end(self.cells[cell].met, side);
+            end.map(|(at, factor)| factor * self.nodes.ratio[first + at]).sum()
+        };
+        0.5 * (end(number, 1) + end(number + 1, 0))
+    }
+
+    /// Where the load of the lobe `number` ends before its end `side`: the first node without pressure, seen from the greatest one [m].
+    fn early_end(&self, number: usize, side: usize) -> Option<f64> {
         let n = self.rule.count();
+        let first = self.lobes[number].first;
+        let pressure = &self.nodes.pressure[first..first + n];
+        let greatest =
+            (0..n).fold(0, |best, t| if pressure[t] > pressure[best] { t } else { best });
+        let unloaded = |&t: &usize| pressure[t] <= 0.0;
+        let t = if side == 0 {
+            (0..greatest).rev().find(unloaded)
+        } else {
+            (greatest..n).find(unloaded)
+        };
+        t.map(|t| self.nodes.y[first + t])
+    }
+
+    /// Moves the end `side` of the lobe `number` inwards; pressures stay where they are.
+    fn retreat(&mut self, number: usize, side: usize, edge: f64) {
+        let n = self.rule.count();
+        let Lobe { cell, first } = self.lobes[number];
+        let cell = &mut self.cells[cell];
+        cell.edges[side] = edge;
+        let [left, right] = cell.edges;
+        let met = cell.met;
+        let mut k = 0;
+        self.nodes.spare.clear();
+        for a in &self.rule.nodes {
+            let y = 0.5 * (left + right) + 0.5 * (right - left) * a;
+            let old = &self.nodes.y[first..first + n];
+            while k < n - 2 && old[k + 1] < y {
+                k += 1;
+            }
+            let share = ((y - old[k]) / (old[k + 1] - old[k])).clamp(0.0, 1.0);
+            let old = &self.nodes.pressure[first..first + n];
+            let mut ratio = old[k] + share * (old[k + 1] - old[k]);
+            for (met, distance) in met.into_iter().zip([1.0 + a, 1.0 - a]) {
+                if !met {
+                    ratio /= distance.max(0.05).sqrt();
+                }
+            }
+            self.nodes.spare.push(ratio);
+        }
+        self.nodes.ratio[first..first + n].copy_from_slice(&self.nodes.spare);
+    }
+
+    /// Moves free ends of a solution to where the load ends, if more than the outermost node is without; whether there were any.
+    pub(super) fn retreat_free_ends(&mut self) -> bool {
+        let n = self.rule.count();
+        let mut changed = false;
         for number in 0..self.lobes.len() {
-            let Lobe { cell, first, .. } = self.lobes[number];
-            let cell = &mut self.cells[cell];
+            let Lobe { cell, first } = self.lobes[number];
             for side in 0..2 {
-                let outermost = first + if side == 0 { 0 } else { n - 1 };
-                let empty = self.nodes.ratio[outermost] < EMPTY * scale;
-                if cell.pinned[side] && !cell.held[side] && empty {
-                    cell.held[side] = true;
-                    for t in 0..n {
-                        let a = self.rule.nodes[t];
-                        let distance: f64 = if side == 0 { 1.0 + a } else { 1.0 - a };
-                        let ratio = self.nodes.ratio[first + t].max(EMPTY * scale);
-                        // Close to the end the ratio follows the smooth one further in.
-                        self.nodes.ratio[first + t] = ratio / distance.max(0.05).sqrt();
-                    }
+                if self.cells[cell].met[side] || self.cells[cell].retreats >= MOST_RETREATS {
+                    continue;
+                }
+                let second = self.nodes.y[first + if side == 0 { 1 } else { n - 2 }];
+                let Some(end) = self.early_end(number, side) else { continue };
+                let early = if side == 0 { end >= second } else { end <= second };
+                if early {
+                    self.cells[cell].retreats += 1;
+                    self.retreat(number, side, end);
+                    changed = true;
                 }
             }
         }
+        changed
+    }
+
+    /// Joins lobes whose edges have come to each other, and parts those without pressure at their joint, or next to it where pressures
+    /// are `settled`; whether there were any.
+    pub(super) fn meet_and_part(&mut self, settled: bool) -> bool {
+        let mut changed = false;
+        for number in 1..self.lobes.len() {
+            let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
+            let [outer_left, inner_left] = self.cells[left].edges;
+            let [inner_right, outer_right] = self.cells[right].edges;
+            if self.cells[left].met[1] {
+                let ends = [self.early_end(number - 1, 1), self.early_end(number, 0)];
+                let empty = settled && ends != [None, None];
+                if empty || self.joint_pressure(number - 1) < 0.0 {
+                    self.set_met(number - 1, false);
+                    if empty {
+                        for (k, end) in ends.into_iter().enumerate() {
+                            if let Some(end) = end {
+                                self.retreat(number - 1 + k, 1 - k, end);
+                            }
+                        }
+                    }
+                    changed = true;
+                }
+            } else if inner_left >= inner_right {
+                let margin = LEAST_WIDTH * (outer_right - outer_left);
+                let joint = (0.5 * (inner_left + inner_right))
+                    .clamp(outer_left + margin, outer_right - margin);
+                (self.cells[left].edges[1], self.cells[right].edges[0]) = (joint, joint);
+                self.set_met(number - 1, true);
+                changed = true;
+            }
+        }
+        changed
     }
 
     /// Marks lobes that shrink to nothing; whether there is one.
@@ -67,7 +182,18 @@ impl StripSolver {
     /// Gives up the lobes that vanish, or else the one with the least load that has others beside it; whether there was one.
     pub(super) fn drop_marked(&mut self) -> bool {
         let mut dropped = false;
-        for cell in self.cells.iter_mut().filter(|c| c.active && c.vanishing) {
+        for number in 0..self.lobes.len() {
+            let cell = self.lobes[number].cell;
+            if !self.cells[cell].vanishing {
+                continue;
+            }
+            if self.cells[cell].met[0] {
+                self.set_met(number - 1, false);
+            }
+            if self.cells[cell].met[1] {
+                self.set_met(number, false);
+            }
+            let cell = &mut self.cells[cell];
             (cell.active, cell.vanishing) = (false, false);
             cell.dropped += 1;
             dropped = true;
@@ -84,35 +210,27 @@ impl StripSolver {
         let n = self.rule.count();
         let mut changed = false;
         for number in 0..self.lobes.len() {
-            let Lobe { cell, first, .. } = self.lobes[number];
-            let cell = &mut self.cells[cell];
-            let loaded = (0..n).any(|t| self.nodes.ratio[first + t] > 0.0);
-            if !loaded {
-                cell.active = false;
-                cell.dropped += 1;
+            let Lobe { cell, first } = self.lobes[number];
+            if !(0..n).any(|t| self.nodes.ratio[first + t] > 0.0) {
+                self.cells[cell].vanishing = true;
                 changed = true;
-                continue;
             }
-            for side in 0..2 {
-                // Too wide, the pressure falls below its smooth course towards the end.
-                let place = |k: usize| first + if side == 0 { k } else { n - 1 - k };
-                let e = &self.rule.extrapolation[0];
-                let smooth: f64 = (0..3).map(|k| e[k] * self.nodes.ratio[place(k + 2)]).sum();
-                let short = self.nodes.ratio[place(0)] < smooth - EMPTY * smooth.abs();
-                if cell.held[side] && short && cell.releases < MOST_RELEASES {
-                    (cell.pinned[side], cell.held[side]) = (false, false);
-                    (cell.hits[side], cell.releases) = (0, cell.releases + 1);
-                    let inwards = 0.03 * (cell.edges[1] - cell.edges[0]);
-                    cell.edges[side] += if side == 0 { inwards } else { -inwards };
-                    changed = true;
-                }
-            }
+        }
+        if changed {
+            self.drop_marked();
         }
         for i in 0..self.cells.len() {
             if self.cells[i].active || self.cells[i].dropped > 2 {
                 continue;
             }
             let place = line.place(self.cells[i].deepest[0]);
+            let within = |lobe: &Lobe| {
+                let [left, right] = self.cells[lobe.cell].edges;
+                place.y > left && place.y < right
+            };
+            if self.lobes.iter().any(within) {
+                continue;
+            }
             let excess = place.overlap - self.displacement(&place);
             if excess > 1e-6 * self.cells[i].deepest[1] {
                 self.start_lobe(line, overlap, i, excess);

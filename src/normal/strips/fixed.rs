@@ -17,10 +17,10 @@ use super::cell::{self, TERMS};
 use super::influence::{skewed, straight};
 use super::pair_sums::bend;
 use super::rule::legendre;
-use super::solver::{LEAST_SHARE, StripSolver};
+use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;
 use crate::math::linear_system;
-use crate::normal::{Strips, Zone};
+use crate::normal::Strips;
 
 /// Rounds of pressures and shape; steps of the pressures in the first and in the later ones.
 const ROUNDS: usize = 16;
@@ -50,7 +50,7 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-        self.begin(line, (probes, level), 1.0);
+        self.begin(line, (probes, level), STARTS[0]);
         for i in 0..self.cells.len() {
             if !self.cells[i].active {
                 let depth = self.cells[i].deepest[1];
@@ -307,18 +307,7 @@ impl StripSolver {
             if !strips.has_room_for(i - begin) {
                 continue;
             }
-            let mut zone: Zone =
-                Zone { first: strips.y.len(), count: i - begin, ..Zone::default() };
-            for j in begin..i {
-                strips.y.push(nodes.y[j]);
-                strips.width.push(nodes.width[j]);
-                strips.x.push(nodes.x[j]);
-                strips.half_length.push(nodes.half_length[j]);
-                strips.pressure.push(PI * contact_modulus * nodes.pressure[j]);
-                strips.u.push(nodes.u[j]);
-                zone.length = zone.length.max(2.0 * nodes.half_length[j]);
-                zone.max_pressure = zone.max_pressure.max(PI * contact_modulus * nodes.pressure[j]);
-            }
+            let mut zone = self.push_zone(begin..i, contact_modulus, strips);
             zone.width = nodes.y[i - 1] - nodes.y[begin] + nodes.width[begin];
             strips.summarise(&mut zone);
             strips.zones.push(zone);

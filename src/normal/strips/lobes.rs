@@ -4,33 +4,41 @@ use std::f64::consts::PI;
 
 use super::cell::{self, TERMS};
 use super::nodes::Lobe;
-use super::solver::{MOST_LOBES, StripSolver};
+use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
 use crate::normal::hertz;
 
 /// Overlap, over the deepest, from which a cell has a lobe from the start.
 const FIRST_LOBES: f64 = 0.4;
+/// Share of the approach that several lobes leave each other.
+const SHARED: f64 = 0.75;
 
 impl StripSolver {
     /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
-    pub(super) fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) {
+    pub(super) fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) {
         self.lobes.clear();
         for cell in self.cells.iter_mut() {
             cell.bounds = cell.range.map(|u| line.place(u).y);
         }
+        let mut begin = 0;
+        for i in 0..self.cells.len() {
+            if self.cells[i].joined && i + 1 < self.cells.len() {
+                continue;
+            }
+            let reach = [self.cells[begin].bounds[0], self.cells[i].bounds[1]];
+            for cell in &mut self.cells[begin..=i] {
+                cell.reach = reach;
+            }
+            begin = i + 1;
+        }
         let most = self.cells.iter().map(|c| c.deepest[1]).fold(0.0, f64::max);
+        let first = self.cells.iter().filter(|c| c.deepest[1] > FIRST_LOBES * most).count();
+        let approach = if first > 1 { SHARED * start.approach } else { start.approach };
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
             if depth > FIRST_LOBES * most {
                 self.start_lobe(line, overlap, i, approach * depth);
-            }
-        }
-        for i in 0..self.cells.len() {
-            let joined = self.cells[i].joined && i + 1 < self.cells.len();
-            self.cells[i].at_ridge[1] = joined;
-            if joined {
-                self.cells[i + 1].at_ridge[0] = true;
             }
         }
         self.gather();
@@ -67,7 +75,7 @@ impl StripSolver {
         cell.edges = cell.near.map(|u| line.place(u).y);
         cell.start_level = left * cell.deepest[1];
         cell.active = true;
-        cell.pinned = [false; 2];
+        cell.met = [false; 2];
         cell.start_width = cell.edges[1] - cell.edges[0];
         cell.shape = [0.0; TERMS];
         // q/(π E*) = a e^κ0/(2 π R)
@@ -75,7 +83,6 @@ impl StripSolver {
         cell.shape[0] = (greatest * 2.0 * PI * place.radius / ellipse.semi_axis_along).ln();
         cell.start_ratio = greatest;
         cell.begun_with = greatest;
-        (cell.hits, cell.held) = ([0; 2], [false; 2]);
     }
 
     /// Lays the nodes of all active cells out anew; ratios of lobes that stay are kept.
@@ -141,7 +148,7 @@ impl StripSolver {
                 nodes.width[i] = half * self.rule.weights[t];
                 nodes.lobe[i] = number;
                 let shape = |side: usize, distance: f64| {
-                    if cell.pinned[side] && !cell.held[side] { 1.0 } else { distance.sqrt() }
+                    if cell.met[side] { 1.0 } else { distance.sqrt() }
                 };
                 nodes.edge_shape[i] = shape(0, 1.0 + abscissa) * shape(1, 1.0 - abscissa);
                 if cell.start_ratio > 0.0 {
@@ -158,6 +165,11 @@ impl StripSolver {
                 skewed |= (x - nodes.x[0]).abs() > 0.0;
             }
             self.cells[self.lobes[number].cell].start_ratio = 0.0;
+            let nodes = &mut self.nodes;
+            for i in first..first + n {
+                let (a, b) = (i.max(first + 1) - 1, (i + 1).min(first + n - 1));
+                nodes.x_slope[i] = (nodes.x[b] - nodes.x[a]) / (nodes.y[b] - nodes.y[a]);
+            }
         }
         skewed
     }

@@ -9,8 +9,9 @@ pub struct Nodes {
     pub y: Vec<f64>,
     /// Parameter of the contact line [m], not a number where none is known yet.
     pub u: Vec<f64>,
-    /// Place along x [m].
+    /// Place along x and its derivative by y [m, -].
     pub x: Vec<f64>,
+    pub x_slope: Vec<f64>,
     /// Unit tangent across.
     pub tangent: Vec<[f64; 2]>,
     /// Overlap and its derivative by y.
@@ -42,6 +43,7 @@ impl Nodes {
             u: column(),
             y: column(),
             x: column(),
+            x_slope: column(),
             tangent: Vec::with_capacity(count),
             overlap: column(),
             overlap_slope: column(),
@@ -62,6 +64,7 @@ impl Nodes {
             &mut self.u,
             &mut self.y,
             &mut self.x,
+            &mut self.x_slope,
             &mut self.overlap,
             &mut self.overlap_slope,
             &mut self.radius,

@@ -20,22 +20,43 @@ const MOST_CHANGES: usize = 16;
 /// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 3e-6;
 const LONGEST_LAST_STEP: f64 = 1e-4;
-const LEFT_OVER: f64 = 1e-10;
+const LEFT_OVER: f64 = 5e-10;
+/// Least change that a change of one leaves.
+const LEAST_RATE: f64 = 0.3;
+/// Change from which a set of loaded nodes is believed.
+const SETTLED: f64 = 0.1;
+/// Share of what a step should have got shorter by that it has to, and least share of a step that is taken otherwise.
+const STALLED: f64 = 0.3;
+const LEAST_DAMPING: f64 = 0.5;
 /// Greatest change of an edge in one step, share of the width, and of a ratio downwards.
 const MOST_EDGE_STEP: f64 = 0.2;
 const MOST_DROP: f64 = 0.7;
-/// Distance from a ridge, over the width, from which a lobe meets another that has come to it.
-const MEETING: f64 = 0.3;
 /// Share of the greatest ratio below which a node may be emptied.
-pub(super) const EMPTY: f64 = 1e-3;
-/// How often an edge may come to a ridge before it stays there: it may have been on the way to elsewhere.
-const MOST_HITS: u8 = 2;
-/// Starts: approach over the overlap, and share of the Newton step.
-const STARTS: [[f64; 2]; 3] = [[1.0, 1.0], [0.7, 0.6], [0.45, 0.4]];
+const EMPTY: f64 = 1e-3;
+/// Starts, tried in turn.
+pub(super) const STARTS: [Start; 4] = [
+    Start { approach: 1.0, caution: 1.0, met: false },
+    Start { approach: 0.7, caution: 0.6, met: false },
+    Start { approach: 1.0, caution: 1.0, met: true },
+    Start { approach: 0.45, caution: 0.4, met: false },
+];
+/// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
+const MOST_SHAPE: f64 = 4.0;
 /// Share from which a ridge counts.
 pub(super) const LEAST_SHARE: f64 = 0.05;
 /// Greatest change of a shape term in one step.
 const MOST_SHAPE_STEP: f64 = 0.6;
+
+/// How the lobes begin.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    /// Approach over the overlap.
+    pub approach: f64,
+    /// Share of the Newton step that is taken far from the solution.
+    pub caution: f64,
+    /// Whether lobes on both sides of a ridge begin as one zone.
+    pub met: bool,
+}
 
 /// Work of one solver since it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -104,10 +125,10 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         self.work.solved += 1;
-        for [approach, caution] in STARTS {
+        for start in STARTS {
             cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-            self.caution = caution;
-            if self.settle(line, (probes, level), approach) {
+            self.caution = start.caution;
+            if self.settle(line, (probes, level), start) {
                 self.emit(contact_modulus, strips);
                 return true;
             }
@@ -122,8 +143,11 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells.
-    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), approach: f64) -> bool {
-        self.begin(line, overlap, approach);
+    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) -> bool {
+        self.begin(line, overlap, start);
+        if start.met && !self.begin_met() {
+            return false;
+        }
         for _ in 0..MOST_CHANGES {
             if !self.lobes.is_empty() && !self.newton(line) {
                 // A cell that lost its lobe on the way: go on without.
@@ -144,7 +168,7 @@ impl StripSolver {
         let n = self.rule.count();
         let block = n + 2 + self.rule.terms;
         let depth = self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
-        let mut before = f64::INFINITY;
+        let (mut before, mut damping) = (f64::INFINITY, 1.0f64);
         for _ in 0..MOST_STEPS {
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
@@ -171,19 +195,37 @@ impl StripSolver {
             }
             let (share, change) = self.step_share(scale);
             let caution = if change < 0.03 { 1.0 } else { self.caution };
-            self.advance(share * caution, scale);
+            // Steps that do not get shorter go to and fro between two sets of loaded nodes: the solution lies in between.
+            let settled = change < SETTLED;
+            if settled && change > (1.0 - STALLED * damping) * before {
+                damping = (0.5 * damping).max(LEAST_DAMPING);
+            } else {
+                damping = (2.0 * damping).min(1.0);
+            }
+            self.advance(share * caution * damping, scale, settled);
             // A change c leaves about k c².
-            let k = (change / (before * before)).max(1.0);
+            let k = (change / (before * before)).max(LEAST_RATE);
             let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
             before = change;
-            if share >= 1.0 && (change < LAST_STEP || near) {
+            if self
+                .lobes
+                .iter()
+                .any(|l| self.cells[l.cell].shape.iter().any(|s| s.abs() > MOST_SHAPE))
+            {
+                return false;
+            }
+            let changed = self.meet_and_part(settled);
+            if !changed && share * damping >= 1.0 && (change < LAST_STEP || near) {
                 self.place_nodes(line);
+                if self.retreat_free_ends() {
+                    before = f64::INFINITY;
+                    continue;
+                }
                 return true;
             }
             if self.mark_vanishing() {
                 return false;
             }
-            self.hold_empty_ends(scale);
         }
         false
     }
@@ -212,8 +254,8 @@ impl StripSolver {
         (share, change)
     }
 
-    /// Takes `share` of the Newton step; edges that come to a ridge stay there.
-    fn advance(&mut self, share: f64, scale: f64) {
+    /// Takes `share` of the Newton step.
+    fn advance(&mut self, share: f64, scale: f64, settled: bool) {
         let n = self.rule.count();
         let block = n + 2 + self.rule.terms;
         for number in 0..self.lobes.len() {
@@ -221,8 +263,8 @@ impl StripSolver {
             let step = &self.matrices.right[number * block..(number + 1) * block];
             for (ratio, step) in self.nodes.ratio[first..first + n].iter_mut().zip(step) {
                 // A node is not emptied at once: its edge may be on the way.
-                let least =
-                    if *ratio > EMPTY * scale { (1.0 - MOST_DROP) * *ratio } else { -scale };
+                let kept = !settled && *ratio > EMPTY * scale;
+                let least = if kept { (1.0 - MOST_DROP) * *ratio } else { -scale };
                 *ratio = (*ratio + share * step).clamp(least, 3.0 * ratio.abs() + scale);
             }
             let moved = [share * step[n], share * step[n + 1]];
@@ -231,35 +273,9 @@ impl StripSolver {
                 cell.shape[l] += (share * step[n + 2 + l]).clamp(-MOST_SHAPE_STEP, MOST_SHAPE_STEP);
             }
             for (side, moved) in moved.into_iter().enumerate() {
-                let cell = &mut self.cells[self.lobes[number].cell];
-                if cell.pinned[side] {
-                    continue;
-                }
-                let edge = cell.edges[side] + moved;
-                let bound = cell.bounds[side];
+                let (edge, bound) = (cell.edges[side] + moved, cell.reach[side]);
                 let beyond = if side == 0 { edge <= bound } else { edge >= bound };
-                if beyond && !(cell.at_ridge[side] && cell.hits[side] >= MOST_HITS) {
-                    cell.edges[side] = 0.5 * (cell.edges[side] + bound);
-                    cell.hits[side] += 1;
-                    continue;
-                }
-                cell.edges[side] = edge;
-                if beyond {
-                    self.pin(number, side);
-                    // The lobe on the other side meets it there.
-                    let other = if side == 0 { number.wrapping_sub(1) } else { number + 1 };
-                    let facing = self.cells[self.lobes[number].cell].bounds[side];
-                    if let Some(beside) = self.lobes.get(other) {
-                        let beside = &self.cells[beside.cell];
-                        let gap = (beside.edges[1 - side] - facing).abs();
-                        let near = gap < MEETING * (beside.edges[1] - beside.edges[0]);
-                        let same = (beside.bounds[1 - side] - facing).abs() <= 0.0;
-                        if same && near && !beside.pinned[1 - side] {
-                            self.pin(other, 1 - side);
-                        }
-                    }
-                    break;
-                }
+                cell.edges[side] = if beyond { 0.5 * (cell.edges[side] + bound) } else { edge };
             }
         }
     }

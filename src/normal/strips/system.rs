@@ -25,6 +25,9 @@ use super::rule::LobeRule;
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 const SHAPE_REGULARISATION: f64 = 1e-5;
 
+/// How strongly the joint of two lobes is drawn to the ridge.
+const TO_RIDGE: f64 = 10.0;
+
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
     pub rule: &'a LobeRule,
@@ -201,10 +204,8 @@ impl Assembly<'_> {
         let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
         let error = radius * curvature - 1.0;
         m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
-        let finds_edge = [1, n - 2]
-            .iter()
-            .zip(self.cells[cell].pinned)
-            .any(|(&second, pinned)| t == second && !pinned);
+        let finds_edge =
+            [1, n - 2].iter().zip(self.cells[cell].met).any(|(&second, met)| t == second && !met);
         if !loaded && !finds_edge {
             // An unloaded node may lie apart: its ratio below zero is that distance.
             m.right[equation] -= nodes.ratio[i] / self.scale;
@@ -277,7 +278,9 @@ impl Assembly<'_> {
                     for j in (0..count).filter(|&j| nodes.lobe[j] != lobe) {
                         let dy = y - nodes.y[j];
                         let steep = nodes.width[j] * nodes.pressure[j] * (d[j] - slope[j]);
-                        by_u += steep * moved * dy / (dy * dy + (x - nodes.x[j]).powi(2));
+                        let dx = x - nodes.x[j];
+                        let apart = dy + dx * nodes.x_slope[i];
+                        by_u += steep * moved * apart / (dy * dy + dx * dx);
                     }
                 } else {
                     for k in 0..n {
@@ -286,8 +289,9 @@ impl Assembly<'_> {
                         let load = nodes.width[j] * nodes.pressure[j];
                         let moved = rule.travel[side][k];
                         by_u += load * d[j] * stretch;
-                        by_u -= load * (d[j] - slope[j]) * moved * dy
-                            / (dy * dy + (x - nodes.x[j]).powi(2));
+                        let dx = x - nodes.x[j];
+                        let apart = dy + dx * nodes.x_slope[j];
+                        by_u -= load * (d[j] - slope[j]) * moved * apart / (dy * dy + dx * dx);
                     }
                 }
                 let at = column + n + side;
@@ -300,32 +304,56 @@ impl Assembly<'_> {
         }
     }
 
-    /// Closure of the edges, or their place on the ridge, and the regularisation of the shape.
+    /// Closure of the edges, and the regularisation of the shape.
     fn edge_rows(&self, m: &mut Matrices, unknowns: usize, lobe: usize) {
         let (rule, nodes) = (self.rule, self.nodes);
         let n = rule.count();
-        let begin = lobe * self.unknowns_per_lobe();
+        let block = self.unknowns_per_lobe();
+        let begin = lobe * block;
         let Lobe { first, cell, .. } = self.lobes[lobe];
         let cell = &self.cells[cell];
         for side in 0..2 {
             let row = begin + n + side;
-            if cell.pinned[side] {
-                m.newton[row * unknowns + begin + n + side] = 1.0 / (cell.edges[1] - cell.edges[0]);
-                continue;
-            }
             let place = |k: usize| if side == 0 { k } else { n - 1 - k };
-            // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
-            // the condition of the second one finds the edge.
-            let outermost = begin + place(0);
-            m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
-            m.right[outermost] = 0.0;
-            for (k, row) in [row, outermost].into_iter().enumerate() {
-                let e = &rule.extrapolation[k];
-                for (c, from) in [(1.0, k), (-e[0], 2), (-e[1], 3), (-e[2], 4)] {
-                    let at = place(from);
-                    m.newton[row * unknowns + begin + at] = c / self.scale;
-                    m.right[row] -= c * nodes.ratio[first + at] / self.scale;
+            let close = |m: &mut Matrices, row: usize, factors: [f64; 4], from_end: [usize; 4]| {
+                for (factor, k) in factors.into_iter().zip(from_end) {
+                    m.newton[row * unknowns + begin + place(k)] = factor / self.scale;
+                    m.right[row] -= factor * nodes.ratio[first + place(k)] / self.scale;
                 }
+            };
+            if !cell.met[side] {
+                // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
+                // the condition of the second one finds the edge.
+                let outermost = begin + place(0);
+                let [edge, second] = rule.outer_closures;
+                close(m, row, edge, [0, 2, 3, 4]);
+                m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
+                m.right[outermost] = 0.0;
+                close(m, outermost, second, [1, 2, 3, 4]);
+            } else if side == 0 {
+                // The end of the lobe before.
+                let before = &self.cells[self.lobes[lobe - 1].cell];
+                let inverse = 1.0 / (cell.edges[1] - before.edges[0]);
+                m.newton[row * unknowns + row] = inverse;
+                m.newton[row * unknowns + begin - block + n + 1] = -inverse;
+                m.right[row] = -(cell.edges[0] - before.edges[1]) * inverse;
+            } else {
+                // What the pressure is above that of free ends is the same on both sides, at its minimum; the more pressure there is, the
+                // closer is the joint to the ridge.
+                let beyond = &self.cells[self.lobes[lobe + 1].cell];
+                let pull = TO_RIDGE / (beyond.edges[1] - cell.edges[0]);
+                let moved = pull * (cell.edges[1] - cell.bounds[1]);
+                let mut sum = 0.0;
+                for (lobe, side, sign) in [(lobe, 1, 1.0 + moved), (lobe + 1, 0, moved - 1.0)] {
+                    let Lobe { first, cell } = self.lobes[lobe];
+                    for (at, c) in rule.met_end(self.cells[cell].met, side) {
+                        let factor = c / self.scale;
+                        m.newton[row * unknowns + lobe * block + at] = sign * factor;
+                        m.right[row] -= sign * factor * nodes.ratio[first + at];
+                        sum += factor * nodes.ratio[first + at];
+                    }
+                }
+                m.newton[row * unknowns + row] = pull * sum;
             }
         }
         for term in 1..rule.terms {

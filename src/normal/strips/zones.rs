@@ -1,6 +1,7 @@
 //! Loaded zones out of the lobes.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use super::solver::StripSolver;
 use crate::normal::{Strips, Zone};
@@ -24,19 +25,37 @@ impl StripSolver {
         (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
     }
 
-    /// Hands the lobes over as strips; lobes that meet at a ridge are one zone.
+    /// Hands `nodes` over as the strips of a zone, whose width and place in the list are left to the caller.
+    pub(super) fn push_zone(
+        &self,
+        nodes: Range<usize>,
+        contact_modulus: f64,
+        strips: &mut Strips,
+    ) -> Zone {
+        let mut zone: Zone = Zone { first: strips.y.len(), count: nodes.len(), ..Zone::default() };
+        for i in nodes {
+            let nodes = &self.nodes;
+            let pressure = PI * contact_modulus * nodes.pressure[i];
+            strips.y.push(nodes.y[i]);
+            strips.width.push(nodes.width[i]);
+            strips.x.push(nodes.x[i]);
+            strips.half_length.push(nodes.half_length[i]);
+            strips.pressure.push(pressure);
+            strips.u.push(nodes.u[i]);
+            zone.length = zone.length.max(2.0 * nodes.half_length[i]);
+            zone.max_pressure = zone.max_pressure.max(pressure);
+        }
+        zone
+    }
+
+    /// Hands the lobes over as strips; lobes that have met are one zone.
     pub(super) fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
         let n = self.rule.count();
         let mut number = 0;
         while number < self.lobes.len() {
             let begin = number;
             while number + 1 < self.lobes.len() {
-                let (here, next) = (self.lobes[number].cell, self.lobes[number + 1].cell);
-                let meets = next == here + 1
-                    && self.cells[here].joined
-                    && self.cells[here].pinned[1]
-                    && self.cells[next].pinned[0];
-                if !meets {
+                if !self.cells[self.lobes[number].cell].met[1] {
                     break;
                 }
                 number += 1;
@@ -46,18 +65,8 @@ impl StripSolver {
             if !strips.has_room_for(count) {
                 continue;
             }
-            let mut zone: Zone = Zone { first: strips.y.len(), count, ..Zone::default() };
+            let mut zone = self.push_zone(begin * n..number * n, contact_modulus, strips);
             for lobe in &self.lobes[begin..number] {
-                for i in lobe.first..lobe.first + n {
-                    let nodes = &self.nodes;
-                    strips.y.push(nodes.y[i]);
-                    strips.width.push(nodes.width[i]);
-                    strips.x.push(nodes.x[i]);
-                    strips.half_length.push(nodes.half_length[i]);
-                    strips.pressure.push(PI * contact_modulus * nodes.pressure[i]);
-                    strips.u.push(nodes.u[i]);
-                    zone.length = zone.length.max(2.0 * nodes.half_length[i]);
-                }
                 let greatest = PI * contact_modulus * self.greatest_pressure(lobe.first);
                 zone.max_pressure = zone.max_pressure.max(greatest);
             }
