@@ -50,6 +50,9 @@ pub const NO_STRIPS: Kink = "the strips found no solution, and piotrowski_kik to
 /// Strips that stay where they are.
 pub const FIXED_STRIPS: Kink = "the strips found no edges of their zones, and stay where they are";
 
+/// Strips whose equations have no derivatives.
+pub const UNSETTLED: Kink = "the strips end with a body, or their ends go over from one condition to another";
+
 /// A contact that the search has put at the end of a body.
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
 
@@ -84,7 +87,7 @@ impl RailContact {
                 return Err(FIXED_STRIPS);
             }
             if !T::follow(&moving, rail, found, models) {
-                return Err(BODY_ENDS);
+                return Err(UNSETTLED);
             }
             let mut deepest = T::from(0.0);
             for contact in search.contacts.iter() {

@@ -83,8 +83,8 @@ impl<T> Default for StripFollower<T> {
 }
 
 /// Most turns, and the last change of derivatives, over the greatest of the same kind.
-const MOST_TURNS: usize = 40;
-const LAST_CHANGE: f64 = 1e-11;
+const MOST_TURNS: usize = 30;
+const LAST_CHANGE: f64 = 1e-9;
 
 /// The solution whose derivatives are wanted, and the scales of its equations.
 struct Solution<'a> {
