@@ -1,5 +1,5 @@
 //! What the FMI interface adds to an evaluation: a round of one set of twelve inputs, one step and one get of 34 outputs,
-//! beside the evaluation of the same inputs by the element alone.
+//! beside the evaluation of the same inputs by the element alone; and the same of a wheelset.
 #![allow(unsafe_code)]
 
 // Clippy lets tests import by wildcard, benches not.
@@ -14,7 +14,8 @@ use host::{Host, reference};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::fmi::abi::{fmi2DoStep, fmi2GetReal, fmi2SetReal};
 use wheelrail::fmi::types::{Status, TRUE, ValueReference};
-use wheelrail::variables::{Causality, Kind, VARIABLES};
+use wheelrail::variables::{Causality, Kind, VARIABLES, WHEELSET};
+use wheelrail::wheelset::{self, Wheelset};
 
 /// Scenes and their heights against first touch, down positive [m].
 const SCENES: [(&str, f64); 2] = [("lifted", -1e-3), ("tread", 6e-5)];
@@ -88,5 +89,57 @@ fn round(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, round);
+fn round_of_wheelset(c: &mut Criterion) {
+    let mut group = c.benchmark_group("fmi/wheelset");
+    let mut input = wheelset::Input::default();
+    input.wheelset.position[1] = -3e-3;
+    let parameters = wheelset::Parameters::default();
+    let mut wheelset = Wheelset::new(&parameters, &input, &[]).expect("built in");
+    let z = wheelset.nominal_z() + 2e-4;
+    input.wheelset.velocity[0] = 20.0;
+    input.wheelset.pitch_rate = -20.0 / 0.46;
+    let mut step = 1e-10;
+    let mut output = wheelset::Output::default();
+    group.bench_function("wheelset", |b| {
+        b.iter(|| {
+            step = -step;
+            input.wheelset.position[2] = z + step;
+            wheelset.evaluate(black_box(&input), &mut output).expect("finite input");
+            black_box(output.wheelset.force[2])
+        });
+    });
+    assert!(output.sides.iter().all(|side| side.patch_count > 0));
+    let host = Host::stepping_of(&WHEELSET);
+    let inputs = INPUTS.map(|name| host.reference(&name.replace("wheel.", "wheelset.")));
+    let mut values = [0.0, -3e-3, z, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0, 0.0, 0.0, -20.0 / 0.46];
+    let real = |v: &&wheelrail::variables::Variable| {
+        v.causality == Causality::Output && v.kind == Kind::Real
+    };
+    let outputs: Vec<ValueReference> = WHEELSET
+        .variables
+        .iter()
+        .filter(real)
+        .map(|v| host.reference(v.name))
+        .take(OUTPUTS)
+        .collect();
+    let mut results = [0.0; OUTPUTS];
+    group.bench_function("set_step_get", |b| {
+        b.iter(|| {
+            step = -step;
+            values[2] = z + step;
+            // SAFETY: FMI 2.0, 2.1.7: all arrays hold as many elements as their counts say.
+            let worst = unsafe {
+                let c = host.component;
+                fmi2SetReal(c, inputs.as_ptr(), inputs.len(), values.as_ptr())
+                    .max(fmi2DoStep(c, 0.0, 1e-4, TRUE))
+                    .max(fmi2GetReal(c, outputs.as_ptr(), OUTPUTS, results.as_mut_ptr()))
+            };
+            assert_eq!(worst, Status::Ok);
+            black_box(results[0])
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, round, round_of_wheelset);
 criterion_main!(benches);

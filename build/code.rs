@@ -131,13 +131,14 @@ fn table(out: &mut String, declaration: &Declaration, name: &str) {
             &format!(
                 "Variable {{ name: {:?}, description: {:?}, reference: {reference}, kind: {kind}, \
                  causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, start: {start}, \
-                 dependencies: &{:?}, allowed: {:?} }},",
+                 dependencies: &{:?}, on_request: {}, allowed: {:?} }},",
                 v.name,
                 v.description,
                 v.unit.as_deref().unwrap_or(""),
                 bound(v.min),
                 bound(v.max),
                 v.dependencies,
+                v.on_request,
                 allowed(declaration, v),
             ),
         );

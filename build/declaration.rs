@@ -123,6 +123,8 @@ pub struct Template {
     max: Option<f64>,
     start: Option<toml::Value>,
     pub depends: Option<String>,
+    #[serde(default)]
+    on_request: bool,
     description: String,
 }
 
@@ -151,6 +153,8 @@ pub struct Variable {
     pub unit: Option<String>,
     pub min: Option<f64>,
     pub max: Option<f64>,
+    /// Whether it is computed only when it is read.
+    pub on_request: bool,
     /// Places in the list of the variables on which an unknown depends at initialization.
     pub dependencies: Vec<usize>,
 }
@@ -240,6 +244,7 @@ pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> 
         unit: template.unit.clone(),
         min: template.min,
         max: template.max,
+        on_request: template.on_request,
         dependencies: Vec::new(),
         name,
     }

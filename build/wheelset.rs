@@ -173,6 +173,8 @@ fn on_side(v: &Variable, side: &str, place: usize) -> Variable {
 /// The field of a side behind that of a wheel.
 fn field_on_side(field: &str, place: usize) -> String {
     match field.split_once('.') {
+        // A pair from the start.
+        Some(("coupling", _)) => field.replace("[0]", &format!("[{place}]")),
         Some((root, rest)) => format!("{root}.sides[{place}].{rest}"),
         None => format!("{field}.wheel_z[{place}]"),
     }

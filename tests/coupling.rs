@@ -150,6 +150,37 @@ fn the_residual_is_part_of_the_state() {
     assert_eq!(residuals(&other, 5..10), first);
 }
 
+#[test]
+fn stiffness_and_damping_are_the_slopes_of_the_force_when_the_monitor_is_on() {
+    let host = rolling(&WHEEL, 1e5, true);
+    let z = equilibrium(&host);
+    let slope = |dz: f64, dv: f64| {
+        (carried(&host, z + dz, dv) - carried(&host, z - dz, -dv)) / (2.0 * dz.max(dv))
+    };
+    let wanted = [slope(1e-8, 0.0), slope(0.0, 1e-4)];
+    carried(&host, z, 0.0);
+    let found = host.get_reals(&["contact.stiffness", "contact.damping"]).unwrap();
+    println!("{found:?}");
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found / wanted - 1.0).abs() < tolerance::DERIVATIVES, "{found} {wanted}");
+    }
+    // They follow the inputs, and are those of each side of a wheelset.
+    carried(&host, z - 2e-5, 0.0);
+    assert!(host.get_real("contact.stiffness") < 0.95 * found[0]);
+    let set = rolling(&WHEELSET, 1e5, true);
+    let inputs = [("wheelset.z", z), ("left.rail[1].z", 2e-5)];
+    assert_eq!(set.set_reals(&inputs), Status::Ok, "{}", set.last());
+    let sides = set.get_reals(&["right.contact.stiffness", "left.contact.stiffness"]).unwrap();
+    assert!((sides[0] / found[0] - 1.0).abs() < 1e-9, "{sides:?}");
+    assert!((sides[1] / host.get_real("contact.stiffness") - 1.0).abs() < 1e-6, "{sides:?}");
+    // Nothing of it without the monitor, or in the air.
+    assert_eq!(set.set_reals(&[("wheelset.z", -0.5)]), Status::Ok);
+    assert_eq!(set.get_real("right.contact.stiffness").abs().to_bits(), 0);
+    let off = rolling(&WHEEL, 1e5, false);
+    carried(&off, z, 0.0);
+    assert_eq!(off.get_real("contact.stiffness").to_bits(), 0);
+}
+
 /// How a master carries the motion of a mass on a spring and a damper over a step.
 #[derive(Clone, Copy, Debug)]
 enum Scheme {

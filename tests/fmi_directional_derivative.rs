@@ -170,7 +170,8 @@ fn outputs_depend_on_no_input_that_is_not_declared() {
     assert_eq!(host.set_reals(&PRESSED), Status::Ok);
     let outputs: Vec<_> = VARIABLES
         .iter()
-        .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real)
+        // What is computed on request is a derivative itself.
+        .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real && !v.on_request)
         .collect();
     let names: Vec<&str> = outputs.iter().map(|v| v.name).collect();
     for input in VARIABLES.iter().filter(|v| v.causality == Causality::Input) {

@@ -15,7 +15,7 @@ use wheelrail::fmi::types::{FALSE, FmuState, MODEL_EXCHANGE, Status, TRUE, Value
 use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::load_profile;
 use wheelrail::variables::{Causality, Kind, Unit, Value, WHEEL, WHEELSET, WheelsetValues};
-use wheelrail::wheelset::Wheelset;
+use wheelrail::wheelset::{Input, Wheelset};
 
 const PRESSED: [(&str, f64); 8] = [
     ("wheelset.z", -0.4597),
@@ -224,6 +224,38 @@ fn input_derivatives_move_the_wheelset_over_the_step() {
     let force = [host.reference("wheelset.force.y")];
     assert_eq!(derivatives(&force, &[1.0]), Status::Error);
     assert!(host.last().contains("wheelset.force.y is no input"), "{}", host.last());
+}
+
+#[test]
+fn directional_derivatives_are_those_of_the_wheelset() {
+    let host = Host::stepping_of(&WHEELSET);
+    assert_eq!(host.set_reals(&PRESSED), Status::Ok);
+    let (mut values, mut seeds) = (WheelsetValues::default(), WheelsetValues::default());
+    for (name, value) in PRESSED {
+        values.set(WHEELSET.find(name).unwrap(), Value::Real(value)).unwrap();
+    }
+    seeds.input = Input::at_rest();
+    let chosen = [("wheelset.z", 0.3), ("wheelset.yaw_rate", -2.0), ("left.rail[1].vy", 1.5)];
+    for (name, seed) in chosen {
+        seeds.set(WHEELSET.find(name).unwrap(), Value::Real(seed)).unwrap();
+    }
+    let mut wheelset = Wheelset::new(&values.parameters, &values.input, &[]).unwrap();
+    wheelset.directional_derivative(&values.input, &seeds.input, &mut seeds.output).unwrap();
+    let unknowns = ["wheelset.force.y", "wheelset.moment.z", "left.rail[1].force.y", "wear_number"];
+    let [u, k] = [unknowns.to_vec(), chosen.map(|(name, _)| name).to_vec()]
+        .map(|names| names.into_iter().map(|name| host.reference(name)).collect::<Vec<_>>());
+    let seed = chosen.map(|(_, seed)| seed);
+    let mut found = [0.0; 4];
+    // SAFETY: FMI 2.0, 2.1.9: the arrays hold as many elements as the counts say.
+    let status = unsafe {
+        let (u, k) = (u.as_ptr(), k.as_ptr());
+        fmi2GetDirectionalDerivative(host.component, u, 4, k, 3, seed.as_ptr(), found.as_mut_ptr())
+    };
+    assert_eq!(status, Status::Ok, "{}", host.last());
+    for (name, rate) in unknowns.into_iter().zip(found) {
+        assert_eq!(Value::Real(rate), seeds.get(WHEELSET.find(name).unwrap()), "{name}");
+        assert!(rate.abs() > 1.0, "{name}: {rate}");
+    }
 }
 
 #[test]

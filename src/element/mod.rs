@@ -14,6 +14,7 @@ pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+pub mod stiffness;
 mod strip_contact;
 pub mod subject;
 mod uneven;

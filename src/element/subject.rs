@@ -84,6 +84,9 @@ pub trait Subject: Clone + Debug {
     /// Forces on all bodies beside the velocities at which they do work.
     fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
 
+    /// The input of element number `k` where it was evaluated: with the height, and for a wheelset the roll, that `output` has found.
+    fn input_of_element(&self, k: usize, input: &Self::Input, output: &Self::Output) -> Input;
+
     /// Puts the counts of the elements as they are into `output`.
     fn report_fallbacks(&self, output: &mut Self::Output);
 }
@@ -148,6 +151,12 @@ impl Subject for Element {
 
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
         work_pairs((&input.wheel, &output.wheel), input.rails.iter().zip(&output.rails))
+    }
+
+    fn input_of_element(&self, _: usize, input: &Input, output: &Output) -> Input {
+        let mut found = *input;
+        found.wheel.position[2] = output.wheel_z;
+        found
     }
 
     fn report_fallbacks(&self, output: &mut Output) {

@@ -62,6 +62,10 @@ fn real_with(
     reason: &'static str,
 ) -> Result<&'static Variable, FmiError> {
     let variable = variable(unit, reference)?;
+    if variable.on_request {
+        let reason = "it is a derivative itself";
+        return Err(FmiError::NoDerivative { name: variable.name, role, reason });
+    }
     if variable.causality != causality {
         return Err(FmiError::NoDerivative { name: variable.name, role, reason });
     }

@@ -127,10 +127,12 @@ pub struct Instance<S: Described> {
     pub(super) time: f64,
     /// Time derivatives of the inputs over the next step.
     pub(super) extrapolation: Extrapolation,
-    /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
-    pub(super) rates: Option<Box<ValuesOf<S>>>,
+    /// The input for which stiffness and damping were found.
+    pub(super) slopes_at: Option<S::Input>,
     /// Where the last step began, if energy is monitored.
     pub(super) last_step: Option<LastStep>,
+    /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
+    pub(super) rates: Option<Box<ValuesOf<S>>>,
     /// Texts handed out by the last `fmi2GetString`.
     handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -152,8 +154,9 @@ impl<S: Described> Instance<S> {
             experiment: None,
             time: 0.0,
             extrapolation: Extrapolation::new(S::UNIT),
-            rates: None,
+            slopes_at: None,
             last_step: None,
+            rates: None,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -266,6 +269,8 @@ impl<S: Described> Instance<S> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
         let fallbacks = S::fallback_count(&self.values.output);
         element.advance_all(&self.values.input, &mut self.values.output, step)?;
+        // On other profiles.
+        self.slopes_at = None;
         self.outputs_stale = false;
         Ok(self.fallback_status(fallbacks, logger))
     }
@@ -420,19 +425,42 @@ impl<S: Described> Instance<S> {
         belongs: fn(Kind) -> bool,
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let (mut outputs, mut nominal) = (false, false);
+        let (mut outputs, mut nominal, mut requested) = (false, false, false);
         for &reference in references {
             let variable = variable(S::UNIT, reference)?;
             if !belongs(variable.kind) {
                 return Err(wrong_type(variable));
             }
             outputs |= variable.causality == Causality::Output;
+            requested |= variable.on_request;
             nominal |= variable.causality == Causality::CalculatedParameter;
         }
         if self.state == State::Initialization && (outputs || nominal) {
             self.prepare_element(nominal)?;
         }
-        if outputs && self.outputs_stale { self.evaluate(logger) } else { Ok(Status::Ok) }
+        let status =
+            if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
+        if requested && self.values.coupling.monitor {
+            self.find_slopes()?;
+        }
+        Ok(status)
+    }
+
+    /// Brings stiffness and damping up to date, after the outputs.
+    #[cold]
+    fn find_slopes(&mut self) -> Result<(), FmiError> {
+        let Some(subject) = &mut self.element else { return Ok(()) };
+        let ValuesOf { input, output, coupling, .. } = &mut self.values;
+        if self.slopes_at == Some(*input) {
+            return Ok(());
+        }
+        for k in 0..S::PREFIXES.len() {
+            let at = subject.input_of_element(k, input, output);
+            let slopes = subject.elements_mut()[k].vertical_slopes(&at)?;
+            (coupling.stiffness[k], coupling.damping[k]) = (slopes.stiffness, slopes.damping);
+        }
+        self.slopes_at = Some(*input);
+        Ok(())
     }
 
     /// Makes the element if there is none of these parameters, or none of this input if the nominal
@@ -457,6 +485,7 @@ impl<S: Described> Instance<S> {
             self.element = Some(element);
             self.parameters_changed = false;
             self.outputs_stale = true;
+            self.slopes_at = None;
         }
         Ok(())
     }

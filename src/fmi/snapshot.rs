@@ -173,6 +173,7 @@ impl<S: Described> Instance<S> {
         }
         self.extrapolation.copy_from(&saved.extrapolation);
         self.last_step = saved.last_step;
+        self.slopes_at = None;
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
         self.nominal_input = None;

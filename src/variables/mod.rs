@@ -116,6 +116,8 @@ pub struct Variable {
     pub start: Option<Value<'static>>,
     /// References of the inputs and parameters on which an output depends.
     pub dependencies: &'static [usize],
+    /// Whether it is computed only when it is read.
+    pub on_request: bool,
     /// What is admitted, in words.
     pub allowed: &'static str,
 }

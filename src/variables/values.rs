@@ -25,8 +25,12 @@ pub struct ValuesOf<S: Subject> {
 /// What goes on between the contact and a host that steps; an element by itself knows nothing of steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coupling {
-    /// Whether the energy residual is computed at each step.
+    /// Whether all this is computed.
     pub monitor: bool,
+    /// Vertical stiffness of the contact of each wheel [N/m].
+    pub stiffness: [f64; 2],
+    /// Vertical damping of the contact of each wheel [N s/m].
+    pub damping: [f64; 2],
     /// Energy that forces held over the step before the last one have put into the bodies beyond the mean of those at both ends [J].
     pub energy_residual: f64,
 }

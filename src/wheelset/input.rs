@@ -43,6 +43,15 @@ impl Default for Input {
 }
 
 impl Input {
+    /// All numbers zero: no rates.
+    #[must_use]
+    pub fn at_rest() -> Self {
+        let element::Input { wheel, rails, wheel_load, track_s, friction } =
+            element::Input::from_array([0.0; element::input::INPUTS]);
+        let sides = [SideInput { rails, wheel_load, friction }; 2];
+        Self { wheelset: wheel, sides, track_s }
+    }
+
     /// The input of the element on one side, whose marker is `along` [m] to the right of the centre.
     #[must_use]
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {

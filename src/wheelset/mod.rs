@@ -264,6 +264,13 @@ impl Subject for Wheelset {
         work_pairs((&input.wheelset, &output.wheelset), rails)
     }
 
+    fn input_of_element(&self, k: usize, input: &Input, output: &Output) -> element::Input {
+        let mut found = *input;
+        found.wheelset.position[2] = output.wheelset_z;
+        found.wheelset.roll = output.roll;
+        found.of_side(k, self.markers[k])
+    }
+
     fn report_fallbacks(&self, output: &mut Output) {
         for (element, side) in self.elements.iter().zip(&mut output.sides) {
             side.fallback_count = element.fallback_count();
