@@ -242,12 +242,11 @@ pub fn take_moving_zone<T: Real>(
     let mut has_kink = false;
     let contact = zone_in_frame(index, models, |u, y| {
         let point = line.even_at(u).point;
-        match local.across(u.value(), y) {
-            Some(MovingPlace { tangent, overlap, .. }) => (point, tangent, overlap),
-            None => {
-                has_kink = true;
-                (point, [T::from(1.0), T::from(0.0)], T::from(0.0))
-            }
+        if let Some(MovingPlace { tangent, overlap, .. }) = local.across(u.value(), y) {
+            (point, tangent, overlap)
+        } else {
+            has_kink = true;
+            (point, [T::from(1.0), T::from(0.0)], T::from(0.0))
         }
     });
     (!has_kink).then_some(contact)
