@@ -51,7 +51,8 @@ pub const NO_STRIPS: Kink = "the strips found no solution, and piotrowski_kik to
 pub const FIXED_STRIPS: Kink = "the strips found no edges of their zones, and stay where they are";
 
 /// Strips whose equations have no derivatives.
-pub const UNSETTLED: Kink = "the strips end with a body, or their ends go over from one condition to another";
+pub const UNSETTLED: Kink =
+    "the strips end with a body, or their ends go over from one condition to another";
 
 /// A contact that the search has put at the end of a body.
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
