@@ -314,7 +314,12 @@ fn given_loads_are_carried_at_the_height_and_roll_of_a_rigid_axle() {
             side.wheel_load = random.within(2e4, 9e4);
             side.rails = Default::default();
         }
+        let before = loaded.elements()[LEFT].work().evaluations;
         let output = evaluate(&mut loaded, &input);
+        // The search for the roll, and once more at the roll found.
+        let evaluations = loaded.elements()[LEFT].work().evaluations - before;
+        println!("{evaluations} evaluations of each side");
+        assert!(evaluations < 20);
         assert_eq!(output.fallback_count, 0);
         for k in [RIGHT, LEFT] {
             let (carried, load) = (-output.sides[k].wheel.force[2], input.sides[k].wheel_load);

@@ -102,7 +102,7 @@ impl Host {
 
     fn call(&mut self, u: &mut Unstructured) -> Result<()> {
         let component = self.component(u)?;
-        let status = match u.int_in_range(0..=31u8)? {
+        let status = match u.int_in_range(0..=32u8)? {
             0 | 1 => {
                 self.instantiate(u)?;
                 return Ok(());
@@ -131,6 +131,7 @@ impl Host {
             21 => set_integers(component, u)?,
             22 => set_texts(component, u)?,
             23 | 24 => get_integers(component, u)?,
+            32 => directional_derivatives(component, u)?,
             25..=28 => set_reals(component, u)?,
             _ => get_reals(component, u)?,
         };
@@ -306,6 +307,31 @@ fn input_derivatives(component: Component, u: &mut Unstructured) -> Result<Statu
             values.as_ptr(),
         )
     })
+}
+
+fn directional_derivatives(component: Component, u: &mut Unstructured) -> Result<Status> {
+    let unknowns = references(u, |kind| kind == Kind::Real)?;
+    let knowns = references(u, |kind| kind == Kind::Real)?;
+    let is_ordinary = u.arbitrary()?;
+    let one = |u: &mut Unstructured| if is_ordinary { within(u, 1.0) } else { any(u) };
+    let seed: Vec<f64> = knowns.iter().map(|_| one(u)).collect::<Result<_>>()?;
+    let mut found = vec![0.0; unknowns.len()];
+    // SAFETY: as many elements as the counts say.
+    let status = unsafe {
+        fmi2GetDirectionalDerivative(
+            component,
+            pointer(&unknowns, u)?,
+            unknowns.len(),
+            pointer(&knowns, u)?,
+            knowns.len(),
+            seed.as_ptr(),
+            found.as_mut_ptr(),
+        )
+    };
+    if is_ordinary && matches!(status, Status::Ok | Status::Warning) {
+        assert!(found.iter().all(|v| !v.is_nan()), "{unknowns:?} by {knowns:?}: {found:?}");
+    }
+    Ok(status)
 }
 
 fn events(component: Component, u: &mut Unstructured) -> Result<Status> {

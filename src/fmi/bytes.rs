@@ -20,9 +20,10 @@
 //!
 //! Numbers are little-endian; a text has its length before it. Outputs follow from the inputs.
 
+use super::coupling::LastStep;
 use super::error::FmiError;
 use super::extrapolation::{Extrapolation, ORDERS};
-use super::instance::{Experiment, LastStep, Purpose, State};
+use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::element::WearState;
 use crate::element::parameters::RAILS;

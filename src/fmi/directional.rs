@@ -1,7 +1,8 @@
 //! Directional derivatives of outputs by inputs (FMI 2.0, 2.1.9).
 
+use super::access::{is_real, variable, wrong_type};
 use super::error::FmiError;
-use super::instance::{Instance, State, is_real, variable, wrong_type};
+use super::instance::{Instance, State};
 use super::types::ValueReference;
 use crate::element::subject::Subject;
 use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variable};

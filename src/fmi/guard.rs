@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use std::ptr::null_mut;
 use std::sync::{Mutex, TryLockError};
 
+use super::any_instance::AnyInstance;
 use super::error::FmiError;
 use super::handle::{self, Entry};
-use super::instance::{AnyInstance, Purpose, State};
+use super::instance::{Purpose, State};
 use super::location;
 use super::logger::{Category, Logger};
 use super::types::{CO_SIMULATION, Component, MODEL_EXCHANGE, Status};

@@ -5,7 +5,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
-use super::instance::AnyInstance;
+use super::any_instance::AnyInstance;
 use super::logger::Logger;
 use super::slots::Slots;
 use super::types::Component;

@@ -1,23 +1,19 @@
 //! A wheel or a wheelset with its variables and its place in the life cycle.
 
-use std::ffi::{CString, c_char};
+use std::ffi::CString;
 use std::path::{Path, PathBuf};
 
+use super::coupling::LastStep;
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
 use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
-use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
-use crate::element::Element;
+use super::types::{Status, ValueReference};
 use crate::element::parameters::WearModel;
-use crate::element::work_pairs::{WorkPairs, energy_residual};
 use crate::error::ContactError;
 use crate::io::save_profile;
-use crate::variables::{
-    Causality, Described, Kind, Unit, Value, ValuesOf, Variable, admits, check,
-};
-use crate::wheelset::Wheelset;
+use crate::variables::{Described, ValuesOf};
 
 /// What an instance is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,57 +52,6 @@ pub struct Experiment {
     pub stop: Option<f64>,
 }
 
-/// What an `fmi2Component` stands for.
-#[derive(Debug)]
-pub enum AnyInstance {
-    /// Of `WheelRail.fmu`.
-    Wheel(Box<Instance<Element>>),
-    /// Of `WheelSet.fmu`.
-    Wheelset(Box<Instance<Wheelset>>),
-}
-
-/// Runs the same lines on an instance of any unit.
-macro_rules! on_instance {
-    ($any:expr, |$instance:ident| $body:expr) => {
-        match $any {
-            $crate::fmi::instance::AnyInstance::Wheel($instance) => $body,
-            $crate::fmi::instance::AnyInstance::Wheelset($instance) => $body,
-        }
-    };
-}
-pub(super) use on_instance;
-
-impl AnyInstance {
-    /// An instance of `unit` with start values.
-    pub fn new(unit: &Unit, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
-        if unit.guid == Wheelset::UNIT.guid {
-            Self::Wheelset(Box::new(Instance::new(purpose, profile_folders)))
-        } else {
-            Self::Wheel(Box::new(Instance::new(purpose, profile_folders)))
-        }
-    }
-
-    /// Place in the life cycle.
-    #[inline]
-    pub fn state(&self) -> State {
-        on_instance!(self, |instance| instance.state)
-    }
-
-    /// Moves to another place in the life cycle.
-    pub fn put_into(&mut self, state: State) {
-        on_instance!(self, |instance| instance.state = state);
-    }
-}
-
-/// The beginning of the last step: its length [s], and the forces that a host held over it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LastStep {
-    /// Length [s].
-    pub duration: f64,
-    /// Forces and velocities at its beginning.
-    pub pairs: WorkPairs,
-}
-
 /// An instance of one unit.
 #[derive(Debug)]
 pub struct Instance<S: Described> {
@@ -134,7 +79,7 @@ pub struct Instance<S: Described> {
     /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
     pub(super) rates: Option<Box<ValuesOf<S>>>,
     /// Texts handed out by the last `fmi2GetString`.
-    handed_out: Vec<CString>,
+    pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
     pub snapshots: Slots<Snapshot<S>>,
 }
@@ -245,19 +190,6 @@ impl<S: Described> Instance<S> {
         }))
     }
 
-    /// Forces and velocities of the inputs.
-    fn work_pairs(&mut self, logger: &Logger) -> Result<(Status, WorkPairs), FmiError> {
-        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
-        Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
-    }
-
-    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
-    fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
-        let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
-        self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);
-        self.last_step = Some(LastStep { duration, pairs: *pairs });
-    }
-
     /// The wear law, which is the same for all elements.
     fn wear_model(&self) -> WearModel {
         let all = S::parameters_of_elements(&self.values.parameters);
@@ -322,147 +254,6 @@ impl<S: Described> Instance<S> {
         self.time
     }
 
-    /// Reads real variables.
-    pub fn get_real(
-        &mut self,
-        references: &[ValueReference],
-        out: &mut [f64],
-        logger: &Logger,
-    ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_real, logger)?;
-        for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Real(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
-                *out = value;
-            }
-        }
-        Ok(status)
-    }
-
-    /// Reads integer variables and enumerations.
-    pub fn get_integer(
-        &mut self,
-        references: &[ValueReference],
-        out: &mut [i32],
-        logger: &Logger,
-    ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_integer, logger)?;
-        for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Integer(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
-                *out = value;
-            }
-        }
-        Ok(status)
-    }
-
-    /// Reads boolean variables.
-    pub fn get_boolean(
-        &mut self,
-        references: &[ValueReference],
-        out: &mut [Boolean],
-        logger: &Logger,
-    ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_boolean, logger)?;
-        for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Boolean(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
-                *out = if value { TRUE } else { FALSE };
-            }
-        }
-        Ok(status)
-    }
-
-    /// Reads text variables; the pointers are good until the next call on this instance.
-    pub fn get_text(
-        &mut self,
-        references: &[ValueReference],
-        out: &mut [*const c_char],
-        logger: &Logger,
-    ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_text, logger)?;
-        let texts =
-            references.iter().map(|&r| match self.values.get(&S::UNIT.variables[r as usize]) {
-                // A text that was set holds no null character.
-                Value::Text(text) => CString::new(text).unwrap_or_default(),
-                _ => CString::default(),
-            });
-        self.handed_out = texts.collect();
-        for (out, text) in out.iter_mut().zip(&self.handed_out) {
-            *out = text.as_ptr();
-        }
-        Ok(status)
-    }
-
-    /// Sets variables; all or, if one of the values is refused, none.
-    pub fn set<'a>(
-        &mut self,
-        references: &[ValueReference],
-        value: impl Fn(usize) -> Value<'a>,
-    ) -> Result<Status, FmiError> {
-        let fixed = !matches!(self.state, State::Instantiated | State::Initialization);
-        for (i, &reference) in references.iter().enumerate() {
-            let variable = S::UNIT.variables.get(reference as usize);
-            let accepted = variable.is_some_and(|v| {
-                admits(v, value(i)) && !(fixed && v.causality == Causality::Parameter)
-            });
-            if !accepted {
-                return Err(refusal(S::UNIT, reference, value(i)));
-            }
-        }
-        for (i, &reference) in references.iter().enumerate() {
-            let variable = &S::UNIT.variables[reference as usize];
-            // Setting the same value again costs no evaluation.
-            if self.values.write(variable, value(i)) {
-                self.outputs_stale = true;
-                self.parameters_changed |= variable.causality == Causality::Parameter;
-            }
-        }
-        Ok(Status::Ok)
-    }
-
-    /// Checks references and types, and brings up to date what they depend on.
-    fn prepare_to_read(
-        &mut self,
-        references: &[ValueReference],
-        belongs: fn(Kind) -> bool,
-        logger: &Logger,
-    ) -> Result<Status, FmiError> {
-        let (mut outputs, mut nominal, mut requested) = (false, false, false);
-        for &reference in references {
-            let variable = variable(S::UNIT, reference)?;
-            if !belongs(variable.kind) {
-                return Err(wrong_type(variable));
-            }
-            outputs |= variable.causality == Causality::Output;
-            requested |= variable.on_request;
-            nominal |= variable.causality == Causality::CalculatedParameter;
-        }
-        if self.state == State::Initialization && (outputs || nominal) {
-            self.prepare_element(nominal)?;
-        }
-        let status =
-            if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
-        if requested && self.values.coupling.monitor {
-            self.find_slopes()?;
-        }
-        Ok(status)
-    }
-
-    /// Brings stiffness and damping up to date, after the outputs.
-    #[cold]
-    fn find_slopes(&mut self) -> Result<(), FmiError> {
-        let Some(subject) = &mut self.element else { return Ok(()) };
-        let ValuesOf { input, output, coupling, .. } = &mut self.values;
-        if self.slopes_at == Some(*input) {
-            return Ok(());
-        }
-        for k in 0..S::PREFIXES.len() {
-            let at = subject.input_of_element(k, input, output);
-            let slopes = subject.elements_mut()[k].vertical_slopes(&at)?;
-            (coupling.stiffness[k], coupling.damping[k]) = (slopes.stiffness, slopes.damping);
-        }
-        self.slopes_at = Some(*input);
-        Ok(())
-    }
-
     /// Makes the element if there is none of these parameters, or none of this input if the nominal
     /// height is wanted.
     pub(super) fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
@@ -490,7 +281,8 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
-    fn evaluate(&mut self, logger: &Logger) -> Result<Status, FmiError> {
+    /// Evaluates the outputs.
+    pub(super) fn evaluate(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
         let fallbacks = S::fallback_count(&self.values.output);
         element.evaluate_all(&self.values.input, &mut self.values.output)?;
@@ -511,62 +303,6 @@ impl<S: Described> Instance<S> {
         }
         Status::Warning
     }
-}
-
-#[inline]
-pub(super) fn variable(
-    unit: &'static Unit,
-    reference: ValueReference,
-) -> Result<&'static Variable, FmiError> {
-    let last = unit.variables.len() - 1;
-    unit.variables.get(reference as usize).ok_or(FmiError::UnknownReference { reference, last })
-}
-
-/// Why a value is not accepted; after initialization, if there is nothing else against it.
-#[cold]
-fn refusal(unit: &'static Unit, reference: ValueReference, value: Value) -> FmiError {
-    let variable = match variable(unit, reference) {
-        Ok(variable) => variable,
-        Err(error) => return error,
-    };
-    let belongs = match value {
-        Value::Real(_) => is_real(variable.kind),
-        Value::Integer(_) => is_integer(variable.kind),
-        Value::Boolean(_) => is_boolean(variable.kind),
-        Value::Text(_) => is_text(variable.kind),
-    };
-    if !belongs {
-        return wrong_type(variable);
-    }
-    check(variable, value).map_or_else(FmiError::from, |()| FmiError::Fixed(variable.name))
-}
-
-pub(super) fn is_real(kind: Kind) -> bool {
-    matches!(kind, Kind::Real)
-}
-
-fn is_integer(kind: Kind) -> bool {
-    matches!(kind, Kind::Integer | Kind::Enumeration(_))
-}
-
-fn is_boolean(kind: Kind) -> bool {
-    matches!(kind, Kind::Boolean)
-}
-
-fn is_text(kind: Kind) -> bool {
-    matches!(kind, Kind::Text)
-}
-
-#[cold]
-pub(super) fn wrong_type(variable: &Variable) -> FmiError {
-    let kind = match variable.kind {
-        Kind::Real => "Real",
-        Kind::Integer => "Integer",
-        Kind::Boolean => "Boolean",
-        Kind::Text => "String",
-        Kind::Enumeration(_) => "Enumeration (set and read as Integer)",
-    };
-    FmiError::WrongType { name: variable.name, kind }
 }
 
 fn bad_argument(name: &'static str, value: f64, allowed: &'static str) -> FmiError {

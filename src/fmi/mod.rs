@@ -7,7 +7,10 @@
 //! guard      finds the instance, checks that the call is legal now, stops panics, logs
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
+//! any_instance   an instance of one unit or the other
 //! instance   a wheel or a wheelset with its variables and its place in the life cycle
+//! access     its variables by reference
+//! coupling   energy residual, stiffness and damping
 //! extrapolation   inputs that go on with their time derivatives
 //! snapshot   what is remembered of it by `fmi2GetFMUstate`
 //! bytes      the same as bytes
@@ -26,7 +29,10 @@
 //! unless `fmi2SetDebugLogging` turns off their categories by name.
 
 pub mod abi;
+mod access;
+mod any_instance;
 mod bytes;
+mod coupling;
 mod directional;
 mod error;
 mod extrapolation;

@@ -1,8 +1,9 @@
 //! The state of an instance as `fmi2GetFMUstate` keeps it.
 
+use super::coupling::LastStep;
 use super::error::FmiError;
 use super::extrapolation::Extrapolation;
-use super::instance::{Experiment, Instance, LastStep, Purpose, State};
+use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
 use crate::element::{Element, WearState};
 use crate::variables::{Described, ValuesOf};

@@ -157,7 +157,7 @@ fn regular_influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longes
 
 /// Numbers over which the influence of strips is summed.
 pub trait Influence: Real {
-    /// See [`regular_influence`].
+    /// See `regular_influence`.
     fn regular_influence(
         half_lengths: &[Self],
         ys: &[Self],

@@ -225,7 +225,7 @@ impl<T: Real> StripTheory<T> {
     }
 }
 
-/// What the march of up to [`LANES`] strips needs.
+/// What the march of up to `LANES` strips needs.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct March<T> {
     /// Traction increments of FASTSIM for each element.
@@ -254,7 +254,7 @@ pub struct Integrals<T> {
 
 /// Numbers with which strips are marched.
 pub trait Marching: Real {
-    /// See [`march_strips`].
+    /// See `march_strips`.
     fn march_beyond(
         march: &March<Self>,
         elements: &[Element],

@@ -209,7 +209,7 @@ impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
     }
 }
 
-/// What the march of up to [`LANES`] strips needs: traction increments per element and bounds.
+/// What the march of up to `LANES` strips needs: traction increments per element and bounds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct March<T> {
     step_x: Lanes<T>,

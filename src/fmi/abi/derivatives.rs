@@ -3,9 +3,9 @@
 use std::ffi::c_int;
 
 use super::arguments::{array, array_mut};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Component, Status, ValueReference};
 
 /// `fmi2GetDirectionalDerivative`.

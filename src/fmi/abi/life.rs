@@ -4,8 +4,8 @@ use std::ffi::{CStr, c_int};
 use std::ptr::null_mut;
 
 use super::arguments::{text, texts};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::guard::{self, Call, Request, guard};
-use crate::fmi::instance::on_instance;
 use crate::fmi::logger::{Category, Logger};
 use crate::fmi::types::{Boolean, CallbackFunctions, Component, FALSE, Status, Text};
 

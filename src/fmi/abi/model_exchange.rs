@@ -3,9 +3,10 @@
 //! There are no continuous states and no events: outputs follow from the inputs, as in co-simulation.
 
 use super::arguments::{array, array_mut, write};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::{State, on_instance};
+use crate::fmi::instance::State;
 use crate::fmi::types::{Boolean, Component, EventInfo, FALSE, Status};
 
 /// `fmi2EnterEventMode`.

@@ -4,10 +4,10 @@ use std::ffi::c_char;
 use std::ptr::null_mut;
 
 use super::arguments::{array, array_mut, write};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::bytes;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Component, FmuState, Status};
 
 /// `fmi2GetFMUstate`: a new state where null is handed over; another one of this instance is written over.

@@ -3,8 +3,8 @@
 use std::ffi::c_int;
 
 use super::arguments::write;
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::on_instance;
 use crate::fmi::logger::{Category, Logger};
 use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, status_kind};
 

@@ -3,8 +3,8 @@
 use std::ffi::c_char;
 
 use super::arguments::{array, array_mut, texts};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::guard::{Call, guard};
-use crate::fmi::instance::on_instance;
 use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, ValueReference};
 use crate::variables::Value;
 

@@ -1,0 +1,50 @@
+//! An instance of any of the units in this library.
+
+use std::path::PathBuf;
+
+use super::instance::{Instance, Purpose, State};
+use crate::element::Element;
+use crate::variables::{Described, Unit};
+use crate::wheelset::Wheelset;
+
+/// What an `fmi2Component` stands for.
+#[derive(Debug)]
+pub enum AnyInstance {
+    /// Of `WheelRail.fmu`.
+    Wheel(Box<Instance<Element>>),
+    /// Of `WheelSet.fmu`.
+    Wheelset(Box<Instance<Wheelset>>),
+}
+
+/// Runs the same lines on an instance of any unit.
+macro_rules! on_instance {
+    ($any:expr, |$instance:ident| $body:expr) => {
+        match $any {
+            $crate::fmi::any_instance::AnyInstance::Wheel($instance) => $body,
+            $crate::fmi::any_instance::AnyInstance::Wheelset($instance) => $body,
+        }
+    };
+}
+pub(super) use on_instance;
+
+impl AnyInstance {
+    /// An instance of `unit` with start values.
+    pub fn new(unit: &Unit, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+        if unit.guid == Wheelset::UNIT.guid {
+            Self::Wheelset(Box::new(Instance::new(purpose, profile_folders)))
+        } else {
+            Self::Wheel(Box::new(Instance::new(purpose, profile_folders)))
+        }
+    }
+
+    /// Place in the life cycle.
+    #[inline]
+    pub fn state(&self) -> State {
+        on_instance!(self, |instance| instance.state)
+    }
+
+    /// Moves to another place in the life cycle.
+    pub fn put_into(&mut self, state: State) {
+        on_instance!(self, |instance| instance.state = state);
+    }
+}
