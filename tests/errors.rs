@@ -317,6 +317,23 @@ fn derivatives(host: &Host, name: &str, value: f64) -> Status {
     }
 }
 
+/// Derivative of the variable `unknown` by the variable `known` along `seed`.
+fn directional(host: &Host, unknown: &str, known: &str, seed: f64) -> Status {
+    let mut found = 0.0;
+    // SAFETY: FMI 2.0, 2.1.9: arrays of one element.
+    unsafe {
+        fmi2GetDirectionalDerivative(
+            host.component,
+            &reference(unknown),
+            1,
+            &reference(known),
+            1,
+            &raw const seed,
+            &raw mut found,
+        )
+    }
+}
+
 fn called(words: &str) -> String {
     match words {
         "`fmi2Instantiate` without a name" => not_made(|a| a.name = None),
@@ -349,6 +366,25 @@ fn called(words: &str) -> String {
         "`fmi2SetRealInputDerivatives` of an output" => {
             stepping(|h| derivatives(h, "wheel.force.z", 1.0))
         }
+        "`fmi2GetDirectionalDerivative` of an input" => {
+            stepping(|h| directional(h, "wheel.y", "wheel.z", 1.0))
+        }
+        "`fmi2GetDirectionalDerivative` by a parameter" => {
+            stepping(|h| directional(h, "wheel.force.z", "track.gauge", 1.0))
+        }
+        "`fmi2GetDirectionalDerivative` along what is no number" => {
+            stepping(|h| directional(h, "wheel.force.z", "wheel.z", f64::NAN))
+        }
+        "`fmi2GetRealOutputDerivatives`" => stepping(|h| {
+            let (output, order, mut value) = (reference("wheel.force.z"), 1, 0.0);
+            let order = &raw const order;
+            fmi2GetRealOutputDerivatives(h.component, &raw const output, 1, order, &raw mut value)
+        }),
+        "`fmi2SetString` to what is not UTF-8" => refused_on(&Host::initializing(), |h| {
+            let (text, variable) = (c"\xff".as_ptr(), reference("wheel.profile"));
+            // SAFETY: FMI 2.0, 2.1.2 and 2.1.7: arrays of one element, a null-terminated text.
+            unsafe { fmi2SetString(h.component, &raw const variable, 1, &raw const text) }
+        }),
         "`fmi2DoStep` over a negative step" => stepping(|h| h.step(0.0, -1e-3)),
         "`fmi2DoStep` from a time that is no number" => stepping(|h| h.step(f64::NAN, 1e-3)),
         "`fmi2DoStep` beyond the stop time" => {

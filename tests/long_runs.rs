@@ -29,6 +29,9 @@ const REACH: [(f64, f64); 9] = [
     (2e-3, 1.0),  // rail, lateral
     (1e-2, 1.0),  // rail, roll
 ];
+/// Share of leaps in short walks and in those of a hundred thousand steps and more. After each the height of first touch is searched, which
+/// takes as long as some fifty evaluations.
+const LEAPS: [f64; 2] = [0.05, 0.005];
 /// A normal force that moves by more than this share of itself and this much [N] in one step has jumped: all inputs together move the
 /// penetration by a few tenths of a micrometre.
 const JUMP: f64 = 0.05;
@@ -49,18 +52,20 @@ struct Counters {
 /// Inputs that wander.
 struct Walk {
     random: Random,
+    leaps: f64,
     at: [f64; 9],
 }
 
 impl Walk {
-    fn new(seed: u64) -> Self {
+    fn new(seed: u64, steps: u64) -> Self {
         let mut random = Random::new(seed);
-        Self { at: REACH.map(|(reach, _)| random.about(reach)), random }
+        let at = REACH.map(|(reach, _)| random.about(reach));
+        Self { random, leaps: LEAPS[usize::from(steps >= 100_000)], at }
     }
 
     /// A step of each, back towards the middle at the ends; now and then somewhere else, which is no step.
     fn step(&mut self) -> bool {
-        let leap = self.random.within(0.0, 1.0) < 0.05;
+        let leap = self.random.within(0.0, 1.0) < self.leaps;
         for (value, (reach, size)) in self.at.iter_mut().zip(REACH) {
             *value = if leap {
                 self.random.about(reach)
@@ -92,7 +97,7 @@ impl Walk {
 
 fn walk(parameters: &Parameters, evaluations: u64, seed: u64) -> Counters {
     let mut element = Element::new(parameters, &Input::default(), &[]).unwrap();
-    let mut walk = Walk::new(seed);
+    let mut walk = Walk::new(seed, evaluations);
     let mut counters = Counters::default();
     let mut output = Output::default();
     let mut z = walk.height(&mut element);

@@ -111,7 +111,7 @@ impl Host {
 
     fn call(&mut self, u: &mut Unstructured) -> Result<()> {
         let component = self.component(u)?;
-        let status = match u.int_in_range(0..=31u8)? {
+        let status = match u.int_in_range(0..=32u8)? {
             0 | 1 => {
                 self.instantiate(u)?;
                 return Ok(());
@@ -141,8 +141,8 @@ impl Host {
             22 => set_texts(self.unit, component, u)?,
             23 => get_integers(self.unit, component, u)?,
             24 => set_booleans(self.unit, component, u)?,
+            32 => directional_derivatives(self.unit, component, u)?,
             25..=28 => set_reals(self.unit, component, u)?,
-            29 => directional_derivative(self.unit, component, u)?,
             _ => get_reals(self.unit, component, u)?,
         };
         assert!(matches!(status, Status::Ok | Status::Warning | Status::Discard | Status::Error));
@@ -269,36 +269,6 @@ fn set_booleans(unit: &Unit, component: Component, u: &mut Unstructured) -> Resu
     })
 }
 
-fn directional_derivative(
-    unit: &Unit,
-    component: Component,
-    u: &mut Unstructured,
-) -> Result<Status> {
-    let mut of = |causality: Causality| {
-        let all = unit.variables.iter();
-        let good: Vec<_> =
-            all.filter(|v| v.causality == causality && v.kind == Kind::Real).collect();
-        let count = u.int_in_range(0..=4u8)?;
-        (0..count).map(|_| Ok(u.choose(&good)?.reference as u32)).collect::<Result<Vec<_>>>()
-    };
-    let (unknowns, knowns) = (of(Causality::Output)?, of(Causality::Input)?);
-    let seed = knowns.iter().map(|_| any(u)).collect::<Result<Vec<f64>>>()?;
-    let mut rates = vec![0.0; unknowns.len()];
-    // SAFETY: as many elements as the counts say, or null.
-    let status = unsafe {
-        fmi2GetDirectionalDerivative(
-            component,
-            pointer(&unknowns, u)?,
-            unknowns.len(),
-            pointer(&knowns, u)?,
-            knowns.len(),
-            pointer(&seed, u)?,
-            rates.as_mut_ptr(),
-        )
-    };
-    Ok(status)
-}
-
 fn is_whole(kind: Kind) -> bool {
     matches!(kind, Kind::Integer | Kind::Enumeration(_))
 }
@@ -364,6 +334,35 @@ fn input_derivatives(unit: &Unit, component: Component, u: &mut Unstructured) ->
             values.as_ptr(),
         )
     })
+}
+
+fn directional_derivatives(
+    unit: &Unit,
+    component: Component,
+    u: &mut Unstructured,
+) -> Result<Status> {
+    let unknowns = references(unit, u, |kind| kind == Kind::Real)?;
+    let knowns = references(unit, u, |kind| kind == Kind::Real)?;
+    let is_ordinary = u.arbitrary()?;
+    let one = |u: &mut Unstructured| if is_ordinary { within(u, 1.0) } else { any(u) };
+    let seed: Vec<f64> = knowns.iter().map(|_| one(u)).collect::<Result<_>>()?;
+    let mut found = vec![0.0; unknowns.len()];
+    // SAFETY: as many elements as the counts say.
+    let status = unsafe {
+        fmi2GetDirectionalDerivative(
+            component,
+            pointer(&unknowns, u)?,
+            unknowns.len(),
+            pointer(&knowns, u)?,
+            knowns.len(),
+            seed.as_ptr(),
+            found.as_mut_ptr(),
+        )
+    };
+    if is_ordinary && matches!(status, Status::Ok | Status::Warning) {
+        assert!(found.iter().all(|v| !v.is_nan()), "{unknowns:?} by {knowns:?}: {found:?}");
+    }
+    Ok(status)
 }
 
 fn events(component: Component, u: &mut Unstructured) -> Result<Status> {

@@ -361,3 +361,7 @@ pub const LONGEST_STEP: f64 = 1e-4;
 
 /// The same for forces one step late, whose formula is that for light damping.
 pub const DELAYED_STEP: f64 = 0.05;
+
+/// Share of the evaluations of a wheel on a hard profile, 0.1 µm to 0.1 mm deep, in which strips fall back: 3 of 510 on 20 µm of noise left
+/// unsmoothed, none elsewhere at every second place.
+pub const HARD_FALLBACKS: f64 = 0.01;
