@@ -51,6 +51,18 @@ pub struct Cell {
     pub dropped: u8,
 }
 
+impl Cell {
+    /// Whether an end of its lobe is free, and found by a condition of its own.
+    pub fn is_free(&self, side: usize) -> bool {
+        !self.pinned[side]
+    }
+
+    /// Whether the equation of an end holds it to the ridge.
+    pub fn follows_ridge(&self, side: usize) -> bool {
+        self.pinned[side]
+    }
+}
+
 /// A local extremum of the overlap, in growing u.
 #[derive(Clone, Copy, Debug)]
 struct Extremum {

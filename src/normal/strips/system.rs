@@ -23,7 +23,7 @@ use super::pair_sums::{self, Point, Sources};
 use super::rule::LobeRule;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
-const SHAPE_REGULARISATION: f64 = 1e-5;
+pub const SHAPE_REGULARISATION: f64 = 1e-5;
 
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
