@@ -176,7 +176,10 @@ fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
             input.wheel_load = random.within(1e4, 1.2e5);
             input
         };
-        let random_poses: Vec<Input> = (0..POSES).map(|_| random_pose()).collect();
+        // Strips take their time without optimisation.
+        let is_strips = parameters.normal_model == NormalModel::Strips;
+        let count = if is_strips { POSES / 4 } else { POSES };
+        let random_poses: Vec<Input> = (0..count).map(|_| random_pose()).collect();
         for input in random_poses.iter().chain(more) {
             let input = if side == Side::Left { mirrored(input) } else { *input };
             compare(&mut own, &input, noise, &mut errors);
@@ -207,6 +210,16 @@ fn of_normal_models() {
     ] {
         judge(name, &Parameters { normal_model, ..default() }, &[]);
     }
+}
+
+#[test]
+fn of_strips() {
+    let normal_model = NormalModel::Strips;
+    let strips = Parameters { normal_model, strips: 15, elements_along: 15, ..default() };
+    judge("strips", &strips, &[]);
+    let tangential_model = TangentialModel::Tables;
+    let creepage_model = CreepageModel::Curved;
+    judge("strips_tables", &Parameters { tangential_model, creepage_model, ..strips }, &[]);
 }
 
 #[test]

@@ -140,7 +140,7 @@ impl Sweep {
         input
     }
 
-    /// Normal force and lateral force on the wheel at `count` positions from `from`, at the depth of each (`level` none) or all at a height.
+    /// Vertical force, up, and lateral force on the wheel at `count` positions from `from`, at the depth of each (`level` none) or all at a height.
     fn forces(
         &self,
         element: &mut Element,
@@ -159,7 +159,8 @@ impl Sweep {
                 input.wheel.position[2] = height + depth;
                 let mut output = Output::default();
                 element.evaluate(&input, &mut output).unwrap();
-                [output.patches.iter().map(|p| p.normal_force).sum(), output.wheel.force[1]]
+                // The sum of the patches' normal forces is no force: where two frames become one it falls to that of their resultant.
+                [-output.wheel.force[2], output.wheel.force[1]]
             })
             .collect()
     }
@@ -201,7 +202,7 @@ impl Sweep {
 #[ignore = "some 100 000 evaluations; for a release build"]
 fn largest_jumps_of_sweeps() {
     let mut report =
-        String::from("moved,shift_mm,model,at_mm_or_mrad,normal_force,lateral_force\n");
+        String::from("moved,shift_mm,model,at_mm_or_mrad,vertical_force,lateral_force\n");
     let mut worst: f64 = 0.0;
     for sweep in SWEEPS {
         for model in [NormalModel::PiotrowskiKik, NormalModel::Strips] {

@@ -119,9 +119,6 @@ impl Element {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             return refuse(name, "they are there for bodies that are even along the track");
         }
-        if self.models.strip_solver.is_some() {
-            return refuse("normal.model = strips", "they are not there yet");
-        }
         let memory = self.memory.take().unwrap_or_else(|| {
             Box::new(DerivativeMemory {
                 one: self.models.in_other_numbers(),
@@ -266,7 +263,7 @@ impl Element {
         models.patches.clear();
         for (k, rail) in self.rails.iter_mut().enumerate() {
             if let Some(rail) = rail {
-                rail.move_along(k, input, models, output)?;
+                rail.move_along(k, input, &mut self.models, models, output)?;
             }
         }
         output.wheel_z = input.wheel.position[2];

@@ -9,7 +9,7 @@ use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 use crate::math::room::Room;
-use crate::normal::strips::{LEAST_STRIPS, StripSolver};
+use crate::normal::strips::{LEAST_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
@@ -49,6 +49,8 @@ pub struct Models<T = f64> {
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
     pub strip_solver: Option<StripSolver>,
     pub rail_strips: Strips<T>,
+    /// Memory for derivatives of the zones of a whole rail.
+    pub strip_follower: StripFollower<T>,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
@@ -81,6 +83,7 @@ impl Models {
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
+            strip_follower: StripFollower::default(),
             patches: Room::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
@@ -127,6 +130,7 @@ impl Models {
             strips: Strips::with_capacity(zones, strips),
             strip_solver: is_strips.then(|| StripSolver::new(strips)),
             rail_strips: Strips::with_capacity(if is_strips { MOST_ZONES } else { 0 }, strips),
+            strip_follower: StripFollower::default(),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,

@@ -8,9 +8,12 @@ use super::number::ElementNumber;
 use super::output::Output;
 use super::rail_contact::RailContact;
 use super::rail_frame::RailFrame;
+use super::strip_contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::moving_separation::MovingSeparation;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::{self, NormalProblem};
 
@@ -18,15 +21,38 @@ use crate::normal::{self, NormalProblem};
 pub trait MovingNumber:
     for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, Self>> + Real
 {
+    /// See [`strip_contact::follow`].
+    fn follow(
+        line: &ContactLine<Self>,
+        rail: &PlacedRail,
+        found: &mut Models,
+        models: &mut Models<Self>,
+    ) -> bool;
 }
 
-impl<T> MovingNumber for T where
-    T: for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, T>> + Real
-{
+impl<const N: usize> MovingNumber for Dual<N> {
+    fn follow(
+        line: &ContactLine<Self>,
+        rail: &PlacedRail,
+        found: &mut Models,
+        models: &mut Models<Self>,
+    ) -> bool {
+        strip_contact::follow(line, rail, found, models)
+    }
 }
 
 /// Why there is no derivative.
 pub type Kink = &'static str;
+
+/// Strips without a solution.
+pub const NO_STRIPS: Kink = "the strips found no solution, and piotrowski_kik took their place";
+
+/// Strips that stay where they are.
+pub const FIXED_STRIPS: Kink = "the strips found no edges of their zones, and stay where they are";
+
+/// Strips whose equations have no derivatives.
+pub const UNSETTLED: Kink =
+    "the strips end with a body, or their ends go over from one condition to another";
 
 /// A contact that the search has put at the end of a body.
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
@@ -40,18 +66,55 @@ impl RailContact {
         &mut self,
         k: usize,
         input: &Input<T>,
+        found: &mut Models,
         models: &mut Models<T>,
         output: &mut Output<T>,
     ) -> Result<(), Kink> {
         if !self.search_contacts(k, &input.value()) {
             return Ok(());
         }
-        let Self { rail, search, .. } = self;
+        let fixed = found.strip_solver.as_ref().map_or(0, |solver| solver.work.fixed);
+        let Self { rail, search, probes, .. } = self;
         let frame = RailFrame::new(rail, &input.rails[k]);
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
         let line = moving.value();
         let mut work = Work::default();
+        if found.strip_solver.is_some() && !search.contacts.is_empty() {
+            if !strip_contact::solve(&line, rail, search, probes, found) {
+                return Err(NO_STRIPS);
+            }
+            if found.strip_solver.as_ref().is_some_and(|solver| solver.work.fixed > fixed) {
+                return Err(FIXED_STRIPS);
+            }
+            if !T::follow(&moving, rail, found, models) {
+                return Err(UNSETTLED);
+            }
+            let mut deepest = T::from(0.0);
+            for contact in search.contacts.iter() {
+                let contact = contact.moving(&moving, rail).ok_or(BODY_ENDS)?;
+                deepest = deepest.max(contact.penetration);
+            }
+            let whole = [models.rail_strips.load(), deepest];
+            for zone in 0..models.rail_strips.zones.len() {
+                let contact = strip_contact::take_moving_zone(&moving, rail, zone, models);
+                let contact = contact.ok_or(BODY_ENDS)?;
+                let values = LineSeparation::new(&line, rail, contact.value());
+                let mut separation = MovingSeparation::new(values, &moving, rail, contact);
+                let forces = ContactForces {
+                    k,
+                    input,
+                    frame,
+                    line: moving,
+                    rail,
+                    contact,
+                    slopes: [0.0; 2],
+                    damped_with: Some(whole),
+                };
+                forces.add(&mut separation, models, output, &mut work);
+            }
+            return Ok(());
+        }
         for index in 0..search.contacts.len() {
             let found = search.contacts[index];
             let contact = found.moving(&moving, rail).ok_or(BODY_ENDS)?;

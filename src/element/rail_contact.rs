@@ -34,7 +34,7 @@ pub struct RailContact {
     ranges: Room<[f64; 2]>,
     pub(super) search: ContactSearch,
     /// Distance of the contact line from the rail over all contacts.
-    probes: Room<Probe>,
+    pub(super) probes: Room<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
     deviations: Option<Longitudinal>,
 }

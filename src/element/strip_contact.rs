@@ -8,9 +8,12 @@ use super::models::Models;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::moving_contact::moving_place;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
-use crate::normal::strips::{Line, LinePlace};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
+use crate::normal::strips::{Line, LinePlace, MovingLine, MovingPlace};
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -107,36 +110,51 @@ pub fn take_zone(
     index: usize,
     models: &mut Models,
 ) -> Contact {
+    let zone = models.rail_strips.zones[index];
+    let contact = Contact {
+        u: models.rail_strips.u[zone.first],
+        rail_s: models.rail_strips.y[zone.first],
+        penetration: 0.0,
+        origin: [0.0; 2],
+        tangent: [0.0; 2],
+        probes: [0, 0],
+    };
+    let mut local = LocalLine::new(line, rail, &contact);
+    let place = |u, _| {
+        let LinePlace { tangent, overlap, .. } = local.place(u);
+        (line.at(u).point, tangent, overlap)
+    };
+    zone_in_frame(index, models, place)
+}
+
+/// As [`take_zone`] with derivatives where the numbers have them; `place` gives point, unit tangent and overlap at a parameter of the line and
+/// a coordinate across.
+fn zone_in_frame<T: Real>(
+    index: usize,
+    models: &mut Models<T>,
+    mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
+) -> Contact<T> {
     let Models { strips, rail_strips: all, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
     let range = zone.first..zone.first + zone.count;
-    let (mut sum, mut tangent, mut origin) = (0.0, [0.0; 2], [0.0; 2]);
-    let mut penetration: f64 = 0.0;
-    let contact = Contact {
-        u: all.u[zone.first],
-        rail_s: all.y[zone.first],
-        penetration: 0.0,
-        origin,
-        tangent,
-        probes: [0, 0],
-    };
-    let mut local = LocalLine::new(line, rail, &contact);
+    let zero = T::from(0.0);
+    let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
+    let mut penetration = zero;
     for j in range.clone() {
         let load = all.half_length[j] * all.width[j] * all.pressure[j];
-        let place = local.place(all.u[j]);
-        let point = line.at(all.u[j]).point;
+        let (point, direction, overlap) = place(all.u[j], all.y[j]);
         sum += load;
         for axis in 0..2 {
-            tangent[axis] += load * place.tangent[axis];
+            tangent[axis] += load * direction[axis];
             origin[axis] += load * point[axis];
         }
-        penetration = penetration.max(place.overlap);
+        penetration = penetration.max(overlap);
     }
     let resultant = tangent[0].hypot(tangent[1]);
     let center = zone.y;
     // Normals that diverge carry less together.
-    let share = if sum > 0.0 { resultant / sum } else { 0.0 };
+    let share = if sum > 0.0 { resultant / sum } else { zero };
     for j in range {
         strips.y.push(all.y[j] - center);
         strips.width.push(all.width[j]);
@@ -146,14 +164,90 @@ pub fn take_zone(
         strips.u.push(all.u[j]);
     }
     zone.load *= share;
-    (zone.first, zone.y) = (0, 0.0);
+    (zone.first, zone.y) = (0, zero);
     strips.zones.push(zone);
     Contact {
         u: zone.u,
         rail_s: center,
         penetration,
-        origin: origin.map(|o| o / sum.max(f64::MIN_POSITIVE)),
-        tangent: tangent.map(|t| t / resultant.max(f64::MIN_POSITIVE)),
+        origin: origin.map(|o| o / sum.at_least(f64::MIN_POSITIVE)),
+        tangent: tangent.map(|t| t / resultant.at_least(f64::MIN_POSITIVE)),
         probes: [0, 0],
     }
+}
+
+/// Overlap along the local normals of a line that moves.
+struct MovingLocal<'a, T> {
+    line: &'a ContactLine<'a, T>,
+    rail: &'a PlacedRail,
+}
+
+/// Distance of a found place from where it has to be, from which on it is that of the end of a body [m].
+const AWAY: f64 = 1e-6;
+
+impl<T: Real> MovingLine<T> for MovingLocal<'_, T> {
+    fn across(&mut self, u: f64, y: T) -> Option<MovingPlace<T>> {
+        let on = self.rail.curve().at(y);
+        let to = |point: [T; 2]| [point[0] - on.point[0], point[1] - on.point[1]];
+        let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
+        let (at, derivative) = self.line.even_with_derivative(u.into());
+        let error = along(to(at.point));
+        let rate = along(derivative).value();
+        if error.value().abs() > AWAY || rate.abs() < LEAST_RATE {
+            return None;
+        }
+        let u = T::moving(u, -error / rate);
+        let at = self.line.even_at(u);
+        let slowness =
+            T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
+        let tangent = on.first.map(|first| first * slowness);
+        let to = to(at.point);
+        Some(MovingPlace {
+            u,
+            overlap: to[1] * tangent[0] - to[0] * tangent[1],
+            x: at.x,
+            tangent,
+            radius: self.line.wheel_point(u).section_radius,
+        })
+    }
+
+    fn ridge(&mut self, u: f64, y: f64) -> Option<T> {
+        moving_place(self.line, self.rail, u, y).map(|[_, s]| s)
+    }
+}
+
+/// Zones of one rail with derivatives, into `models.rail_strips`, from the solution in `found`; false where they have none.
+pub fn follow<const N: usize>(
+    line: &ContactLine<Dual<N>>,
+    rail: &PlacedRail,
+    found: &mut Models,
+    models: &mut Models<Dual<N>>,
+) -> bool {
+    let Some(solver) = &mut found.strip_solver else { return false };
+    let mut local = MovingLocal { line, rail };
+    let modulus = models.material.contact_modulus;
+    let Models { strip_follower, rail_strips, .. } = models;
+    rail_strips.clear();
+    strip_follower.follow(solver, &mut local, modulus, &found.rail_strips, rail_strips)
+}
+
+/// As [`take_zone`], with derivatives; nothing where there are none.
+pub fn take_moving_zone<T: Real>(
+    line: &ContactLine<T>,
+    rail: &PlacedRail,
+    index: usize,
+    models: &mut Models<T>,
+) -> Option<Contact<T>> {
+    let mut local = MovingLocal { line, rail };
+    let mut has_kink = false;
+    let contact = zone_in_frame(index, models, |u, y| {
+        let point = line.even_at(u).point;
+        if let Some(MovingPlace { tangent, overlap, .. }) = local.across(u.value(), y) {
+            (point, tangent, overlap)
+        } else {
+            has_kink = true;
+            (point, [T::from(1.0), T::from(0.0)], T::from(0.0))
+        }
+    });
+    (!has_kink).then_some(contact)
 }

@@ -20,6 +20,19 @@ pub struct Contact<T = f64> {
 }
 
 impl<T: Real> Contact<T> {
+    /// The same without derivatives.
+    #[must_use]
+    pub fn value(&self) -> Contact {
+        Contact {
+            u: self.u.value(),
+            rail_s: self.rail_s.value(),
+            penetration: self.penetration.value(),
+            origin: self.origin.map(T::value),
+            tangent: self.tangent.map(T::value),
+            probes: self.probes,
+        }
+    }
+
     /// Unit vector (y, z) of the frame's normal, into the rail.
     #[must_use]
     pub fn normal(&self) -> [T; 2] {

@@ -49,6 +49,13 @@ pub struct Cell {
     pub dropped: u8,
 }
 
+impl Cell {
+    /// Whether an end of its lobe is free, and found by a condition of its own.
+    pub fn is_free(&self, side: usize) -> bool {
+        !self.met[side]
+    }
+}
+
 /// A local extremum of the overlap, in growing u.
 #[derive(Clone, Copy, Debug)]
 struct Extremum {

@@ -15,8 +15,8 @@
 use multiversion::multiversion;
 
 use crate::math::elliptic::{complete, first_and_second_split};
-use crate::math::logarithm::ln;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 
 /// Least squared distance over half length, where a node meets itself; those entries are not used.
 const LEAST: f64 = 1e-24;
@@ -27,10 +27,17 @@ const MOST: f64 = 1e24;
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
 pub fn straight(at: f64, y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64]) {
     for (((y, a), d), slope) in y.iter().zip(a).zip(d.iter_mut()).zip(slope.iter_mut()) {
-        let sigma = (y - at) / a;
-        let squared = (sigma * sigma).max(LEAST);
-        (*d, *slope) = centred(squared);
+        (*d, *slope) = straight_pair(y - at, *a);
     }
+}
+
+/// D and d(a D)/da of a source of half length `a` straight across at a distance.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn straight_pair<T: Real>(distance: T, a: T) -> (T, T) {
+    let sigma = distance / a;
+    centred((sigma * sigma).at_least(LEAST))
 }
 
 /// As [`straight`], for points `x` along from the track origin and sources centred at `xs`.
@@ -38,37 +45,44 @@ pub fn straight(at: f64, y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64])
 pub fn skewed(at: [f64; 2], xs: &[f64], y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64]) {
     for ((((x, y), a), d), slope) in xs.iter().zip(y).zip(a).zip(d.iter_mut()).zip(slope.iter_mut())
     {
-        let inverse = 1.0 / a;
-        let (xi, sigma) = ((x - at[0]).abs() * inverse, (y - at[1]) * inverse);
-        let squared = (sigma * sigma).max(LEAST);
-        let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
-        let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
-        let zeta = 0.5 * (far + near);
-        let eta = 2.0 * xi / (far + near);
-        // ζ² - 1 = σ²/(1 - η²) without cancellation on the strip, where the former is small; beyond its ends the latter is.
-        let complement = (1.0 - eta * eta).max(1e-12);
-        let (m, t) = centred((zeta * zeta - 1.0).max(squared.min(squared / complement)));
-        let share = 2.0 * (1.0 - complement.sqrt());
-        *d = m + share * (0.5 * t - m);
-        *slope = t * complement.sqrt();
+        (*d, *slope) = skewed_pair(x - at[0], y - at[1], *a);
     }
+}
+
+/// D and d(a D)/da of a source of half length `a` at distances `dx` along and `dy` across.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn skewed_pair<T: Real>(dx: T, dy: T, a: T) -> (T, T) {
+    let inverse = T::from(1.0) / a;
+    let (xi, sigma) = (dx.abs() * inverse, dy * inverse);
+    let squared = (sigma * sigma).at_least(LEAST);
+    let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
+    let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
+    let zeta = (far + near) * 0.5;
+    let eta = xi * 2.0 / (far + near);
+    // ζ² - 1 = σ²/(1 - η²) without cancellation on the strip, where the former is small; beyond its ends the latter is.
+    let complement = (-(eta * eta) + 1.0).at_least(1e-12);
+    let (m, t) = centred((zeta * zeta - 1.0).max(squared.min(squared / complement)));
+    let share = (-complement.sqrt() + 1.0) * 2.0;
+    (m + share * (t * 0.5 - m), t * complement.sqrt())
 }
 
 /// D and d(a D)/da at ξ = 0 for σ².
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn centred(squared: f64) -> (f64, f64) {
-    let squared = squared.min(MOST);
-    let sum = 1.0 + squared;
-    let inverse = 1.0 / sum;
+fn centred<T: Real>(squared: T) -> (T, T) {
+    let squared = squared.at_most(MOST);
+    let sum = squared + 1.0;
+    let inverse = T::from(1.0) / sum;
     let s = sum.sqrt();
     let complement = squared * inverse;
     let [k0, k1, e0, e1] = first_and_second_split(complement);
-    let log = ln(complement);
+    let log = complement.normal_ln();
     let first = k0 - log * k1;
     let second = e0 - log * e1;
-    (2.0 * s * (first - second), 2.0 * first * s * inverse)
+    (s * 2.0 * (first - second), first * 2.0 * s * inverse)
 }
 
 /// The integrals over the distance across, Ψ(σ) = ∫_0^σ D and ∫_0^σ D/(1 + σ²), tabulated over ln σ with exact slopes.
@@ -116,27 +130,27 @@ impl Integrals {
 
     /// Both integrals at σ > 0, and D there.
     #[must_use]
-    pub fn at(&self, sigma: f64) -> [f64; 3] {
-        let log = sigma.max(f64::MIN_POSITIVE).ln();
+    pub fn at<T: Real>(&self, sigma: T) -> [T; 3] {
+        let log = sigma.at_least(f64::MIN_POSITIVE).ln();
         let last = (TABLE_LENGTH - 2) as f64;
         let place = (log - TABLE_START) / TABLE_STEP;
         if place < 0.0 {
             // Below the table its first term holds to rounding.
-            let value = sigma * (4.0 * 2f64.ln() - 2.0 * log);
-            return [value, value, 4.0 * 2f64.ln() - 2.0 - 2.0 * log];
+            let value = sigma * (log * -2.0 + 4.0 * 2f64.ln());
+            return [value, value, log * -2.0 + (4.0 * 2f64.ln() - 2.0)];
         }
-        let cell = place.min(last).floor();
+        let cell = place.value().min(last).floor();
         // Beyond the table only the logarithm grows: its slope carries on.
-        let t = (place - cell).min(1.0);
-        let beyond = TABLE_STEP * (place - cell - t);
+        let t = (place - cell).at_most(1.0);
+        let beyond = (place - cell - t) * TABLE_STEP;
         let ([a, b], h) = ([self.table[cell as usize], self.table[cell as usize + 1]], TABLE_STEP);
         let cubic = |k: usize| {
-            let (u, v) = (1.0 - t, t);
-            u * u * (1.0 + 2.0 * v) * a[k]
-                + v * v * (1.0 + 2.0 * u) * b[k]
-                + h * u * v * (u * a[k + 1] - v * b[k + 1])
+            let (u, v) = (-t + 1.0, t);
+            u * u * (v * 2.0 + 1.0) * a[k]
+                + v * v * (u * 2.0 + 1.0) * b[k]
+                + u * h * v * (u * a[k + 1] - v * b[k + 1])
         };
-        let slope = (1.0 - t) * a[1] + t * b[1];
+        let slope = (-t + 1.0) * a[1] + t * b[1];
         [cubic(0) + beyond * b[1], cubic(2), slope / sigma]
     }
 }

@@ -18,6 +18,7 @@ mod changes;
 mod fixed;
 mod influence;
 mod lobes;
+mod moving;
 mod nodes;
 mod pair_sums;
 mod rule;
@@ -25,6 +26,7 @@ mod solver;
 mod system;
 mod zones;
 
+pub use moving::{MovingLine, MovingPlace, StripFollower};
 pub use solver::{StripSolver, Work};
 
 use crate::geometry::separation::{Probe, Separation};

@@ -5,6 +5,8 @@
 
 use multiversion::multiversion;
 
+use crate::math::real::Real;
+
 /// Sources as columns of equal length.
 #[derive(Clone, Copy)]
 pub struct Sources<'a> {
@@ -52,13 +54,13 @@ pub const OWN_COLUMNS: usize = 12;
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub fn bend(a: f64, dx: f64, dy: f64) -> f64 {
+pub fn bend<T: Real>(a: T, dx: T, dy: T) -> T {
     let (a2, dx2) = (a * a, dx * dx);
     let sum = a2 + dx2 + dy * dy;
-    let zeta2 = 0.5 * (sum + (sum * sum - 4.0 * a2 * dx2).max(0.0).sqrt());
-    let inverse = 1.0 / zeta2;
+    let zeta2 = (sum + (sum * sum - a2 * 4.0 * dx2).at_least(0.0).sqrt()) * 0.5;
+    let inverse = T::from(1.0) / zeta2;
     let m = a2 * inverse;
-    (1.0 + dx2 * inverse * (m * (3.35 + 0.75 * m * m) - 3.0)) * inverse
+    (dx2 * inverse * (m * (m * 0.75 * m + 3.35) - 3.0) + 1.0) * inverse
 }
 
 /// Entries of all sources.

@@ -23,10 +23,10 @@ use super::pair_sums::{self, Point, Sources};
 use super::rule::LobeRule;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
-const SHAPE_REGULARISATION: f64 = 1e-5;
+pub const SHAPE_REGULARISATION: f64 = 1e-5;
 
 /// How strongly the joint of two lobes is drawn to the ridge.
-const TO_RIDGE: f64 = 10.0;
+pub(super) const TO_RIDGE: f64 = 10.0;
 
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {

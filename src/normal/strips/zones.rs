@@ -4,27 +4,10 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::solver::StripSolver;
+use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
 impl StripSolver {
-    /// Greatest pressure over π E* of the lobe that begins at node `first`: the vertex of the parabola of its square, exact on ellipses.
-    pub(super) fn greatest_pressure(&self, first: usize) -> f64 {
-        let n = self.rule.count();
-        let q = &self.nodes.pressure[first..first + n];
-        let most = (0..n).fold(0, |best, t| if q[t] > q[best] { t } else { best });
-        if most == 0 || most == n - 1 {
-            return q[most];
-        }
-        let t = &self.rule.nodes[most - 1..=most + 1];
-        let square = [most - 1, most, most + 1].map(|k| q[k] * q[k]);
-        let (left, right) = (t[0] - t[1], t[2] - t[1]);
-        let slopes = [(square[0] - square[1]) / left, (square[2] - square[1]) / right];
-        let bend = (slopes[1] - slopes[0]) / (right - left);
-        let slope = slopes[0] - bend * left;
-        let vertex = if bend < 0.0 { (-0.5 * slope / bend).clamp(left, right) } else { 0.0 };
-        (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
-    }
-
     /// Hands `nodes` over as the strips of a zone, whose width and place in the list are left to the caller.
     pub(super) fn push_zone(
         &self,
@@ -67,7 +50,9 @@ impl StripSolver {
             }
             let mut zone = self.push_zone(begin * n..number * n, contact_modulus, strips);
             for lobe in &self.lobes[begin..number] {
-                let greatest = PI * contact_modulus * self.greatest_pressure(lobe.first);
+                let greatest = PI
+                    * contact_modulus
+                    * greatest_pressure(&self.rule.nodes, |t| self.nodes.pressure[lobe.first + t]);
                 zone.max_pressure = zone.max_pressure.max(greatest);
             }
             zone.width = self.cells[self.lobes[number - 1].cell].edges[1]
@@ -76,4 +61,21 @@ impl StripSolver {
             strips.zones.push(zone);
         }
     }
+}
+
+/// Greatest pressure of a lobe with the pressures `q` at `nodes`: the vertex of the parabola of its square, exact on ellipses.
+pub(super) fn greatest_pressure<T: Real>(nodes: &[f64], q: impl Fn(usize) -> T) -> T {
+    let n = nodes.len();
+    let most = (0..n).fold(0, |best, t| if q(t) > q(best) { t } else { best });
+    if most == 0 || most == n - 1 {
+        return q(most);
+    }
+    let t = &nodes[most - 1..=most + 1];
+    let square = [most - 1, most, most + 1].map(|k| q(k) * q(k));
+    let (left, right) = (t[0] - t[1], t[2] - t[1]);
+    let slopes = [(square[0] - square[1]) / left, (square[2] - square[1]) / right];
+    let bend = (slopes[1] - slopes[0]) / (right - left);
+    let slope = slopes[0] - bend * left;
+    let vertex = if bend < 0.0 { (slope * -0.5 / bend).within(left, right) } else { T::from(0.0) };
+    (square[1] + vertex * (slope + bend * vertex)).max(square[1]).sqrt()
 }
