@@ -78,6 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y,
             downwards: false,
             legend_below: false,
+            legend_room: 0.0,
             height: 300,
             series,
         };

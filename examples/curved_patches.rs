@@ -51,6 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             downwards: false,
             height: 260,
             legend_below: false,
+            legend_room: 0.0,
             series,
         });
     }

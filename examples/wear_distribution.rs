@@ -45,6 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             downwards: true,
             height: 300,
             legend_below: true,
+            legend_room: 0.0,
             series,
         });
     }

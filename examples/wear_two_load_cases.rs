@@ -155,6 +155,7 @@ fn charts(cases: &[DrivenWheelset; 2]) -> Result<Vec<Chart>, Box<dyn Error>> {
         downwards,
         height,
         legend_below: downwards,
+        legend_room: 0.0,
         series,
     };
     Ok(vec![

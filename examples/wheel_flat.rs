@@ -50,6 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y: "contact force [kN]",
             downwards: false,
             legend_below,
+            legend_room: 0.0,
             height: 300,
             series,
         };

@@ -57,6 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y: z,
             downwards: true,
             legend_below: true,
+            legend_room: 0.0,
             height: 300,
             series: seen,
         };
@@ -67,6 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y: x,
             downwards: false,
             legend_below: false,
+            legend_room: 0.0,
             height: 320,
             series: above,
         };

@@ -18,7 +18,10 @@ const FINENESS: u32 = 8;
 /// Width of all charts [pixels].
 const WIDTH: u32 = 760;
 
-/// A curve or, where `dots` is set, a set of points.
+/// Points that are drawn small if there are more.
+const MANY: usize = 50;
+
+/// A curve or, where `dots` is set, a set of points. A point that is not a number ends a stroke of the curve.
 pub struct Series {
     pub name: String,
     pub points: Vec<[f64; 2]>,
@@ -46,6 +49,8 @@ pub struct Chart {
     pub downwards: bool,
     /// Whether the legend stands at the lower right instead of the upper right.
     pub legend_below: bool,
+    /// Share of the range of x that is added at its right end for the legend, and a fifth of that at the left.
+    pub legend_room: f64,
     /// Height [pixels].
     pub height: u32,
     pub series: Vec<Series>,
@@ -84,8 +89,9 @@ fn draw(
         let values = chart.series.iter().flat_map(|s| s.points.iter().map(|p| p[k]));
         let (low, high) =
             values.fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
-        let margin = if k == 0 { 0.0 } else { 0.06 * (high - low).max(1e-9) };
-        low - margin..high + margin
+        let margins = if k == 0 { [0.2 * chart.legend_room, chart.legend_room] } else { [0.06; 2] };
+        let [before, behind] = margins.map(|share| share * (high - low).max(1e-9));
+        low - before..high + behind
     };
     let y = range(1);
     let y = if chart.downwards { y.end..y.start } else { y };
@@ -109,12 +115,15 @@ fn draw(
         .y_label_formatter(&label)
         .draw()?;
     for (series, colour) in chart.series.iter().zip(COLOURS.iter().cycle()) {
-        let points = series.points.iter().map(|p| (p[0], p[1]));
         let style = colour.stroke_width(2 * FINENESS);
+        let strokes = series.points.split(|p| p[0].is_nan());
+        let strokes = strokes.map(|stroke| stroke.iter().map(|p| (p[0], p[1])).collect::<Vec<_>>());
         let drawn = if series.dots {
-            context.draw_series(points.map(|p| Circle::new(p, px(4), colour.filled())))?
+            let radius = if series.points.len() > MANY { px(2) } else { px(4) };
+            let points = strokes.flatten();
+            context.draw_series(points.map(|p| Circle::new(p, radius, colour.filled())))?
         } else {
-            context.draw_series(LineSeries::new(points, style))?
+            context.draw_series(strokes.map(|stroke| PathElement::new(stroke, style)))?
         };
         drawn.label(&series.name).legend(move |(x, y)| {
             Rectangle::new(
