@@ -9,16 +9,25 @@ use wheelrail::fmi::abi::*;
 use wheelrail::fmi::types::{
     CallbackFunctions, Component, EventInfo, FmuState, Status, Text, ValueReference,
 };
-use wheelrail::variables::{Causality, GUID, Kind, VARIABLES, find};
+use wheelrail::variables::{Causality, Kind, Unit, WHEEL, WHEELSET};
 
 use super::values::{any, within};
 
 /// Most calls of one run.
 const MOST_CALLS: usize = 200;
 
-/// The bytes are calls.
+/// The bytes are calls on wheel units.
 pub fn check(data: &[u8]) {
-    let mut host = Host::default();
+    run(data, &WHEEL);
+}
+
+/// The bytes are calls on wheelset units.
+pub fn check_wheelset(data: &[u8]) {
+    run(data, &WHEELSET);
+}
+
+fn run(data: &[u8], unit: &'static Unit) {
+    let mut host = Host { unit, components: Vec::new(), states: Vec::new(), bytes: Vec::new() };
     let mut u = Unstructured::new(data);
     for _ in 0..MOST_CALLS {
         // Bytes that have run out end the run.
@@ -30,8 +39,8 @@ pub fn check(data: &[u8]) {
 }
 
 /// Handles, states and bytes that came back.
-#[derive(Default)]
 struct Host {
+    unit: &'static Unit,
     components: Vec<Component>,
     states: Vec<(Component, FmuState)>,
     bytes: Vec<c_char>,
@@ -74,7 +83,7 @@ impl Host {
             step_finished: None,
             component_environment: null_mut(),
         };
-        let guid = if u.ratio(1, 12)? { "{another}" } else { GUID };
+        let guid = if u.ratio(1, 12)? { "{another}" } else { self.unit.guid };
         let guid = CString::new(guid).expect("no null");
         let name = if u.ratio(1, 12)? { c"" } else { c"wheel" };
         let location = c"file:///nowhere";
@@ -126,14 +135,15 @@ impl Host {
             16 => fmi2SetFMUstate(component, self.state(u)?),
             17 => self.serialize(component, u)?,
             18 => self.deserialize(component, u)?,
-            19 => input_derivatives(component, u)?,
+            19 => input_derivatives(self.unit, component, u)?,
             20 => events(component, u)?,
-            21 => set_integers(component, u)?,
-            22 => set_texts(component, u)?,
-            23 | 24 => get_integers(component, u)?,
-            32 => directional_derivatives(component, u)?,
-            25..=28 => set_reals(component, u)?,
-            _ => get_reals(component, u)?,
+            21 => set_integers(self.unit, component, u)?,
+            22 => set_texts(self.unit, component, u)?,
+            23 => get_integers(self.unit, component, u)?,
+            24 => set_booleans(self.unit, component, u)?,
+            32 => directional_derivatives(self.unit, component, u)?,
+            25..=28 => set_reals(self.unit, component, u)?,
+            _ => get_reals(self.unit, component, u)?,
         };
         assert!(matches!(status, Status::Ok | Status::Warning | Status::Discard | Status::Error));
         Ok(())
@@ -187,14 +197,18 @@ impl Host {
 }
 
 /// References that are mostly good, and sometimes of another type or of none.
-fn references(u: &mut Unstructured, wanted: fn(Kind) -> bool) -> Result<Vec<ValueReference>> {
+fn references(
+    unit: &Unit,
+    u: &mut Unstructured,
+    wanted: fn(Kind) -> bool,
+) -> Result<Vec<ValueReference>> {
     let good: Vec<usize> =
-        VARIABLES.iter().filter(|v| wanted(v.kind)).map(|v| v.reference).collect();
+        unit.variables.iter().filter(|v| wanted(v.kind)).map(|v| v.reference).collect();
     let count = u.int_in_range(0..=6u8)?;
     (0..count)
         .map(|_| {
             Ok(if u.ratio(1, 20)? {
-                u.int_in_range(0..=2 * VARIABLES.len() as u32)?
+                u.int_in_range(0..=2 * unit.variables.len() as u32)?
             } else {
                 *u.choose(&good)? as u32
             })
@@ -207,15 +221,16 @@ fn pointer<T>(values: &[T], u: &mut Unstructured) -> Result<*const T> {
     Ok(if u.ratio(1, 30)? { null() } else { values.as_ptr() })
 }
 
-fn set_reals(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let references = references(u, |kind| kind == Kind::Real)?;
+fn set_reals(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, |kind| kind == Kind::Real)?;
     let values = (references.iter())
         .map(|&r| {
-            let start = VARIABLES.get(r as usize).and_then(|v| match v.start {
+            let start = unit.variables.get(r as usize).and_then(|v| match v.start {
                 Some(wheelrail::variables::Value::Real(start)) => Some(start),
                 _ => None,
             });
-            let input = VARIABLES.get(r as usize).is_some_and(|v| v.causality == Causality::Input);
+            let input =
+                unit.variables.get(r as usize).is_some_and(|v| v.causality == Causality::Input);
             if input && u.ratio(7, 8)? {
                 Ok(start.unwrap_or(0.0) + within(u, 0.01)?)
             } else {
@@ -229,8 +244,8 @@ fn set_reals(component: Component, u: &mut Unstructured) -> Result<Status> {
     })
 }
 
-fn get_reals(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let references = references(u, |kind| kind == Kind::Real)?;
+fn get_reals(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, |kind| kind == Kind::Real)?;
     let mut values = vec![f64::NAN; references.len()];
     let target = if u.ratio(1, 30)? { null_mut() } else { values.as_mut_ptr() };
     // SAFETY: as many elements as the count says, or null.
@@ -242,22 +257,34 @@ fn get_reals(component: Component, u: &mut Unstructured) -> Result<Status> {
     Ok(status)
 }
 
+fn set_booleans(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, |kind| kind == Kind::Boolean)?;
+    let values = references
+        .iter()
+        .map(|_| Ok(c_int::from(u.arbitrary::<bool>()?)))
+        .collect::<Result<Vec<_>>>()?;
+    // SAFETY: as many elements as the count says, or null.
+    Ok(unsafe {
+        fmi2SetBoolean(component, pointer(&references, u)?, references.len(), pointer(&values, u)?)
+    })
+}
+
 fn is_whole(kind: Kind) -> bool {
     matches!(kind, Kind::Integer | Kind::Enumeration(_))
 }
 
 /// Numbers that would make an evaluation take seconds.
-fn is_slow(reference: ValueReference, value: i32) -> bool {
-    let is = |name| find(name).is_ok_and(|v| v.reference == reference as usize);
+fn is_slow(unit: &Unit, reference: ValueReference, value: i32) -> bool {
+    let is = |name| unit.find(name).is_ok_and(|v| v.reference == reference as usize);
     (is("normal.model") && value >= 5) || (is("tangential.model") && value == 7)
 }
 
-fn set_integers(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let references = references(u, is_whole)?;
+fn set_integers(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, is_whole)?;
     let values = (references.iter())
         .map(|&r| {
             let value = if u.ratio(1, 8)? { u.arbitrary()? } else { u.int_in_range(0..=30)? };
-            Ok(if is_slow(r, value) { 2 } else { value })
+            Ok(if is_slow(unit, r, value) { 2 } else { value })
         })
         .collect::<Result<Vec<c_int>>>()?;
     // SAFETY: as many elements as the count says, or null.
@@ -266,8 +293,8 @@ fn set_integers(component: Component, u: &mut Unstructured) -> Result<Status> {
     })
 }
 
-fn get_integers(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let references = references(u, is_whole)?;
+fn get_integers(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, is_whole)?;
     let mut values = vec![0; references.len()];
     // SAFETY: as many elements as the count says, or null.
     Ok(unsafe {
@@ -275,10 +302,10 @@ fn get_integers(component: Component, u: &mut Unstructured) -> Result<Status> {
     })
 }
 
-fn set_texts(component: Component, u: &mut Unstructured) -> Result<Status> {
+fn set_texts(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
     const TEXTS: [&std::ffi::CStr; 6] =
         [c"S1002", c"60E1", c"54E1", c"arc:0.3", c"", c"no such profile"];
-    let references = references(u, |kind| kind == Kind::Text)?;
+    let references = references(unit, u, |kind| kind == Kind::Text)?;
     let texts = (references.iter())
         .map(|_| Ok(if u.ratio(1, 20)? { null() } else { u.choose(&TEXTS)?.as_ptr() }))
         .collect::<Result<Vec<Text>>>()?;
@@ -292,8 +319,8 @@ fn set_texts(component: Component, u: &mut Unstructured) -> Result<Status> {
     })
 }
 
-fn input_derivatives(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let references = references(u, |kind| kind == Kind::Real)?;
+fn input_derivatives(unit: &Unit, component: Component, u: &mut Unstructured) -> Result<Status> {
+    let references = references(unit, u, |kind| kind == Kind::Real)?;
     let orders: Vec<c_int> =
         references.iter().map(|_| u.int_in_range(0..=4)).collect::<Result<_>>()?;
     let values: Vec<f64> = references.iter().map(|_| any(u)).collect::<Result<_>>()?;
@@ -309,9 +336,13 @@ fn input_derivatives(component: Component, u: &mut Unstructured) -> Result<Statu
     })
 }
 
-fn directional_derivatives(component: Component, u: &mut Unstructured) -> Result<Status> {
-    let unknowns = references(u, |kind| kind == Kind::Real)?;
-    let knowns = references(u, |kind| kind == Kind::Real)?;
+fn directional_derivatives(
+    unit: &Unit,
+    component: Component,
+    u: &mut Unstructured,
+) -> Result<Status> {
+    let unknowns = references(unit, u, |kind| kind == Kind::Real)?;
+    let knowns = references(unit, u, |kind| kind == Kind::Real)?;
     let is_ordinary = u.arbitrary()?;
     let one = |u: &mut Unstructured| if is_ordinary { within(u, 1.0) } else { any(u) };
     let seed: Vec<f64> = knowns.iter().map(|_| one(u)).collect::<Result<_>>()?;

@@ -19,11 +19,12 @@ pub mod values;
 pub type Subject = (&'static str, fn(&[u8]));
 
 /// All of them.
-pub const ALL: [Subject; 6] = [
+pub const ALL: [Subject; 7] = [
     ("profile_file", profile_file::check),
     ("deviation_file", deviation_file::check),
     ("case_table", case_table::check),
     ("element", element::check),
     ("planar", planar::check),
     ("fmi_calls", fmi_calls::check),
+    ("fmi_wheelset", fmi_calls::check_wheelset),
 ];
