@@ -17,7 +17,7 @@ use crate::math::dual::Dual;
 use crate::tangential::TangentialModel;
 
 /// Directions that are followed at once for a whole Jacobian.
-const DIRECTIONS: usize = 6;
+const DIRECTIONS: usize = 7;
 
 /// Memory for evaluations with derivatives.
 #[derive(Clone, Debug)]
