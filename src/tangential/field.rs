@@ -1,9 +1,10 @@
 //! Tractions of a zone element by element, for figures and tables.
 
 use super::boundary_element::LoadedElements;
-use super::flexibility::ZoneFlexibility;
+use super::march::MarchedPart;
 use super::rigid_slip::FlatSlip;
-use super::{Flexibilities, Rolling, RollingState, Tangential, TangentialModel};
+use super::waist::LobeSlip;
+use super::{Rolling, RollingState, Tangential, TangentialModel};
 use crate::boundary_element::grid::Grid;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
@@ -77,18 +78,22 @@ impl Tangential {
             TangentialModel::Fastsim
             | TangentialModel::FastsimCorrected
             | TangentialModel::Tables => {
-                let mut flexibility = ZoneFlexibility::new(zone, strips, material);
-                if self.flexibilities == Flexibilities::Blended {
-                    let limit = friction * zone.load;
-                    flexibility = flexibility.blended(&state.creepage, limit);
-                }
+                let parts = self.marched_parts(zone, strips, material, &slip, state);
                 for (j, strip) in elements.nearest_strips().enumerate() {
                     let Some(strip) = strip else { continue };
                     if strip < zone.first || strip >= zone.first + zone.count {
                         continue;
                     }
+                    // Of a zone with a waist that description which has more weight in the force.
+                    let weight = |part: &&MarchedPart<f64>| part.weight(strips.y[strip]);
+                    let heavier = |a: &&MarchedPart<f64>, b: &&MarchedPart<f64>| {
+                        weight(a).total_cmp(&weight(b))
+                    };
+                    let Some(part) = parts.iter().flatten().max_by(heavier) else { continue };
+                    let own = LobeSlip { zone: &slip, mean: part.mean };
+                    let fastsim = &self.fastsim;
                     let marched =
-                        self.fastsim.tractions(zone, strips, strip, &flexibility, &slip, friction);
+                        fastsim.tractions(zone, strips, strip, &part.blended, &own, friction);
                     for i in 0..field.grid.along {
                         let k = j * field.grid.along + i;
                         let t = (strips.x[strip] - field.grid.x(i)) / strips.half_length[strip];

@@ -41,8 +41,38 @@ impl<T: Real> ZoneFlexibility<T> {
             second += width * a * a;
             third += width * a * a * a;
         }
-        let axis_ratio = zone.length / zone.width;
-        let c_squared = zone.area / PI;
+        Self::of_outline([second, third], zone.area, zone.length / zone.width, material)
+    }
+
+    /// Those of a part of `zone`, of which strips at y belong to `member(y)`, 0 to 1; nothing where it has no area.
+    #[must_use]
+    pub fn of_part(
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        material: &MaterialPair<T>,
+        member: impl Fn(T) -> T,
+    ) -> Option<Self> {
+        let [mut second, mut third, mut half_area, mut across, mut longest] = [T::from(0.0); 5];
+        for j in zone.first..zone.first + zone.count {
+            let (a, share) = (strips.half_length[j], member(strips.y[j]));
+            let width = share * strips.width[j];
+            across += width;
+            half_area += width * a;
+            second += width * a * a;
+            third += width * a * a * a;
+            if share >= 0.5 {
+                longest = longest.max(a);
+            }
+        }
+        (longest > 0.0).then(|| {
+            Self::of_outline([second, third], half_area * 2.0, longest * 2.0 / across, material)
+        })
+    }
+
+    /// From ∫ x_l² dy and ∫ x_l³ dy, the area and the ratio of length to width [m³, m⁴, m², -].
+    fn of_outline(moments: [T; 2], area: T, axis_ratio: T, material: &MaterialPair<T>) -> Self {
+        let [second, third] = moments;
+        let c_squared = area / PI;
         let c = kalker_coefficients(axis_ratio, material.poisson_ratio);
         let scale = material.shear_modulus * c_squared;
         Self {

@@ -11,6 +11,7 @@ pub mod flexibility;
 pub mod friction_law;
 pub mod kalker_coefficients;
 pub mod linear;
+mod march;
 pub mod rigid_slip;
 pub mod tables;
 pub mod waist;
@@ -25,7 +26,6 @@ use ellipse_force::spread_by_load;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use fastsim_correction::EllipseStrips;
-use flexibility::ZoneFlexibility;
 use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
 use tables::CreepForceTable;
@@ -244,7 +244,7 @@ impl Tangential {
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
             let (state, material) = self.under_law(zone, material, state);
-            let force = self.ellipse_force(zone, strips, &material, &slip, &state, None)?;
+            let force = self.ellipse_force(zone, strips, &material, &slip, &state)?;
             spread_by_load(zone, strips, &force, |j, force| each(j, &force));
             return Some(force);
         }
@@ -281,20 +281,16 @@ impl Tangential {
             return None;
         }
         if self.model == TangentialModel::Tables {
-            let force = self.ellipse_force(zone, strips, material, slip, state, None)?;
+            let force = self.ellipse_force(zone, strips, material, slip, state)?;
             spread_by_load(zone, strips, &force, each);
             return Some(Outcome::Solved);
-        }
-        let mut flexibility = ZoneFlexibility::new(zone, strips, material);
-        let three = flexibility;
-        if is_bounded && self.flexibilities == Flexibilities::Blended {
-            flexibility = flexibility.blended(&slip.mean(), limit);
         }
         let mut outcome = Outcome::Solved;
         let elements = (self.model == TangentialModel::BoundaryElement)
             .then(|| T::elements(zone, strips, self.elements))
             .flatten();
         let backward_share = -forward_share + 1.0;
+        let parts = self.marched_parts(zone, strips, material, slip, state);
         let mut marched = CreepForce::<T>::default();
         for (rolling, share) in
             [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
@@ -312,41 +308,16 @@ impl Tangential {
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
             let share = if is_bounded { share } else { share * load_factor.at_most(1.0) };
-            let add = |j, force: StripForce<T>| each(j, force.times(share));
-            match self.model {
-                TangentialModel::None | TangentialModel::Tables => {}
-                TangentialModel::Linear => {
-                    linear::strip_forces(zone, strips, &flexibility, slip, rolling, add);
+            self.march(zone, strips, &parts, material, slip, friction, rolling, |j, force| {
+                let force = force.times(share);
+                if self.is_corrected() {
+                    marched.add(zone, strips, j, &force);
                 }
-                TangentialModel::Fastsim | TangentialModel::BoundaryElement => {
-                    let march = &self.fastsim;
-                    march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
-                }
-                TangentialModel::FastsimCorrected => {
-                    let add = |j, force: StripForce<T>| {
-                        let force = force.times(share);
-                        marched.add(zone, strips, j, &force);
-                        each(j, force);
-                    };
-                    let march = &self.fastsim;
-                    march.strip_forces(zone, strips, &flexibility, slip, rolling, friction, add);
-                }
-                TangentialModel::Fastrip => self.fastrip.strip_forces(
-                    zone,
-                    strips,
-                    &three,
-                    &flexibility,
-                    slip,
-                    rolling,
-                    friction,
-                    material.poisson_ratio,
-                    add,
-                ),
-            }
+                each(j, force);
+            });
         }
-        if self.model == TangentialModel::FastsimCorrected
-            && let Some(mut force) =
-                self.ellipse_force(zone, strips, material, slip, state, Some(&marched))
+        if self.is_corrected()
+            && let Some(mut force) = self.ellipse_force(zone, strips, material, slip, state)
         {
             force.keep_within(limit, &marched);
             spread_by_load(zone, strips, &force, each);

@@ -20,6 +20,26 @@ pub struct Growth<T = f64> {
     pub twist: T,
 }
 
+impl<T: Real> Growth<T> {
+    /// Of a strip with the creepage `own` at its centre in a zone with the mean creepage `mean`: what it deviates by acts through L3, as
+    /// spin does.
+    #[inline]
+    #[must_use]
+    pub fn of_strip(
+        own: &Creepage<T>,
+        mean: &Creepage<T>,
+        flexibility: &ZoneFlexibility<T>,
+    ) -> Self {
+        Self {
+            longitudinal: mean.longitudinal / flexibility.longitudinal
+                + (own.longitudinal - mean.longitudinal) / flexibility.spin,
+            lateral: mean.lateral / flexibility.lateral
+                + (own.lateral - mean.lateral) / flexibility.spin,
+            twist: own.spin / flexibility.spin,
+        }
+    }
+}
+
 /// Rigid slip over the reference speed on all strips of a zone.
 pub trait RigidSlip<T = f64> {
     /// The creepage of the zone as a whole: its longitudinal and lateral part act through the flexibilities L1 and L2, what
@@ -85,15 +105,7 @@ impl<T: Real> RigidSlip<T> for StripSlip<'_, T> {
 
     #[inline]
     fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        let own = &self.creepages[j - self.first];
-        let mean = &self.mean;
-        Growth {
-            longitudinal: mean.longitudinal / flexibility.longitudinal
-                + (own.longitudinal - mean.longitudinal) / flexibility.spin,
-            lateral: mean.lateral / flexibility.lateral
-                + (own.lateral - mean.lateral) / flexibility.spin,
-            twist: own.spin / flexibility.spin,
-        }
+        Growth::of_strip(&self.creepages[j - self.first], &self.mean, flexibility)
     }
 
     fn creepage(&self, j: usize) -> Creepage<T> {

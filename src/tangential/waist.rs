@@ -8,8 +8,15 @@
 //! F = (1 - w) F_whole + w (F_left + F_right),      w = 1 at d = 0, where zones join, 0 from d = 1/2 on
 //! ```
 //!
+//! That holds for ellipses from the table and for marches through the strips alike: each lobe has flexibilities of its own, and its own
+//! mean creepage that two of them refer to.
+//!
 //! All of it is a continuous function of the strips.
 
+use super::Creepage;
+use super::equivalent_ellipse::LoadedPart;
+use super::flexibility::ZoneFlexibility;
+use super::rigid_slip::{Growth, RigidSlip};
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -25,6 +32,39 @@ pub struct Waist<T = f64> {
     y: T,
     /// Width over which strips go over from one lobe to the other [m].
     blend: T,
+}
+
+/// Which of two lobes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// That of smaller y.
+    Left,
+    /// That of greater y.
+    Right,
+}
+
+/// The rigid slip of a zone, for one of its lobes: what acts through the flexibilities L1 and L2 is the mean of the lobe.
+#[derive(Clone, Copy, Debug)]
+pub struct LobeSlip<'a, S, T = f64> {
+    /// Slip of the zone.
+    pub zone: &'a S,
+    /// Mean creepage of the lobe.
+    pub mean: Creepage<T>,
+}
+
+impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<'_, S, T> {
+    fn mean(&self) -> Creepage<T> {
+        self.mean
+    }
+
+    #[inline]
+    fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
+        Growth::of_strip(&self.zone.creepage(j), &self.mean, flexibility)
+    }
+
+    fn creepage(&self, j: usize) -> Creepage<T> {
+        self.zone.creepage(j)
+    }
 }
 
 impl<T: Real> Waist<T> {
@@ -65,6 +105,27 @@ impl<T: Real> Waist<T> {
         }
         let blend = zone.width * 2.0 / zone.count as f64;
         (sum > 0.0).then(|| Self { share, y: y / sum, blend })
+    }
+
+    /// The two lobes, as far as they carry load.
+    #[must_use]
+    pub fn lobes(
+        &self,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        slip: &impl RigidSlip<T>,
+    ) -> [Option<LoadedPart<T>>; 2] {
+        [Side::Left, Side::Right]
+            .map(|side| LoadedPart::of(zone, strips, slip, |y| self.member(side, y)))
+    }
+
+    /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
+    #[must_use]
+    pub fn member(&self, side: Side, y: T) -> T {
+        match side {
+            Side::Left => self.left(y),
+            Side::Right => -self.left(y) + 1.0,
+        }
     }
 
     /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
