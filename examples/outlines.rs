@@ -74,11 +74,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
+/// Names and numbers.
+type Rows<const N: usize> = Vec<(String, [f64; N])>;
+
 /// First column and `columns` of a table of the reference.
 fn read<const N: usize>(
     name: &str,
     columns: [&str; N],
-) -> Result<Vec<(String, [f64; N])>, Box<dyn Error>> {
+) -> Result<Rows<N>, Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/contact_25_1");
     let mut table: Reader<_> =
         ReaderBuilder::new().comment(Some(b'#')).from_path(folder.join(name))?;
