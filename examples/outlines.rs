@@ -78,10 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 type Rows<const N: usize> = Vec<(String, [f64; N])>;
 
 /// First column and `columns` of a table of the reference.
-fn read<const N: usize>(
-    name: &str,
-    columns: [&str; N],
-) -> Result<Rows<N>, Box<dyn Error>> {
+fn read<const N: usize>(name: &str, columns: [&str; N]) -> Result<Rows<N>, Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/contact_25_1");
     let mut table: Reader<_> =
         ReaderBuilder::new().comment(Some(b'#')).from_path(folder.join(name))?;
