@@ -72,7 +72,18 @@ impl<T: Real> Waist<T> {
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
-        let load = |j: usize| strips.half_length[j] * strips.pressure[j];
+        // Stretches of one strip, as uneven bodies have them, count together.
+        let load = |j: usize| {
+            let mut sum = strips.half_length[j] * strips.pressure[j];
+            let same = |k: &usize| strips.y[*k] == strips.y[j];
+            for k in (range.start..j).rev().take_while(same) {
+                sum += strips.half_length[k] * strips.pressure[k];
+            }
+            for k in (j + 1..range.end).take_while(same) {
+                sum += strips.half_length[k] * strips.pressure[k];
+            }
+            sum
+        };
         // Where load falls and rises again; the peaks on both sides of the deepest such place.
         let (mut peak, mut least) = (T::from(0.0), T::from(f64::INFINITY));
         let mut best = None::<[T; 3]>;
@@ -96,7 +107,7 @@ impl<T: Real> Waist<T> {
         // Its middle: strips by how far they are below a quarter of the way up, between strips that are above.
         let level = least + (lower - least) * 0.25;
         let first = range.clone().find(|&j| load(j) >= level)?;
-        let last = range.rev().find(|&j| load(j) >= level)?;
+        let last = range.clone().rev().find(|&j| load(j) >= level)?;
         let (mut sum, mut y) = (T::from(0.0), T::from(0.0));
         for j in first..=last {
             let weight = strips.width[j] * (level - load(j)).at_least(0.0).powi(2);
