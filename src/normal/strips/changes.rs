@@ -149,7 +149,7 @@ impl StripSolver {
                     }
                     changed = true;
                 }
-            } else if inner_left >= inner_right {
+            } else if inner_left >= inner_right && outer_left < outer_right {
                 let margin = LEAST_WIDTH * (outer_right - outer_left);
                 let joint = (0.5 * (inner_left + inner_right))
                     .clamp(outer_left + margin, outer_right - margin);

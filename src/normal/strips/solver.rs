@@ -274,7 +274,7 @@ impl StripSolver {
                 // A node is not emptied at once: its edge may be on the way.
                 let kept = !settled && *ratio > EMPTY * scale;
                 let least = if kept { (1.0 - MOST_DROP) * *ratio } else { -scale };
-                *ratio = (*ratio + share * step).clamp(least, 3.0 * ratio.abs() + scale);
+                *ratio = (*ratio + share * step).min(3.0 * ratio.abs() + scale).max(least);
             }
             let moved = [share * step[n], share * step[n + 1]];
             let cell = &mut self.cells[cell];
