@@ -6,6 +6,7 @@
 use crate::error::ContactError;
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::kinematics::creepage::bounded;
 use crate::material::{Material, MaterialPair};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
@@ -35,7 +36,7 @@ pub struct PlanarCase<'a> {
     pub radius: f64,
     /// Approach or load.
     pub indentation: Indentation,
-    /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation.
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation; beyond 1e6 they count as 1e6.
     pub creepage: [f64; 3],
     /// Coefficient of friction, ≥ 0 [-].
     pub friction: f64,
@@ -266,9 +267,9 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
 
 /// How a zone with its centroid at `y` rolls.
 fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
-    let [longitudinal, lateral, spin] = case.creepage;
+    let [longitudinal, lateral, spin] = case.creepage.map(bounded);
     RollingState {
-        creepage: Creepage { longitudinal: longitudinal - spin * y, lateral, spin },
+        creepage: Creepage { longitudinal: bounded(longitudinal - spin * y), lateral, spin },
         forward_share: 1.0,
         friction: case.friction,
         load_factor: 1.0,

@@ -43,7 +43,8 @@ pub fn kinematic_creepage<T: Real>(
     Creepage { longitudinal: bounded(slip / reference_speed), ..Creepage::default() }
 }
 
-fn bounded<T: Real>(creepage: T) -> T {
+/// A creepage [-] or spin [1/m] that is no greater than counts.
+pub fn bounded<T: Real>(creepage: T) -> T {
     creepage.within(-MOST_CREEPAGE, MOST_CREEPAGE)
 }
 
