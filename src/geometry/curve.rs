@@ -105,17 +105,23 @@ impl Curve {
     #[must_use]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
         let p = self.piece_at(s.value());
-        let u = s - p.start;
-        let [c0, c1, c2, c3] = &p.coefficients;
-        // Both coordinates at once: one vector instruction for the pair.
-        let zero = [T::from(0.0); 2];
-        let (mut point, mut first, mut second) = (zero, zero, zero);
-        for i in 0..2 {
-            point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
-            first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
-            second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
+        cubic(s - p.start, &p.coefficients)
+    }
+
+    /// The pieces of several parameters [m]: see [`PieceLanes::at`].
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(super) fn pieces_at<const N: usize>(&self, s: &[f64; N]) -> PieceLanes<N> {
+        let mut lanes = PieceLanes { start: [0.0; N], coefficients: [[[0.0; N]; 2]; 4] };
+        for lane in 0..N {
+            let piece = self.piece_at(s[lane]);
+            lanes.start[lane] = piece.start;
+            for (lanes, own) in lanes.coefficients.iter_mut().zip(&piece.coefficients) {
+                (lanes[0][lane], lanes[1][lane]) = (own[0], own[1]);
+            }
         }
-        CurvePoint { point, first, second }
+        lanes
     }
 
     /// Parameters at which the pieces meet, both ends included [m].
@@ -123,7 +129,8 @@ impl Curve {
         self.pieces.iter().map(|p| p.start).chain(std::iter::once(self.end))
     }
 
-    #[inline]
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn piece_at(&self, s: f64) -> &Piece {
         // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s, not a number included,
         // into a valid index.
@@ -137,6 +144,40 @@ impl Curve {
             piece = &self.pieces[index];
         }
         piece
+    }
+}
+
+/// Point and derivatives of a piece at `u` from its start.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn cubic<T: Real>(u: T, [c0, c1, c2, c3]: &[[f64; 2]; 4]) -> CurvePoint<T> {
+    // Both coordinates at once: one vector instruction for the pair.
+    let zero = [T::from(0.0); 2];
+    let (mut point, mut first, mut second) = (zero, zero, zero);
+    for i in 0..2 {
+        point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
+        first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
+        second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
+    }
+    CurvePoint { point, first, second }
+}
+
+/// The pieces of several parameters, by columns: a loop over them is compiled to vector instructions.
+pub(super) struct PieceLanes<const N: usize> {
+    start: [f64; N],
+    coefficients: [[[f64; N]; 2]; 4],
+}
+
+impl<const N: usize> PieceLanes<N> {
+    /// As [`Curve::at`] for the parameter `s` of `lane` [m].
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(super) fn at(&self, lane: usize, s: f64) -> CurvePoint {
+        let mut own = [[0.0; 2]; 4];
+        for (own, lanes) in own.iter_mut().zip(&self.coefficients) {
+            *own = [lanes[0][lane], lanes[1][lane]];
+        }
+        cubic(s - self.start[lane], &own)
     }
 }
 

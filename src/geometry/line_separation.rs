@@ -3,6 +3,8 @@
 //! The distance of the two lines along the normal of the frame, measured from the point of first touch: for a point of the
 //! contact line the opposite point of the rail has the same lateral coordinate.
 
+mod lanes;
+
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::longitudinal::Longitudinal;
@@ -164,6 +166,10 @@ impl Separation for LineSeparation<'_> {
         let Some(lifting) = self.lifting else { return point };
         let lift = lifting.deviations.lift(at.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
+    }
+
+    fn fill(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
+        self.fill_lanes(us, found);
     }
 
     fn along(&mut self, u: f64) -> f64 {

@@ -1,0 +1,116 @@
+//! The separation at several places at once.
+//!
+//! The steps are those of one place after the other, as loops over [`LANES`] places that are compiled to vector instructions. The point
+//! of the rail is looked for from the contact point: over a zone the arc of a rail is nearly as long as its chord. What is not
+//! found in a few steps, and what no loop can do, is done one by one.
+
+use multiversion::multiversion;
+
+use super::{LEAST_COSINE, LineSeparation, OPPOSITE};
+use crate::geometry::contact::Contact;
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::separation::{Separation, SeparationPoint};
+
+/// Places that are looked up at once.
+const LANES: usize = 8;
+type Lanes = [f64; LANES];
+
+/// Newton steps for the points of the rail opposite to those of the wheel.
+const MOST_STEPS: usize = 4;
+
+impl LineSeparation<'_> {
+    /// As [`Separation::fill`].
+    pub(super) fn fill_lanes(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
+        let is_even = self.lifting.is_none();
+        if is_even {
+            fill_blocks(self.line, self.rail, &self.contact, us, found);
+        }
+        for (u, found) in us.iter().zip(found) {
+            if !is_even || found.f.is_nan() {
+                *found = self.at(*u);
+            }
+        }
+    }
+}
+
+/// Fills `found` for the parameters `us` block by block; the separation is not a number where it was not found.
+///
+/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered, so that all of them give
+/// the same bits.
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+fn fill_blocks(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    contact: &Contact,
+    us: &[f64],
+    found: &mut [SeparationPoint],
+) {
+    for (us, found) in us.chunks(LANES).zip(found.chunks_mut(LANES)) {
+        // Idle lanes do what the last one does.
+        let lanes: Lanes = std::array::from_fn(|lane| us[lane.min(us.len() - 1)]);
+        let block = block(line, rail, contact, &lanes);
+        found.copy_from_slice(&block[..found.len()]);
+    }
+}
+
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn block(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    contact: &Contact,
+    us: &Lanes,
+) -> [SeparationPoint; LANES] {
+    let (origin, tangent, normal) = (contact.origin, contact.tangent, contact.normal());
+    let along = |v: &[f64; 2], axis: &[f64; 2]| v[0] * axis[0] + v[1] * axis[1];
+    let from_origin = |point: &[f64; 2]| [point[0] - origin[0], point[1] - origin[1]];
+    let pieces = line.profile().pieces_at(us);
+    let [mut x, mut y, mut dy, mut depth] = [[0.0; LANES]; 4];
+    for lane in 0..LANES {
+        let p = pieces.at(lane, us[lane]);
+        let (at, derivative) = line.outline_with_derivative(&p);
+        let to = from_origin(&at.point);
+        x[lane] = at.x;
+        y[lane] = along(&to, &tangent);
+        dy[lane] = along(&derivative, &tangent);
+        let is_ended = line.follows_rim(&p) || dy[lane] < LEAST_COSINE;
+        depth[lane] = if is_ended { f64::NAN } else { along(&to, &normal) };
+    }
+    let curve = rail.curve();
+    let (start, end) = (curve.start(), curve.end());
+    let mut s = y.map(|y| (contact.rail_s + y).max(start).min(end));
+    let mut opposite = [f64::NAN; LANES];
+    for _ in 0..MOST_STEPS {
+        let pieces = curve.pieces_at(&s);
+        let mut missing = [0.0; LANES];
+        for lane in 0..LANES {
+            let p = pieces.at(lane, s[lane]);
+            let cosine = along(&p.first, &tangent);
+            let to = from_origin(&p.point);
+            let steepness = 1.0 / cosine;
+            let step = -(along(&to, &tangent) - y[lane]) * steepness;
+            // As for one place: over the last step the curve is a parabola.
+            let last = step * (1.0 - 0.5 * (step * along(&p.second, &tangent) * steepness));
+            let at_last = along(&to, &normal)
+                + last * (along(&p.first, &normal) + 0.5 * last * along(&p.second, &normal));
+            let is_near = step.abs() <= OPPOSITE;
+            let has_turned = cosine < LEAST_COSINE;
+            opposite[lane] = if is_near && !has_turned { at_last } else { f64::NAN };
+            missing[lane] = if is_near || has_turned { 0.0 } else { 1.0 };
+            // What is found stays, and is found again.
+            let next = (s[lane] + step).max(start).min(end);
+            s[lane] = if is_near { s[lane] } else { next };
+        }
+        if missing.iter().sum::<f64>() == 0.0 {
+            break;
+        }
+    }
+    std::array::from_fn(|lane| SeparationPoint {
+        x: x[lane],
+        y: y[lane],
+        dy: dy[lane],
+        f: opposite[lane] - depth[lane] + contact.penetration,
+    })
+}
