@@ -30,6 +30,11 @@ pub trait Separation {
         }
     }
 
+    /// The separation [m] and its derivative by the parameter `u` where that comes with it [-].
+    fn with_rate(&mut self, _: f64) -> Option<[f64; 2]> {
+        None
+    }
+
     /// As [`at`](Self::at), with the derivative of the separation by `u` [-]; by a difference over 0.2 µm unless there is a better way.
     fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
         let step = 1e-7;
@@ -63,6 +68,9 @@ pub trait FrameSeparation<T: Real> {
     /// Value of the separation at parameter `u` [m].
     fn value(&mut self, u: f64) -> f64;
 
+    /// Value of the separation at parameter `u` and of its derivative by it, where that comes with it [m, -].
+    fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]>;
+
     /// The parameter at which the separation is `level`, found at the value `u` [m].
     fn edge(&mut self, u: f64, level: T) -> T;
 
@@ -89,6 +97,11 @@ impl<S: Separation> FrameSeparation<f64> for S {
     #[inline]
     fn value(&mut self, u: f64) -> f64 {
         self.at(u).f
+    }
+
+    #[inline]
+    fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]> {
+        self.with_rate(u)
     }
 
     #[inline]
