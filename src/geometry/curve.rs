@@ -101,7 +101,9 @@ impl Curve {
     }
 
     /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
-    #[inline]
+    // Taken apart where it is used: half of its callers leave out the second derivative.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     #[must_use]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
         let p = self.piece_at(s.value());

@@ -100,7 +100,7 @@ fn root<T: Real>(
         if !(next >= left && next <= right) {
             break;
         }
-        if (next - u).abs() <= EDGE_BRACKET {
+        if (next - u).abs() <= LAST_STEP {
             return next;
         }
         u = next;
@@ -114,5 +114,6 @@ const ESTIMATE_MARGIN: f64 = 0.3;
 /// Newton steps towards an edge; two are the rule.
 const MOST_NEWTON_STEPS: usize = 6;
 
-/// Last Newton step, or bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
+/// Last Newton step, and bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
+const LAST_STEP: f64 = 1e-8;
 const EDGE_BRACKET: f64 = 1e-7;
