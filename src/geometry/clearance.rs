@@ -154,13 +154,18 @@ impl Clearance {
                 continue;
             }
             let tops = &opposite.tops[(cells.start as isize + opposite.offset) as usize..];
+            let tops = &tops[..cells.len()];
             let own = self.lows[cells.clone()].iter().zip(&self.spans[cells]);
             for ((lowest, span), top) in own.zip(tops) {
                 if lowest + low < *top {
                     continue;
                 }
                 match &mut open {
-                    Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
+                    Some(range) if span[0] <= range[1] => {
+                        if span[1] > range[1] {
+                            range[1] = span[1];
+                        }
+                    }
                     // No room for another stretch: the last one grows over the gap.
                     Some(range) if ranges.len() + 1 == ranges.capacity() => range[1] = span[1],
                     _ => ranges.extend(open.replace(*span)),
