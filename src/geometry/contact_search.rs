@@ -14,7 +14,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::math::root::bracketed;
+use crate::math::root::{bracketed, interpolated_step};
 
 /// Most patches of one wheel on one rail.
 pub const MOST_CONTACTS: usize = 16;
@@ -41,6 +41,9 @@ const FINE: f64 = 1e-9;
 /// Bracket within which a minimum is interpolated [m]: on a flank against a rail edge of 13 mm each nanometre would turn the frame, and
 /// the force with it, by 1e-7.
 const EXTREMUM_BRACKET: f64 = 1e-11;
+/// Distance from a minimum or maximum at which it counts as found [m], and steps of interpolation towards it; three are the rule.
+const EXTREMUM_STEP: f64 = 1e-13;
+const MOST_INTERPOLATIONS: usize = 6;
 
 /// Distance of one point of the line from the rail.
 #[derive(Clone, Copy, Debug)]
@@ -277,8 +280,30 @@ impl ContactSearch {
         from: &Sample,
         to: &Sample,
     ) -> Sample {
+        let (mut left, mut right) = ((from.u, from.slope), (to.u, to.slope));
+        let mut before = [left, right];
         let mut near = *from;
-        let u = bracketed((from.u, from.slope), (to.u, to.slope), EXTREMUM_BRACKET, |u| {
+        let mut u = from.u - from.slope * (to.u - from.u) / (to.slope - from.slope);
+        for _ in 0..MOST_INTERPOLATIONS {
+            near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
+            let here = (u, near.slope);
+            let step = interpolated_step(before, here);
+            if step.abs() <= EXTREMUM_STEP {
+                return near;
+            }
+            if (near.slope < 0.0) == (left.1 < 0.0) {
+                left = here;
+            } else {
+                right = here;
+            }
+            u += step;
+            if !(u > left.0 && u < right.0) {
+                break;
+            }
+            before = [before[1], here];
+        }
+        // A kink, or the end of a body.
+        let u = bracketed(left, right, EXTREMUM_BRACKET, |u| {
             near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
             near.slope
         });

@@ -87,10 +87,12 @@ fn root<T: Real>(
     height: impl Fn(f64) -> f64,
 ) -> f64 {
     let mut u = (inside.0 * outside.1 - outside.0 * inside.1) / (outside.1 - inside.1);
+    let mut before = 0.0;
     for _ in 0..MOST_NEWTON_STEPS {
         let Some([f, rate]) = separation.value_with_rate(u) else { break };
         let above = height(f);
-        let next = u - above * 2.0 * f.sqrt() / rate;
+        let step = -above * 2.0 * f.sqrt() / rate;
+        let next = u + step;
         if above < 0.0 {
             inside = (u, above);
         } else {
@@ -100,10 +102,12 @@ fn root<T: Real>(
         if !(next >= left && next <= right) {
             break;
         }
-        if (next - u).abs() <= LAST_STEP {
+        // Each step leaves its square, by a factor that the last two steps tell.
+        let left_over = step * (step / before) * (step / before);
+        if step.abs() <= LAST_STEP || left_over.abs() <= EDGE_LEFT_OVER {
             return next;
         }
-        u = next;
+        (u, before) = (next, step);
     }
     bracketed(inside, outside, EDGE_BRACKET, |u| height(separation.value(u)).min(1.0))
 }
@@ -114,6 +118,9 @@ const ESTIMATE_MARGIN: f64 = 0.3;
 /// Newton steps towards an edge; two are the rule.
 const MOST_NEWTON_STEPS: usize = 6;
 
-/// Last Newton step, and bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
+/// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where the separation has a kink, what is left is a part
+/// of the last step.
 const LAST_STEP: f64 = 1e-8;
+const EDGE_LEFT_OVER: f64 = 1e-12;
+/// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
 const EDGE_BRACKET: f64 = 1e-7;
