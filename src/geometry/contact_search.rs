@@ -359,19 +359,20 @@ impl ContactSearch {
 
     fn add_contact(&mut self, first: usize, last: usize) {
         let group = &self.interval[first..=last];
-        let is_minimum = |p: &&IntervalProbe| p.kind == Kind::Minimum;
-        let deeper = |a: &&IntervalProbe, b: &&IntervalProbe| {
-            a.sample.distance.total_cmp(&b.sample.distance)
-        };
         // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
-        let deepest = group.iter().min_by(deeper);
-        let lowest = group.iter().filter(is_minimum).min_by(deeper);
-        let (Some(deepest), lowest) = (deepest, lowest) else { return };
-        let sample = match lowest {
-            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => {
-                lowest.sample
+        let (mut deepest, mut lowest) = (&group[0].sample, None::<&Sample>);
+        for IntervalProbe { sample, kind } in group {
+            if sample.distance < deepest.distance {
+                deepest = sample;
             }
-            _ => deepest.sample,
+            let is_lower = lowest.is_none_or(|lowest| sample.distance < lowest.distance);
+            if *kind == Kind::Minimum && is_lower {
+                lowest = Some(sample);
+            }
+        }
+        let sample = match lowest {
+            Some(lowest) if lowest.distance <= 0.5 * deepest.distance => *lowest,
+            _ => *deepest,
         };
         if sample.distance >= 0.0 {
             return;
@@ -383,10 +384,8 @@ impl ContactSearch {
             self.left_out += 1;
             return;
         }
-        for probe in group {
-            self.probes
-                .push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
-        }
+        let probe = |sample: &Sample, lowest: f64| Probe { u: sample.u, f: sample.distance - lowest };
+        self.probes.extend(group.iter().map(|p| probe(&p.sample, sample.distance)));
         self.contacts.push(Contact {
             u: sample.u,
             rail_s: sample.rail_s,

@@ -100,6 +100,14 @@ impl Curve {
         self.end
     }
 
+    /// The parameter of the range that is nearest to `s`; its start where `s` is not a number [m].
+    #[inline]
+    #[must_use]
+    pub fn within(&self, s: f64) -> f64 {
+        let s = if s > self.start { s } else { self.start };
+        if s < self.end { s } else { self.end }
+    }
+
     /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
     // Taken apart where it is used: half of its callers leave out the second derivative.
     #[allow(clippy::inline_always)]

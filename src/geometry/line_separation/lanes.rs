@@ -79,8 +79,7 @@ fn block(
         depth[lane] = if is_ended { f64::NAN } else { along(&to, &normal) };
     }
     let curve = rail.curve();
-    let (start, end) = (curve.start(), curve.end());
-    let mut s = y.map(|y| (contact.rail_s + y).max(start).min(end));
+    let mut s = y.map(|y| curve.within(contact.rail_s + y));
     let mut opposite = [f64::NAN; LANES];
     for _ in 0..MOST_STEPS {
         let pieces = curve.pieces_at(&s);
@@ -100,8 +99,7 @@ fn block(
             opposite[lane] = if is_near && !has_turned { at_last } else { f64::NAN };
             missing[lane] = if is_near || has_turned { 0.0 } else { 1.0 };
             // What is found stays, and is found again.
-            let next = (s[lane] + step).max(start).min(end);
-            s[lane] = if is_near { s[lane] } else { next };
+            s[lane] = if is_near { s[lane] } else { curve.within(s[lane] + step) };
         }
         if missing.iter().sum::<f64>() == 0.0 {
             break;
