@@ -41,8 +41,9 @@ const FINE: f64 = 1e-9;
 /// Bracket within which a minimum is interpolated [m]: on a flank against a rail edge of 13 mm each nanometre would turn the frame, and
 /// the force with it, by 1e-7.
 const EXTREMUM_BRACKET: f64 = 1e-11;
-/// Distance from a minimum or maximum at which it counts as found [m], and steps of interpolation towards it; three are the rule.
-const EXTREMUM_STEP: f64 = 1e-13;
+/// Last step of interpolation towards a minimum or maximum [m], and most of them; three are the rule. They get shorter so fast that the last one
+/// leaves nothing but rounding.
+const EXTREMUM_STEP: f64 = 1e-10;
 const MOST_INTERPOLATIONS: usize = 6;
 
 /// Distance of one point of the line from the rail.
@@ -289,7 +290,8 @@ impl ContactSearch {
             let here = (u, near.slope);
             let step = interpolated_step(before, here);
             if step.abs() <= EXTREMUM_STEP {
-                return near;
+                let u = u + step;
+                return self.sample(line, rail, u, near.rail_s + near.rail_rate * step, FINE);
             }
             if (near.slope < 0.0) == (left.1 < 0.0) {
                 left = here;
@@ -384,7 +386,8 @@ impl ContactSearch {
             self.left_out += 1;
             return;
         }
-        let probe = |sample: &Sample, lowest: f64| Probe { u: sample.u, f: sample.distance - lowest };
+        let probe =
+            |sample: &Sample, lowest: f64| Probe { u: sample.u, f: sample.distance - lowest };
         self.probes.extend(group.iter().map(|p| probe(&p.sample, sample.distance)));
         self.contacts.push(Contact {
             u: sample.u,

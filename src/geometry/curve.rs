@@ -199,7 +199,11 @@ fn piece(from: &Knot, to: &Knot) -> Piece {
         [from.point[i], m0, (3.0 * slope - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * slope) / (h * h)]
     };
     let (y, z) = (cubic(0), cubic(1));
-    Piece { start: from.s, next: to.s, coefficients: [0, 1, 2, 3].map(|power| [y[power], z[power]]) }
+    Piece {
+        start: from.s,
+        next: to.s,
+        coefficients: [0, 1, 2, 3].map(|power| [y[power], z[power]]),
+    }
 }
 
 #[cfg(test)]

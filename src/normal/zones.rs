@@ -120,7 +120,7 @@ const MOST_NEWTON_STEPS: usize = 6;
 
 /// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where the separation has a kink, what is left is a part
 /// of the last step.
-const LAST_STEP: f64 = 1e-8;
-const EDGE_LEFT_OVER: f64 = 1e-12;
+const LAST_STEP: f64 = 1e-9;
+const EDGE_LEFT_OVER: f64 = 1e-15;
 /// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
 const EDGE_BRACKET: f64 = 1e-7;

@@ -230,7 +230,12 @@ pub struct Sums<T> {
 /// Numbers with which strips are marched.
 pub trait Marching: Real {
     /// Marches the strips of the first `lanes` lanes at once.
-    fn march(march: &March<Self>, lanes: usize, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self>;
+    fn march(
+        march: &March<Self>,
+        lanes: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<Self>;
 }
 
 impl Marching for f64 {
@@ -247,12 +252,7 @@ impl Marching for f64 {
 
 impl<const N: usize> Marching for Dual<N> {
     /// All that a strip depends on are four numbers, so that four derivatives do for any number of directions.
-    fn march(
-        march: &March<Self>,
-        _: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<Self> {
+    fn march(march: &March<Self>, _: usize, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
         let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
         let values = March {
             step_x: value(&march.step_x),

@@ -1,12 +1,12 @@
 //! The separation at several places at once.
 //!
 //! The steps are those of one place after the other, as loops over [`LANES`] places that are compiled to vector instructions. The point
-//! of the rail is looked for from the contact point: over a zone the arc of a rail is nearly as long as its chord. What is not
+//! of the rail is looked for from the contact point, as far along the arc of the curvature there as the place is across. What is not
 //! found in a few steps, and what no loop can do, is done one by one.
 
 use multiversion::multiversion;
 
-use super::{LEAST_COSINE, LineSeparation, OPPOSITE};
+use super::{LEAST_COSINE, LineSeparation};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::placed_rail::PlacedRail;
@@ -16,8 +16,11 @@ use crate::geometry::separation::{Separation, SeparationPoint};
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
-/// Newton steps for the points of the rail opposite to those of the wheel.
-const MOST_STEPS: usize = 4;
+/// Newton steps for the points of the rail opposite to those of the wheel; one or two are the rule.
+const MOST_STEPS: usize = 5;
+/// Distance over which the rail's curve is a parabola to rounding [m]: the start is the same for all places, so that steps are not as short as from
+/// place to place.
+const NEAR: f64 = 2e-7;
 
 impl LineSeparation<'_> {
     /// As [`Separation::fill`].
@@ -79,7 +82,9 @@ fn block(
         depth[lane] = if is_ended { f64::NAN } else { along(&to, &normal) };
     }
     let curve = rail.curve();
-    let mut s = y.map(|y| curve.within(contact.rail_s + y));
+    let curvature = rail.curvature(contact.rail_s);
+    let lengthening = curvature * curvature / 6.0;
+    let mut s = y.map(|y| curve.within(contact.rail_s + y * (1.0 + lengthening * y * y)));
     let mut opposite = [f64::NAN; LANES];
     for _ in 0..MOST_STEPS {
         let pieces = curve.pieces_at(&s);
@@ -94,7 +99,7 @@ fn block(
             let last = step * (1.0 - 0.5 * (step * along(&p.second, &tangent) * steepness));
             let at_last = along(&to, &normal)
                 + last * (along(&p.first, &normal) + 0.5 * last * along(&p.second, &normal));
-            let is_near = step.abs() <= OPPOSITE;
+            let is_near = step.abs() <= NEAR;
             let has_turned = cosine < LEAST_COSINE;
             opposite[lane] = if is_near && !has_turned { at_last } else { f64::NAN };
             missing[lane] = if is_near || has_turned { 0.0 } else { 1.0 };
