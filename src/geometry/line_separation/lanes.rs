@@ -117,3 +117,87 @@ fn block(
         f: opposite[lane] - depth[lane] + contact.penetration,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::contact_line::WheelPose;
+    use crate::geometry::contact_search::ContactSearch;
+    use crate::geometry::profile::ProfileKind;
+    use crate::io::load_profile;
+
+    /// Calls `each` for the contacts of S1002 on 60E1 from tread to flange, straight and yawed, as deep as `depth` [m].
+    fn for_each_contact(depth: f64, mut each: impl FnMut(LineSeparation)) {
+        let load = |name, kind| load_profile("profile", name, kind, 0.0, &[]).unwrap().curve;
+        let (wheel, rail) = (load("S1002", ProfileKind::Wheel), load("60E1", ProfileKind::Rail));
+        let rail = PlacedRail::by_gauge(&rail, 0.025, 1.435, 0.014).unwrap();
+        let mut search = ContactSearch::new(&wheel);
+        let mut contacts = 0;
+        for i in 0..60 {
+            let yaw = if i % 3 == 0 { 0.0 } else { 1e-3 * f64::from(i % 7) };
+            let y = 0.74 + 3e-4 * f64::from(i) - rail.marker[0];
+            let mut pose = WheelPose { marker: [0.0, y, -0.465], roll: 1e-3, yaw };
+            // Down to the depth in steps.
+            for _ in 0..200 {
+                let line = ContactLine::new(&wheel, 0.46, &pose);
+                search.search(&line, &rail, &[line.range()]);
+                if search.contacts.iter().any(|contact| contact.penetration > depth) {
+                    break;
+                }
+                pose.marker[2] += 1e-4;
+            }
+            let line = ContactLine::new(&wheel, 0.46, &pose);
+            contacts += search.contacts.len();
+            for contact in search.contacts.iter() {
+                each(LineSeparation::new(&line, &rail, *contact));
+            }
+        }
+        assert!(contacts >= 60, "{contacts}");
+    }
+
+    #[test]
+    fn many_places_are_as_one_by_one_in_any_order() {
+        let (mut worst, mut beyond) = (0.0f64, 0);
+        for_each_contact(1e-5, |mut separation| {
+            for reach in [5e-4, 5e-3, 6e-2] {
+                let u = |i: usize| separation.contact.u + reach * (0.083 * i as f64 - 1.0);
+                let us: [f64; 25] = std::array::from_fn(u);
+                let mut found = [SeparationPoint::default(); 25];
+                separation.fill(&us, &mut found);
+                let mut single = found;
+                for (u, own) in us.iter().zip(&mut single).rev() {
+                    separation.fill(&[*u], std::slice::from_mut(own));
+                }
+                assert_eq!(found, single);
+                for (u, found) in us.iter().zip(found) {
+                    let at = separation.at(*u);
+                    assert_eq!(at.f.is_finite(), found.f.is_finite());
+                    assert_eq!(SeparationPoint { f: found.f, ..at }, found);
+                    if at.f.is_finite() {
+                        worst = worst.max((at.f - found.f).abs());
+                    } else {
+                        beyond += 1;
+                    }
+                }
+            }
+        });
+        // One by one the last Newton step may be 3 µm long.
+        assert!(worst < 1e-12, "{worst:e}");
+        assert!(beyond > 0);
+    }
+
+    #[test]
+    fn the_rate_is_that_of_differences() {
+        for_each_contact(1e-5, |mut separation| {
+            for i in 0..9 {
+                let u = separation.contact.u + 1e-3 * (f64::from(i) - 4.1);
+                let [f, rate] = separation.with_rate(u).unwrap();
+                let [before, after] = [-1e-7, 1e-7].map(|step| separation.at(u + step).f);
+                if before.is_finite() && after.is_finite() {
+                    approx::assert_abs_diff_eq!(rate, (after - before) / 2e-7, epsilon = 3e-6);
+                    assert!((f - before).abs() < 1e-6);
+                }
+            }
+        });
+    }
+}
