@@ -68,7 +68,8 @@ fn groups(output: &Output) -> Vec<Group> {
             (1.0, patch.creepage[..2].to_vec()),
             (0.0, vec![patch.creepage[2]]),
             (0.0, vec![patch.frictional_power]),
-            (0.0, vec![patch.tgamma_damage]),
+            // What T-gamma is above 15 N, of which rounding is that of 15 N.
+            (15.0 * 10e-6 / 50.0, vec![patch.tgamma_damage]),
             (0.0, vec![patch.surface_fatigue_index]),
         ]);
     }

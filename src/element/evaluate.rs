@@ -219,7 +219,7 @@ impl Element {
 
     /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or zones found no room.
     pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
-        *output = Output::default();
+        output.clear();
         self.models.patches.clear();
         let mut left_out = 0;
         for (k, rail) in self.rails.iter_mut().enumerate() {

@@ -95,6 +95,21 @@ pub struct Output<T = f64> {
 }
 
 impl<T: Real> Output<T> {
+    /// Back to nothing, in place: most of it are patches.
+    #[inline]
+    pub(crate) fn clear(&mut self) {
+        let Self { wheel, rails, wheel_z, patch_count, fallback_count, .. } = self;
+        *wheel = Wrench::default();
+        *rails = [Wrench::default(); RAILS];
+        *wheel_z = T::default();
+        (*patch_count, *fallback_count) = (0, 0);
+        let Self { wear_number, frictional_power, patches, wheel_wear, rail_wear, .. } = self;
+        (*wear_number, *frictional_power) = (T::default(), T::default());
+        patches.fill(Patch::default());
+        *wheel_wear = BodyWear::default();
+        *rail_wear = [BodyWear::default(); RAILS];
+    }
+
     /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which have no derivatives, are left out.
     #[must_use]
     pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {

@@ -144,6 +144,7 @@ impl Clearance {
             return;
         };
         let low = pose.marker[2] + self.nominal_radius + self.drop(pose.roll);
+        let mut open: Option<[f64; 2]> = None;
         let mut next = opposite.cells.start;
         while next < opposite.cells.end {
             let block = next / BLOCK;
@@ -152,20 +153,26 @@ impl Clearance {
             if self.block_is_clear(block, low, &opposite) {
                 continue;
             }
-            for cell in cells {
-                if self.lows[cell] + low < opposite.top(cell) {
+            let tops = &opposite.tops[(cells.start as isize + opposite.offset) as usize..];
+            let tops = &tops[..cells.len()];
+            let own = self.lows[cells.clone()].iter().zip(&self.spans[cells]);
+            for ((lowest, span), top) in own.zip(tops) {
+                if lowest + low < *top {
                     continue;
                 }
-                let span = self.spans[cell];
-                let is_full = ranges.len() == ranges.capacity();
-                match ranges.last_mut() {
-                    Some(range) if span[0] <= range[1] => range[1] = range[1].max(span[1]),
+                match &mut open {
+                    Some(range) if span[0] <= range[1] => {
+                        if span[1] > range[1] {
+                            range[1] = span[1];
+                        }
+                    }
                     // No room for another stretch: the last one grows over the gap.
-                    Some(range) if is_full => range[1] = span[1],
-                    _ => ranges.push(span),
+                    Some(range) if ranges.len() + 1 == ranges.capacity() => range[1] = span[1],
+                    _ => ranges.extend(open.replace(*span)),
                 }
             }
         }
+        ranges.extend(open);
     }
 
     /// Whether no cell of a block of the wheel can touch, by the lowest of them and the highest place of the rail that any can reach.

@@ -135,24 +135,38 @@ impl<'a, T: Real> ContactLine<'a, T> {
     #[must_use]
     pub fn even_with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
         let p = self.profile.at(s);
-        let on = self.circle(&p);
         if self.follows_rim(&p) {
-            let rim = self.rim(s, &p, &on);
+            let rim = self.rim(s, &p, &self.circle(&p));
             return (rim.point(), rim.derivative());
         }
+        self.outline_with_derivative(&p)
+    }
+
+    /// The profile of the wheel.
+    pub(super) fn profile(&self) -> &'a Curve {
+        self.profile
+    }
+
+    /// The point that belongs to the profile point `p`, which is on no rim, and the derivative of its (y, z).
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(super) fn outline_with_derivative(&self, p: &CurvePoint<T>) -> (LinePoint<T>, [T; 2]) {
+        let on = self.circle(p);
         let [_, uy, uz] = self.axle;
-        let turning = self.turning(&p, &on);
+        let turning = self.turning(p, &on);
         let sideways = on.radius * turning / on.cosine;
         let across = |i: usize, axle: T| {
             p.first[0] * axle
                 + p.first[1] * on.radial[i]
                 + sideways * (self.ahead[i] * on.cosine - self.down[i] * on.sine)
         };
-        (self.point(&p, &on), [across(0, uy), across(1, uz)])
+        (self.point(p, &on), [across(0, uy), across(1, uz)])
     }
 
     /// d sin α/ds where neither bound is active.
-    #[inline]
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn turning(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
         if on.sine.value().abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
             self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
@@ -162,7 +176,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
     }
 
     /// Where on its rolling circle the profile point `p` belongs to the line.
-    #[inline]
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn circle(&self, p: &CurvePoint<T>) -> OnCircle<T> {
         let radius = p.point[1] + self.nominal_radius;
         let flatness = T::from(1.0) / p.first[0].at_least(LEAST_SLOPE_COSINE);
@@ -176,7 +191,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         OnCircle { radius, flatness, slope, sine, cosine, radial }
     }
 
-    #[inline]
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn point(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> LinePoint<T> {
         let [ux, uy, uz] = self.axle;
         LinePoint {

@@ -14,7 +14,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::math::root::bracketed;
+use crate::math::root::{bracketed, interpolated_step};
 
 /// Most patches of one wheel on one rail.
 pub const MOST_CONTACTS: usize = 16;
@@ -41,6 +41,10 @@ const FINE: f64 = 1e-9;
 /// Bracket within which a minimum is interpolated [m]: on a flank against a rail edge of 13 mm each nanometre would turn the frame, and
 /// the force with it, by 1e-7.
 const EXTREMUM_BRACKET: f64 = 1e-11;
+/// Last step of interpolation towards a minimum or maximum [m], and most of them; three are the rule. They get shorter so fast that the last one
+/// leaves nothing but rounding.
+const EXTREMUM_STEP: f64 = 1e-10;
+const MOST_INTERPOLATIONS: usize = 6;
 
 /// Distance of one point of the line from the rail.
 #[derive(Clone, Copy, Debug)]
@@ -277,8 +281,31 @@ impl ContactSearch {
         from: &Sample,
         to: &Sample,
     ) -> Sample {
+        let (mut left, mut right) = ((from.u, from.slope), (to.u, to.slope));
+        let mut before = [left, right];
         let mut near = *from;
-        let u = bracketed((from.u, from.slope), (to.u, to.slope), EXTREMUM_BRACKET, |u| {
+        let mut u = from.u - from.slope * (to.u - from.u) / (to.slope - from.slope);
+        for _ in 0..MOST_INTERPOLATIONS {
+            near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
+            let here = (u, near.slope);
+            let step = interpolated_step(before, here);
+            if step.abs() <= EXTREMUM_STEP {
+                let u = u + step;
+                return self.sample(line, rail, u, near.rail_s + near.rail_rate * step, FINE);
+            }
+            if (near.slope < 0.0) == (left.1 < 0.0) {
+                left = here;
+            } else {
+                right = here;
+            }
+            u += step;
+            if !(u > left.0 && u < right.0) {
+                break;
+            }
+            before = [before[1], here];
+        }
+        // A kink, or the end of a body.
+        let u = bracketed(left, right, EXTREMUM_BRACKET, |u| {
             near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
             near.slope
         });
@@ -334,19 +361,20 @@ impl ContactSearch {
 
     fn add_contact(&mut self, first: usize, last: usize) {
         let group = &self.interval[first..=last];
-        let is_minimum = |p: &&IntervalProbe| p.kind == Kind::Minimum;
-        let deeper = |a: &&IntervalProbe, b: &&IntervalProbe| {
-            a.sample.distance.total_cmp(&b.sample.distance)
-        };
         // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
-        let deepest = group.iter().min_by(deeper);
-        let lowest = group.iter().filter(is_minimum).min_by(deeper);
-        let (Some(deepest), lowest) = (deepest, lowest) else { return };
-        let sample = match lowest {
-            Some(lowest) if lowest.sample.distance <= 0.5 * deepest.sample.distance => {
-                lowest.sample
+        let (mut deepest, mut lowest) = (&group[0].sample, None::<&Sample>);
+        for IntervalProbe { sample, kind } in group {
+            if sample.distance < deepest.distance {
+                deepest = sample;
             }
-            _ => deepest.sample,
+            let is_lower = lowest.is_none_or(|lowest| sample.distance < lowest.distance);
+            if *kind == Kind::Minimum && is_lower {
+                lowest = Some(sample);
+            }
+        }
+        let sample = match lowest {
+            Some(lowest) if lowest.distance <= 0.5 * deepest.distance => *lowest,
+            _ => *deepest,
         };
         if sample.distance >= 0.0 {
             return;
@@ -358,10 +386,9 @@ impl ContactSearch {
             self.left_out += 1;
             return;
         }
-        for probe in group {
-            self.probes
-                .push(Probe { u: probe.sample.u, f: probe.sample.distance - sample.distance });
-        }
+        let probe =
+            |sample: &Sample, lowest: f64| Probe { u: sample.u, f: sample.distance - lowest };
+        self.probes.extend(group.iter().map(|p| probe(&p.sample, sample.distance)));
         self.contacts.push(Contact {
             u: sample.u,
             rail_s: sample.rail_s,

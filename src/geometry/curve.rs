@@ -42,6 +42,8 @@ impl<T: Real> CurvePoint<T> {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     start: f64,
+    /// Where the next piece starts; not a number for the last one, so that no parameter is beyond it.
+    next: f64,
     coefficients: [[f64; 2]; 4],
 }
 
@@ -49,12 +51,12 @@ struct Piece {
 #[derive(Clone, Debug)]
 pub struct Curve {
     pieces: Vec<Piece>,
+    start: f64,
     end: f64,
-    /// Parameter at which each piece starts, and infinity: a search needs no other end.
-    starts: Vec<f64>,
     /// For equal bins over the parameter range the first piece that reaches into the bin.
     bins: Vec<u32>,
     bins_per_length: f64,
+    last_bin: f64,
 }
 
 /// Bins for each piece: on even knots a search takes one comparison.
@@ -69,7 +71,10 @@ impl Curve {
     pub fn through(knots: &[Knot]) -> Self {
         assert!(knots.len() >= 2, "a curve needs two knots");
         assert!(knots.windows(2).all(|k| k[1].s > k[0].s), "knot parameters must grow");
-        let pieces: Vec<Piece> = knots.windows(2).map(|k| piece(&k[0], &k[1])).collect();
+        let mut pieces: Vec<Piece> = knots.windows(2).map(|k| piece(&k[0], &k[1])).collect();
+        if let Some(last) = pieces.last_mut() {
+            last.next = f64::NAN;
+        }
         let (start, end) = (knots[0].s, knots[knots.len() - 1].s);
         let count = BINS_PER_PIECE * pieces.len();
         let bins_per_length = count as f64 / (end - start);
@@ -80,14 +85,13 @@ impl Curve {
                 (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
             })
             .collect();
-        let starts = pieces.iter().map(|p| p.start).chain([f64::INFINITY]).collect();
-        Self { pieces, end, starts, bins, bins_per_length }
+        Self { pieces, start, end, bins, bins_per_length, last_bin: count as f64 }
     }
 
     /// Smallest admitted parameter [m].
     #[must_use]
     pub fn start(&self) -> f64 {
-        self.starts[0]
+        self.start
     }
 
     /// Largest admitted parameter [m].
@@ -96,22 +100,38 @@ impl Curve {
         self.end
     }
 
-    /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
+    /// The parameter of the range that is nearest to `s`; its start where `s` is not a number [m].
     #[inline]
     #[must_use]
+    pub fn within(&self, s: f64) -> f64 {
+        let s = if s > self.start { s } else { self.start };
+        if s < self.end { s } else { self.end }
+    }
+
+    /// Point and derivatives at `s` [m]; outside the range the end pieces are continued.
+    // Taken apart where it is used: half of its callers leave out the second derivative.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    #[must_use]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
-        let p = &self.pieces[self.piece_of(s.value())];
-        let u = s - p.start;
-        let [c0, c1, c2, c3] = &p.coefficients;
-        // Both coordinates at once: one vector instruction for the pair.
-        let zero = [T::from(0.0); 2];
-        let (mut point, mut first, mut second) = (zero, zero, zero);
-        for i in 0..2 {
-            point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
-            first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
-            second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
+        let p = self.piece_at(s.value());
+        cubic(s - p.start, &p.coefficients)
+    }
+
+    /// The pieces of several parameters [m]: see [`PieceLanes::at`].
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(super) fn pieces_at<const N: usize>(&self, s: &[f64; N]) -> PieceLanes<N> {
+        let mut lanes = PieceLanes { start: [0.0; N], coefficients: [[[0.0; N]; 2]; 4] };
+        for lane in 0..N {
+            let piece = self.piece_at(s[lane]);
+            lanes.start[lane] = piece.start;
+            for (lanes, own) in lanes.coefficients.iter_mut().zip(&piece.coefficients) {
+                (lanes[0][lane], lanes[1][lane]) = (own[0], own[1]);
+            }
         }
-        CurvePoint { point, first, second }
+        lanes
     }
 
     /// Parameters at which the pieces meet, both ends included [m].
@@ -119,20 +139,55 @@ impl Curve {
         self.pieces.iter().map(|p| p.start).chain(std::iter::once(self.end))
     }
 
-    #[inline]
-    fn piece_of(&self, s: f64) -> usize {
-        // Adding 2^52 leaves the rounded number in the low bits; minimum and maximum turn any s, not a number included,
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn piece_at(&self, s: f64) -> &Piece {
+        // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s, not a number included,
         // into a valid index.
-        let bin =
-            ((s - self.start()) * self.bins_per_length).max(0.0).min((self.bins.len() - 1) as f64);
-        let mut index =
-            self.bins[(bin + 4_503_599_627_370_496.0).to_bits() as u32 as usize] as usize;
-        // No piece starts at the end, so that the search stops before the last entry.
-        let s = s.min(self.end);
-        while self.starts[index + 1] <= s {
+        let bin = ((s - self.start) * self.bins_per_length).max(0.0);
+        let bin = if bin < self.last_bin { bin } else { self.last_bin };
+        let bin = (bin + 4_503_599_627_370_496.0).to_bits() as u32;
+        let mut index = self.bins[bin as usize] as usize;
+        let mut piece = &self.pieces[index];
+        while piece.next <= s {
             index += 1;
+            piece = &self.pieces[index];
         }
-        index
+        piece
+    }
+}
+
+/// Point and derivatives of a piece at `u` from its start.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn cubic<T: Real>(u: T, [c0, c1, c2, c3]: &[[f64; 2]; 4]) -> CurvePoint<T> {
+    // Both coordinates at once: one vector instruction for the pair.
+    let zero = [T::from(0.0); 2];
+    let (mut point, mut first, mut second) = (zero, zero, zero);
+    for i in 0..2 {
+        point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
+        first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
+        second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
+    }
+    CurvePoint { point, first, second }
+}
+
+/// The pieces of several parameters, by columns: a loop over them is compiled to vector instructions.
+pub(super) struct PieceLanes<const N: usize> {
+    start: [f64; N],
+    coefficients: [[[f64; N]; 2]; 4],
+}
+
+impl<const N: usize> PieceLanes<N> {
+    /// As [`Curve::at`] for the parameter `s` of `lane` [m].
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(super) fn at(&self, lane: usize, s: f64) -> CurvePoint {
+        let mut own = [[0.0; 2]; 4];
+        for (own, lanes) in own.iter_mut().zip(&self.coefficients) {
+            *own = [lanes[0][lane], lanes[1][lane]];
+        }
+        cubic(s - self.start[lane], &own)
     }
 }
 
@@ -144,7 +199,11 @@ fn piece(from: &Knot, to: &Knot) -> Piece {
         [from.point[i], m0, (3.0 * slope - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * slope) / (h * h)]
     };
     let (y, z) = (cubic(0), cubic(1));
-    Piece { start: from.s, coefficients: [0, 1, 2, 3].map(|power| [y[power], z[power]]) }
+    Piece {
+        start: from.s,
+        next: to.s,
+        coefficients: [0, 1, 2, 3].map(|power| [y[power], z[power]]),
+    }
 }
 
 #[cfg(test)]

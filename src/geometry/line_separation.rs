@@ -3,6 +3,8 @@
 //! The distance of the two lines along the normal of the frame, measured from the point of first touch: for a point of the
 //! contact line the opposite point of the rail has the same lateral coordinate.
 
+mod lanes;
+
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::longitudinal::Longitudinal;
@@ -74,9 +76,9 @@ impl<'a> LineSeparation<'a> {
         self.line.even_at(u).x
     }
 
-    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, and the rail's coordinate along the normal;
-    /// nothing where the rail ends or turns away before.
-    fn opposite(&mut self, y: f64) -> Option<[f64; 2]> {
+    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, the rail's coordinate along the normal and its
+    /// derivative by `y`; nothing where the rail ends or turns away before.
+    fn opposite(&mut self, y: f64) -> Option<[f64; 3]> {
         let [near_s, near_y, rate] = self.near;
         // From the last point it takes a step or two. Only the way from the contact point tells that there is none, so that the
         // result does not depend on the point before.
@@ -86,7 +88,7 @@ impl<'a> LineSeparation<'a> {
 
     /// As [`opposite`](Self::opposite), by Newton steps from the parameter `guess`.
     #[inline]
-    fn opposite_from(&mut self, guess: f64, y: f64) -> Option<[f64; 2]> {
+    fn opposite_from(&mut self, guess: f64, y: f64) -> Option<[f64; 3]> {
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let curve = self.rail.curve();
         let (start, end) = (curve.start(), curve.end());
@@ -111,9 +113,11 @@ impl<'a> LineSeparation<'a> {
                 let bend = step * turn * steepness;
                 let step = step * (1.0 - 0.5 * bend);
                 let along = |v: &[f64; 2]| v[0] * normal[0] + v[1] * normal[1];
-                self.near = [s + step, y, steepness * (1.0 - bend)];
-                let depth = along(&to) + step * (along(&p.first) + 0.5 * step * along(&p.second));
-                return Some([s + step, depth]);
+                let rate = steepness * (1.0 - bend);
+                self.near = [s + step, y, rate];
+                let (first, second) = (along(&p.first), along(&p.second));
+                let depth = along(&to) + step * (first + 0.5 * step * second);
+                return Some([s + step, depth, rate * (first + step * second)]);
             }
             let next = s + step;
             if (next < start && s <= start) || (next > end && s >= end) {
@@ -122,6 +126,22 @@ impl<'a> LineSeparation<'a> {
             s = next.clamp(start, end);
         }
         None
+    }
+
+    /// The separation without deviations along the track and its derivative by the parameter of the line [m, -].
+    #[inline]
+    fn even_with_rate(&mut self, u: f64) -> (SeparationPoint, f64) {
+        let (at, derivative) = self.line.even_with_derivative(u);
+        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
+        let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
+        let y = to[0] * tangent[0] + to[1] * tangent[1];
+        let depth = to[0] * normal[0] + to[1] * normal[1];
+        let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
+        let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
+        let [_, rail, rise] = rail.unwrap_or([f64::NAN, f64::INFINITY, f64::NAN]);
+        let f = rail - depth + self.contact.penetration;
+        let rate = rise * dy - (derivative[0] * normal[0] + derivative[1] * normal[1]);
+        (SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }, rate)
     }
 
     /// Parameter of the rail's curve opposite to the last point that had a finite separation [m].
@@ -152,18 +172,22 @@ impl<'a> RailSeparation<'a, f64> for LineSeparation<'a> {
 impl Separation for LineSeparation<'_> {
     #[inline]
     fn at(&mut self, u: f64) -> SeparationPoint {
-        let (at, derivative) = self.line.even_with_derivative(u);
-        let (tangent, normal) = (self.contact.tangent, self.contact.normal());
-        let to = [at.point[0] - self.contact.origin[0], at.point[1] - self.contact.origin[1]];
-        let y = to[0] * tangent[0] + to[1] * tangent[1];
-        let depth = to[0] * normal[0] + to[1] * normal[1];
-        let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
-        let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
-        let f = rail.map_or(f64::INFINITY, |[_, rail]| rail - depth + self.contact.penetration);
-        let point = SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x };
+        let (point, _) = self.even_with_rate(u);
         let Some(lifting) = self.lifting else { return point };
-        let lift = lifting.deviations.lift(at.x, lifting.radius);
+        let lift = lifting.deviations.lift(point.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
+    }
+
+    fn fill(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
+        self.fill_lanes(us, found);
+    }
+
+    #[inline]
+    fn with_rate(&mut self, u: f64) -> Option<[f64; 2]> {
+        self.lifting.is_none().then(|| {
+            let (point, rate) = self.even_with_rate(u);
+            [point.f, rate]
+        })
     }
 
     fn along(&mut self, u: f64) -> f64 {

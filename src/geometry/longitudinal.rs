@@ -223,6 +223,13 @@ impl Longitudinal {
             }
             (before, here) = (here, after);
         }
+        if best.height == f64::NEG_INFINITY {
+            // A section flatter than any circle of the wheel, as that of a flange back near its rim: lowest at an end of the reach.
+            let x = [first, last].map(|i| self.place_of(i));
+            let [left, right] = x.map(|x| -self.distance(centre, radius, x));
+            let (height, x) = if left > right { (left, x[0]) } else { (right, x[1]) };
+            return Lift { height, x };
+        }
         best
     }
 
@@ -412,6 +419,21 @@ mod tests {
             }
         }
         assert!(several > 2, "{several}");
+    }
+
+    #[test]
+    fn sections_flatter_than_the_wheel_are_lifted_as_well() {
+        for mut case in cases() {
+            for step in 0..24 {
+                let station = 2.7e-3 * f64::from(step) - 0.03;
+                case.place(station, -station / RADIUS, 0.01);
+                for radius in [1.0, 10.0, 1e3, 1e6] {
+                    let lift = case.lift(0.0, radius);
+                    assert!(lift.height.abs() < 0.01, "{radius}: {}", lift.height);
+                    assert!(lift.x.abs() <= case.reach() + 2.0 * case.spacing());
+                }
+            }
+        }
     }
 
     #[test]

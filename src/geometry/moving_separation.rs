@@ -75,6 +75,10 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
         self.values.at(u).f
     }
 
+    fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]> {
+        self.values.with_rate(u)
+    }
+
     fn edge(&mut self, u: f64, level: T) -> T {
         let excess = self.point(u.into()).f - level;
         let (at, derivative) = self.line.even_with_derivative(u.into());

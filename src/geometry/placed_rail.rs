@@ -176,8 +176,7 @@ impl PlacedRail {
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
-        let (start, end) = (self.curve.start(), self.curve.end());
-        let mut s = guess.clamp(start, end);
+        let mut s = self.curve.within(guess);
         let mut p = self.curve.at(s);
         let mut beyond_end = false;
         let mut ratio = 1.0;
@@ -191,7 +190,7 @@ impl PlacedRail {
             let stiffness = 1.0 / slope;
             ratio = speed * stiffness;
             let free = s + along * stiffness;
-            let next = free.max(start).min(end);
+            let next = self.curve.within(free);
             let moved = next - s;
             beyond_end = (next - free).abs() > tolerance;
             s = next;

@@ -3,7 +3,7 @@
 use crate::math::real::Real;
 
 /// Separation at one place of the contact line.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SeparationPoint<T = f64> {
     /// Lateral coordinate in the contact frame, from the contact point [m].
     pub y: T,
@@ -22,6 +22,18 @@ pub struct SeparationPoint<T = f64> {
 pub trait Separation {
     /// The separation at parameter `u` [m].
     fn at(&mut self, u: f64) -> SeparationPoint;
+
+    /// As [`at`](Self::at) for each of the parameters `us`.
+    fn fill(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
+        for (u, found) in us.iter().zip(found) {
+            *found = self.at(*u);
+        }
+    }
+
+    /// The separation [m] and its derivative by the parameter `u` where that comes with it [-].
+    fn with_rate(&mut self, _: f64) -> Option<[f64; 2]> {
+        None
+    }
 
     /// As [`at`](Self::at), with the derivative of the separation by `u` [-]; by a difference over 0.2 µm unless there is a better way.
     fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
@@ -43,11 +55,21 @@ pub trait FrameSeparation<T: Real> {
     /// The separation at parameter `u` [m].
     fn point(&mut self, u: T) -> SeparationPoint<T>;
 
+    /// As [`point`](Self::point) for each of the parameters `us`.
+    fn points(&mut self, us: &[T], found: &mut [SeparationPoint<T>]) {
+        for (u, found) in us.iter().zip(found) {
+            *found = self.point(*u);
+        }
+    }
+
     /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
     fn centre_at(&mut self, u: T) -> T;
 
     /// Value of the separation at parameter `u` [m].
     fn value(&mut self, u: f64) -> f64;
+
+    /// Value of the separation at parameter `u` and of its derivative by it, where that comes with it [m, -].
+    fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]>;
 
     /// The parameter at which the separation is `level`, found at the value `u` [m].
     fn edge(&mut self, u: f64, level: T) -> T;
@@ -63,6 +85,11 @@ impl<S: Separation> FrameSeparation<f64> for S {
     }
 
     #[inline]
+    fn points(&mut self, us: &[f64], found: &mut [SeparationPoint]) {
+        self.fill(us, found);
+    }
+
+    #[inline]
     fn centre_at(&mut self, u: f64) -> f64 {
         self.along(u)
     }
@@ -70,6 +97,11 @@ impl<S: Separation> FrameSeparation<f64> for S {
     #[inline]
     fn value(&mut self, u: f64) -> f64 {
         self.at(u).f
+    }
+
+    #[inline]
+    fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]> {
+        self.with_rate(u)
     }
 
     #[inline]

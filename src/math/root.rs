@@ -57,6 +57,19 @@ pub fn bracketed(
 /// Steps after which [`bracketed`] returns what it has: its bisections alone gain fifteen digits.
 const MOST_STEPS: usize = 260;
 
+/// The step from the point `last` to the root of a smooth function by inverse quadratic interpolation through its values (x, f) at `last` and
+/// two points before; not finite where two values are equal but not zero.
+#[inline]
+#[must_use]
+pub fn interpolated_step([a, b]: [(f64, f64); 2], last: (f64, f64)) -> f64 {
+    if last.1 == 0.0 {
+        return 0.0;
+    }
+    let before = (b.0 - a.0) / (b.1 - a.1);
+    let now = (last.0 - b.0) / (last.1 - b.1);
+    last.1 * (b.1 * (now - before) / (last.1 - a.1) - now)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,5 +97,13 @@ mod tests {
         let (root, count) = solve(-1.0, 3.0, |x| if x < 0.7 { -1e-3 } else { 1e6 });
         approx::assert_relative_eq!(root, 0.7, max_relative = 1e-12);
         assert!(count <= MOST_STEPS);
+    }
+
+    #[test]
+    fn an_inverse_parabola_is_met_in_one_step() {
+        let point = |f: f64| (0.3 + 2.0 * f - 0.7 * f * f, f);
+        let step = interpolated_step([point(-1.0), point(0.5)], point(0.2));
+        approx::assert_relative_eq!(point(0.2).0 + step, 0.3, max_relative = 1e-14);
+        assert!(!interpolated_step([point(-1.0), (2.0, 0.2)], point(0.2)).is_finite());
     }
 }

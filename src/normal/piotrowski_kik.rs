@@ -20,7 +20,7 @@ use multiversion::multiversion;
 use super::shape_correction::{self, ShapeFit};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::separation::{FrameSeparation, Probe};
+use crate::geometry::separation::{FrameSeparation, Probe, SeparationPoint};
 use crate::math::dual::Dual;
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::quadrature::GaussLegendre;
@@ -51,21 +51,25 @@ pub fn solve<T: Influence>(
         }
         let first = strips.y.len();
         let (middle, half) = ((edge.left + edge.right) * 0.5, (edge.right - edge.left) * 0.5);
+        strips.u.extend(problem.rule.nodes.iter().map(|node| middle + half * *node));
         let mut deepest = T::from(0.0);
-        for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
-            let u = middle + half * *node;
-            let at = separation.point(u);
-            let g = (depth - at.f).at_least(0.0);
-            let width = half * *weight * at.dy;
-            let half_length = (problem.radius * 2.0 * g).sqrt();
-            load_integral += problem.radius * std::f64::consts::PI * g * width;
-            deepest = deepest.max(g);
-            strips.y.push(at.y);
-            strips.width.push(width);
-            strips.x.push(at.x);
-            strips.half_length.push(half_length);
-            strips.pressure.push(half_length);
-            strips.u.push(u);
+        let mut points = [SeparationPoint::default(); POINTS];
+        for (index, weights) in problem.rule.weights.chunks(POINTS).enumerate() {
+            let points = &mut points[..weights.len()];
+            let begin = first + index * POINTS;
+            separation.points(&strips.u[begin..begin + points.len()], points);
+            for (at, weight) in points.iter().zip(weights) {
+                let g = (depth - at.f).at_least(0.0);
+                let width = half * *weight * at.dy;
+                let half_length = (problem.radius * 2.0 * g).sqrt();
+                load_integral += problem.radius * std::f64::consts::PI * g * width;
+                deepest = deepest.max(g);
+                strips.width.push(width);
+                strips.half_length.push(half_length);
+                strips.pressure.push(half_length);
+            }
+            strips.y.extend(points.iter().map(|at| at.y));
+            strips.x.extend(points.iter().map(|at| at.x));
         }
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
         let inside = probes.iter().filter(|p| edge.left < p.u && edge.right > p.u);
@@ -181,6 +185,9 @@ impl Influence for f64 {
 fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
     regular_influence(half_lengths, ys, widths, longest)
 }
+
+/// Strips whose separation is looked up at once.
+const POINTS: usize = 32;
 
 /// Strips whose influence is summed at once.
 const LANES: usize = 8;

@@ -73,15 +73,54 @@ fn edge<'a, T: Real>(
         let inside = inside?;
         // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
         let outside = (probe.u, height(f).min(1.0));
-        return Some(bracketed(inside, outside, EDGE_BRACKET, |u| {
-            height(separation.value(u)).min(1.0)
-        }));
+        return Some(root(separation, inside, outside, height));
     }
     inside.map(|(u, _)| u)
+}
+
+/// The place between `inside` and `outside` at which the `height` of the separation vanishes: by Newton steps where it comes with its
+/// derivative, as long as they stay between what is known, else in a bracket.
+fn root<T: Real>(
+    separation: &mut impl FrameSeparation<T>,
+    mut inside: (f64, f64),
+    mut outside: (f64, f64),
+    height: impl Fn(f64) -> f64,
+) -> f64 {
+    let mut u = (inside.0 * outside.1 - outside.0 * inside.1) / (outside.1 - inside.1);
+    let mut before = 0.0;
+    for _ in 0..MOST_NEWTON_STEPS {
+        let Some([f, rate]) = separation.value_with_rate(u) else { break };
+        let above = height(f);
+        let step = -above * 2.0 * f.sqrt() / rate;
+        let next = u + step;
+        if above < 0.0 {
+            inside = (u, above);
+        } else {
+            outside = (u, above.min(1.0));
+        }
+        let [left, right] = [inside.0.min(outside.0), inside.0.max(outside.0)];
+        if !(next >= left && next <= right) {
+            break;
+        }
+        // Each step leaves its square, by a factor that the last two steps tell.
+        let left_over = step * (step / before) * (step / before);
+        if step.abs() <= LAST_STEP || left_over.abs() <= EDGE_LEFT_OVER {
+            return next;
+        }
+        (u, before) = (next, step);
+    }
+    bracketed(inside, outside, EDGE_BRACKET, |u| height(separation.value(u)).min(1.0))
 }
 
 /// Distance from the level, as a share of it, from which an estimated separation is on the side it seems to be on.
 const ESTIMATE_MARGIN: f64 = 0.3;
 
+/// Newton steps towards an edge; two are the rule.
+const MOST_NEWTON_STEPS: usize = 6;
+
+/// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where the separation has a kink, what is left is a part
+/// of the last step.
+const LAST_STEP: f64 = 1e-9;
+const EDGE_LEFT_OVER: f64 = 1e-15;
 /// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
 const EDGE_BRACKET: f64 = 1e-7;

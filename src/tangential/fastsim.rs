@@ -113,7 +113,7 @@ impl Fastsim {
                     };
                 *area = strips.width(j) * step;
             }
-            let sums = T::march(&march, &self.profile, &self.abscissae);
+            let sums = T::march(&march, lanes, &self.profile, &self.abscissae);
             for (lane, area) in areas.into_iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let arm = strips.half_length(j) * direction;
@@ -229,20 +229,30 @@ pub struct Sums<T> {
 
 /// Numbers with which strips are marched.
 pub trait Marching: Real {
-    /// Marches the strips of all lanes at once.
-    fn march(march: &March<Self>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self>;
+    /// Marches the strips of the first `lanes` lanes at once.
+    fn march(
+        march: &March<Self>,
+        lanes: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<Self>;
 }
 
 impl Marching for f64 {
     #[inline]
-    fn march(march: &March<f64>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<f64> {
-        march_strips(march, profile, abscissae)
+    fn march(
+        march: &March<f64>,
+        lanes: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<f64> {
+        march_strips(march, lanes, profile, abscissae)
     }
 }
 
 impl<const N: usize> Marching for Dual<N> {
     /// All that a strip depends on are four numbers, so that four derivatives do for any number of directions.
-    fn march(march: &March<Self>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
+    fn march(march: &March<Self>, _: usize, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
         let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
         let values = March {
             step_x: value(&march.step_x),
@@ -275,18 +285,41 @@ impl<const N: usize> Marching for Dual<N> {
     }
 }
 
-/// Marches the strips of all lanes at once.
+/// Marches the strips of the first `lanes` lanes at once.
 ///
 /// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
 /// so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
-fn march_strips(march: &March<f64>, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<f64> {
+fn march_strips(
+    march: &March<f64>,
+    lanes: usize,
+    profile: &[f64],
+    abscissae: &[[f64; 2]],
+) -> Sums<f64> {
     let mut sums = Sums::default();
-    let (mut px, mut py) = ([0.0; LANES], [0.0; LANES]);
+    match lanes {
+        0..=8 => march_lanes::<8>(march, profile, abscissae, &mut sums),
+        9..=16 => march_lanes::<16>(march, profile, abscissae, &mut sums),
+        _ => march_lanes::<LANES>(march, profile, abscissae, &mut sums),
+    }
+    sums
+}
+
+/// Marches the first `N` lanes and adds to their `sums`.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn march_lanes<const N: usize>(
+    march: &March<f64>,
+    profile: &[f64],
+    abscissae: &[[f64; 2]],
+    sums: &mut Sums<f64>,
+) {
+    let (mut px, mut py) = ([0.0; N], [0.0; N]);
     // The first element's middle is half a step behind the leading edge.
     let mut length = 0.5;
     for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
-        for lane in 0..LANES {
+        for lane in 0..N {
             let trial_x = px[lane] + length * march.step_x[lane];
             let trial_y = py[lane]
                 + length * (march.step_y[lane] + step_abscissa * march.step_y_per_abscissa[lane]);
@@ -303,7 +336,6 @@ fn march_strips(march: &March<f64>, profile: &[f64], abscissae: &[[f64; 2]]) -> 
         }
         length = 1.0;
     }
-    sums
 }
 
 /// As [`march_strips`], with the derivatives of the sums x, y and y times abscissa by the four numbers of each lane, in their order.

@@ -87,8 +87,17 @@ impl<T: Real> Waist<T> {
         // Where load falls and rises again; the peaks on both sides of the deepest such place.
         let (mut peak, mut least) = (T::from(0.0), T::from(f64::INFINITY));
         let mut best = None::<[T; 3]>;
-        for j in range.clone() {
-            let q = load(j);
+        let [ys, lengths, pressures] =
+            [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
+        let mut next = 0;
+        while next < range.len() {
+            let mut q = lengths[next] * pressures[next];
+            let y = ys[next];
+            next += 1;
+            while next < range.len() && ys[next] == y {
+                q += lengths[next] * pressures[next];
+                next += 1;
+            }
             least = least.min(q);
             let lower = q.min(peak);
             if least < lower * WHOLE {

@@ -44,8 +44,9 @@ pub(super) struct Rim<'a, T> {
 
 impl<'a, T: Real> ContactLine<'a, T> {
     /// Whether at profile point `p` the line runs along a rim.
-    #[inline]
-    pub(super) fn follows_rim(&self, p: &CurvePoint<T>) -> bool {
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub(in crate::geometry) fn follows_rim(&self, p: &CurvePoint<T>) -> bool {
         p.first[0] < LEAST_SLOPE_COSINE && self.lead != 0.0
     }
 
