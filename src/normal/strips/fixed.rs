@@ -151,7 +151,8 @@ impl StripSolver {
         let count = nodes.y.len();
         let m = &mut self.matrices;
         let (d, slope) = (&mut m.d[..count], &mut m.slope[..count]);
-        let (own_d, own_slope) = (&mut m.own_d[..count], &mut m.own_slope[..count]);
+        let own_d = &mut m.straight_d[..count];
+        let own_slope = &mut m.straight_slope[..count];
         let at = [nodes.x[i], nodes.y[i]];
         skewed(at, &nodes.x, &nodes.y, &nodes.half_length, d, slope);
         straight(at[1], &nodes.y, &nodes.half_length, own_d, own_slope);
@@ -201,7 +202,7 @@ impl StripSolver {
                 let q = &self.nodes.pressure;
                 let u: f64 = m.d[..count].iter().zip(q).map(|(d, q)| d * q).sum();
                 let error = self.nodes.overlap[i] - u;
-                let curvature: f64 = m.own_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
+                let curvature: f64 = m.straight_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
                 self.nodes.ratio[i] = self.nodes.radius[i] * curvature;
                 if q[i] > 0.0 || error > 0.0 {
                     self.nodes.spare[i] = rows as f64;

@@ -120,10 +120,12 @@ impl<const N: usize> StripFollower<Dual<N>> {
             scale,
         };
         let size = solver.lobes.len() * assembly.unknowns_per_lobe();
-        assembly.influences(&mut solver.matrices);
         assembly.assemble(&mut solver.matrices);
         self.matrix.clear();
-        self.matrix.extend_from_slice(&solver.matrices.newton[..size * size]);
+        for row in 0..size {
+            let entry = |column| solver.matrices.newton[assembly.entry(row, column)];
+            self.matrix.extend((0..size).map(entry));
+        }
         if !self.factors.of(&self.matrix, size) {
             return false;
         }
@@ -295,7 +297,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
         let (mut taken_out, mut bent_out) = (Dual::from(0.0), Dual::from(0.0));
         for k in (0..n).filter(|&k| k != t) {
             let node = &self.nodes[first + k];
-            let logarithm = half * (-2.0 * rule.corrections[t * n + k]);
+            let logarithm = half * (-2.0 * rule.corrections_of(k)[t]);
             let distance = own.y - node.y;
             let square = distance * distance;
             let inverse = Dual::from(1.0) / (own_squared + square);

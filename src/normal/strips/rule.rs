@@ -2,6 +2,7 @@
 
 use super::cell::TERMS;
 use super::influence::logarithm_corrections;
+use super::pair_sums::LANES;
 use crate::math::quadrature::GaussLegendre;
 
 /// Quadrature and extrapolation on the nodes of a lobe.
@@ -13,8 +14,8 @@ pub struct LobeRule {
     pub weights: Vec<f64>,
     /// Terms of the shape, as many as the nodes carry.
     pub terms: usize,
-    /// See [`logarithm_corrections`].
-    pub corrections: Vec<f64>,
+    /// See [`logarithm_corrections`]: source by source, whole vectors of targets.
+    corrections: Vec<f64>,
     /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
     pub outer_closures: [[f64; 4]; 2],
     /// What the value of the outermost node is beyond that of the next three where a parabola times the root of the distance from the end
@@ -36,10 +37,12 @@ impl LobeRule {
             gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
         let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
         let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
-        let mut corrections = logarithm_corrections(&gauss);
+        let by_target = logarithm_corrections(&gauss);
+        let stride = count.next_multiple_of(LANES);
+        let mut corrections = vec![0.0; count * stride];
         for i in 0..count {
             for j in 0..count {
-                corrections[i * count + j] *= rate[j];
+                corrections[j * stride + i] = by_target[i * count + j] * rate[j];
             }
         }
         let terms = TERMS.min(count - 3);
@@ -69,6 +72,13 @@ impl LobeRule {
     #[must_use]
     pub fn count(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// Corrections for the logarithm with node `k` as source, for each target, and zeros to the end of the last vector.
+    #[must_use]
+    pub fn corrections_of(&self, k: usize) -> &[f64] {
+        let stride = self.count().next_multiple_of(LANES);
+        &self.corrections[k * stride..(k + 1) * stride]
     }
 
     /// Nodes at the end `side` of a lobe, which meets another one there, and factors of their ratios in the pressure at that end beyond

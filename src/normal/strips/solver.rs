@@ -111,7 +111,7 @@ impl StripSolver {
             cells: Room::new(64),
             lobes: Room::new(MOST_LOBES),
             nodes: Nodes::with_capacity(nodes),
-            matrices: Matrices::new(strips, nodes, unknowns),
+            matrices: Matrices::new(nodes, unknowns),
             caution: 1.0,
             last_step: 0,
             work: Work::default(),
@@ -196,10 +196,9 @@ impl StripSolver {
                 depth,
                 scale,
             };
-            assembly.influences(&mut self.matrices);
             assembly.assemble(&mut self.matrices);
             let Matrices { newton, right, .. } = &mut self.matrices;
-            if !linear_system::solve(newton, unknowns, &mut right[..unknowns]) {
+            if !linear_system::solve_by_columns(newton, &mut right[..unknowns]) {
                 return false;
             }
             let (share, change) = self.step_share(scale);
