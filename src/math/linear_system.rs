@@ -53,18 +53,32 @@ pub fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) -> bool {
 /// Numbers taken together by [`solve_by_columns`].
 pub const LANES: usize = 4;
 
-/// As [`solve`] for a matrix by columns, n numbers and what lacks to whole vectors of [`LANES`] each.
+/// Numbers in one column of a matrix for `n` unknowns that [`solve_by_columns`] takes.
 #[must_use]
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+pub fn stride(n: usize) -> usize {
+    n.next_multiple_of(LANES)
+}
+
+/// Numbers that [`solve_by_columns`] takes for `n` unknowns: columns for the right side and for its own use too.
+#[must_use]
+pub fn room(n: usize) -> usize {
+    stride(n) * ((n + 1).next_multiple_of(LANES) + 1)
+}
+
+/// As [`solve`] for a matrix by columns of [`stride`] numbers; what is behind it in its [`room`] is of no account.
+#[must_use]
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
     let n = right.len();
-    let stride = n.next_multiple_of(LANES);
-    let matrix = &mut matrix[..n * stride];
+    let (stride, room) = (stride(n), room(n));
+    let vectors = stride / LANES;
+    let (matrix, own) = matrix[..room].split_at_mut(room - stride);
+    matrix[n * stride..].fill(0.0);
+    matrix[n * stride..n * stride + n].copy_from_slice(right);
     for step in 0..n {
-        let (head, tail) = matrix.split_at_mut((step + 1) * stride);
-        let pivots = &mut head[step * stride..];
+        let pivots = &matrix[step * stride..step * stride + n];
         let (mut pivot, mut largest) = (step, 0.0);
-        for (row, value) in pivots[..n].iter().enumerate().skip(step) {
+        for (row, value) in pivots.iter().enumerate().skip(step) {
             if value.abs() > largest {
                 (pivot, largest) = (row, value.abs());
             }
@@ -73,32 +87,40 @@ pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
         if !(largest > f64::MIN_POSITIVE && largest.is_finite()) {
             return false;
         }
-        pivots.swap(step, pivot);
-        right.swap(step, pivot);
-        let inverse = 1.0 / pivots[step];
-        for factor in &mut pivots[step + 1..] {
-            *factor *= inverse;
-        }
-        // Whole vectors: rows that are done have no factor meanwhile.
-        let begin = (step + 1) / LANES * LANES;
-        let done = step + 1 - begin;
-        let mut kept = [0.0; LANES];
-        kept[..done].copy_from_slice(&pivots[begin..=step]);
-        pivots[begin..=step].fill(0.0);
-        let factors = &pivots[begin..];
-        for column in tail.chunks_exact_mut(stride) {
-            column.swap(step, pivot);
-            let share = column[step];
-            if share != 0.0 {
-                subtract(&mut column[begin..], share, factors);
+        if pivot != step {
+            for column in matrix[step * stride..].chunks_exact_mut(stride) {
+                column.swap(step, pivot);
             }
         }
-        let share = right[step];
-        for (a, f) in right[begin..].iter_mut().zip(factors) {
-            *a -= share * f;
+        // Whole vectors of rows and columns: those that are done have no factor.
+        let done = (step + 1) / LANES;
+        let pivots = &matrix[step * stride..(step + 1) * stride];
+        let inverse = 1.0 / pivots[step];
+        own[LANES * done..=step].fill(0.0);
+        for (factor, value) in own[step + 1..].iter_mut().zip(&pivots[step + 1..]) {
+            *factor = value * inverse;
         }
-        pivots[begin..=step].copy_from_slice(&kept[..done]);
+        let factors = &own.as_chunks::<LANES>().0[done..];
+        let groups = matrix[LANES * done * stride..].chunks_exact_mut(LANES * stride);
+        for (group, columns) in groups.enumerate() {
+            let first = LANES * (done + group);
+            let shares: [f64; LANES] = std::array::from_fn(|k| {
+                if first + k > step { columns[k * stride + step] } else { 0.0 }
+            });
+            let (a, columns) = columns.as_chunks_mut::<LANES>().0.split_at_mut(vectors);
+            let (b, columns) = columns.split_at_mut(vectors);
+            let (c, d) = columns.split_at_mut(vectors);
+            let columns =
+                a[done..].iter_mut().zip(&mut b[done..]).zip(&mut c[done..]).zip(&mut d[done..]);
+            for ((((a, b), c), d), factors) in columns.zip(factors) {
+                *a = less(*a, shares[0], *factors);
+                *b = less(*b, shares[1], *factors);
+                *c = less(*c, shares[2], *factors);
+                *d = less(*d, shares[3], *factors);
+            }
+        }
     }
+    right.copy_from_slice(&matrix[n * stride..n * stride + n]);
     for column in (0..n).rev() {
         let values = &matrix[column * stride..column * stride + column + 1];
         right[column] /= values[column];
@@ -110,16 +132,15 @@ pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
     right.iter().all(|x| x.is_finite())
 }
 
-/// Takes `share` times the `factors` off whole vectors of numbers.
+/// A vector less `share` times the `factors`.
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn subtract(from: &mut [f64], share: f64, factors: &[f64]) {
-    for (a, f) in from.chunks_exact_mut(LANES).zip(factors.chunks_exact(LANES)) {
-        for (a, f) in a.iter_mut().zip(f) {
-            *a -= share * f;
-        }
+fn less(mut from: [f64; LANES], share: f64, factors: [f64; LANES]) -> [f64; LANES] {
+    for (value, factor) in from.iter_mut().zip(factors) {
+        *value -= share * factor;
     }
+    from
 }
 
 /// A matrix in two triangular factors, with its rows in the order of their pivots, for many right sides.
@@ -199,11 +220,17 @@ mod tests {
     #[test]
     fn columns_of_all_lengths_are_solved() {
         for n in 1..=19usize {
-            let stride = n.next_multiple_of(LANES);
+            let stride = stride(n);
             let entry =
-                |i: usize, j: usize| ((7 * i * i + 5 * j * j + 3 * i * j + i) % 11) as f64 - 4.5;
-            let mut matrix: Vec<f64> = (0..n * stride)
-                .map(|at| if at % stride < n { entry(at % stride, at / stride) } else { 0.0 })
+                |i: usize, j: usize| ((37 * i + 61 * j + 17 * i * i * j) % 101) as f64 - 50.0;
+            let mut matrix: Vec<f64> = (0..room(n))
+                .map(|at| {
+                    if at % stride < n && at / stride < n {
+                        entry(at % stride, at / stride)
+                    } else {
+                        0.0
+                    }
+                })
                 .collect();
             let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.3 * i as f64).collect();
             let product = |i: usize| (0..n).map(|j| entry(i, j) * x[j]).sum();
@@ -215,7 +242,10 @@ mod tests {
                 approx::assert_relative_eq!(a, b, max_relative = 1e-9, epsilon = 1e-12);
             }
         }
-        assert!(!solve_by_columns(&mut [1.0, 2.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0], &mut [1.0, 0.0]));
+        let singular = [1.0, 2.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0];
+        let mut matrix = [0.0; 20];
+        matrix[..8].copy_from_slice(&singular);
+        assert!(!solve_by_columns(&mut matrix, &mut [1.0, 0.0]));
     }
 
     #[test]

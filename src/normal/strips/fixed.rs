@@ -111,11 +111,12 @@ impl StripSolver {
                 let inner = &self.cells[begin..end];
                 let number = inner.iter().position(|c| y < c.bounds[1]).unwrap_or(inner.len() - 1);
                 let cell = &self.cells[begin + number];
+                let radius = line.radius(place.u);
                 let span = cell.deepest[1] - cell.start_level;
                 let share = ((place.overlap - cell.start_level) / span).max(0.0);
                 let nodes = &mut self.nodes;
                 (nodes.u[i], nodes.y[i], nodes.x[i]) = (place.u, y, place.x);
-                (nodes.tangent[i], nodes.radius[i]) = (place.tangent, place.radius);
+                (nodes.tangent[i], nodes.radius[i]) = (place.tangent, radius);
                 (nodes.overlap[i], nodes.width[i]) = (place.overlap, width);
                 nodes.pressure[i] = if cell.active { cell.begun_with * share.sqrt() } else { 0.0 };
                 nodes.lobe[i] = begin + number;

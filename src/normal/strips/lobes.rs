@@ -57,10 +57,11 @@ impl StripSolver {
         }
         let cell = &mut self.cells[i];
         let place = line.place(cell.deepest[0]);
+        let radius = line.radius(cell.deepest[0]);
         let mut overlap = |u: f64| line.place(u).overlap;
         let half = cell::places(probes, level, cell, 0.5, &mut overlap);
         let width = (half[1] - half[0]) * place.dy;
-        let along = 0.5 / place.radius;
+        let along = 0.5 / radius;
         // Curvature of the parabola as wide at half of the depth; what is shallower is narrower.
         let across = (2.0 * cell.deepest[1] / (width * width)).clamp(1e-4 * along, 1e6 * along);
         let ellipse = hertz::ellipse(along, across, depth, 1.0);
@@ -80,7 +81,7 @@ impl StripSolver {
         cell.shape = [0.0; TERMS];
         // q/(π E*) = a e^κ0/(2 π R)
         let greatest = ellipse.max_pressure / PI;
-        cell.shape[0] = (greatest * 2.0 * PI * place.radius / ellipse.semi_axis_along).ln();
+        cell.shape[0] = (greatest * 2.0 * PI * radius / ellipse.semi_axis_along).ln();
         cell.start_ratio = greatest;
         cell.begun_with = greatest;
     }
@@ -131,14 +132,26 @@ impl StripSolver {
             for t in 0..n {
                 let (i, abscissa) = (first + t, self.rule.nodes[t]);
                 let y = middle + half * abscissa;
-                let near = if nodes.u[i].is_nan() {
+                let near = if !nodes.u[i].is_nan() {
+                    nodes.u[i] + (y - nodes.y[i]) * nodes.rate[i]
+                } else if t == 0 {
                     0.5 * (cell.near[0] + cell.near[1] + abscissa * (cell.near[1] - cell.near[0]))
                 } else {
-                    nodes.u[i] + (y - nodes.y[i])
+                    // On from the node before, with the change of the rate between the two before.
+                    let (k, step) = (i - 1, y - nodes.y[i - 1]);
+                    let before = if t == 1 { k } else { k - 1 };
+                    let trend = if t == 1 {
+                        0.0
+                    } else {
+                        (nodes.rate[k] - nodes.rate[before]) / (nodes.y[k] - nodes.y[before])
+                    };
+                    nodes.u[k] + step * (nodes.rate[k] + 0.5 * step * trend)
                 };
-                let LinePlace { u, dy, overlap, overlap_slope, x, tangent, radius, .. } =
+                let LinePlace { u, dy, overlap, overlap_slope, x, tangent, .. } =
                     line.across(y, near);
+                let radius = line.radius(u);
                 nodes.u[i] = u;
+                nodes.rate[i] = 1.0 / dy;
                 nodes.y[i] = y;
                 nodes.x[i] = x;
                 nodes.tangent[i] = tangent;

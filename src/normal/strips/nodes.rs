@@ -1,6 +1,7 @@
 //! Memory of the solver: the nodes of all lobes, and the matrices over them.
 
-use super::pair_sums::{Acting, Column, LANES, Sums, Targets};
+use super::pair_sums::{Acting, Column, Sums, Targets};
+use crate::math::linear_system;
 
 /// Nodes of all lobes, as columns.
 #[derive(Clone, Debug, Default)]
@@ -9,6 +10,8 @@ pub struct Nodes {
     pub y: Vec<f64>,
     /// Parameter of the contact line [m], not a number where none is known yet.
     pub u: Vec<f64>,
+    /// Derivative of the parameter by y [-].
+    pub rate: Vec<f64>,
     /// Place along x and its derivative by y [m, -].
     pub x: Vec<f64>,
     pub x_slope: Vec<f64>,
@@ -41,6 +44,7 @@ impl Nodes {
         let column = || Vec::with_capacity(count);
         Self {
             u: column(),
+            rate: column(),
             y: column(),
             x: column(),
             x_slope: column(),
@@ -62,6 +66,7 @@ impl Nodes {
     pub fn resize(&mut self, count: usize) {
         for column in [
             &mut self.u,
+            &mut self.rate,
             &mut self.y,
             &mut self.x,
             &mut self.x_slope,
@@ -100,7 +105,7 @@ pub struct Matrices {
     pub straight_slope: Vec<f64>,
     /// Targets and sums of lobes.
     pub scratch: Box<Scratch>,
-    /// The Newton matrix: by columns of [`stride`] numbers for lobes, by rows for strips that stay where they are.
+    /// The Newton matrix: by columns of [`stride`](linear_system::stride) numbers for lobes, by rows for strips that stay where they are.
     pub newton: Vec<f64>,
     /// Its right side: residuals, then the step.
     pub right: Vec<f64>,
@@ -113,11 +118,6 @@ pub struct Scratch {
     pub acting: Acting,
     pub sums: Sums,
     pub logarithm: Column,
-}
-
-/// Numbers in one column of a Newton matrix of so many `unknowns`.
-pub fn stride(unknowns: usize) -> usize {
-    unknowns.next_multiple_of(LANES)
 }
 
 impl Matrices {
@@ -135,8 +135,8 @@ impl Matrices {
             straight_d: row(),
             straight_slope: row(),
             scratch: Box::default(),
-            newton: vec![0.0; unknowns * stride(unknowns)],
-            right: vec![0.0; stride(unknowns)],
+            newton: vec![0.0; linear_system::room(unknowns).max(nodes * nodes)],
+            right: vec![0.0; unknowns],
         }
     }
 }

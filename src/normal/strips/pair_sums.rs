@@ -92,24 +92,37 @@ pub struct Sums {
     /// Changes of displacement and curvature with the two edges of the lobe.
     pub by_edge: [Column; 2],
     pub bent_by_edge: [Column; 2],
+    /// Curvature beyond that of the wheel [1/m].
+    pub excess: Column,
 }
 
 impl Sums {
+    /// Sets to zero what is summed up over all lobes.
+    pub fn begin(&mut self, vectors: usize) {
+        clear([&mut self.u, &mut self.curvature, &mut self.passed], vectors);
+    }
+
     /// Sets to zero what is summed up for each lobe.
-    pub fn begin_lobe(&mut self) {
-        self.by_shape = Default::default();
-        self.bent_by_shape = Default::default();
-        self.by_edge = Default::default();
+    pub fn begin_lobe(&mut self, vectors: usize) {
+        clear(self.by_shape.each_mut(), vectors);
+        clear(self.bent_by_shape.each_mut(), vectors);
+        clear(self.by_edge.each_mut(), vectors);
     }
 
     /// Sets to zero what is summed up for the own lobe alone.
-    pub fn begin_own_lobe(&mut self) {
-        self.own_u = Default::default();
-        self.own_q = Default::default();
-        self.own_curvature = Default::default();
-        self.own_bent_q = Default::default();
-        self.scaled_u = Default::default();
-        self.scaled_curvature = Default::default();
+    pub fn begin_own_lobe(&mut self, vectors: usize) {
+        clear([&mut self.own_u, &mut self.own_q], vectors);
+        clear([&mut self.own_curvature, &mut self.own_bent_q], vectors);
+        clear([&mut self.scaled_u, &mut self.scaled_curvature], vectors);
+    }
+}
+
+/// Sets whole vectors of columns to zero.
+fn clear<const N: usize>(columns: [&mut Column; N], vectors: usize) {
+    for column in columns {
+        for vector in &mut column.as_chunks_mut::<LANES>().0[..vectors] {
+            *vector = [0.0; LANES];
+        }
     }
 }
 

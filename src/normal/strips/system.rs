@@ -14,12 +14,13 @@
 
 use super::cell::Cell;
 use super::influence::Integrals;
-use super::nodes::{Lobe, Matrices, Nodes, Scratch, stride};
+use super::nodes::{Lobe, Matrices, Nodes, Scratch};
 use super::pair_sums::{
     Acting, Column, LANES, MOST_TARGETS, Source, Sums, Targets, from_elsewhere, weighed,
     within_lobe,
 };
 use super::rule::LobeRule;
+use crate::math::linear_system::stride;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 pub const SHAPE_REGULARISATION: f64 = 1e-5;
@@ -63,7 +64,9 @@ impl Assembly<'_> {
     /// Fills the Newton matrix and its right side (minus the residuals).
     pub fn assemble(&self, m: &mut Matrices) {
         let unknowns = self.lobes.len() * self.unknowns_per_lobe();
-        m.newton[..unknowns * stride(unknowns)].fill(0.0);
+        for column in m.newton[..unknowns * stride(unknowns)].chunks_exact_mut(LANES) {
+            column.fill(0.0);
+        }
         m.right[..unknowns].fill(0.0);
         let n = self.rule.count();
         for (number, lobe) in self.lobes.iter().enumerate() {
@@ -86,15 +89,14 @@ impl Assembly<'_> {
         let Matrices { scratch, newton, right, .. } = m;
         let Scratch { targets, acting, sums, logarithm } = &mut **scratch;
         self.fill(part, targets);
-        sums.u = Column::default();
-        sums.curvature = Column::default();
-        sums.passed = Column::default();
-        let mut rows = Rows { assembly: self, part, newton };
+        sums.begin(targets.vectors);
+        let inverse_depth = 1.0 / self.depth;
+        let mut rows = Rows { assembly: self, part, newton, inverse_depth };
         for (number, lobe) in self.lobes.iter().enumerate() {
             if number == part.lobe {
                 continue;
             }
-            sums.begin_lobe();
+            sums.begin_lobe(targets.vectors);
             for k in (0..n).filter(|k| self.nodes.pressure[lobe.first + k] > 0.0) {
                 from_elsewhere(&self.source(lobe, k), self.skewed, targets, acting, sums);
                 rows.put_node(targets, acting, number, k);
@@ -102,8 +104,8 @@ impl Assembly<'_> {
             rows.put_lobe(targets, sums, number);
         }
         let lobe = &self.lobes[part.lobe];
-        sums.begin_lobe();
-        sums.begin_own_lobe();
+        sums.begin_lobe(targets.vectors);
+        sums.begin_own_lobe(targets.vectors);
         let [left, right_end] = self.cells[lobe.cell].edges;
         for k in 0..n {
             let corrections = &self.rule.corrections_of(k)[part.begin..];
@@ -125,7 +127,7 @@ impl Assembly<'_> {
         for side in 0..2 {
             rows.put_bent(targets, part.lobe * block + n + side, 1.0, &sums.bent_by_edge[side]);
         }
-        self.residuals(part, sums, &mut rows, right);
+        self.residuals(part, scratch, &mut rows, right);
     }
 
     /// Takes the nodes of a part as targets.
@@ -206,9 +208,14 @@ impl Assembly<'_> {
             }
             sums.u[k] += u;
             sums.curvature[k] += curvature;
-            rows.put_own(targets, k, by_pressure, bent_by_pressure);
+            let excess = sums.curvature[k] - 1.0 / nodes.radius[i];
+            sums.excess[k] = excess;
+            // The weights of the curvature equations are loads, q a.
+            let ratio = nodes.ratio[i];
+            let weighted_more = if ratio > 0.0 { 2.0 * excess / ratio } else { 0.0 };
+            rows.put_own(targets, k, by_pressure, bent_by_pressure, weighted_more);
             let by_length = q * by_pressure - u;
-            let bent_by_length = q * bent_by_pressure - curvature;
+            let bent_by_length = q * bent_by_pressure - curvature + excess;
             for (term, polynomial) in rule.legendre.iter().enumerate() {
                 sums.by_shape[term][k] += by_length * polynomial[t];
                 sums.bent_by_shape[term][k] += bent_by_length * polynomial[t];
@@ -232,39 +239,29 @@ impl Assembly<'_> {
         }
     }
 
-    /// Residuals of a part, and how the weights of the curvature equations move.
-    fn residuals(&self, part: &LobePart, sums: &Sums, rows: &mut Rows, right: &mut [f64]) {
-        let (nodes, rule) = (self.nodes, self.rule);
-        let (n, block) = (rule.count(), self.unknowns_per_lobe());
+    /// Residuals of a part.
+    fn residuals(&self, part: &LobePart, scratch: &Scratch, rows: &mut Rows, right: &mut [f64]) {
+        let nodes = self.nodes;
+        let (n, block) = (self.rule.count(), self.unknowns_per_lobe());
         let Lobe { first, cell } = self.lobes[part.lobe];
-        let shape = part.lobe * block + n + 2;
         for k in 0..part.count {
             let t = part.begin + k;
             let (i, equation) = (first + t, part.lobe * block + t);
-            let loaded = nodes.ratio[i] > 0.0;
-            right[equation] = -(sums.u[k] - nodes.overlap[i]) / self.depth;
+            right[equation] = -(scratch.sums.u[k] - nodes.overlap[i]) * rows.inverse_depth;
             let finds_edge = [1, n - 2]
                 .iter()
                 .zip(self.cells[cell].met)
                 .any(|(&second, met)| t == second && !met);
-            if !loaded && !finds_edge {
+            if nodes.ratio[i] <= 0.0 && !finds_edge {
                 // An unloaded node may lie apart: its ratio below zero is that distance.
                 right[equation] -= nodes.ratio[i] / self.scale;
                 rows.newton[self.entry(equation, equation)] += 1.0 / self.scale;
             }
-            if !loaded {
-                continue;
-            }
-            let error = self.share(part, k) * (nodes.radius[i] * sums.curvature[k] - 1.0);
-            for (term, polynomial) in rule.legendre.iter().enumerate() {
-                let weight = error * polynomial[t];
-                right[shape + term] -= weight;
-                // The weight is a load, q a.
-                rows.newton[self.entry(shape + term, equation)] += weight * 2.0 / nodes.ratio[i];
-                for (l, other) in rule.legendre.iter().enumerate() {
-                    rows.newton[self.entry(shape + term, shape + l)] -= weight * other[t];
-                }
-            }
+        }
+        let shape = part.lobe * block + n + 2;
+        let errors = weighed(&scratch.targets, &scratch.sums.excess);
+        for (right, error) in right[shape..].iter_mut().zip(errors) {
+            *right -= error;
         }
     }
 
@@ -343,6 +340,8 @@ struct Rows<'a> {
     assembly: &'a Assembly<'a>,
     part: &'a LobePart,
     newton: &'a mut [f64],
+    /// One over the greatest overlap [1/m].
+    inverse_depth: f64,
 }
 
 impl Rows<'_> {
@@ -369,15 +368,22 @@ impl Rows<'_> {
     }
 
     /// What target `k` does to itself.
-    fn put_own(&mut self, targets: &Targets, k: usize, by_pressure: f64, bent_by_pressure: f64) {
+    fn put_own(
+        &mut self,
+        targets: &Targets,
+        k: usize,
+        by_pressure: f64,
+        bent_by_pressure: f64,
+        excess: f64,
+    ) {
         let assembly = self.assembly;
         let begin = self.part.lobe * assembly.unknowns_per_lobe();
         let column = begin + self.part.begin + k;
         let factor = assembly.ratio_factor(self.part.lobe, self.part.begin + k);
-        self.newton[assembly.entry(column, column)] += factor * by_pressure / assembly.depth;
+        self.newton[assembly.entry(column, column)] += factor * by_pressure * self.inverse_depth;
         let at = assembly.entry(begin + assembly.rule.count() + 2, column);
         for (entry, weights) in self.newton[at..].iter_mut().zip(&targets.weights) {
-            *entry += factor * weights[k] * bent_by_pressure;
+            *entry += weights[k] * (factor * bent_by_pressure + excess);
         }
     }
 
@@ -386,7 +392,7 @@ impl Rows<'_> {
         let assembly = self.assembly;
         let row = self.part.lobe * assembly.unknowns_per_lobe() + self.part.begin;
         let at = assembly.entry(row, column);
-        let factor = factor / assembly.depth;
+        let factor = factor * self.inverse_depth;
         for (entry, value) in self.newton[at..at + self.part.count].iter_mut().zip(values) {
             *entry = factor * value;
         }
