@@ -14,8 +14,7 @@ use std::f64::consts::PI;
 
 use super::Line;
 use super::cell::{self, TERMS};
-use super::influence::{skewed, straight};
-use super::pair_sums::bend;
+use super::influence::{bend, skewed, straight};
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;

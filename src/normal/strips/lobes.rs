@@ -160,10 +160,9 @@ impl StripSolver {
                 nodes.radius[i] = radius;
                 nodes.width[i] = half * self.rule.weights[t];
                 nodes.lobe[i] = number;
-                let shape = |side: usize, distance: f64| {
-                    if cell.met[side] { 1.0 } else { distance.sqrt() }
-                };
-                nodes.edge_shape[i] = shape(0, 1.0 + abscissa) * shape(1, 1.0 - abscissa);
+                let shape =
+                    |side: usize| if cell.met[side] { 1.0 } else { self.rule.roots[t][side] };
+                nodes.edge_shape[i] = shape(0) * shape(1);
                 if cell.start_ratio > 0.0 {
                     let span = cell.deepest[1] - cell.start_level;
                     let share = ((overlap - cell.start_level) / span).clamp(0.01, 1.0);
@@ -171,7 +170,7 @@ impl StripSolver {
                         cell.start_ratio * share.sqrt() / nodes.edge_shape[i].max(0.05);
                 }
                 let exponent: f64 =
-                    (0..self.rule.terms).map(|l| cell.shape[l] * self.rule.legendre[l][t]).sum();
+                    cell.shape.iter().zip(self.rule.legendre[t]).map(|(s, p)| s * p).sum();
                 nodes.pressure[i] = nodes.ratio[i].max(0.0) * nodes.edge_shape[i];
                 let per_pressure = 2.0 * PI * radius * (-exponent).exp();
                 nodes.half_length[i] = (nodes.pressure[i] * per_pressure).max(1e-12 * half);

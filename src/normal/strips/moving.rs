@@ -12,9 +12,8 @@
 
 use std::f64::consts::PI;
 
-use super::influence::{skewed_pair, straight_pair};
+use super::influence::{bend, skewed_pair, straight_pair};
 use super::nodes::Lobe;
-use super::pair_sums::bend;
 use super::solver::StripSolver;
 use super::system::{Assembly, SHAPE_REGULARISATION, TO_RIDGE};
 use super::zones::greatest_pressure;
@@ -177,7 +176,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
                 let y = middle + half * rule.nodes[t];
                 let Some(place) = line.across(at.solver.nodes.u[i], y) else { return false };
                 let exponent: Dual<N> =
-                    (0..rule.terms).map(|l| unknowns[n + 2 + l] * rule.legendre[l][t]).sum();
+                    (0..rule.terms).map(|l| unknowns[n + 2 + l] * rule.legendre[t][l]).sum();
                 let pressure = unknowns[t].at_least(0.0) * at.solver.nodes.edge_shape[i];
                 let per_pressure = place.radius * (2.0 * PI) * (-exponent).exp();
                 let half_length = (pressure * per_pressure).max(half * 1e-12);
@@ -215,7 +214,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
                     let error = node.place.radius * curvature - 1.0;
                     let share = node.width * node.pressure * node.half_length / load;
                     for l in 0..rule.terms {
-                        self.residuals[begin + n + 2 + l] += share * error * rule.legendre[l][t];
+                        self.residuals[begin + n + 2 + l] += share * error * rule.legendre[t][l];
                     }
                 }
             }

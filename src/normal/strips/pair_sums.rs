@@ -6,8 +6,7 @@
 use multiversion::multiversion;
 
 use super::cell::TERMS;
-use super::influence::{skewed_pair, straight_pair};
-use crate::math::real::Real;
+use super::influence::{centred_at, shifted_at};
 
 /// Numbers taken together: loops over whole vectors have no remainder, which would be taken one by one.
 pub const LANES: usize = 4;
@@ -28,9 +27,9 @@ pub struct Targets {
     pub x_slope: Column,
     /// Unit tangent across.
     pub tangent: [Column; 2],
-    /// Pressure over π E* [-] and half length [m].
+    /// Pressure over π E* [-] and one over the half length [1/m].
     pub pressure: Column,
-    pub half_length: Column,
+    pub inverse_length: Column,
     /// One, zero for the target that is the source.
     pub other: Column,
     /// Share of each target in the curvature equations of its lobe, times the radius [m].
@@ -60,11 +59,13 @@ pub struct Source {
 /// What one source does to each target.
 #[derive(Clone, Debug, Default)]
 pub struct Acting {
-    /// D and d(a D)/da of the source, and with the target's half length for its own.
+    /// Influence of the source, and with the target's half length for its own.
     d: Column,
     slope: Column,
+    bend: Column,
     own_d: Column,
     own_slope: Column,
+    own_bend: Column,
     /// Derivatives of displacement and curvature by the pressure of the source.
     pub by_pressure: Column,
     pub bent_by_pressure: Column,
@@ -126,40 +127,27 @@ fn clear<const N: usize>(columns: [&mut Column; N], vectors: usize) {
     }
 }
 
-/// -∂²D/∂x² over D [1/m²] at distances `dx` along and `dy` across from a strip of half length `a`.
-///
-/// ```text
-/// (1 + c η²)/(a ζ)²,   c = -3 + 3.35 m + 0.75 m³,   m = 1/ζ²
-/// ```
-///
-/// with the spheroidal coordinates of the strip: exact for η = 0 and far away, fitted in between: 1 % off for η = 0.3, 6 % for η = 0.4, on
-/// the strip itself and less elsewhere.
-// Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
-#[inline(always)]
-pub fn bend<T: Real>(a: T, dx: T, dy: T) -> T {
-    let (a2, dx2) = (a * a, dx * dx);
-    let sum = a2 + dx2 + dy * dy;
-    let zeta2 = (sum + (sum * sum - a2 * 4.0 * dx2).at_least(0.0).sqrt()) * 0.5;
-    let inverse = T::from(1.0) / zeta2;
-    let m = a2 * inverse;
-    (dx2 * inverse * (m * (m * 0.75 * m + 3.35) - 3.0) + 1.0) * inverse
-}
-
-/// D and d(a D)/da of the source, shifted along x against the targets or not.
+/// The influence of the source, shifted along x against the targets or not, on each of them.
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn influence(source: &Source, is_skewed: bool, at: &Targets, acting: &mut Acting) {
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
-    let a = source.half_length;
+    let inverse = 1.0 / source.half_length;
     if is_skewed {
         for k in 0..count {
-            (acting.d[k], acting.slope[k]) = skewed_pair(source.x - at.x[k], source.y - at.y[k], a);
+            let (dx, dy) = (source.x - at.x[k], source.y - at.y[k]);
+            let influence = shifted_at(dx * inverse, dy * inverse);
+            acting.d[k] = influence.d;
+            acting.slope[k] = influence.slope;
+            acting.bend[k] = influence.bend;
         }
     } else {
         for k in 0..count {
-            (acting.d[k], acting.slope[k]) = straight_pair(source.y - at.y[k], a);
+            let influence = centred_at((source.y - at.y[k]) * inverse);
+            acting.d[k] = influence.d;
+            acting.slope[k] = influence.slope;
+            acting.bend[k] = influence.bend;
         }
     }
 }
@@ -177,24 +165,26 @@ pub fn within_lobe(
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
     for k in 0..count {
-        (acting.own_d[k], acting.own_slope[k]) =
-            straight_pair(source.y - at.y[k], at.half_length[k]);
+        let own = centred_at((source.y - at.y[k]) * at.inverse_length[k]);
+        acting.own_d[k] = own.d;
+        acting.own_slope[k] = own.slope;
+        acting.own_bend[k] = own.bend;
     }
-    let Source { y, x, tangent, width, pressure: q, half_length: a, legendre, .. } = *source;
+    let Source { y, tangent, width, pressure: q, half_length: a, legendre, .. } = *source;
     let a2 = a * a;
+    let inverse2 = 1.0 / a2;
     for k in 0..count {
         let w = width * at.other[k];
         let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
-        let (c, d, slope) = (logarithm[k], acting.d[k], acting.slope[k]);
-        let (dy, dx) = (at.y[k] - y, at.x[k] - x);
-        let square = dy * dy;
-        let bend = bend(a, dx, dy);
-        // Exact straight across.
-        let turn = 2.0 * a2 * bend * bend * d;
-        let pair_sum = 1.0 / (a2 + square);
-        let b = a2 * pair_sum;
-        let e = b * pair_sum;
         let turned = w * cosine;
+        let (c, d, slope) = (logarithm[k], acting.d[k], acting.slope[k]);
+        let square = (at.y[k] - y) * (at.y[k] - y);
+        let bend = acting.bend[k] * inverse2;
+        // Exact straight across.
+        let turn = 2.0 * acting.bend[k] * bend * d;
+        let sum = 1.0 / (a2 + square);
+        let b = a2 * sum;
+        let e = b * sum;
         let by_pressure = turned * slope + c * b * (3.0 - 2.0 * b);
         let bent_by_pressure = turned * (slope * bend - turn) + c * e * (3.0 - 4.0 * b);
         let u = q * (turned * d + c * b);
@@ -211,24 +201,23 @@ pub fn within_lobe(
             sums.bent_by_shape[term][k] += bent_by_length * p;
         }
         // The same with the half length of the target, which takes the singularity out.
-        let (own_d, own_slope) = (acting.own_d[k], acting.own_slope[k]);
-        let own2 = at.half_length[k] * at.half_length[k];
-        let sum = 1.0 / (own2 + square);
-        let own_turn = 2.0 * own2 * sum * sum * own_d;
-        let own_b = own2 * sum;
-        let own_e = own_b * sum;
-        sums.own_u[k] += w * own_d + c * own_b;
-        sums.own_q[k] += w * own_slope + c * own_b * (3.0 - 2.0 * own_b);
-        sums.own_curvature[k] += w * own_d * sum + c * own_e;
-        sums.own_bent_q[k] += w * (own_slope * sum - own_turn) + c * own_e * (3.0 - 4.0 * own_b);
+        let (own_d, own_slope, own_b) = (acting.own_d[k], acting.own_slope[k], acting.own_bend[k]);
+        let own_sum = own_b * at.inverse_length[k] * at.inverse_length[k];
+        let own_turn = 2.0 * own_b * own_sum * own_d;
+        let own_c = c * own_b;
+        sums.own_u[k] += w * own_d + own_c;
+        sums.own_q[k] += w * own_slope + own_c * (3.0 - 2.0 * own_b);
+        sums.own_curvature[k] += (w * own_d + own_c) * own_sum;
+        sums.own_bent_q[k] +=
+            w * (own_slope * own_sum - own_turn) + own_c * own_sum * (3.0 - 4.0 * own_b);
         let own_pressure = at.pressure[k];
         let own_drop = 2.0 * own_d - own_slope;
         let drop = 2.0 * d - slope;
         sums.scaled_u[k] += w * (q * drop - own_pressure * own_drop)
             + c * (q * b * (2.0 * b - 1.0) - own_pressure * own_b * (2.0 * own_b - 1.0));
         sums.scaled_curvature[k] += w
-            * (q * (drop - 2.0 * d * square * pair_sum) * pair_sum
-                - own_pressure * (own_drop - 2.0 * own_d * square * sum) * sum);
+            * (q * (drop - 2.0 * d * square * sum) * sum
+                - own_pressure * (own_drop - 2.0 * own_d * square * own_sum) * own_sum);
     }
 }
 
@@ -244,14 +233,14 @@ pub fn from_elsewhere(
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
     let Source { y, x, x_slope, tangent, width, pressure: q, half_length: a, .. } = *source;
-    let a2 = a * a;
+    let inverse2 = 1.0 / (a * a);
     for k in 0..count {
         let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
         let (d, slope) = (acting.d[k], acting.slope[k]);
         let (dy, dx) = (at.y[k] - y, at.x[k] - x);
-        let bend = bend(a, dx, dy);
+        let bend = acting.bend[k] * inverse2;
         // Exact straight across.
-        let turn = 2.0 * a2 * bend * bend * d;
+        let turn = 2.0 * acting.bend[k] * bend * d;
         let turned = width * cosine;
         let by_pressure = turned * slope;
         let bent_by_pressure = turned * (slope * bend - turn);

@@ -22,7 +22,9 @@ pub struct LobeRule {
     /// goes through them: factors of the four.
     pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
-    pub legendre: Vec<Vec<f64>>,
+    pub legendre: Vec<[f64; TERMS]>,
+    /// Roots of the distances of the nodes from the left and the right end.
+    pub roots: Vec<[f64; 2]>,
     /// How far a node travels with the left and the right edge.
     pub travel: [Vec<f64>; 2],
 }
@@ -46,8 +48,8 @@ impl LobeRule {
             }
         }
         let terms = TERMS.min(count - 3);
-        let legendre: Vec<Vec<f64>> =
-            (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
+        let legendre = t.iter().map(|&t| legendre(t)).collect();
+        let roots = t.iter().map(|t| [(1.0 + t).sqrt(), (1.0 - t).sqrt()]).collect();
         let closure = lagrange_closure([t[1], t[2], t[3]], t[0]);
         let outer_closures = [0, 1].map(|outer| lagrange_closure([t[2], t[3], t[4]], t[outer]));
         let met_closure =
@@ -62,6 +64,7 @@ impl LobeRule {
             outer_closures,
             met_closure,
             legendre,
+            roots,
             travel,
             nodes: t,
             weights,

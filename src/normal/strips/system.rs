@@ -56,7 +56,6 @@ impl Assembly<'_> {
 
     /// Derivative of the pressure of node `k` of a lobe by its ratio [-].
     fn ratio_factor(&self, lobe: usize, k: usize) -> f64 {
-        // What is not loaded does not act.
         let j = self.lobes[lobe].first + k;
         if self.nodes.ratio[j] > 0.0 { self.nodes.edge_shape[j] } else { 0.0 }
     }
@@ -64,11 +63,14 @@ impl Assembly<'_> {
     /// Fills the Newton matrix and its right side (minus the residuals).
     pub fn assemble(&self, m: &mut Matrices) {
         let unknowns = self.lobes.len() * self.unknowns_per_lobe();
-        for column in m.newton[..unknowns * stride(unknowns)].chunks_exact_mut(LANES) {
-            column.fill(0.0);
+        let n = self.rule.count();
+        let columns = m.newton[..unknowns * stride(unknowns)].chunks_exact_mut(stride(unknowns));
+        for column in columns {
+            for lobe in column[..unknowns].chunks_exact_mut(self.unknowns_per_lobe()) {
+                lobe[n..].fill(0.0);
+            }
         }
         m.right[..unknowns].fill(0.0);
-        let n = self.rule.count();
         for (number, lobe) in self.lobes.iter().enumerate() {
             let nodes = self.nodes;
             let load = (lobe.first..lobe.first + n)
@@ -97,9 +99,14 @@ impl Assembly<'_> {
                 continue;
             }
             sums.begin_lobe(targets.vectors);
-            for k in (0..n).filter(|k| self.nodes.pressure[lobe.first + k] > 0.0) {
-                from_elsewhere(&self.source(lobe, k), self.skewed, targets, acting, sums);
-                rows.put_node(targets, acting, number, k);
+            for k in 0..n {
+                if self.nodes.pressure[lobe.first + k] > 0.0 {
+                    from_elsewhere(&self.source(lobe, k), self.skewed, targets, acting, sums);
+                    rows.put_node(targets, acting, number, k);
+                } else {
+                    // What is not loaded does not act.
+                    rows.put(number * block + k, 0.0, &sums.u);
+                }
             }
             rows.put_lobe(targets, sums, number);
         }
@@ -143,11 +150,12 @@ impl Assembly<'_> {
             targets.tangent[0][k] = nodes.tangent[i][0];
             targets.tangent[1][k] = nodes.tangent[i][1];
             targets.pressure[k] = nodes.pressure[i];
-            targets.half_length[k] = nodes.half_length[i];
+            targets.inverse_length[k] = 1.0 / nodes.half_length[i];
             targets.other[k] = 1.0;
             let weight = if k < part.count { self.share(part, k) * nodes.radius[i] } else { 0.0 };
-            for (weights, polynomial) in targets.weights.iter_mut().zip(&rule.legendre) {
-                weights[k] = weight * polynomial[part.begin + k.min(part.count - 1)];
+            let polynomials = rule.legendre[part.begin + k.min(part.count - 1)];
+            for (weights, polynomial) in targets.weights.iter_mut().zip(polynomials) {
+                weights[k] = weight * polynomial;
             }
         }
     }
@@ -175,7 +183,7 @@ impl Assembly<'_> {
             width: nodes.width[j],
             pressure: nodes.pressure[j],
             half_length: nodes.half_length[j],
-            legendre: std::array::from_fn(|l| rule.legendre.get(l).map_or(0.0, |p| p[k])),
+            legendre: rule.legendre[k],
             travel: [rule.travel[0][k], rule.travel[1][k]],
             stretch: [-stretch, stretch],
         }
@@ -191,7 +199,7 @@ impl Assembly<'_> {
             let t = part.begin + k;
             let i = first + t;
             let (y, q, a) = (nodes.y[i], nodes.pressure[i], nodes.half_length[i]);
-            let inverse = 1.0 / a;
+            let inverse = targets.inverse_length[k];
             let (mut u, mut curvature) = (-q * sums.own_u[k], -q * sums.own_curvature[k]);
             let (mut by_pressure, mut bent_by_pressure) = (-sums.own_q[k], -sums.own_bent_q[k]);
             let (mut slope, mut bent_slope) = ([0.0; 2], [0.0; 2]);
@@ -216,9 +224,9 @@ impl Assembly<'_> {
             rows.put_own(targets, k, by_pressure, bent_by_pressure, weighted_more);
             let by_length = q * by_pressure - u;
             let bent_by_length = q * bent_by_pressure - curvature + excess;
-            for (term, polynomial) in rule.legendre.iter().enumerate() {
-                sums.by_shape[term][k] += by_length * polynomial[t];
-                sums.bent_by_shape[term][k] += bent_by_length * polynomial[t];
+            for (term, polynomial) in rule.legendre[t].into_iter().enumerate() {
+                sums.by_shape[term][k] += by_length * polynomial;
+                sums.bent_by_shape[term][k] += bent_by_length * polynomial;
             }
             for side in 0..2 {
                 let moved = rule.travel[side][t];
