@@ -78,9 +78,9 @@ pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
     for step in 0..n {
         let pivots = &matrix[step * stride..step * stride + n];
         let (mut pivot, mut largest) = (step, 0.0);
-        for (row, value) in pivots.iter().enumerate().skip(step) {
+        for (row, value) in pivots[step..].iter().enumerate() {
             if value.abs() > largest {
-                (pivot, largest) = (row, value.abs());
+                (pivot, largest) = (step + row, value.abs());
             }
         }
         // Not a number compares false as well.
@@ -94,25 +94,29 @@ pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
         }
         // Whole vectors of rows and columns: those that are done have no factor.
         let done = (step + 1) / LANES;
+        let left = (step + 1) % LANES;
         let pivots = &matrix[step * stride..(step + 1) * stride];
         let inverse = 1.0 / pivots[step];
-        own[LANES * done..=step].fill(0.0);
-        for (factor, value) in own[step + 1..].iter_mut().zip(&pivots[step + 1..]) {
-            *factor = value * inverse;
+        let pivots = &pivots.as_chunks::<LANES>().0[done..];
+        let factors = &mut own.as_chunks_mut::<LANES>().0[done..];
+        for (factors, pivots) in factors.iter_mut().zip(pivots) {
+            *factors = pivots.map(|value| value * inverse);
         }
-        let factors = &own.as_chunks::<LANES>().0[done..];
+        if let Some(first) = factors.first_mut() {
+            first[..left].fill(0.0);
+        }
         let groups = matrix[LANES * done * stride..].chunks_exact_mut(LANES * stride);
         for (group, columns) in groups.enumerate() {
-            let first = LANES * (done + group);
-            let shares: [f64; LANES] = std::array::from_fn(|k| {
-                if first + k > step { columns[k * stride + step] } else { 0.0 }
-            });
+            let mut shares = [0, 1, 2, 3].map(|k| columns[k * stride + step]);
+            if group == 0 {
+                shares[..left].fill(0.0);
+            }
             let (a, columns) = columns.as_chunks_mut::<LANES>().0.split_at_mut(vectors);
             let (b, columns) = columns.split_at_mut(vectors);
             let (c, d) = columns.split_at_mut(vectors);
             let columns =
                 a[done..].iter_mut().zip(&mut b[done..]).zip(&mut c[done..]).zip(&mut d[done..]);
-            for ((((a, b), c), d), factors) in columns.zip(factors) {
+            for ((((a, b), c), d), factors) in columns.zip(factors.iter()) {
                 *a = less(*a, shares[0], *factors);
                 *b = less(*b, shares[1], *factors);
                 *c = less(*c, shares[2], *factors);

@@ -15,6 +15,7 @@
 
 mod cell;
 mod changes;
+mod closures;
 mod fixed;
 mod influence;
 mod lobes;

@@ -1,5 +1,6 @@
 //! Memory of the solver: the nodes of all lobes, and the matrices over them.
 
+use super::closures::{Closure, OF_LOBE, Run};
 use super::pair_sums::{Acting, Column, Sums, Targets};
 use crate::math::linear_system;
 
@@ -109,6 +110,10 @@ pub struct Matrices {
     pub newton: Vec<f64>,
     /// Its right side: residuals, then the step.
     pub right: Vec<f64>,
+    /// Unknowns that follow others, and rows and columns of the rest.
+    pub closures: Vec<Closure>,
+    pub runs: Vec<Run>,
+    pub columns: Vec<usize>,
 }
 
 /// What a row of the Newton matrix is made of, for some nodes at once.
@@ -126,8 +131,8 @@ impl Matrices {
         self.d.len()
     }
 
-    /// Room for `nodes` nodes and `unknowns` unknowns.
-    pub fn new(nodes: usize, unknowns: usize) -> Self {
+    /// Room for `lobes` lobes with `nodes` nodes and `unknowns` unknowns in all.
+    pub fn new(lobes: usize, nodes: usize, unknowns: usize) -> Self {
         let row = || vec![0.0; nodes];
         Self {
             d: row(),
@@ -136,7 +141,10 @@ impl Matrices {
             straight_slope: row(),
             scratch: Box::default(),
             newton: vec![0.0; linear_system::room(unknowns).max(nodes * nodes)],
-            right: vec![0.0; unknowns],
+            right: vec![0.0; linear_system::stride(unknowns)],
+            closures: Vec::with_capacity(OF_LOBE * lobes),
+            runs: Vec::with_capacity(OF_LOBE * lobes),
+            columns: Vec::with_capacity(unknowns),
         }
     }
 }

@@ -7,7 +7,6 @@ use super::nodes::{Lobe, Matrices, Nodes};
 use super::rule::LobeRule;
 use super::system::Assembly;
 use crate::geometry::separation::Probe;
-use crate::math::linear_system;
 use crate::math::room::Room;
 use crate::normal::Strips;
 
@@ -111,7 +110,7 @@ impl StripSolver {
             cells: Room::new(64),
             lobes: Room::new(MOST_LOBES),
             nodes: Nodes::with_capacity(nodes),
-            matrices: Matrices::new(nodes, unknowns),
+            matrices: Matrices::new(MOST_LOBES, nodes, unknowns),
             caution: 1.0,
             last_step: 0,
             work: Work::default(),
@@ -171,8 +170,6 @@ impl StripSolver {
 
     /// Newton's method for the present lobes; false where it does not converge.
     fn newton(&mut self, line: &mut impl Line) -> bool {
-        let n = self.rule.count();
-        let block = n + 2 + self.rule.terms;
         let depth = self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
         let (mut before, mut damping) = (f64::INFINITY, 1.0f64);
         for _ in 0..MOST_STEPS {
@@ -181,7 +178,6 @@ impl StripSolver {
             }
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
-            let unknowns = self.lobes.len() * block;
             let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
             if scale.is_nan() || scale <= 0.0 {
                 return false;
@@ -197,8 +193,7 @@ impl StripSolver {
                 scale,
             };
             assembly.assemble(&mut self.matrices);
-            let Matrices { newton, right, .. } = &mut self.matrices;
-            if !linear_system::solve_by_columns(newton, &mut right[..unknowns]) {
+            if !assembly.solve(&mut self.matrices) {
                 return false;
             }
             let (share, change) = self.step_share(scale);

@@ -69,8 +69,9 @@ impl Assembly<'_> {
             for lobe in column[..unknowns].chunks_exact_mut(self.unknowns_per_lobe()) {
                 lobe[n..].fill(0.0);
             }
+            column[unknowns..].fill(0.0);
         }
-        m.right[..unknowns].fill(0.0);
+        m.right.fill(0.0);
         for (number, lobe) in self.lobes.iter().enumerate() {
             let nodes = self.nodes;
             let load = (lobe.first..lobe.first + n)
