@@ -126,7 +126,7 @@ pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
     }
     right.copy_from_slice(&matrix[n * stride..n * stride + n]);
     for column in (0..n).rev() {
-        let values = &matrix[column * stride..column * stride + column + 1];
+        let values = &matrix[column * stride..=column * stride + column];
         right[column] /= values[column];
         let x = right[column];
         for (a, value) in right[..column].iter_mut().zip(values) {

@@ -153,6 +153,8 @@ fn influence(source: &Source, is_skewed: bool, at: &Targets, acting: &mut Acting
 }
 
 /// Adds a source in the lobe of the targets; `logarithm` has the weights of the logarithm, zero where the target is the source.
+// Iterators over so many columns would not be read more easily.
+#[allow(clippy::needless_range_loop)]
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 pub fn within_lobe(
     source: &Source,
