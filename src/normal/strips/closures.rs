@@ -155,3 +155,65 @@ fn substitute(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+    use crate::normal::Strips;
+    use crate::normal::strips::FrameLine;
+    use crate::normal::strips::solver::StripSolver;
+
+    /// Two bowls beside each other, whose lobes have met.
+    struct Bowls;
+
+    impl Separation for Bowls {
+        fn at(&mut self, u: f64) -> SeparationPoint {
+            let f = 4e7 * (u * u - 9e-6) * (u * u - 9e-6) / 81.0;
+            SeparationPoint { y: u, dy: 1.0, f, x: 0.0 }
+        }
+    }
+
+    #[test]
+    fn the_smaller_system_has_the_solution_of_the_whole_one() {
+        for (approach, met) in [(3e-5, false), (3e-4, true)] {
+            for count in [7, 8, 12, 35] {
+                let probes: Vec<Probe> = (-90..=90)
+                    .map(|i| f64::from(i) * 1e-4)
+                    .map(|u| Probe { u, f: Bowls.at(u).f })
+                    .collect();
+                let mut line = FrameLine { separation: &mut Bowls, approach, radius: 0.5 };
+                let mut solver = StripSolver::new(count);
+                let mut strips = Strips::with_capacity(4, count);
+                assert!(solver.solve(&mut line, &probes, approach, 1e11, &mut strips));
+                assert_eq!(solver.lobes.len(), 2);
+                assert_eq!(solver.cells[0].met, [false, met]);
+                // Away from the solution, so that there is a step.
+                for (k, ratio) in solver.nodes.ratio.iter_mut().enumerate() {
+                    *ratio *= 1.0 + 0.01 * (k as f64).sin();
+                }
+                let assembly = Assembly {
+                    rule: &solver.rule,
+                    integrals: &solver.integrals,
+                    cells: &solver.cells,
+                    lobes: &solver.lobes,
+                    nodes: &solver.nodes,
+                    skewed: false,
+                    depth: approach,
+                    scale: solver.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(*b)),
+                };
+                let size = 2 * assembly.unknowns_per_lobe();
+                assembly.assemble(&mut solver.matrices);
+                let mut whole = solver.matrices.newton.clone();
+                let mut step = solver.matrices.right[..size].to_vec();
+                assert!(solve_by_columns(&mut whole, &mut step));
+                assert!(assembly.solve(&mut solver.matrices));
+                let greatest = step.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+                for (own, step) in solver.matrices.right.iter().zip(&step) {
+                    approx::assert_abs_diff_eq!(own, step, epsilon = 1e-9 * greatest);
+                }
+            }
+        }
+    }
+}
