@@ -17,6 +17,7 @@ mod cell;
 mod changes;
 mod fixed;
 mod influence;
+mod joints;
 mod lobes;
 mod moving;
 mod nodes;

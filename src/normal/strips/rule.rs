@@ -17,9 +17,6 @@ pub struct LobeRule {
     pub corrections: Vec<f64>,
     /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
     pub outer_closures: [[f64; 4]; 2],
-    /// What the value of the outermost node is beyond that of the next three where a parabola times the root of the distance from the end
-    /// goes through them: factors of the four.
-    pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
     pub legendre: Vec<Vec<f64>>,
     /// How far a node travels with the left and the right edge.
@@ -45,40 +42,18 @@ impl LobeRule {
         let terms = TERMS.min(count - 3);
         let legendre: Vec<Vec<f64>> =
             (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
-        let closure = lagrange_closure([t[1], t[2], t[3]], t[0]);
         let outer_closures = [0, 1].map(|outer| lagrange_closure([t[2], t[3], t[4]], t[outer]));
-        let met_closure =
-            std::array::from_fn(|k| closure[k] * ((1.0 + t[0]) / (1.0 + t[k])).sqrt());
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self {
-            terms,
-            corrections,
-            outer_closures,
-            met_closure,
-            legendre,
-            travel,
-            nodes: t,
-            weights,
-        }
+        Self { terms, corrections, outer_closures, legendre, travel, nodes: t, weights }
     }
 
     /// Number of nodes.
     #[must_use]
     pub fn count(&self) -> usize {
         self.nodes.len()
-    }
-
-    /// Nodes at the end `side` of a lobe, which meets another one there, and factors of their ratios in the pressure at that end beyond
-    /// that of a free one; `met` tells which of its ends do.
-    pub fn met_end(&self, met: [bool; 2], side: usize) -> impl Iterator<Item = (usize, f64)> {
-        let n = self.count();
-        let node = move |k| if side == 0 { k } else { n - 1 - k };
-        // The root of the distance from the other end.
-        let factor = if met[1 - side] { 1.0 } else { std::f64::consts::SQRT_2 };
-        self.met_closure.iter().enumerate().map(move |(k, c)| (node(k), factor * c))
     }
 }
 
@@ -101,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parabolas_close_free_ends_and_their_products_with_the_root_met_ones() {
+    fn parabolas_close_free_ends() {
         let rule = LobeRule::new(12);
         let f = |t: f64| 1.0 + t * (0.5 - 2.0 * t);
         let at = |k: usize| f(rule.nodes[k]);
@@ -109,8 +84,5 @@ mod tests {
             let free: f64 = closure.iter().zip(nodes).map(|(c, k)| c * at(k)).sum();
             approx::assert_abs_diff_eq!(free, 0.0, epsilon = 1e-14);
         }
-        let root = |k: usize| (1.0 + rule.nodes[k]).sqrt();
-        let met: f64 = (0..4).map(|k| rule.met_closure[k] * at(k) * root(k)).sum();
-        approx::assert_abs_diff_eq!(met, 0.0, epsilon = 1e-14);
     }
 }
