@@ -177,9 +177,9 @@ impl StripSolver {
         }
         let share = self.apart.share;
         let between = |joined: f64, apart: f64| joined + share * (apart - joined);
-        for (i, [pressure, half_length]) in self.apart.nodes.iter_mut().enumerate() {
-            *pressure = between(self.nodes.pressure[i], *pressure);
-            *half_length = between(self.nodes.half_length[i], *half_length);
+        for (i, [pressure, half_length]) in self.apart.nodes.iter().enumerate() {
+            self.nodes.pressure[i] = between(self.nodes.pressure[i], *pressure);
+            self.nodes.half_length[i] = between(self.nodes.half_length[i], *half_length);
         }
         for (lobe, apart) in self.lobes.iter().zip(&self.apart.edges) {
             let edges = &mut self.cells[lobe.cell].edges;
@@ -187,11 +187,20 @@ impl StripSolver {
                 edges[side] = between(edges[side], apart[side]);
             }
         }
+        self.place_mixed(line);
+        let [left, right] = [0, 1].map(|k| self.lobes[number + k].cell);
+        (self.cells[left].met[1], self.cells[right].met[0]) = (false, false);
+    }
+
+    /// Places the nodes anew between ends that are mixed, with the pressures and half lengths that they have.
+    pub(super) fn place_mixed(&mut self, line: &mut impl Line) {
+        let columns = (&self.nodes.pressure, &self.nodes.half_length);
+        self.apart.nodes.clear();
+        self.apart.nodes.extend(columns.0.iter().zip(columns.1).map(|(q, a)| [*q, *a]));
         self.place_nodes(line);
         for (i, [pressure, half_length]) in self.apart.nodes.iter().enumerate() {
             (self.nodes.pressure[i], self.nodes.half_length[i]) = (*pressure, *half_length);
         }
-        let [left, right] = [0, 1].map(|k| self.lobes[number + k].cell);
-        (self.cells[left].met[1], self.cells[right].met[0]) = (false, false);
+        self.is_mixed = true;
     }
 }

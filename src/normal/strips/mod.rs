@@ -15,6 +15,7 @@
 
 mod cell;
 mod changes;
+mod faint_ridges;
 mod fixed;
 mod influence;
 mod joints;

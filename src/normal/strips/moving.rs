@@ -104,7 +104,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
         found: &Strips,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
-        if solver.apart.lobe.is_some() {
+        if solver.is_mixed {
             return false;
         }
         let nodes = &solver.nodes;

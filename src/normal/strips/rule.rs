@@ -11,6 +11,8 @@ pub struct LobeRule {
     pub nodes: Vec<f64>,
     /// Weights, with dt/ds in them.
     pub weights: Vec<f64>,
+    /// Weights of the polynomial in s through values at the nodes, in its barycentric form.
+    pub barycentric: Vec<f64>,
     /// Terms of the shape, as many as the nodes carry.
     pub terms: usize,
     /// See [`logarithm_corrections`].
@@ -33,6 +35,9 @@ impl LobeRule {
             gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
         let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
         let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
+        let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+        let pairs = gauss.nodes.iter().zip(&gauss.weights).enumerate();
+        let barycentric = pairs.map(|(k, (s, w))| sign(k) * ((1.0 - s * s) * w).sqrt()).collect();
         let mut corrections = logarithm_corrections(&gauss);
         for i in 0..count {
             for j in 0..count {
@@ -47,7 +52,16 @@ impl LobeRule {
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
-        Self { terms, corrections, outer_closures, legendre, travel, nodes: t, weights }
+        Self {
+            terms,
+            barycentric,
+            corrections,
+            outer_closures,
+            legendre,
+            travel,
+            nodes: t,
+            weights,
+        }
     }
 
     /// Number of nodes.

@@ -2,6 +2,7 @@
 
 use super::Line;
 use super::cell::{self, Cell};
+use super::faint_ridges::{self, WithoutRidge};
 use super::influence::Integrals;
 use super::joints::Apart;
 use super::nodes::{Lobe, Matrices, Nodes};
@@ -84,6 +85,9 @@ pub struct StripSolver {
     pub(super) nodes: Nodes,
     pub(super) matrices: Matrices,
     pub(super) apart: Apart,
+    pub(super) without_ridge: WithoutRidge,
+    /// Whether the strips are between two solutions.
+    pub(super) is_mixed: bool,
     /// Share of the Newton step that is taken far from the solution.
     pub(super) caution: f64,
     /// Count of Newton steps at which the present problem is given up.
@@ -115,6 +119,8 @@ impl StripSolver {
             nodes: Nodes::with_capacity(nodes),
             matrices: Matrices::new(strips, nodes, unknowns),
             apart: Apart::with_capacity(nodes, MOST_LOBES),
+            without_ridge: WithoutRidge::with_capacity(nodes),
+            is_mixed: false,
             caution: 1.0,
             last_step: 0,
             work: Work::default(),
@@ -133,14 +139,23 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         self.work.solved += 1;
-        self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
-        for start in STARTS {
-            cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-            self.caution = start.caution;
-            if self.settle(line, (probes, level), start) {
-                self.emit(contact_modulus, strips);
-                return true;
-            }
+        let least = cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
+        let weight = faint_ridges::weight(least);
+        let without = weight < 1.0 && self.find(line, (probes, level), least);
+        // What is between two solutions already is not mixed once more.
+        let kept = without && !self.is_mixed;
+        if kept {
+            self.keep_without_ridge();
+        }
+        let mut found = self.find(line, (probes, level), LEAST_SHARE);
+        if found && kept && !self.is_mixed {
+            self.mix_without_ridge(line, weight);
+        } else if !found && without {
+            found = self.find(line, (probes, level), least);
+        }
+        if found {
+            self.emit(contact_modulus, strips);
+            return true;
         }
         self.work.fixed += 1;
         if self.solve_fixed(line, (probes, level), contact_modulus, strips) {
@@ -151,9 +166,20 @@ impl StripSolver {
         false
     }
 
+    /// Finds a solution for the cells between ridges of more than `least_share`.
+    fn find(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), least_share: f64) -> bool {
+        self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
+        STARTS.iter().any(|start| {
+            cell::fill(overlap.0, overlap.1, least_share, &mut self.cells);
+            self.caution = start.caution;
+            self.settle(line, overlap, *start)
+        })
+    }
+
     /// Finds the lobes of all cells.
     fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) -> bool {
         self.apart.lobe = None;
+        self.is_mixed = false;
         self.begin(line, overlap, start);
         if start.met && !self.begin_met() {
             return false;
