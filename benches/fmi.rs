@@ -9,12 +9,13 @@ mod host;
 
 use std::hint::black_box;
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use host::{Host, reference};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+use host::Host;
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::fmi::abi::{fmi2DoStep, fmi2GetReal, fmi2SetReal};
 use wheelrail::fmi::types::{Status, TRUE, ValueReference};
-use wheelrail::variables::{Causality, Kind, VARIABLES, WHEELSET};
+use wheelrail::variables::{Causality, Kind, WHEELSET};
 use wheelrail::wheelset::{self, Wheelset};
 
 /// Scenes and their heights against first touch, down positive [m].
@@ -34,6 +35,41 @@ const INPUTS: [&str; 12] = [
     "wheel.pitch_rate",
 ];
 const OUTPUTS: usize = 34;
+
+/// One round of calls to `host`, with `inputs` at y and z, no angles, and six rates.
+fn calls(
+    group: &mut BenchmarkGroup<WallTime>,
+    host: &Host,
+    inputs: &[impl AsRef<str>; 12],
+    [y, z]: [f64; 2],
+    rates: [f64; 6],
+) {
+    let inputs = inputs.each_ref().map(|name| host.reference(name.as_ref()));
+    let [vx, vy, vz, roll_rate, yaw_rate, pitch_rate] = rates;
+    let mut values = [0.0, y, z, 0.0, 0.0, 0.0, vx, vy, vz, roll_rate, yaw_rate, pitch_rate];
+    let outputs: Vec<ValueReference> = (host.unit.variables.iter())
+        .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real)
+        .map(|v| host.reference(v.name))
+        .take(OUTPUTS)
+        .collect();
+    let mut results = [0.0; OUTPUTS];
+    let mut step = 1e-10;
+    group.bench_function("set_step_get", |b| {
+        b.iter(|| {
+            step = -step;
+            values[2] = z + step;
+            // SAFETY: FMI 2.0, 2.1.7: all arrays hold as many elements as their counts say.
+            let worst = unsafe {
+                let c = host.component;
+                fmi2SetReal(c, inputs.as_ptr(), inputs.len(), values.as_ptr())
+                    .max(fmi2DoStep(c, 0.0, 1e-4, TRUE))
+                    .max(fmi2GetReal(c, outputs.as_ptr(), OUTPUTS, results.as_mut_ptr()))
+            };
+            assert_eq!(worst, Status::Ok);
+            black_box(results[0])
+        });
+    });
+}
 
 fn round(c: &mut Criterion) {
     for (scene, depth) in SCENES {
@@ -56,35 +92,9 @@ fn round(c: &mut Criterion) {
             });
         });
 
-        let host = Host::stepping();
-        let inputs = INPUTS.map(reference);
         let wheel = &input.wheel;
-        let mut values = [0.0, wheel.position[1], z, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        values[11] = wheel.pitch_rate;
-        let outputs: Vec<ValueReference> = VARIABLES
-            .iter()
-            .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real)
-            .map(|v| reference(v.name))
-            .take(OUTPUTS)
-            .collect();
-        let mut results = [0.0; OUTPUTS];
-        group.bench_function("set_step_get", |b| {
-            b.iter(|| {
-                step = -step;
-                values[2] = z + step;
-                // SAFETY: FMI 2.0, 2.1.7: both arrays hold as many elements as the count says.
-                let set = unsafe {
-                    fmi2SetReal(host.component, inputs.as_ptr(), inputs.len(), values.as_ptr())
-                };
-                let stepped = fmi2DoStep(host.component, 0.0, 1e-4, TRUE);
-                // SAFETY: as above.
-                let got = unsafe {
-                    fmi2GetReal(host.component, outputs.as_ptr(), OUTPUTS, results.as_mut_ptr())
-                };
-                assert_eq!([set, stepped, got], [Status::Ok; 3]);
-                black_box(results[0])
-            });
-        });
+        let rates = [20.0, 0.0, 0.0, 0.0, 0.0, wheel.pitch_rate];
+        calls(&mut group, &Host::stepping(), &INPUTS, [wheel.position[1], z], rates);
         group.finish();
     }
 }
@@ -109,35 +119,9 @@ fn round_of_wheelset(c: &mut Criterion) {
         });
     });
     assert!(output.sides.iter().all(|side| side.patch_count > 0));
-    let host = Host::stepping_of(&WHEELSET);
-    let inputs = INPUTS.map(|name| host.reference(&name.replace("wheel.", "wheelset.")));
-    let mut values = [0.0, -1e-3, z, 0.0, 0.0, 0.0, 20.0, 0.0, 0.0, 0.0, 0.0, -20.0 / 0.46];
-    let real = |v: &&wheelrail::variables::Variable| {
-        v.causality == Causality::Output && v.kind == Kind::Real
-    };
-    let outputs: Vec<ValueReference> = WHEELSET
-        .variables
-        .iter()
-        .filter(real)
-        .map(|v| host.reference(v.name))
-        .take(OUTPUTS)
-        .collect();
-    let mut results = [0.0; OUTPUTS];
-    group.bench_function("set_step_get", |b| {
-        b.iter(|| {
-            step = -step;
-            values[2] = z + step;
-            // SAFETY: FMI 2.0, 2.1.7: all arrays hold as many elements as their counts say.
-            let worst = unsafe {
-                let c = host.component;
-                fmi2SetReal(c, inputs.as_ptr(), inputs.len(), values.as_ptr())
-                    .max(fmi2DoStep(c, 0.0, 1e-4, TRUE))
-                    .max(fmi2GetReal(c, outputs.as_ptr(), OUTPUTS, results.as_mut_ptr()))
-            };
-            assert_eq!(worst, Status::Ok);
-            black_box(results[0])
-        });
-    });
+    let inputs = INPUTS.map(|name| name.replace("wheel.", "wheelset."));
+    let rates = [20.0, 0.0, 0.0, 0.0, 0.0, input.wheelset.pitch_rate];
+    calls(&mut group, &Host::stepping_of(&WHEELSET), &inputs, [-1e-3, z], rates);
     group.finish();
 }
 

@@ -66,24 +66,29 @@ fn evaluate(c: &mut Criterion, group: &str, parameters: &Parameters) {
     group.finish();
 }
 
+/// The models by default, 12 strips and 20 elements along each, and with 30 of both.
 fn models(c: &mut Criterion) {
     let default = Parameters::default();
-    evaluate(c, "piotrowski_kik+fastsim_30x30", &default);
-    let normal_only = Parameters { tangential_model: TangentialModel::None, ..default.clone() };
-    evaluate(c, "piotrowski_kik+none", &normal_only);
-    let hertz = Parameters { normal_model: NormalModel::Hertz, ..default.clone() };
-    evaluate(c, "hertz+fastsim_30x30", &hertz);
-    let fastrip = Parameters { tangential_model: TangentialModel::Fastrip, ..default.clone() };
-    evaluate(c, "piotrowski_kik+fastrip_30x30", &fastrip);
-    for (name, tangential_model) in [
-        ("tables", TangentialModel::Tables),
-        ("fastsim_corrected", TangentialModel::FastsimCorrected),
+    let with = |change: fn(&mut Parameters)| {
+        let mut parameters = Parameters::default();
+        change(&mut parameters);
+        parameters
+    };
+    let fine = Parameters { strips: 30, elements_along: 30, ..default.clone() };
+    evaluate(c, "piotrowski_kik+fastsim_12x20", &default);
+    evaluate(c, "piotrowski_kik+fastsim_30x30", &fine);
+    for (name, parameters) in [
+        ("piotrowski_kik+none", with(|p| p.tangential_model = TangentialModel::None)),
+        ("hertz+fastsim", with(|p| p.normal_model = NormalModel::Hertz)),
+        ("piotrowski_kik+fastrip", with(|p| p.tangential_model = TangentialModel::Fastrip)),
+        ("piotrowski_kik+tables", with(|p| p.tangential_model = TangentialModel::Tables)),
+        (
+            "piotrowski_kik+fastsim_corrected",
+            with(|p| p.tangential_model = TangentialModel::FastsimCorrected),
+        ),
     ] {
-        let parameters = Parameters { tangential_model, ..default.clone() };
-        evaluate(c, &format!("piotrowski_kik+{name}"), &parameters);
+        evaluate(c, name, &parameters);
     }
-    let coarse = Parameters { strips: 12, elements_along: 12, ..default };
-    evaluate(c, "piotrowski_kik+fastsim_12x12", &coarse);
 }
 
 /// The strip model by its number of strips; 15 elements along.

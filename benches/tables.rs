@@ -3,7 +3,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wheelrail::tangential::tables::{CreepForceTable, scales};
+use wheelrail::tangential::tables::CreepForceTable;
+use wheelrail::tangential::tables::scales::Scales;
 
 /// ln(a/b) and creepages of states in different places of the table, so that nothing but the next few lines is in the nearest cache.
 const STATES: [(f64, [f64; 3]); 8] = [
@@ -25,7 +26,7 @@ fn look_up(c: &mut Criterion) {
         b.iter(|| {
             k = (k + 1) % STATES.len();
             let (log_ratio, v) = black_box(STATES[k]);
-            table.force(&scales(log_ratio, 0.28), v)
+            table.force(&Scales::of(log_ratio, 0.28), v)
         });
     });
     group.bench_function("look_up_with_derivatives", |b| {
@@ -33,11 +34,11 @@ fn look_up(c: &mut Criterion) {
         b.iter(|| {
             k = (k + 1) % STATES.len();
             let (log_ratio, v) = black_box(STATES[k]);
-            table.force_and_slopes(&scales(log_ratio, 0.28), v)
+            table.force_and_slopes(&Scales::of(log_ratio, 0.28), v)
         });
     });
     group.bench_function("coefficients_alone", |b| {
-        b.iter(|| scales(black_box(0.3), 0.28));
+        b.iter(|| Scales::of(black_box(0.3), 0.28));
     });
     group.finish();
 }

@@ -15,8 +15,9 @@ use wheelrail::tangential::TangentialModel;
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
 use wheelrail::tangential::tables::generate::{ELEMENTS, EllipseNodes};
 use wheelrail::tangential::tables::nodes::{RING, SATURATIONS, SLIDING_RING};
+use wheelrail::tangential::tables::scales::Scales;
 use wheelrail::tangential::tables::sliding::sliding_force;
-use wheelrail::tangential::tables::{CreepForceTable, EllipseForce, scales};
+use wheelrail::tangential::tables::{CreepForceTable, EllipseForce};
 
 fn table() -> &'static CreepForceTable {
     CreepForceTable::shared()
@@ -68,7 +69,7 @@ fn small_creepages_follow_the_linear_law_whatever_poissons_ratio() {
             let [x, y, z] = random_creepage(&mut random);
             let small = 1e-6 / (x.abs() + y.abs() + z.abs());
             let v = [x, y, z].map(|v| small * v);
-            let found = table().force(&scales(log_ratio, nu), v).force;
+            let found = table().force(&Scales::of(log_ratio, nu), v).force;
             let c = kalker_coefficients(log_ratio.exp(), nu);
             let linear = [-c.c11 * v[0], -c.c22 * v[1] - c.c23 * v[2], c.c23 * v[1] - c.c33 * v[2]];
             // What is left is of second order.
@@ -89,12 +90,12 @@ fn great_creepages_slide_in_full() {
         let v = random_creepage(&mut random);
         let length = v[0].hypot(v[1]).hypot(v[2]);
         let great = v.map(|v| 1e9 * v / length);
-        let found = table().force(&scales(log_ratio, 0.1), great).force;
+        let found = table().force(&Scales::of(log_ratio, 0.1), great).force;
         let exact = sliding_force(log_ratio, v);
         errors[0].push((found[0] - exact[0]).hypot(found[1] - exact[1]));
         errors[1].push((found[2] - exact[2]).abs());
         // Without spin the limit is met to rounding.
-        let found = table().force(&scales(log_ratio, 0.1), [great[0], great[1], 0.0]).force;
+        let found = table().force(&Scales::of(log_ratio, 0.1), [great[0], great[1], 0.0]).force;
         let slip = v[0].hypot(v[1]);
         assert_abs_diff_eq!(found[0], -v[0] / slip, epsilon = 1e-7);
         assert_abs_diff_eq!(found[1], -v[1] / slip, epsilon = 1e-7);
@@ -111,7 +112,7 @@ fn great_creepages_slide_in_full() {
 fn forces_keep_the_symmetries_and_the_friction_limit() {
     let mut random = Random::new(3);
     for _ in 0..5000 {
-        let scales = scales(random_log_ratio(&mut random), 0.28);
+        let scales = Scales::of(random_log_ratio(&mut random), 0.28);
         let [x, y, z] = random_creepage(&mut random);
         let force = |v| table().force(&scales, v);
         let found = force([x, y, z]);
@@ -127,7 +128,7 @@ fn forces_keep_the_symmetries_and_the_friction_limit() {
 fn extreme_creepages_give_finite_forces() {
     let extremes = [0.0, 1e-300, -1e-80, 1e-20, 1.0, -1e30, 1e80, 1e100];
     for log_ratio in [-40.0, -3.0, 0.0, 2.9, 13.0] {
-        let scales = scales(log_ratio, 0.28);
+        let scales = Scales::of(log_ratio, 0.28);
         for x in extremes {
             for y in extremes {
                 for z in extremes {
@@ -165,7 +166,7 @@ fn derivatives_are_those_of_differences_and_have_no_jumps() {
             } else {
                 log_ratio += h;
             }
-            table().force_and_slopes(&scales(log_ratio, nu), v)
+            table().force_and_slopes(&Scales::of(log_ratio, nu), v)
         };
         let (found, slopes) = at(0, 0.0);
         let norm = slopes.iter().flatten().fold(0.0, |most: f64, s| most.max(s.abs()));
@@ -204,7 +205,7 @@ fn states_between_the_nodes_and_other_poissons_ratios_meet_boundary_elements() {
             let ellipse = EllipseNodes::new(log_ratio, nu, [12, 18]);
             let v = random_creepage(&mut random).map(|v| 0.1 * v);
             let exact = ellipse.force(v).unwrap().force;
-            let found = table().force(&scales(log_ratio, nu), v).force;
+            let found = table().force(&Scales::of(log_ratio, nu), v).force;
             errors.push((found[0] - exact[0]).hypot(found[1] - exact[1]));
         }
         let [mean, p95, worst] = quantiles(errors);
@@ -228,7 +229,7 @@ fn three_hundred_ellipses_roll_as_by_contact() {
             scale * v("creepage_lateral"),
             scale * c * v("spin_per_mm"),
         ];
-        let found = table().force(&scales((a / b).ln(), 0.28), creepage).force;
+        let found = table().force(&Scales::of((a / b).ln(), 0.28), creepage).force;
         forces.push((found[0] - v("fx_over_mu_n")).hypot(found[1] - v("fy_over_mu_n")));
         moments.push((found[2] - v("mz_44_nmm") / (limit * c)).abs());
     }

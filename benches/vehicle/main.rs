@@ -220,7 +220,7 @@ fn growth() -> String {
         });
         line(&mut text, format_args!("| {strips} | {} |", times.join(" | ")));
     }
-    text += "\nPatches, 30 strips and 30 elements [µs]:";
+    text += "\nPatches, default models [µs]:";
     let mut second = Parameters::default();
     second.rails[1].enabled = true;
     for (name, parameters, wheelset) in [

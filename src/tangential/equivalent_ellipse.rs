@@ -11,7 +11,8 @@
 //! length to width with the area, greatest length with the area) this one has the least error: see docs/validation.md.
 
 use super::rigid_slip::RigidSlip;
-use super::tables::{CreepForceTable, EllipseForce, Tabulated};
+use super::tables::tabulated::Tabulated;
+use super::tables::{CreepForceTable, EllipseForce};
 use super::{CreepForce, Creepage, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;

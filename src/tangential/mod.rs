@@ -327,7 +327,9 @@ impl Tangential {
 }
 
 /// Numbers with which tangential problems are solved; the half-space solution on elements is one of plain numbers alone.
-pub trait CreepNumber: fastsim::Marching + fastrip::Marching + tables::Tabulated {
+pub trait CreepNumber:
+    fastsim::Marching + fastrip::Marching + tables::tabulated::Tabulated
+{
     /// The elements of a zone for the half-space solution.
     #[must_use]
     fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {

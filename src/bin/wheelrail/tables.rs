@@ -7,11 +7,12 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use wheelrail::tangential::tables::CreepForceTable;
 use wheelrail::tangential::tables::generate::{ELEMENTS, EllipseNodes, POISSON_RATIO};
 use wheelrail::tangential::tables::nodes::{
     CREEP_NODES, HALF, LOG_RATIO, Nodes, RATIOS, RING, SATURATIONS, SLIDING_RING,
 };
-use wheelrail::tangential::tables::{CreepForceTable, scales};
+use wheelrail::tangential::tables::scales::Scales;
 
 use crate::output;
 
@@ -132,7 +133,7 @@ fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<(
         let length = 0.1 * 100f64.powf(even(state, 3));
         let v = ellipse.creepage(direction, length / (length + HALF));
         let exact = ellipse.force(v).with_context(|| format!("state {state} did not converge"))?;
-        let scales = scales(log_ratio, arguments.poisson_ratio);
+        let scales = Scales::of(log_ratio, arguments.poisson_ratio);
         let found = CreepForceTable::shared().force(&scales, v);
         bar.inc(1);
         let [x, y, m] = [0, 1, 2].map(|k| found.force[k] - exact.force[k]);

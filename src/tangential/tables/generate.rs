@@ -5,7 +5,8 @@ use super::nodes::{
     AZIMUTH_CELLS, ELEVATION_CELLS, HALF, RING, SATURATION_CELLS, SLIDING_AZIMUTH_CELLS,
     SLIDING_ELEVATION_CELLS, SLIDING_RING, log_ratio, ring_direction,
 };
-use super::{Scales, scales, sliding};
+use super::scales::Scales;
+use super::sliding;
 
 /// Poisson's ratio of the table.
 pub const POISSON_RATIO: f64 = 0.28;
@@ -39,7 +40,7 @@ impl EllipseNodes {
     pub fn new(log_ratio: f64, poisson_ratio: f64, elements: [usize; 2]) -> Self {
         Self {
             log_ratio,
-            scales: scales(log_ratio, poisson_ratio),
+            scales: Scales::of(log_ratio, poisson_ratio),
             grids: elements.map(|n| Ellipse::new(log_ratio.exp(), poisson_ratio, n)),
         }
     }

@@ -16,27 +16,29 @@
 //! continuous derivatives everywhere. Beyond a/b 0.05 to 20 the linear law goes on, K and F_sliding
 //! come to rest within a tenth.
 
+mod bound;
 pub mod coefficients;
 pub mod direction;
 pub mod exact;
 pub mod generate;
 pub mod nodes;
+pub mod scales;
 pub mod sliding;
 pub mod splines;
+pub mod tabulated;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
-use super::kalker_coefficients;
 use crate::math::b_spline;
-use crate::math::dual::Dual;
-use crate::math::real::Real;
+use bound::Bound;
 use coefficients::Place;
 use direction::Direction;
 use nodes::{
     AZIMUTH_CELLS, ELEVATION_CELLS, HALF, LOG_RATIO, Nodes, RATIO_CELLS, SATURATION_CELLS,
-    SLIDING_AZIMUTH_CELLS, SLIDING_ELEVATION_CELLS, SPIN_BY_WIDTH,
+    SLIDING_AZIMUTH_CELLS, SLIDING_ELEVATION_CELLS,
 };
+use scales::Scales;
 use splines::Splines;
 
 /// The committed table.
@@ -60,112 +62,10 @@ pub struct EllipseForce<T = f64> {
 /// Derivatives of longitudinal and lateral force, moment and share of slip by the three creepages v and ln(a/b).
 pub type ForceSlopes = [[f64; 4]; 4];
 
-/// Numbers for which forces are looked up.
-pub trait Tabulated: Real {
-    /// Creep force of an ellipse of ln(a/b) = `log_ratio` for finite creepages `v`.
-    fn tabulated(
-        table: &CreepForceTable,
-        log_ratio: Self,
-        poisson_ratio: f64,
-        v: [Self; 3],
-    ) -> EllipseForce<Self>;
-}
-
-impl Tabulated for f64 {
-    #[inline]
-    fn tabulated(
-        table: &CreepForceTable,
-        log_ratio: f64,
-        poisson_ratio: f64,
-        v: [f64; 3],
-    ) -> EllipseForce {
-        table.force(&scales(log_ratio, poisson_ratio), v)
-    }
-}
-
-impl<const N: usize> Tabulated for Dual<N> {
-    fn tabulated(
-        table: &CreepForceTable,
-        log_ratio: Self,
-        poisson_ratio: f64,
-        v: [Self; 3],
-    ) -> EllipseForce<Self> {
-        let scales = scales(log_ratio.value, poisson_ratio);
-        let (found, slopes) = table.force_and_slopes(&scales, v.map(Self::value));
-        let with_slopes = |value: f64, by: &[f64; 4]| {
-            let moved = v[0] * by[0] + v[1] * by[1] + v[2] * by[2] + log_ratio * by[3];
-            Self::moving(value, moved)
-        };
-        let [x, y, moment] = found.force;
-        EllipseForce {
-            force: [
-                with_slopes(x, &slopes[0]),
-                with_slopes(y, &slopes[1]),
-                with_slopes(moment, &slopes[2]),
-            ],
-            slip_share: with_slopes(found.slip_share, &slopes[3]),
-        }
-    }
-}
-
 /// The table in memory.
 #[derive(Clone, Debug)]
 pub struct CreepForceTable {
     splines: Splines,
-}
-
-/// Kalker's coefficients of an ellipse and the scale of spin, with their derivatives by ln(a/b).
-#[derive(Clone, Copy, Debug)]
-pub struct Scales {
-    /// ln(a/b).
-    pub log_ratio: f64,
-    /// c11, c22, c23, c33.
-    pub kalker: [f64; 4],
-    /// Their derivatives.
-    pub kalker_slopes: [f64; 4],
-    /// ζ: linear lateral force of spin, and a share of the longitudinal force that the creepage φ b would have.
-    pub spin: f64,
-    /// Its derivative.
-    pub spin_slope: f64,
-}
-
-/// Scales of an ellipse of ln(a/b) = `log_ratio`.
-#[must_use]
-pub fn scales(log_ratio: f64, poisson_ratio: f64) -> Scales {
-    let logarithms = kalker_coefficients::logarithms(log_ratio, poisson_ratio);
-    let kalker = logarithms.map(|[c, _]| c.exp());
-    let kalker_slopes = [0, 1, 2, 3].map(|k| kalker[k] * logarithms[k][1]);
-    let narrow = SPIN_BY_WIDTH * (-0.5 * log_ratio).exp();
-    Scales {
-        log_ratio,
-        kalker,
-        kalker_slopes,
-        spin: kalker[2] + narrow * kalker[0],
-        spin_slope: kalker_slopes[2] + narrow * (kalker_slopes[0] - 0.5 * kalker[0]),
-    }
-}
-
-impl Scales {
-    /// Linear force and moment for creepages v.
-    fn linear(&self, [v1, v2, v3]: [f64; 3]) -> [f64; 3] {
-        let [c11, c22, c23, c33] = self.kalker;
-        [-c11 * v1, -c22 * v2 - c23 * v3, c23 * v2 - c33 * v3]
-    }
-
-    fn linear_slopes(&self, [v1, v2, v3]: [f64; 3]) -> [[f64; 4]; 3] {
-        let [c11, c22, c23, c33] = self.kalker;
-        let [s11, s22, s23, s33] = self.kalker_slopes;
-        [
-            [-c11, 0.0, 0.0, -s11 * v1],
-            [0.0, -c22, -c23, -s22 * v2 - s23 * v3],
-            [0.0, c23, -c33, s23 * v2 - s33 * v3],
-        ]
-    }
-
-    /// The scaled creepages X.
-    fn scaled(&self, [v1, v2, v3]: [f64; 3]) -> [f64; 3] {
-        [self.kalker[0] * v1, self.kalker[1] * v2, self.spin * v3]
-    }
 }
 
 /// ln(a/b) brought to rest beyond the ends of the table, and its derivative.
@@ -393,69 +293,6 @@ fn slip_slopes(
     let by_t: f64 = (0..3).map(|n| by_x[n] * scaled_by_t[n]).sum();
     let [x, y, z] = [0, 1, 2].map(|n| scale[n] * by_x[n]);
     [x, y, z, by_t + by_ratio * rest[1][3]]
-}
-
-/// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin that vanishes in full sliding.
-#[derive(Clone, Copy, Debug)]
-struct Bound {
-    magnitude: f64,
-    /// Bounded magnitude, its derivative by the magnitude, and by the share 1 - s.
-    bounded: f64,
-    by_magnitude: f64,
-    by_left: f64,
-}
-
-/// Margin over 1 - s.
-const MARGIN: f64 = 0.02;
-
-impl Bound {
-    fn of(force: &[f64; 3], left: f64) -> Self {
-        let magnitude = (force[0] * force[0] + force[1] * force[1]).sqrt();
-        let margin = MARGIN * left;
-        let over = magnitude - (1.0 - margin);
-        if over <= 0.0 {
-            return Self { magnitude, bounded: magnitude, by_magnitude: 1.0, by_left: 0.0 };
-        }
-        if over >= 2.0 * margin {
-            return Self { magnitude, bounded: 1.0, by_magnitude: 0.0, by_left: 0.0 };
-        }
-        let share = over / (2.0 * margin);
-        Self {
-            magnitude,
-            bounded: magnitude - 0.5 * over * share,
-            by_magnitude: 1.0 - share,
-            by_left: MARGIN * share * (share - 1.0),
-        }
-    }
-
-    fn applied(&self, [x, y, moment]: [f64; 3]) -> [f64; 3] {
-        if self.bounded < self.magnitude {
-            let ratio = self.bounded / self.magnitude;
-            return [ratio * x, ratio * y, moment];
-        }
-        [x, y, moment]
-    }
-
-    fn applied_to_slopes(
-        &self,
-        [x, y, _]: &[f64; 3],
-        mut slopes: ForceSlopes,
-        left_slopes: [f64; 4],
-    ) -> ForceSlopes {
-        if self.bounded >= self.magnitude {
-            return slopes;
-        }
-        let ratio = self.bounded / self.magnitude;
-        for (n, left_slope) in left_slopes.into_iter().enumerate() {
-            let magnitude_slope = (x * slopes[0][n] + y * slopes[1][n]) / self.magnitude;
-            let ratio_slope = (self.by_magnitude * magnitude_slope + self.by_left * left_slope
-                - ratio * magnitude_slope)
-                / self.magnitude;
-            slopes[0][n] = ratio * slopes[0][n] + ratio_slope * x;
-            slopes[1][n] = ratio * slopes[1][n] + ratio_slope * y;
-        }
-        slopes
-    }
 }
 
 /// Creepages that are small enough to be squared, and X; nothing where they are so small that their squares vanish.

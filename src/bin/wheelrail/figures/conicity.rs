@@ -5,7 +5,8 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{Area, BLUE, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
+use super::axes::Axes;
+use super::{Area, BLUE, VERMILION, heading, px, range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
 
@@ -51,21 +52,7 @@ fn panel(
         .x_label_area_size(px(52))
         .y_label_area_size(px(78))
         .build_cartesian_2d(first..last.max(first + 1e-3), y_range)?;
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID.stroke_width(px(1)))
-        .set_all_tick_mark_size(px(5))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_labels(9)
-        .y_labels(8)
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(17))
-        .axis_desc_style(text(19))
-        .x_desc(x_title)
-        .y_desc(y_title)
-        .draw()?;
+    Axes { titles: [x_title, y_title], labels: [9, 8], size: 17 }.draw(&mut chart)?;
     chart.draw_series(LineSeries::new(points, color.stroke_width(px(3))))?;
     Ok(())
 }

@@ -9,8 +9,9 @@ use wheelrail::element::FlatContact;
 use wheelrail::planar::PlanarResult;
 use wheelrail::tangential::field::{Adherence, ContactField};
 
+use super::axes::Axes;
 use super::patches::color;
-use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, label, px, save, text};
+use super::{Area, BLUE, GREY, INK, VERMILION, heading, px, save};
 
 const WIDTH: u32 = 1180;
 const PROFILES: u32 = 330;
@@ -92,7 +93,8 @@ impl Figure {
             .x_label_area_size(px(44))
             .y_label_area_size(px(60))
             .build_cartesian_2d(range(0), z.end..z.start)?;
-        mesh(&mut chart, "y, to the field side [mm]", "z, down [mm]")?;
+        Axes { titles: ["y, to the field side [mm]", "z, down [mm]"], labels: [8, 6], size: 14 }
+            .draw(&mut chart)?;
         for (index, contact) in self.contacts.iter().enumerate() {
             for (outline, color) in [(&contact.rail_head, GREY), (&contact.wheel, BLUE)] {
                 let points = outline.iter().map(|p| (1e3 * p[0], 1e3 * p[1]));
@@ -157,7 +159,8 @@ impl Figure {
             .x_label_area_size(px(42))
             .y_label_area_size(px(60))
             .build_cartesian_2d(y, x)?;
-        mesh(&mut chart, "y [mm]", "x, rolling up [mm]")?;
+        Axes { titles: ["y [mm]", "x, rolling up [mm]"], labels: [8, 6], size: 14 }
+            .draw(&mut chart)?;
         for field in &side.fields {
             let colour = |k: usize| {
                 let [px, py] = field.traction[k];
@@ -256,29 +259,4 @@ fn arrow_lines(field: &ContactField, vectors: &[[f64; 2]]) -> Vec<Vec<(f64, f64)
         vec![(y - 0.5 * vy, x - 0.5 * vx), tip, barb(1.0), tip, barb(-1.0)]
     });
     arrows.collect()
-}
-
-type Chart<'a, 'b> = ChartContext<
-    'a,
-    SVGBackend<'b>,
-    Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
->;
-
-fn mesh(chart: &mut Chart<'_, '_>, x: &str, y: &str) -> Result<()> {
-    chart
-        .configure_mesh()
-        .set_all_tick_mark_size(px(4))
-        .bold_line_style(GRID.stroke_width(px(1)))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_labels(8)
-        .y_labels(6)
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(14))
-        .axis_desc_style(text(15))
-        .x_desc(x)
-        .y_desc(y)
-        .draw()?;
-    Ok(())
 }

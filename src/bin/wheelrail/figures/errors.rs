@@ -5,7 +5,8 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{Area, GRID, INK, heading, label, px, range_of, save, text};
+use super::axes::Axes;
+use super::{Area, GRID, heading, px, range_of, save, text};
 
 const SIZE: (u32, u32) = (1180, 760);
 
@@ -56,20 +57,7 @@ fn draw_panel(area: &Area<'_>, abscissa: &str, lines: &[Line], quantity: usize) 
         .x_label_area_size(px(46))
         .y_label_area_size(px(60))
         .build_cartesian_2d(x, range_of(values, 1.0))?;
-    chart
-        .configure_mesh()
-        .set_all_tick_mark_size(px(4))
-        .bold_line_style(GRID.stroke_width(px(1)))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_labels(7)
-        .y_labels(7)
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(14))
-        .axis_desc_style(text(15))
-        .x_desc(abscissa)
-        .draw()?;
+    Axes { titles: [abscissa, ""], labels: [7, 7], size: 14 }.draw(&mut chart)?;
     for (index, line) in lines.iter().enumerate() {
         let colour = COLOURS[index % COLOURS.len()];
         let drawn = line.points.iter().filter_map(|(x, y)| Some((*x, y[quantity]?)));

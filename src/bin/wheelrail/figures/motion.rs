@@ -5,9 +5,9 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
+use super::axes::Axes;
 use super::{
-    Area, BLUE, GREY, GRID, INK, RAMP, VERMILION, heading, label, px, ramp_stretch, range_of, save,
-    text,
+    Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, ramp_stretch, range_of, save, text,
 };
 use crate::simulate::Record;
 use crate::wheelset::track::Track;
@@ -89,22 +89,8 @@ fn panel(
                 Rectangle::new([(x, y - LINE / 4), (x + LINE, y + LINE / 4)], RAMP.filled())
             });
     }
-    let mut mesh = chart.configure_mesh();
-    mesh.bold_line_style(GRID.stroke_width(px(1)))
-        .set_all_tick_mark_size(px(5))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_labels(13)
-        .y_labels(7)
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(17))
-        .axis_desc_style(text(19))
-        .y_desc(y_title);
-    if let Some(x_title) = x_title {
-        mesh.x_desc(x_title);
-    }
-    mesh.draw()?;
+    let titles = [x_title.unwrap_or_default(), y_title];
+    Axes { titles, labels: [13, 7], size: 17 }.draw(&mut chart)?;
     for one in series {
         let style = one.color.stroke_width(px(if one.dashed { 2 } else { 3 }));
         let points = one.points.iter().copied();

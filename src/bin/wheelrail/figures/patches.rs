@@ -6,7 +6,8 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{Area, GRID, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text};
+use super::axes::Axes;
+use super::{Area, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text};
 use crate::simulate::{Patch, Record};
 use crate::wheelset::track::Track;
 
@@ -104,21 +105,8 @@ impl Panel {
             let corners = [(ramp.start, self.y_range.start), (ramp.end, self.y_range.end)];
             chart.draw_series(std::iter::once(Rectangle::new(corners, RAMP.filled())))?;
         }
-        chart
-            .configure_mesh()
-            .set_all_tick_mark_size(px(5))
-            .bold_line_style(GRID.stroke_width(px(1)))
-            .light_line_style(TRANSPARENT)
-            .axis_style(INK.stroke_width(px(1)))
-            .x_labels(7)
-            .y_labels(7)
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
-            .label_style(text(16))
-            .axis_desc_style(text(17))
-            .x_desc("distance [m]")
-            .y_desc(&self.y_title)
-            .draw()?;
+        let titles = ["distance [m]", &self.y_title];
+        Axes { titles, labels: [7, 7], size: 16 }.draw(&mut chart)?;
         let bands = shown.iter().enumerate().flat_map(|(index, record)| {
             let (start, next) = (distance(index), distance((index + 1).min(last)));
             // Half under the next band, which is drawn over it, so that no seam shows.

@@ -5,10 +5,12 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
+use super::axes::Axes;
+use super::{Area, BLUE, GREY, VERMILION, heading, px, range_of, save, text};
 
-/// Width of the figure and height of one panel.
-const SIZE: (u32, u32) = (1000, 380);
+/// Width of the figure and height of one panel; width of the legend beside the curves, and from one of its lines to the next.
+const SIZE: (u32, u32) = (1200, 380);
+const LEGEND: (u32, u32) = (290, 20);
 // From Okabe and Ito (2008), as the others.
 const GREEN: RGBColor = RGBColor(0, 158, 115);
 const ORANGE: RGBColor = RGBColor(230, 159, 0);
@@ -40,28 +42,20 @@ pub fn draw(path: &Path, panels: &[(String, Vec<Curve>)]) -> Result<()> {
 }
 
 fn draw_panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<()> {
+    let (area, legend) = area.split_horizontally(px(SIZE.0 - LEGEND.0));
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let x = range_of(points().map(|point| point.0), 1e-9);
     let y = range_of(points().map(|point| point.1).chain([0.0]), 1e-9);
-    let mut chart = ChartBuilder::on(area)
+    let mut chart = ChartBuilder::on(&area)
         .caption(title, heading(17))
         .margin(px(8))
         .margin_right(px(18))
         .x_label_area_size(px(46))
         .y_label_area_size(px(80))
         .build_cartesian_2d(x, y.clone())?;
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID.stroke_width(px(1)))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(14))
-        .axis_desc_style(text(15))
-        .x_desc("Place on the path: row of the table")
-        .draw()?;
-    for (curve, colour) in curves.iter().zip(COLOURS.into_iter().cycle()) {
+    let titles = ["Place on the path: row of the table", ""];
+    Axes { titles, labels: [10, 8], size: 14 }.draw(&mut chart)?;
+    for (line, (curve, colour)) in (2..).zip(curves.iter().zip(COLOURS.into_iter().cycle())) {
         if let Some((at, _)) = curve.jump {
             let dashes = DashedLineSeries::new(
                 [(at, y.start), (at, y.end)],
@@ -71,18 +65,13 @@ fn draw_panel(area: &Area<'_>, title: &str, curves: &[Curve]) -> Result<()> {
             );
             chart.draw_series(dashes)?;
         }
+        let thick = colour.stroke_width(px(2));
+        chart.draw_series(LineSeries::new(curve.points.iter().copied(), thick))?;
         let jump = curve.jump.map_or(String::new(), |(_, size)| format!(", jumps by {size:.1e}"));
-        let line = LineSeries::new(curve.points.iter().copied(), colour.stroke_width(px(2)));
-        chart.draw_series(line)?.label(format!("{}{jump}", curve.name)).legend(move |(x, y)| {
-            PathElement::new(vec![(x, y), (x + px(22) as i32, y)], colour.stroke_width(px(2)))
-        });
+        let (middle, height) = (px(LEGEND.1 * line) as i32, px(LEGEND.1 / 3) as i32);
+        legend.draw(&PathElement::new([(0, middle), (px(22) as i32, middle)], thick))?;
+        let name = format!("{}{jump}", curve.name);
+        legend.draw(&Text::new(name, (px(30) as i32, middle - height), text(13)))?;
     }
-    chart
-        .configure_series_labels()
-        .legend_area_size(px(28))
-        .label_font(text(13))
-        .background_style(WHITE.mix(0.8))
-        .border_style(GRID)
-        .draw()?;
     Ok(())
 }

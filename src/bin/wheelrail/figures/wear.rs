@@ -5,7 +5,8 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 
-use super::{Area, BLUE, GRID, INK, VERMILION, heading, label, px, range_of, save, text};
+use super::axes::Axes;
+use super::{Area, BLUE, GRID, VERMILION, heading, px, range_of, save, text};
 
 /// Width of one body's column and height of the figure [pixels].
 const COLUMN: u32 = 640;
@@ -56,19 +57,7 @@ fn panel(
         .x_label_area_size(px(52))
         .y_label_area_size(px(86))
         .build_cartesian_2d(x, y)?;
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID.stroke_width(px(1)))
-        .set_all_tick_mark_size(px(5))
-        .light_line_style(TRANSPARENT)
-        .axis_style(INK.stroke_width(px(1)))
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .label_style(text(15))
-        .axis_desc_style(text(17))
-        .x_desc("y [mm]")
-        .y_desc(y_title)
-        .draw()?;
+    Axes { titles: ["y [mm]", y_title], labels: [10, 10], size: 15 }.draw(&mut chart)?;
     for ((name, points), color) in lines.iter().zip([BLUE, VERMILION]) {
         let line = LineSeries::new(points.iter().copied(), color.stroke_width(px(2)));
         let drawn = chart.draw_series(line)?;

@@ -1,0 +1,48 @@
+//! The axes that all charts share.
+
+use anyhow::Result;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+
+use super::{GRID, INK, label, px, text};
+
+/// A chart of two linear axes.
+pub type Chart<'a, 'b> =
+    ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// Titles of both axes, at most how many labels each has, and the size of the labels in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Axes<'a> {
+    pub titles: [&'a str; 2],
+    pub labels: [usize; 2],
+    pub size: u32,
+}
+
+impl Axes<'_> {
+    /// Draws both axes and the lines of the grid at their labels.
+    ///
+    /// # Errors
+    /// If drawing fails.
+    pub fn draw(self, chart: &mut Chart<'_, '_>) -> Result<()> {
+        let [x, y] = self.titles;
+        let mut mesh = chart.configure_mesh();
+        mesh.set_all_tick_mark_size(px(4))
+            .bold_line_style(GRID.stroke_width(px(1)))
+            .light_line_style(TRANSPARENT)
+            .axis_style(INK.stroke_width(px(1)))
+            .x_labels(self.labels[0])
+            .y_labels(self.labels[1])
+            .x_label_formatter(&label)
+            .y_label_formatter(&label)
+            .label_style(text(self.size))
+            .axis_desc_style(text(self.size + 1));
+        if !x.is_empty() {
+            mesh.x_desc(x);
+        }
+        if !y.is_empty() {
+            mesh.y_desc(y);
+        }
+        mesh.draw()?;
+        Ok(())
+    }
+}

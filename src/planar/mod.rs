@@ -1,0 +1,229 @@
+//! Planar contact problems: a separation of profiles and a wheel radius instead of a placed wheel and rail.
+//!
+//! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the wheel against
+//! the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
+
+mod case;
+mod line;
+
+pub use case::{Indentation, PlanarCase};
+
+use crate::error::ContactError;
+use crate::kinematics::creepage::bounded;
+use crate::material::MaterialPair;
+use crate::math::quadrature::GaussLegendre;
+use crate::math::root::bracketed;
+use crate::normal::strips::{LEAST_STRIPS, StripSolver, solve_in_frame};
+use crate::normal::{self, NormalModel, NormalProblem, Strips};
+use crate::tangential::field::ContactField;
+use crate::tangential::{Creepage, RollingState, Tangential};
+use case::MOST_APPROACH;
+use line::PlanarLine;
+
+/// Solution of a planar contact problem; forces on the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanarResult {
+    /// Normal force [N].
+    pub normal_force: f64,
+    /// Greatest pressure [Pa].
+    pub max_pressure: f64,
+    /// Area of all zones [m²].
+    pub area: f64,
+    /// Greatest length of a zone along x [m].
+    pub length: f64,
+    /// Distance from the leftmost to the rightmost edge [m].
+    pub width: f64,
+    /// Longitudinal creep force [N].
+    pub fx: f64,
+    /// Lateral creep force [N].
+    pub fy: f64,
+    /// Moment about the normal through the origin of the separation [N m].
+    pub mz: f64,
+    /// Number of separate zones.
+    pub patches: usize,
+    /// Whether a solver fell back to a simpler model.
+    pub fallback: bool,
+}
+
+/// Most zones of one problem.
+const MOST_ZONES: usize = 64;
+
+/// Solves a planar contact problem.
+///
+/// # Errors
+/// A value of the case that is not admitted, or a load that no approach up to 20 mm carries.
+pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
+    let pressed = press_together(case)?;
+    let mut result = summarise(case, &pressed.material, &pressed.strips, pressed.contact_y);
+    result.fallback |= pressed.left_out > 0;
+    Ok(result)
+}
+
+/// Pressure and tractions element by element on the wheel, one field for each zone, or for all of them where the normal model has boundary
+/// elements; y from the origin of the separation. See [`ContactField`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn fields(case: &PlanarCase) -> Result<Vec<ContactField>, ContactError> {
+    let Pressed { strips, material, contact_y, .. } = press_together(case)?;
+    let tangential = tangential_of(case);
+    let zones = if strips.elements.is_some() { 1 } else { strips.zones.len() };
+    let fields = strips.zones.iter().take(zones).map(|zone| {
+        let state = rolling_state(case, contact_y + zone.y);
+        let mut field = tangential.field(zone, &strips, &material, &state);
+        field.grid.left_y += contact_y;
+        field
+    });
+    Ok(fields.collect())
+}
+
+/// The normal solution of a case.
+struct Pressed {
+    strips: Strips,
+    material: MaterialPair,
+    /// y of the contact point [m].
+    contact_y: f64,
+    /// Zones that found no room, or solutions that fell back.
+    left_out: usize,
+}
+
+fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
+    case.check()?;
+    let mut line = PlanarLine::new(case.separation);
+    let rule = GaussLegendre::new(case.strips);
+    let material = MaterialPair::new(case.wheel_material, case.rail_material);
+    let mut strips = Strips::with_capacity(MOST_ZONES, case.strips.max(LEAST_STRIPS));
+    let mut solver =
+        (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
+    let (least, mut left_out) = (line.least, 0);
+    // `approach` counts from first touch.
+    let mut press = |approach: f64| {
+        strips.clear();
+        if approach > 0.0 {
+            let problem = NormalProblem {
+                approach,
+                radius: case.radius,
+                contact_modulus: material.contact_modulus,
+                contact_u: line.contact,
+                lateral_curvature: line.curve.at(line.contact).second[1],
+                rule: &rule,
+                elements: case.elements,
+            };
+            let probes = std::mem::take(&mut line.probes);
+            let (model, epsilon) = (case.normal_model, case.virtual_penetration);
+            let fit = case.shape_fit;
+            let solved = solver.as_mut().is_some_and(|solver| {
+                solve_in_frame(solver, &problem, &mut line, &probes, &mut strips)
+            });
+            left_out = if solved {
+                0
+            } else {
+                usize::from(solver.is_some())
+                    + normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips)
+            };
+            line.probes = probes;
+        }
+        strips.load()
+    };
+    match case.indentation {
+        Indentation::Approach(approach) => {
+            press(approach - least);
+        }
+        Indentation::Load(load) if load > 0.0 => {
+            // Between elements the load is not smooth to rounding.
+            let boundary = case.normal_model == NormalModel::BoundaryElement;
+            let found = if boundary { ELEMENT_APPROACH } else { 1e-16 };
+            let approach = approach_for(load, found, &mut press)?;
+            press(approach);
+        }
+        Indentation::Load(_) => {}
+    }
+    Ok(Pressed { contact_y: line.contact, strips, material, left_out })
+}
+
+/// Bracket of the approach of boundary elements under a given load [m].
+const ELEMENT_APPROACH: f64 = 1e-11;
+
+/// The approach from first touch, to `found` [m], at which `press` gives `load`; where the load jumps past it, the place of the jump.
+fn approach_for(
+    load: f64,
+    found: f64,
+    press: &mut impl FnMut(f64) -> f64,
+) -> Result<f64, ContactError> {
+    let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
+    let mut high_load = press(high);
+    while high_load < load {
+        if high >= MOST_APPROACH {
+            return Err(ContactError::bad_value(
+                "load",
+                load,
+                "at most what the profiles carry 20 mm below first touch",
+            ));
+        }
+        (low, low_load) = (high, high_load);
+        high = (2.0 * high).min(MOST_APPROACH);
+        high_load = press(high);
+    }
+    Ok(bracketed((low, low_load - load), (high, high_load - load), found, |a| press(a) - load))
+}
+
+fn summarise(
+    case: &PlanarCase,
+    material: &MaterialPair,
+    strips: &Strips,
+    contact_y: f64,
+) -> PlanarResult {
+    let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
+    let tangential = tangential_of(case);
+    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+    for zone in strips.zones.iter() {
+        result.normal_force += zone.load;
+        result.max_pressure = result.max_pressure.max(zone.max_pressure);
+        result.area += zone.area;
+        result.length = result.length.max(zone.length);
+        let edges = zone_edges(strips, zone.first, zone.count);
+        left = left.min(edges[0]);
+        right = right.max(edges[1]);
+        let y = contact_y + zone.y;
+        let state = rolling_state(case, y);
+        let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
+        result.fallback |= force.fell_back;
+        result.fx += force.longitudinal;
+        result.fy += force.lateral;
+        result.mz += force.spin_moment - y * force.longitudinal;
+    }
+    result.width = (right - left).max(0.0);
+    result
+}
+
+fn tangential_of(case: &PlanarCase) -> Tangential {
+    Tangential::new(
+        case.tangential_model,
+        case.flexibilities,
+        case.bound,
+        case.elements_along,
+        case.elements,
+    )
+    .with_law(case.friction_law)
+}
+
+/// How a zone with its centroid at `y` rolls.
+fn rolling_state(case: &PlanarCase, y: f64) -> RollingState {
+    let [longitudinal, lateral, spin] = case.creepage.map(bounded);
+    RollingState {
+        creepage: Creepage { longitudinal: bounded(longitudinal - spin * y), lateral, spin },
+        forward_share: 1.0,
+        friction: case.friction,
+        load_factor: 1.0,
+        speed: case.speed,
+    }
+}
+
+/// Left and right edge of a zone from its strips: Gauss-Legendre weights sum to its width.
+fn zone_edges(strips: &Strips, first: usize, count: usize) -> [f64; 2] {
+    let range = first..first + count;
+    let width: f64 = strips.width[range.clone()].iter().sum();
+    let (a, b) = (strips.y[first], strips.y[first + count - 1]);
+    let middle = 0.5 * (a + b);
+    [middle - 0.5 * width, middle + 0.5 * width]
+}

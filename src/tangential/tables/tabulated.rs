@@ -1,0 +1,54 @@
+//! Look-ups in plain numbers and in numbers with derivatives.
+
+use super::scales::Scales;
+use super::{CreepForceTable, EllipseForce};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
+
+/// Numbers for which forces are looked up.
+pub trait Tabulated: Real {
+    /// Creep force of an ellipse of ln(a/b) = `log_ratio` for finite creepages `v`.
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: Self,
+        poisson_ratio: f64,
+        v: [Self; 3],
+    ) -> EllipseForce<Self>;
+}
+
+impl Tabulated for f64 {
+    #[inline]
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: f64,
+        poisson_ratio: f64,
+        v: [f64; 3],
+    ) -> EllipseForce {
+        table.force(&Scales::of(log_ratio, poisson_ratio), v)
+    }
+}
+
+impl<const N: usize> Tabulated for Dual<N> {
+    fn tabulated(
+        table: &CreepForceTable,
+        log_ratio: Self,
+        poisson_ratio: f64,
+        v: [Self; 3],
+    ) -> EllipseForce<Self> {
+        let scales = Scales::of(log_ratio.value, poisson_ratio);
+        let (found, slopes) = table.force_and_slopes(&scales, v.map(Self::value));
+        let with_slopes = |value: f64, by: &[f64; 4]| {
+            let moved = v[0] * by[0] + v[1] * by[1] + v[2] * by[2] + log_ratio * by[3];
+            Self::moving(value, moved)
+        };
+        let [x, y, moment] = found.force;
+        EllipseForce {
+            force: [
+                with_slopes(x, &slopes[0]),
+                with_slopes(y, &slopes[1]),
+                with_slopes(moment, &slopes[2]),
+            ],
+            slip_share: with_slopes(found.slip_share, &slopes[3]),
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Derivatives of a wheelset.
+
+use super::*;
+
+/// The coordinates, rates and loads of an input, to be changed one by one.
+fn numbers(input: &mut Input) -> Vec<&mut f64> {
+    let Input { wheelset: w, sides, track_s: _ } = input;
+    let mut all: Vec<&mut f64> = w.position.iter_mut().chain(&mut w.velocity).collect();
+    all.extend([&mut w.roll, &mut w.yaw, &mut w.pitch]);
+    all.extend([&mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate]);
+    for SideInput { rails: [rail, _], wheel_load, friction } in sides {
+        all.extend([&mut rail.y, &mut rail.z, &mut rail.roll]);
+        all.extend([&mut rail.vy, &mut rail.vz, &mut rail.roll_rate, friction, wheel_load]);
+    }
+    all
+}
+
+/// Total, each side and what is found.
+fn results(output: &Output) -> [Vec<f64>; 4] {
+    let mut forces = output.wheelset.force.to_vec();
+    let mut moments = output.wheelset.moment.to_vec();
+    for side in &output.sides {
+        forces.extend(side.wheel.force);
+        forces.extend(side.rails[0].force);
+        moments.extend(side.wheel.moment);
+        moments.extend(side.rails[0].moment);
+    }
+    [forces, moments, vec![output.wheelset_z, output.roll], vec![output.frictional_power]]
+}
+
+/// In random directions, of a model of creep forces without kinks.
+fn judge_derivatives(mode: VerticalMode, step: f64) -> f64 {
+    let mut parameters = Parameters::default();
+    for side in &mut parameters.sides {
+        (side.vertical_mode, side.tangential_model) = (mode, TangentialModel::Linear);
+    }
+    let mut wheelset = wheelset(&parameters);
+    let mut random = Random::new(27);
+    let (mut worst, mut count) = (0.0_f64, 0);
+    for _ in 0..30 {
+        let mut input = random_input(&mut random);
+        for side in &mut input.sides {
+            side.wheel_load = random.within(3e4, 9e4);
+        }
+        let at = evaluate(&mut wheelset, &input);
+        if at.sides.iter().any(|side| side.patch_count != 1) {
+            continue;
+        }
+        let mut direction = Input::at_rest();
+        for (i, number) in numbers(&mut direction).into_iter().enumerate() {
+            // A load moves by newtons where a height moves by fractions of a micrometre.
+            *number = random.about(if i == 19 || i == 27 { 1e7 } else { 1.0 });
+        }
+        let mut rates = Output::default();
+        wheelset.directional_derivative(&input, &direction, &mut rates).unwrap();
+        let mut moved = |h: f64| {
+            let (mut input, mut direction) = (input, direction);
+            let ways = numbers(&mut direction);
+            for (number, way) in numbers(&mut input).into_iter().zip(ways) {
+                *number += h * *way;
+            }
+            let output = evaluate(&mut wheelset, &input);
+            (output.patch_count == at.patch_count).then(|| results(&output))
+        };
+        let places = [moved(-step), moved(-0.5 * step), moved(0.5 * step), moved(step)];
+        let [Some(a), Some(b), Some(c), Some(d)] = places else { continue };
+        for (g, group) in results(&rates).iter().enumerate() {
+            let size = largest(group.iter().copied());
+            for (i, rate) in group.iter().enumerate() {
+                let slope = |low: &[Vec<f64>; 4], high: &[Vec<f64>; 4], h: f64| {
+                    (high[g][i] - low[g][i]) / h
+                };
+                let both = (4.0 * slope(&b, &c, step) - slope(&a, &d, 2.0 * step)) / 3.0;
+                worst = worst.max((rate - both).abs() / size);
+                count += 1;
+            }
+        }
+    }
+    println!("{mode:?}: worst of {count} rates {worst:e}");
+    assert!(count > 300, "{count}");
+    worst
+}
+
+#[test]
+fn derivatives_are_those_of_differences() {
+    assert!(judge_derivatives(VerticalMode::Penetration, 2e-7) < tolerance::DERIVATIVES);
+    assert!(judge_derivatives(VerticalMode::Load, 2e-6) < tolerance::DERIVATIVES);
+}
+
+#[test]
+fn derivatives_leave_the_wheelset_as_it_was() {
+    let mut wheelset = wheelset(&Parameters::default());
+    let input = random_input(&mut Random::new(28));
+    let before = format!("{:?}", evaluate(&mut wheelset, &input));
+    let mut direction = Input::at_rest();
+    direction.wheelset.yaw = 1.0;
+    let mut rates = Output::default();
+    wheelset.directional_derivative(&input, &direction, &mut rates).unwrap();
+    assert_eq!(format!("{:?}", evaluate(&mut wheelset, &input)), before);
+}
