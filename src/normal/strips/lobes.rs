@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::cell::{self, TERMS};
+use super::cell::{self, Joint, TERMS};
 use super::nodes::Lobe;
 use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
@@ -77,6 +77,7 @@ impl StripSolver {
         cell.start_level = left * cell.deepest[1];
         cell.active = true;
         cell.met = [false; 2];
+        cell.joint = Joint::Untried;
         cell.start_width = cell.edges[1] - cell.edges[0];
         cell.shape = [0.0; TERMS];
         // q/(π E*) = a e^κ0/(2 π R)

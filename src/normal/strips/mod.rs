@@ -16,8 +16,10 @@
 mod cell;
 mod changes;
 mod closures;
+mod faint_ridges;
 mod fixed;
 mod influence;
+mod joints;
 mod lobes;
 mod moving;
 mod nodes;

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 use super::influence::{bend, skewed_pair, straight_pair};
 use super::nodes::Lobe;
 use super::solver::StripSolver;
-use super::system::{Assembly, SHAPE_REGULARISATION, TO_RIDGE};
+use super::system::{Assembly, SHAPE_REGULARISATION};
 use super::zones::greatest_pressure;
 use crate::math::dual::Dual;
 use crate::math::linear_system::Factors;
@@ -103,6 +103,9 @@ impl<const N: usize> StripFollower<Dual<N>> {
         found: &Strips,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
+        if solver.is_mixed {
+            return false;
+        }
         let nodes = &solver.nodes;
         let skewed = nodes.x.iter().any(|x| (x - nodes.x[0]).abs() > 0.0);
         let scale = nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
@@ -226,37 +229,20 @@ impl<const N: usize> StripFollower<Dual<N>> {
             // What closes an edge is linear.
             for side in 0..2 {
                 let outermost = begin + if side == 0 { 0 } else { n - 1 };
-                if cell.is_free(side) {
-                    self.residuals[outermost] = self.linear(outermost);
-                }
+                self.residuals[outermost] = self.linear(outermost);
                 let row = begin + n + side;
                 self.residuals[row] = self.linear(row);
                 if side == 1 && !cell.is_free(1) {
                     let Some(ridge) = line.ridge(cell.range[1], cell.bounds[1]) else {
                         return false;
                     };
-                    self.residuals[row] = self.joint(at, number, ridge);
+                    let [first, joint] = self.edges(at, number);
+                    let [_, last] = self.edges(at, number + 1);
+                    self.residuals[row] = (joint - ridge) / (last - first);
                 }
             }
         }
         true
-    }
-
-    /// What is left of the condition of the joint of a lobe with the next one: see [`Assembly`].
-    fn joint(&self, at: &Solution, lobe: usize, ridge: Dual<N>) -> Dual<N> {
-        let rule = &at.solver.rule;
-        let block = rule.count() + 2 + rule.terms;
-        let end = |lobe: usize, side: usize| -> Dual<N> {
-            let met = at.solver.cells[at.solver.lobes[lobe].cell].met;
-            let nodes = rule.met_end(met, side);
-            nodes
-                .map(|(node, factor)| self.unknowns[lobe * block + node] * (factor / at.scale))
-                .sum()
-        };
-        let ([first, joint], [_, last]) = (self.edges(at, lobe), self.edges(at, lobe + 1));
-        let moved = (joint - ridge) * TO_RIDGE / (last - first);
-        let (left, right) = (end(lobe, 1), end(lobe + 1, 0));
-        left - right + (left + right) * moved
     }
 
     /// A row of the Newton matrix times the unknowns.

@@ -25,9 +25,6 @@ use crate::math::linear_system::stride;
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 pub const SHAPE_REGULARISATION: f64 = 1e-5;
 
-/// How strongly the joint of two lobes is drawn to the ridge.
-pub(super) const TO_RIDGE: f64 = 10.0;
-
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
     pub rule: &'a LobeRule,
@@ -274,6 +271,14 @@ impl Assembly<'_> {
         }
     }
 
+    /// Sets an equation to zero.
+    fn clear_row(&self, m: &mut Matrices, row: usize) {
+        for column in 0..self.lobes.len() * self.unknowns_per_lobe() {
+            m.newton[self.entry(row, column)] = 0.0;
+        }
+        m.right[row] = 0.0;
+    }
+
     /// Closure of the edges, and the regularisation of the shape.
     fn edge_rows(&self, m: &mut Matrices, lobe: usize) {
         let (rule, nodes) = (self.rule, self.nodes);
@@ -291,16 +296,20 @@ impl Assembly<'_> {
                     m.right[row] -= factor * nodes.ratio[first + place(k)] / self.scale;
                 }
             };
+            if cell.met[side] {
+                // The outermost node, as good as at the joint, has the pressure of the next one: its own condition would be that of the
+                // outermost one on the other side.
+                let outermost = begin + place(0);
+                self.clear_row(m, outermost);
+                close(m, outermost, [1.0, -1.0, 0.0, 0.0], [0, 1, 2, 3]);
+            }
             if !cell.met[side] {
                 // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
                 // the condition of the second one finds the edge.
                 let outermost = begin + place(0);
                 let [edge, second] = rule.outer_closures;
                 close(m, row, edge, [0, 2, 3, 4]);
-                for column in 0..self.lobes.len() * block {
-                    m.newton[self.entry(outermost, column)] = 0.0;
-                }
-                m.right[outermost] = 0.0;
+                self.clear_row(m, outermost);
                 close(m, outermost, second, [1, 2, 3, 4]);
             } else if side == 0 {
                 // The end of the lobe before.
@@ -310,22 +319,11 @@ impl Assembly<'_> {
                 m.newton[self.entry(row, begin - block + n + 1)] = -inverse;
                 m.right[row] = -(cell.edges[0] - before.edges[1]) * inverse;
             } else {
-                // What the pressure is above that of free ends is the same on both sides, at its minimum; the more pressure there is, the
-                // closer is the joint to the ridge.
+                // At the ridge.
                 let beyond = &self.cells[self.lobes[lobe + 1].cell];
-                let pull = TO_RIDGE / (beyond.edges[1] - cell.edges[0]);
-                let moved = pull * (cell.edges[1] - cell.bounds[1]);
-                let mut sum = 0.0;
-                for (lobe, side, sign) in [(lobe, 1, 1.0 + moved), (lobe + 1, 0, moved - 1.0)] {
-                    let Lobe { first, cell } = self.lobes[lobe];
-                    for (at, c) in rule.met_end(self.cells[cell].met, side) {
-                        let factor = c / self.scale;
-                        m.newton[self.entry(row, lobe * block + at)] = sign * factor;
-                        m.right[row] -= sign * factor * nodes.ratio[first + at];
-                        sum += factor * nodes.ratio[first + at];
-                    }
-                }
-                m.newton[self.entry(row, row)] = pull * sum;
+                let inverse = 1.0 / (beyond.edges[1] - cell.edges[0]);
+                m.newton[self.entry(row, row)] = inverse;
+                m.right[row] = -(cell.edges[1] - cell.bounds[1]) * inverse;
             }
         }
         for term in 1..rule.terms {
