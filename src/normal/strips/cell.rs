@@ -47,6 +47,8 @@ pub struct Cell {
     pub retreats: u8,
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
+    /// Where its load ends: at the ends of the lobe, but for strips without load beside a joint [m].
+    pub load_ends: [f64; 2],
     /// Ends of the lobe, and parameters of the line near them at the start [m].
     pub edges: [f64; 2],
     pub near: [f64; 2],

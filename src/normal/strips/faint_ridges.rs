@@ -102,6 +102,7 @@ impl StripSolver {
                 }
                 let cell = &mut self.cells[self.lobes[number].cell];
                 cell.edges = cell.edges.map(|y| between(y, over(y)));
+                cell.load_ends = cell.edges;
             }
         }
         std::mem::swap(&mut self.nodes.half_length, &mut self.nodes.spare);

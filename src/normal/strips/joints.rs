@@ -5,7 +5,8 @@
 //! found with the lobes apart: from one share of the width of both lobes to another the one goes over into the other, so that the force does not jump.
 
 use super::Line;
-use super::cell::Joint;
+use super::cell::{Cell, Joint};
+use super::nodes::Lobe;
 use super::solver::{STARTS, Start, StripSolver};
 use crate::geometry::separation::Probe;
 
@@ -130,6 +131,45 @@ impl StripSolver {
         right.unwrap_or(joint) - left.unwrap_or(joint)
     }
 
+    /// Finds where the load of each lobe ends: where the square of the pressure, extrapolated, vanishes before a strip without load.
+    pub(super) fn find_load_ends(&mut self) {
+        let n = self.rule.count();
+        for number in 0..self.lobes.len() {
+            let Lobe { cell, first } = self.lobes[number];
+            for side in 0..2 {
+                let mut end = self.cells[cell].edges[side];
+                if let Some(bound) =
+                    self.early_end(number, side).filter(|_| self.cells[cell].met[side])
+                {
+                    let y = &self.nodes.y[first..first + n];
+                    let Some(beyond) = y.iter().position(|y| y.to_bits() == bound.to_bits()) else {
+                        continue;
+                    };
+                    let inner =
+                        |k: usize| if side == 0 { beyond + k } else { beyond.saturating_sub(k) };
+                    let [last, before] = [1, 2].map(|k| inner(k).min(n - 1));
+                    let square = |k: usize| self.nodes.pressure[first + k].powi(2);
+                    let fall = (square(before) - square(last)).max(f64::MIN_POSITIVE);
+                    let share = square(last) / fall;
+                    let way = share * (y[last] - y[before]);
+                    end = if side == 0 {
+                        (y[last] + way).clamp(bound, y[last])
+                    } else {
+                        (y[last] + way).clamp(y[last], bound)
+                    };
+                }
+                self.cells[cell].load_ends[side] = end;
+            }
+        }
+    }
+
+    /// Whether the load of the lobe `number` goes on in the next one.
+    pub(super) fn goes_on(&self, number: usize) -> bool {
+        let cell = &self.cells[self.lobes[number].cell];
+        let Some(next) = self.lobes.get(number + 1) else { return false };
+        cell.met[1] && self.cells[next.cell].load_ends[0] <= cell.load_ends[1]
+    }
+
     /// Joins the lobe `number` and the next one at the ridge; pressures stay where they are.
     fn join(&mut self, number: usize) {
         let (left, right) = (self.lobes[number].cell, self.lobes[number + 1].cell);
@@ -169,6 +209,7 @@ impl StripSolver {
 
     /// Mixes the solution with what was kept of lobes apart.
     pub(super) fn mix(&mut self, line: &mut impl Line) {
+        self.find_load_ends();
         let Some(number) = self.apart.lobe else { return };
         if self.apart.nodes.len() != self.nodes.y.len() {
             // A lobe has gone or come: the solution is the one with a joint.
@@ -182,9 +223,11 @@ impl StripSolver {
             self.nodes.half_length[i] = between(self.nodes.half_length[i], *half_length);
         }
         for (lobe, apart) in self.lobes.iter().zip(&self.apart.edges) {
-            let edges = &mut self.cells[lobe.cell].edges;
-            for side in 0..2 {
-                edges[side] = between(edges[side], apart[side]);
+            let Cell { edges, load_ends, .. } = &mut self.cells[lobe.cell];
+            for ends in [edges, load_ends] {
+                for side in 0..2 {
+                    ends[side] = between(ends[side], apart[side]);
+                }
             }
         }
         self.place_mixed(line);

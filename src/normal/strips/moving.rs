@@ -103,7 +103,8 @@ impl<const N: usize> StripFollower<Dual<N>> {
         found: &Strips,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
-        if solver.is_mixed {
+        let has_gap = |cell: usize| solver.cells[cell].load_ends != solver.cells[cell].edges;
+        if solver.is_mixed || solver.lobes.iter().any(|lobe| has_gap(lobe.cell)) {
             return false;
         }
         let nodes = &solver.nodes;
