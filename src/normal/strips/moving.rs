@@ -12,6 +12,7 @@
 
 use std::f64::consts::PI;
 
+use super::cell::Cell;
 use super::influence::{bend, skewed_pair, straight_pair};
 use super::nodes::Lobe;
 use super::solver::StripSolver;
@@ -103,8 +104,9 @@ impl<const N: usize> StripFollower<Dual<N>> {
         found: &Strips,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
-        let has_gap = |cell: usize| solver.cells[cell].load_ends != solver.cells[cell].edges;
-        if solver.is_mixed || solver.lobes.iter().any(|lobe| has_gap(lobe.cell)) {
+        let has_gap =
+            |cell: &Cell| cell.load_ends[0] > cell.edges[0] || cell.load_ends[1] < cell.edges[1];
+        if solver.is_mixed || solver.lobes.iter().any(|lobe| has_gap(&solver.cells[lobe.cell])) {
             return false;
         }
         let nodes = &solver.nodes;

@@ -38,7 +38,7 @@ impl LobeRule {
             gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
         let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
         let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
-        let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let pairs = gauss.nodes.iter().zip(&gauss.weights).enumerate();
         let barycentric = pairs.map(|(k, (s, w))| sign(k) * ((1.0 - s * s) * w).sqrt()).collect();
         let by_target = logarithm_corrections(&gauss);
