@@ -13,7 +13,7 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
-use crate::normal::strips::{Line, LinePlace, MovingLine, MovingPlace};
+use crate::normal::strips::{Line, LinePlace, MovingLine, MovingPlace, NEAR, walk_across};
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -29,6 +29,54 @@ struct LocalLine<'a> {
 impl<'a> LocalLine<'a> {
     fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: &Contact) -> Self {
         Self { line, rail, near: [contact.u, contact.rail_s, 1.0] }
+    }
+}
+
+impl LocalLine<'_> {
+    /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]: where the line crosses the normal of the
+    /// rail, looked for from the parameter `guess`. Nothing where a body ends, or is bent more than the other one is far.
+    fn on_normal(&mut self, y: f64, guess: f64) -> Option<(LinePlace, [f64; 2])> {
+        let [start, end] = self.line.range();
+        let curve = self.rail.curve();
+        if !(y > curve.start() && y < curve.end()) {
+            return None;
+        }
+        let on = curve.at(y);
+        let along = |v: [f64; 2]| v[0] * on.first[0] + v[1] * on.first[1];
+        let mut u = guess;
+        for _ in 0..MOST_CROSSINGS {
+            if !(u > start && u < end) {
+                return None;
+            }
+            let (at, derivative) = self.line.even_with_derivative(u);
+            let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
+            let rate = along(derivative);
+            if rate < LEAST_RATE {
+                return None;
+            }
+            let step = -along(to) / rate;
+            if step.abs() <= NEAR {
+                let speed = along(on.first);
+                let bending = to[0] * on.second[0] + to[1] * on.second[1];
+                let slowness = 1.0 / speed.sqrt();
+                let tangent = on.first.map(|first| first * slowness);
+                let away = [tangent[1], -tangent[0]];
+                let up = |v: [f64; 2]| v[0] * away[0] + v[1] * away[1];
+                let dy = rate / (speed - bending);
+                if !(speed - bending > LEAST_STRAIGHTNESS * speed && dy > LEAST_RATE) {
+                    return None;
+                }
+                let overlap_slope = -up(derivative);
+                let point = [0, 1].map(|i| at.point[i] + step * derivative[i]);
+                u += step;
+                self.near = [u, y, dy];
+                let overlap = overlap_slope * step - up(to);
+                let place = LinePlace { u, y, dy, overlap, overlap_slope, x: at.x, tangent };
+                return Some((place, point));
+            }
+            u += step;
+        }
+        None
     }
 }
 
@@ -58,7 +106,17 @@ impl Line for LocalLine<'_> {
             overlap_slope: -along(away),
             x: at.x,
             tangent,
-            radius: self.line.wheel_point(u).section_radius,
+        }
+    }
+
+    fn radius(&mut self, u: f64) -> f64 {
+        self.line.wheel_point(u).section_radius
+    }
+
+    fn across(&mut self, y: f64, guess: f64) -> LinePlace {
+        match self.on_normal(y, guess) {
+            Some((place, _)) => place,
+            None => walk_across(self, y, guess),
         }
     }
 }
@@ -67,6 +125,10 @@ impl Line for LocalLine<'_> {
 const FAR: f64 = 8e-3;
 /// Least rate at which the nearest point moves with the contact line: where bodies end it may stand still.
 const LEAST_RATE: f64 = 0.05;
+/// Most points tried to find the one on a normal.
+const MOST_CROSSINGS: usize = 6;
+/// Least share of the distance from the centre of curvature of the rail.
+const LEAST_STRAIGHTNESS: f64 = 0.2;
 
 /// Solves for all zones of one rail into `models.rail_strips`; false where no solution was found.
 pub fn solve(
@@ -120,7 +182,10 @@ pub fn take_zone(
         probes: [0, 0],
     };
     let mut local = LocalLine::new(line, rail, &contact);
-    let place = |u, _| {
+    let place = |u, y| {
+        if let Some((LinePlace { tangent, overlap, .. }, point)) = local.on_normal(y, u) {
+            return (point, tangent, overlap);
+        }
         let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.at(u).point, tangent, overlap)
     };

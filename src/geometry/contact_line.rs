@@ -224,7 +224,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
             return self.rim(s, &p, &self.circle(&p)).wheel_point();
         }
         let radius = p.point[1] + self.nominal_radius;
-        let slope_cosine = (p.first[0] / p.first[0].hypot(p.first[1])).at_least(LEAST_SLOPE_COSINE);
+        let slope_cosine =
+            (p.first[0] / speed_squared(p.first).sqrt()).at_least(LEAST_SLOPE_COSINE);
         let straight = slope_cosine / radius;
         let section_curvature = if self.is_straight() {
             straight
@@ -249,7 +250,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             ((s - CURVATURE_REACH).at_least(start), (s + CURVATURE_REACH).at_most(end));
         let (a, b) = (self.profile.at(from).first, self.profile.at(to).first);
         // The sine of the turn, which stays far below a right angle.
-        (a[1] * b[0] - a[0] * b[1]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]) * (to - from))
+        (a[1] * b[0] - a[0] * b[1]) / ((speed_squared(a) * speed_squared(b)).sqrt() * (to - from))
     }
 
     /// Curvature of the profile at `s`, positive where it bulges out of the wheel [1/m].
@@ -336,6 +337,12 @@ impl<'a> ContactLine<'a> {
         let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
         even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))
     }
+}
+
+/// Square of the length of a profile's derivative, which is close to one.
+#[inline]
+fn speed_squared<T: Real>(first: [T; 2]) -> T {
+    first[0] * first[0] + first[1] * first[1]
 }
 
 /// A point of the wheel's profile.

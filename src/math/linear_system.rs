@@ -50,6 +50,103 @@ pub fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) -> bool {
     right.iter().all(|x| x.is_finite())
 }
 
+/// Numbers taken together by [`solve_by_columns`].
+pub const LANES: usize = 4;
+
+/// Numbers in one column of a matrix for `n` unknowns that [`solve_by_columns`] takes.
+#[must_use]
+pub fn stride(n: usize) -> usize {
+    n.next_multiple_of(LANES)
+}
+
+/// Numbers that [`solve_by_columns`] takes for `n` unknowns: columns for the right side and for its own use too.
+#[must_use]
+pub fn room(n: usize) -> usize {
+    stride(n) * ((n + 1).next_multiple_of(LANES) + 1)
+}
+
+/// As [`solve`] for a matrix by columns of [`stride`] numbers; what is behind it in its [`room`] is of no account.
+#[must_use]
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
+pub fn solve_by_columns(matrix: &mut [f64], right: &mut [f64]) -> bool {
+    let n = right.len();
+    let (stride, room) = (stride(n), room(n));
+    let vectors = stride / LANES;
+    let (matrix, own) = matrix[..room].split_at_mut(room - stride);
+    matrix[n * stride..].fill(0.0);
+    matrix[n * stride..n * stride + n].copy_from_slice(right);
+    for step in 0..n {
+        let pivots = &matrix[step * stride..step * stride + n];
+        let (mut pivot, mut largest) = (step, 0.0);
+        for (row, value) in pivots[step..].iter().enumerate() {
+            if value.abs() > largest {
+                (pivot, largest) = (step + row, value.abs());
+            }
+        }
+        // Not a number compares false as well.
+        if !(largest > f64::MIN_POSITIVE && largest.is_finite()) {
+            return false;
+        }
+        if pivot != step {
+            for column in matrix[step * stride..].chunks_exact_mut(stride) {
+                column.swap(step, pivot);
+            }
+        }
+        // Whole vectors of rows and columns: those that are done have no factor.
+        let done = (step + 1) / LANES;
+        let left = (step + 1) % LANES;
+        let pivots = &matrix[step * stride..(step + 1) * stride];
+        let inverse = 1.0 / pivots[step];
+        let pivots = &pivots.as_chunks::<LANES>().0[done..];
+        let factors = &mut own.as_chunks_mut::<LANES>().0[done..];
+        for (factors, pivots) in factors.iter_mut().zip(pivots) {
+            *factors = pivots.map(|value| value * inverse);
+        }
+        if let Some(first) = factors.first_mut() {
+            first[..left].fill(0.0);
+        }
+        let groups = matrix[LANES * done * stride..].chunks_exact_mut(LANES * stride);
+        for (group, columns) in groups.enumerate() {
+            let mut shares = [0, 1, 2, 3].map(|k| columns[k * stride + step]);
+            if group == 0 {
+                shares[..left].fill(0.0);
+            }
+            let (a, columns) = columns.as_chunks_mut::<LANES>().0.split_at_mut(vectors);
+            let (b, columns) = columns.split_at_mut(vectors);
+            let (c, d) = columns.split_at_mut(vectors);
+            let columns =
+                a[done..].iter_mut().zip(&mut b[done..]).zip(&mut c[done..]).zip(&mut d[done..]);
+            for ((((a, b), c), d), factors) in columns.zip(factors.iter()) {
+                *a = less(*a, shares[0], *factors);
+                *b = less(*b, shares[1], *factors);
+                *c = less(*c, shares[2], *factors);
+                *d = less(*d, shares[3], *factors);
+            }
+        }
+    }
+    right.copy_from_slice(&matrix[n * stride..n * stride + n]);
+    for column in (0..n).rev() {
+        let values = &matrix[column * stride..=column * stride + column];
+        right[column] /= values[column];
+        let x = right[column];
+        for (a, value) in right[..column].iter_mut().zip(values) {
+            *a -= x * value;
+        }
+    }
+    right.iter().all(|x| x.is_finite())
+}
+
+/// A vector less `share` times the `factors`.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn less(mut from: [f64; LANES], share: f64, factors: [f64; LANES]) -> [f64; LANES] {
+    for (value, factor) in from.iter_mut().zip(factors) {
+        *value -= share * factor;
+    }
+    from
+}
+
 /// A matrix in two triangular factors, with its rows in the order of their pivots, for many right sides.
 #[derive(Clone, Debug, Default)]
 pub struct Factors {
@@ -122,6 +219,37 @@ mod tests {
         for i in 0..3 {
             approx::assert_relative_eq!(b[i], x[i], max_relative = 1e-14);
         }
+    }
+
+    #[test]
+    fn columns_of_all_lengths_are_solved() {
+        for n in 1..=19usize {
+            let stride = stride(n);
+            let entry =
+                |i: usize, j: usize| ((37 * i + 61 * j + 17 * i * i * j) % 101) as f64 - 50.0;
+            let mut matrix: Vec<f64> = (0..room(n))
+                .map(|at| {
+                    if at % stride < n && at / stride < n {
+                        entry(at % stride, at / stride)
+                    } else {
+                        0.0
+                    }
+                })
+                .collect();
+            let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.3 * i as f64).collect();
+            let product = |i: usize| (0..n).map(|j| entry(i, j) * x[j]).sum();
+            let mut rows: Vec<f64> = (0..n * n).map(|at| entry(at / n, at % n)).collect();
+            let mut right: Vec<f64> = (0..n).map(product).collect();
+            let mut again = right.clone();
+            assert_eq!(solve_by_columns(&mut matrix, &mut right), solve(&mut rows, n, &mut again));
+            for (a, b) in right.iter().zip(&again) {
+                approx::assert_relative_eq!(a, b, max_relative = 1e-9, epsilon = 1e-12);
+            }
+        }
+        let singular = [1.0, 2.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0];
+        let mut matrix = [0.0; 20];
+        matrix[..8].copy_from_slice(&singular);
+        assert!(!solve_by_columns(&mut matrix, &mut [1.0, 0.0]));
     }
 
     #[test]

@@ -179,9 +179,9 @@ pub const YAWED_PLACE: f64 = 1e-4;
 pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
-/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have just met (1.73 %); it is 1.71 % before they meet at 100 kN and
-/// 0.93 % with one lobe at 50 kN, so that the meeting is not the cause. All others are within 0.98 %.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.75], [0.3, 1.5], [1.0, 2.0]];
+/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have met (1.91 %; 1.63 to 1.91 % wherever between the lobes their joint
+/// is put); it is 1.71 % before they meet at 100 kN and 0.93 % with one lobe at 50 kN, so that the meeting is not the cause. All others are within 0.98 %.
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.95], [0.3, 1.5], [1.0, 2.0]];
 
 /// The same on the four cases of two regions, worst.
 pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.8, 1.5, 2.0];
@@ -197,17 +197,17 @@ pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
 ];
 
-/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 56 of 20 000,
-/// most of them two lobes about to meet over a flat ridge.
-pub const STRIPS_FIXED: f64 = 4e-3;
+/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 31 of 20 000,
+/// most of them where a faint second lobe begins on a long flat of the overlap.
+pub const STRIPS_FIXED: f64 = 2e-3;
 
 /// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
 pub const STRIPS_JUMP: f64 = 1e-6;
 
 /// Second differences in fine steps of the sweeps of a new and a worn S1002 on 60E1, curved creepage: vertical and lateral force over the load, longitudinal
-/// force and moment about the vertical (times 10 mm) over the friction limit. The aim is none; worst are the worn wheel 3.85 mm out, where two
-/// lobes have met, and the new one at 5.2 mm and 112 µm (0.25, 0.16, 0.5, 1.3 %): one solution is found now, then another.
-pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [1.3e-2, 9e-3, 2.3e-2, 6.4e-2];
+/// force and moment about the vertical (times 10 mm) over the friction limit. The aim is none; worst is the new wheel at 5.2 mm and 105 µm, where two
+/// zones become one, with one contact frame and one set of flexibilities; without creep forces the vertical force jumps by 3e-6 there.
+pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [2.8e-4, 9e-4, 3e-3, 6.3e-3];
 
 /// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
 pub const STRIPS_HERTZ: f64 = 2e-3;

@@ -11,6 +11,18 @@ use crate::math::root::bracketed;
 /// Terms of the shape of a cell.
 pub const TERMS: usize = 4;
 
+/// What is known about a joint of two lobes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Joint {
+    /// Nothing yet: a joint with a gap parts, lobes that are close get one.
+    #[default]
+    Untried,
+    /// It had a gap, and parted.
+    Parted,
+    /// It is there to stay.
+    Stays,
+}
+
 /// A cell and the lobe in it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cell {
@@ -29,10 +41,14 @@ pub struct Cell {
     pub active: bool,
     /// Whether the left and the right end of the lobe is that of the lobe beside it too.
     pub met: [bool; 2],
+    /// What is known about a joint with the next cell.
+    pub joint: Joint,
     /// How often its free ends have been moved to where its load ends.
     pub retreats: u8,
     /// Greatest ratio of pressure with which the lobe began [-].
     pub begun_with: f64,
+    /// Where its load ends: at the ends of the lobe, but for strips without load beside a joint [m].
+    pub load_ends: [f64; 2],
     /// Ends of the lobe, and parameters of the line near them at the start [m].
     pub edges: [f64; 2],
     pub near: [f64; 2],
@@ -53,6 +69,11 @@ impl Cell {
     /// Whether an end of its lobe is free, and found by a condition of its own.
     pub fn is_free(&self, side: usize) -> bool {
         !self.met[side]
+    }
+
+    /// Whether strips at `abscissa`, -1 to 1 between the ends of its lobe, are on the side of a joint.
+    pub fn is_beside_joint(&self, abscissa: f64) -> bool {
+        self.met[0] && abscissa < 0.0 || self.met[1] && abscissa > 0.0
     }
 }
 

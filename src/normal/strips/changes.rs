@@ -7,8 +7,6 @@ use crate::geometry::separation::Probe;
 
 /// How often free ends of a lobe may be moved.
 const MOST_RETREATS: u8 = 2;
-/// Least width of a lobe where it comes to meet another one, share of both.
-const LEAST_WIDTH: f64 = 0.02;
 /// Share of its first pressure or width with which a lobe has vanished.
 const VANISHED: f64 = 0.02;
 
@@ -20,21 +18,6 @@ impl StripSolver {
             let distance = if side == 0 { 1.0 + a } else { 1.0 - a };
             self.nodes.ratio[first + t] *= distance.powf(power);
         }
-    }
-
-    /// Joins all lobes on both sides of a ridge before the first step; whether there are any.
-    pub(super) fn begin_met(&mut self) -> bool {
-        let mut found = false;
-        for number in 1..self.lobes.len() {
-            let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
-            if right == left + 1 && self.cells[left].joined {
-                let ridge = self.cells[left].bounds[1];
-                (self.cells[left].edges[1], self.cells[right].edges[0]) = (ridge, ridge);
-                (self.cells[left].met[1], self.cells[right].met[0]) = (true, true);
-                found = true;
-            }
-        }
-        found
     }
 
     /// Joins the lobe `number` and the next one, or parts them.
@@ -49,18 +32,8 @@ impl StripSolver {
         }
     }
 
-    /// Pressure over π E* where the lobe `number` and the next one meet, beyond that of free ends [-].
-    fn joint_pressure(&self, number: usize) -> f64 {
-        let end = |number: usize, side: usize| -> f64 {
-            let Lobe { cell, first } = self.lobes[number];
-            let end = self.rule.met_end(self.cells[cell].met, side);
-            end.map(|(at, factor)| factor * self.nodes.ratio[first + at]).sum()
-        };
-        0.5 * (end(number, 1) + end(number + 1, 0))
-    }
-
     /// Where the load of the lobe `number` ends before its end `side`: the first node without pressure, seen from the greatest one [m].
-    fn early_end(&self, number: usize, side: usize) -> Option<f64> {
+    pub(super) fn early_end(&self, number: usize, side: usize) -> Option<f64> {
         let n = self.rule.count();
         let first = self.lobes[number].first;
         let pressure = &self.nodes.pressure[first..first + n];
@@ -75,8 +48,8 @@ impl StripSolver {
         t.map(|t| self.nodes.y[first + t])
     }
 
-    /// Moves the end `side` of the lobe `number` inwards; pressures stay where they are.
-    fn retreat(&mut self, number: usize, side: usize, edge: f64) {
+    /// Moves the end `side` of the lobe `number`; pressures stay where they are.
+    pub(super) fn move_end(&mut self, number: usize, side: usize, edge: f64) {
         let n = self.rule.count();
         let Lobe { cell, first } = self.lobes[number];
         let cell = &mut self.cells[cell];
@@ -93,7 +66,7 @@ impl StripSolver {
             }
             let share = ((y - old[k]) / (old[k + 1] - old[k])).clamp(0.0, 1.0);
             let old = &self.nodes.pressure[first..first + n];
-            let mut ratio = old[k] + share * (old[k + 1] - old[k]);
+            let mut ratio = (old[k] + share * (old[k + 1] - old[k])).max(0.0);
             for (met, distance) in met.into_iter().zip([1.0 + a, 1.0 - a]) {
                 if !met {
                     ratio /= distance.max(0.05).sqrt();
@@ -119,43 +92,9 @@ impl StripSolver {
                 let early = if side == 0 { end >= second } else { end <= second };
                 if early {
                     self.cells[cell].retreats += 1;
-                    self.retreat(number, side, end);
+                    self.move_end(number, side, end);
                     changed = true;
                 }
-            }
-        }
-        changed
-    }
-
-    /// Joins lobes whose edges have come to each other, and parts those without pressure at their joint, or next to it where pressures
-    /// are `settled`; whether there were any.
-    pub(super) fn meet_and_part(&mut self, settled: bool) -> bool {
-        let mut changed = false;
-        for number in 1..self.lobes.len() {
-            let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
-            let [outer_left, inner_left] = self.cells[left].edges;
-            let [inner_right, outer_right] = self.cells[right].edges;
-            if self.cells[left].met[1] {
-                let ends = [self.early_end(number - 1, 1), self.early_end(number, 0)];
-                let empty = settled && ends != [None, None];
-                if empty || self.joint_pressure(number - 1) < 0.0 {
-                    self.set_met(number - 1, false);
-                    if empty {
-                        for (k, end) in ends.into_iter().enumerate() {
-                            if let Some(end) = end {
-                                self.retreat(number - 1 + k, 1 - k, end);
-                            }
-                        }
-                    }
-                    changed = true;
-                }
-            } else if inner_left >= inner_right && outer_left < outer_right {
-                let margin = LEAST_WIDTH * (outer_right - outer_left);
-                let joint = (0.5 * (inner_left + inner_right))
-                    .clamp(outer_left + margin, outer_right - margin);
-                (self.cells[left].edges[1], self.cells[right].edges[0]) = (joint, joint);
-                self.set_met(number - 1, true);
-                changed = true;
             }
         }
         changed

@@ -14,8 +14,7 @@ use std::f64::consts::PI;
 
 use super::Line;
 use super::cell::{self, TERMS};
-use super::influence::{skewed, straight};
-use super::pair_sums::bend;
+use super::influence::{bend, skewed, straight};
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;
@@ -111,11 +110,12 @@ impl StripSolver {
                 let inner = &self.cells[begin..end];
                 let number = inner.iter().position(|c| y < c.bounds[1]).unwrap_or(inner.len() - 1);
                 let cell = &self.cells[begin + number];
+                let radius = line.radius(place.u);
                 let span = cell.deepest[1] - cell.start_level;
                 let share = ((place.overlap - cell.start_level) / span).max(0.0);
                 let nodes = &mut self.nodes;
                 (nodes.u[i], nodes.y[i], nodes.x[i]) = (place.u, y, place.x);
-                (nodes.tangent[i], nodes.radius[i]) = (place.tangent, place.radius);
+                (nodes.tangent[i], nodes.radius[i]) = (place.tangent, radius);
                 (nodes.overlap[i], nodes.width[i]) = (place.overlap, width);
                 nodes.pressure[i] = if cell.active { cell.begun_with * share.sqrt() } else { 0.0 };
                 nodes.lobe[i] = begin + number;
@@ -151,7 +151,8 @@ impl StripSolver {
         let count = nodes.y.len();
         let m = &mut self.matrices;
         let (d, slope) = (&mut m.d[..count], &mut m.slope[..count]);
-        let (own_d, own_slope) = (&mut m.own_d[..count], &mut m.own_slope[..count]);
+        let own_d = &mut m.straight_d[..count];
+        let own_slope = &mut m.straight_slope[..count];
         let at = [nodes.x[i], nodes.y[i]];
         skewed(at, &nodes.x, &nodes.y, &nodes.half_length, d, slope);
         straight(at[1], &nodes.y, &nodes.half_length, own_d, own_slope);
@@ -201,7 +202,7 @@ impl StripSolver {
                 let q = &self.nodes.pressure;
                 let u: f64 = m.d[..count].iter().zip(q).map(|(d, q)| d * q).sum();
                 let error = self.nodes.overlap[i] - u;
-                let curvature: f64 = m.own_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
+                let curvature: f64 = m.straight_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
                 self.nodes.ratio[i] = self.nodes.radius[i] * curvature;
                 if q[i] > 0.0 || error > 0.0 {
                     self.nodes.spare[i] = rows as f64;

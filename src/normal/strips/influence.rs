@@ -31,12 +31,30 @@ pub fn straight(at: f64, y: &[f64], a: &[f64], d: &mut [f64], slope: &mut [f64])
     }
 }
 
+/// What a source does to a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Influence<T = f64> {
+    /// D and d(a D)/da.
+    pub d: T,
+    pub slope: T,
+    /// -∂²D/∂ξ² over D.
+    pub bend: T,
+}
+
 /// D and d(a D)/da of a source of half length `a` straight across at a distance.
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub fn straight_pair<T: Real>(distance: T, a: T) -> (T, T) {
-    let sigma = distance / a;
+    let Influence { d, slope, .. } = centred_at(distance / a);
+    (d, slope)
+}
+
+/// The influence straight across at σ.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn centred_at<T: Real>(sigma: T) -> Influence<T> {
     centred((sigma * sigma).at_least(LEAST))
 }
 
@@ -55,34 +73,65 @@ pub fn skewed(at: [f64; 2], xs: &[f64], y: &[f64], a: &[f64], d: &mut [f64], slo
 #[inline(always)]
 pub fn skewed_pair<T: Real>(dx: T, dy: T, a: T) -> (T, T) {
     let inverse = T::from(1.0) / a;
-    let (xi, sigma) = (dx.abs() * inverse, dy * inverse);
+    let Influence { d, slope, .. } = shifted_at(dx * inverse, dy * inverse);
+    (d, slope)
+}
+
+/// -∂²D/∂x² over D [1/m²] of a source of half length `a` at distances `dx` along and `dy` across: see [`shifted_at`].
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn bend<T: Real>(a: T, dx: T, dy: T) -> T {
+    let inverse = T::from(1.0) / a;
+    shifted_at(dx * inverse, dy * inverse).bend * inverse * inverse
+}
+
+/// The influence at ξ and σ, with
+///
+/// ```text
+/// -∂²D/∂ξ² = D (1 + c η²)/ζ²,   c = -3 + 3.35 m + 0.75 m³,   m = 1/ζ²
+/// ```
+///
+/// exact for η = 0 and far away, fitted in between: 1 % off for η = 0.3, 6 % for η = 0.4, on the strip itself and less elsewhere.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn shifted_at<T: Real>(xi: T, sigma: T) -> Influence<T> {
+    let xi = xi.abs();
     let squared = (sigma * sigma).at_least(LEAST);
     let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
     let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
     let zeta = (far + near) * 0.5;
-    let eta = xi * 2.0 / (far + near);
-    // ζ² - 1 = σ²/(1 - η²) without cancellation on the strip, where the former is small; beyond its ends the latter is.
-    let complement = (-(eta * eta) + 1.0).at_least(1e-12);
-    let (m, t) = centred((zeta * zeta - 1.0).max(squared.min(squared / complement)));
-    let share = (-complement.sqrt() + 1.0) * 2.0;
-    (m + share * (t * 0.5 - m), t * complement.sqrt())
+    let inverse = T::from(1.0) / zeta;
+    let (eta, m) = (xi * inverse, inverse * inverse);
+    let eta2 = eta * eta;
+    let root = (-eta2 + 1.0).at_least(1e-12).sqrt();
+    // ζ² - 1 = σ²/(1 - η²), more than σ²: on the strip the former difference is all rounding.
+    let Influence { d, slope, .. } = centred((zeta * zeta - 1.0).max(squared));
+    let share = (-root + 1.0) * 2.0;
+    Influence {
+        d: d + share * (slope * 0.5 - d),
+        slope: slope * root,
+        bend: (eta2 * (m * (m * 0.75 * m + 3.35) - 3.0) + 1.0) * m,
+    }
 }
 
-/// D and d(a D)/da at ξ = 0 for σ².
+/// The influence at ξ = 0 for σ².
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn centred<T: Real>(squared: T) -> (T, T) {
+fn centred<T: Real>(squared: T) -> Influence<T> {
     let squared = squared.at_most(MOST);
     let sum = squared + 1.0;
-    let inverse = T::from(1.0) / sum;
+    let bend = T::from(1.0) / sum;
     let s = sum.sqrt();
-    let complement = squared * inverse;
+    let complement = squared * bend;
     let [k0, k1, e0, e1] = first_and_second_split(complement);
     let log = complement.normal_ln();
     let first = k0 - log * k1;
     let second = e0 - log * e1;
-    (s * 2.0 * (first - second), first * 2.0 * s * inverse)
+    let double = s * 2.0;
+    Influence { d: double * (first - second), slope: double * first * bend, bend }
 }
 
 /// The integrals over the distance across, Ψ(σ) = ∫_0^σ D and ∫_0^σ D/(1 + σ²), tabulated over ln σ with exact slopes.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::cell::{self, TERMS};
+use super::cell::{self, Joint, TERMS};
 use super::nodes::Lobe;
 use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
@@ -57,10 +57,11 @@ impl StripSolver {
         }
         let cell = &mut self.cells[i];
         let place = line.place(cell.deepest[0]);
+        let radius = line.radius(cell.deepest[0]);
         let mut overlap = |u: f64| line.place(u).overlap;
         let half = cell::places(probes, level, cell, 0.5, &mut overlap);
         let width = (half[1] - half[0]) * place.dy;
-        let along = 0.5 / place.radius;
+        let along = 0.5 / radius;
         // Curvature of the parabola as wide at half of the depth; what is shallower is narrower.
         let across = (2.0 * cell.deepest[1] / (width * width)).clamp(1e-4 * along, 1e6 * along);
         let ellipse = hertz::ellipse(along, across, depth, 1.0);
@@ -76,11 +77,12 @@ impl StripSolver {
         cell.start_level = left * cell.deepest[1];
         cell.active = true;
         cell.met = [false; 2];
+        cell.joint = Joint::Untried;
         cell.start_width = cell.edges[1] - cell.edges[0];
         cell.shape = [0.0; TERMS];
         // q/(π E*) = a e^κ0/(2 π R)
         let greatest = ellipse.max_pressure / PI;
-        cell.shape[0] = (greatest * 2.0 * PI * place.radius / ellipse.semi_axis_along).ln();
+        cell.shape[0] = (greatest * 2.0 * PI * radius / ellipse.semi_axis_along).ln();
         cell.start_ratio = greatest;
         cell.begun_with = greatest;
     }
@@ -131,14 +133,26 @@ impl StripSolver {
             for t in 0..n {
                 let (i, abscissa) = (first + t, self.rule.nodes[t]);
                 let y = middle + half * abscissa;
-                let near = if nodes.u[i].is_nan() {
+                let near = if !nodes.u[i].is_nan() {
+                    nodes.u[i] + (y - nodes.y[i]) * nodes.rate[i]
+                } else if t == 0 {
                     0.5 * (cell.near[0] + cell.near[1] + abscissa * (cell.near[1] - cell.near[0]))
                 } else {
-                    nodes.u[i] + (y - nodes.y[i])
+                    // On from the node before, with the change of the rate between the two before.
+                    let (k, step) = (i - 1, y - nodes.y[i - 1]);
+                    let before = if t == 1 { k } else { k - 1 };
+                    let trend = if t == 1 {
+                        0.0
+                    } else {
+                        (nodes.rate[k] - nodes.rate[before]) / (nodes.y[k] - nodes.y[before])
+                    };
+                    nodes.u[k] + step * (nodes.rate[k] + 0.5 * step * trend)
                 };
-                let LinePlace { u, dy, overlap, overlap_slope, x, tangent, radius, .. } =
+                let LinePlace { u, dy, overlap, overlap_slope, x, tangent, .. } =
                     line.across(y, near);
+                let radius = line.radius(u);
                 nodes.u[i] = u;
+                nodes.rate[i] = 1.0 / dy;
                 nodes.y[i] = y;
                 nodes.x[i] = x;
                 nodes.tangent[i] = tangent;
@@ -147,10 +161,9 @@ impl StripSolver {
                 nodes.radius[i] = radius;
                 nodes.width[i] = half * self.rule.weights[t];
                 nodes.lobe[i] = number;
-                let shape = |side: usize, distance: f64| {
-                    if cell.met[side] { 1.0 } else { distance.sqrt() }
-                };
-                nodes.edge_shape[i] = shape(0, 1.0 + abscissa) * shape(1, 1.0 - abscissa);
+                let shape =
+                    |side: usize| if cell.met[side] { 1.0 } else { self.rule.roots[t][side] };
+                nodes.edge_shape[i] = shape(0) * shape(1);
                 if cell.start_ratio > 0.0 {
                     let span = cell.deepest[1] - cell.start_level;
                     let share = ((overlap - cell.start_level) / span).clamp(0.01, 1.0);
@@ -158,7 +171,7 @@ impl StripSolver {
                         cell.start_ratio * share.sqrt() / nodes.edge_shape[i].max(0.05);
                 }
                 let exponent: f64 =
-                    (0..self.rule.terms).map(|l| cell.shape[l] * self.rule.legendre[l][t]).sum();
+                    cell.shape.iter().zip(self.rule.legendre[t]).map(|(s, p)| s * p).sum();
                 nodes.pressure[i] = nodes.ratio[i].max(0.0) * nodes.edge_shape[i];
                 let per_pressure = 2.0 * PI * radius * (-exponent).exp();
                 nodes.half_length[i] = (nodes.pressure[i] * per_pressure).max(1e-12 * half);

@@ -15,8 +15,11 @@
 
 mod cell;
 mod changes;
+mod closures;
+mod faint_ridges;
 mod fixed;
 mod influence;
+mod joints;
 mod lobes;
 mod moving;
 mod nodes;
@@ -52,8 +55,6 @@ pub struct LinePlace {
     pub x: f64,
     /// Unit tangent (y, z) of the surface across, which turns with the normal.
     pub tangent: [f64; 2],
-    /// Radius of the normal section of the wheel along x, > 0 [m].
-    pub radius: f64,
 }
 
 /// The overlap of two bodies along their contact line.
@@ -61,29 +62,38 @@ pub trait Line {
     /// At parameter `u` [m].
     fn place(&mut self, u: f64) -> LinePlace;
 
+    /// Radius of the normal section of the wheel along x at parameter `u`, > 0 [m].
+    fn radius(&mut self, u: f64) -> f64;
+
     /// At coordinate `y` across, for a parameter near `guess` [m].
     ///
     /// The overlap over `y` is as smooth as the surfaces; over the parameter it is not, where the contact line of a yawed wheel changes
     /// its speed with the curvature of the profile.
     fn across(&mut self, y: f64, guess: f64) -> LinePlace {
-        let mut place = self.place(guess);
-        for _ in 0..MOST_PLACES {
-            let step = (y - place.y) / place.dy;
-            if step.abs() <= NEAR {
-                place.overlap += place.overlap_slope * step;
-                place.u += step;
-                place.y = y;
-                break;
-            }
-            place = self.place(place.u + step);
-        }
-        place
+        walk_across(self, y, guess)
     }
 }
 
-/// Most places tried to find one at a given coordinate, and last step to it [m].
+/// As [`Line::across`], from place to place.
+pub fn walk_across(line: &mut (impl Line + ?Sized), y: f64, guess: f64) -> LinePlace {
+    let mut place = line.place(guess);
+    for _ in 0..MOST_PLACES {
+        let step = (y - place.y) / place.dy;
+        if step.abs() <= NEAR {
+            place.overlap += place.overlap_slope * step;
+            place.u += step;
+            place.y = y;
+            break;
+        }
+        place = line.place(place.u + step);
+    }
+    place
+}
+
+/// Most places tried to find one at a given coordinate.
 const MOST_PLACES: usize = 20;
-const NEAR: f64 = 1e-8;
+/// Last step to a place at a given coordinate [m].
+pub const NEAR: f64 = 1e-8;
 
 /// The separation in one contact frame as a line: all normals are parallel.
 struct FrameLine<'a, S> {
@@ -103,8 +113,11 @@ impl<S: Separation> Line for FrameLine<'_, S> {
             overlap_slope: -slope,
             x: at.x,
             tangent: [1.0, 0.0],
-            radius: self.radius,
         }
+    }
+
+    fn radius(&mut self, _: f64) -> f64 {
+        self.radius
     }
 }
 

@@ -12,11 +12,11 @@
 
 use std::f64::consts::PI;
 
-use super::influence::{skewed_pair, straight_pair};
+use super::cell::Cell;
+use super::influence::{bend, skewed_pair, straight_pair};
 use super::nodes::Lobe;
-use super::pair_sums::bend;
 use super::solver::StripSolver;
-use super::system::{Assembly, SHAPE_REGULARISATION, TO_RIDGE};
+use super::system::{Assembly, SHAPE_REGULARISATION};
 use super::zones::greatest_pressure;
 use crate::math::dual::Dual;
 use crate::math::linear_system::Factors;
@@ -104,6 +104,11 @@ impl<const N: usize> StripFollower<Dual<N>> {
         found: &Strips,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
+        let has_gap =
+            |cell: &Cell| cell.load_ends[0] > cell.edges[0] || cell.load_ends[1] < cell.edges[1];
+        if solver.is_mixed || solver.lobes.iter().any(|lobe| has_gap(&solver.cells[lobe.cell])) {
+            return false;
+        }
         let nodes = &solver.nodes;
         let skewed = nodes.x.iter().any(|x| (x - nodes.x[0]).abs() > 0.0);
         let scale = nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
@@ -120,10 +125,12 @@ impl<const N: usize> StripFollower<Dual<N>> {
             scale,
         };
         let size = solver.lobes.len() * assembly.unknowns_per_lobe();
-        assembly.influences(&mut solver.matrices);
         assembly.assemble(&mut solver.matrices);
         self.matrix.clear();
-        self.matrix.extend_from_slice(&solver.matrices.newton[..size * size]);
+        for row in 0..size {
+            let entry = |column| solver.matrices.newton[assembly.entry(row, column)];
+            self.matrix.extend((0..size).map(entry));
+        }
         if !self.factors.of(&self.matrix, size) {
             return false;
         }
@@ -175,7 +182,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
                 let y = middle + half * rule.nodes[t];
                 let Some(place) = line.across(at.solver.nodes.u[i], y) else { return false };
                 let exponent: Dual<N> =
-                    (0..rule.terms).map(|l| unknowns[n + 2 + l] * rule.legendre[l][t]).sum();
+                    (0..rule.terms).map(|l| unknowns[n + 2 + l] * rule.legendre[t][l]).sum();
                 let pressure = unknowns[t].at_least(0.0) * at.solver.nodes.edge_shape[i];
                 let per_pressure = place.radius * (2.0 * PI) * (-exponent).exp();
                 let half_length = (pressure * per_pressure).max(half * 1e-12);
@@ -213,7 +220,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
                     let error = node.place.radius * curvature - 1.0;
                     let share = node.width * node.pressure * node.half_length / load;
                     for l in 0..rule.terms {
-                        self.residuals[begin + n + 2 + l] += share * error * rule.legendre[l][t];
+                        self.residuals[begin + n + 2 + l] += share * error * rule.legendre[t][l];
                     }
                 }
             }
@@ -225,37 +232,20 @@ impl<const N: usize> StripFollower<Dual<N>> {
             // What closes an edge is linear.
             for side in 0..2 {
                 let outermost = begin + if side == 0 { 0 } else { n - 1 };
-                if cell.is_free(side) {
-                    self.residuals[outermost] = self.linear(outermost);
-                }
+                self.residuals[outermost] = self.linear(outermost);
                 let row = begin + n + side;
                 self.residuals[row] = self.linear(row);
                 if side == 1 && !cell.is_free(1) {
                     let Some(ridge) = line.ridge(cell.range[1], cell.bounds[1]) else {
                         return false;
                     };
-                    self.residuals[row] = self.joint(at, number, ridge);
+                    let [first, joint] = self.edges(at, number);
+                    let [_, last] = self.edges(at, number + 1);
+                    self.residuals[row] = (joint - ridge) / (last - first);
                 }
             }
         }
         true
-    }
-
-    /// What is left of the condition of the joint of a lobe with the next one: see [`Assembly`].
-    fn joint(&self, at: &Solution, lobe: usize, ridge: Dual<N>) -> Dual<N> {
-        let rule = &at.solver.rule;
-        let block = rule.count() + 2 + rule.terms;
-        let end = |lobe: usize, side: usize| -> Dual<N> {
-            let met = at.solver.cells[at.solver.lobes[lobe].cell].met;
-            let nodes = rule.met_end(met, side);
-            nodes
-                .map(|(node, factor)| self.unknowns[lobe * block + node] * (factor / at.scale))
-                .sum()
-        };
-        let ([first, joint], [_, last]) = (self.edges(at, lobe), self.edges(at, lobe + 1));
-        let moved = (joint - ridge) * TO_RIDGE / (last - first);
-        let (left, right) = (end(lobe, 1), end(lobe + 1, 0));
-        left - right + (left + right) * moved
     }
 
     /// A row of the Newton matrix times the unknowns.
@@ -295,7 +285,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
         let (mut taken_out, mut bent_out) = (Dual::from(0.0), Dual::from(0.0));
         for k in (0..n).filter(|&k| k != t) {
             let node = &self.nodes[first + k];
-            let logarithm = half * (-2.0 * rule.corrections[t * n + k]);
+            let logarithm = half * (-2.0 * rule.corrections_of(k)[t]);
             let distance = own.y - node.y;
             let square = distance * distance;
             let inverse = Dual::from(1.0) / (own_squared + square);

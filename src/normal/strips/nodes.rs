@@ -1,6 +1,8 @@
 //! Memory of the solver: the nodes of all lobes, and the matrices over them.
 
-use super::pair_sums::{OWN_COLUMNS, PAIR_COLUMNS};
+use super::closures::{Closure, OF_LOBE, Run};
+use super::pair_sums::{Acting, Column, Sums, Targets};
+use crate::math::linear_system;
 
 /// Nodes of all lobes, as columns.
 #[derive(Clone, Debug, Default)]
@@ -9,6 +11,8 @@ pub struct Nodes {
     pub y: Vec<f64>,
     /// Parameter of the contact line [m], not a number where none is known yet.
     pub u: Vec<f64>,
+    /// Derivative of the parameter by y [-].
+    pub rate: Vec<f64>,
     /// Place along x and its derivative by y [m, -].
     pub x: Vec<f64>,
     pub x_slope: Vec<f64>,
@@ -41,6 +45,7 @@ impl Nodes {
         let column = || Vec::with_capacity(count);
         Self {
             u: column(),
+            rate: column(),
             y: column(),
             x: column(),
             x_slope: column(),
@@ -62,6 +67,7 @@ impl Nodes {
     pub fn resize(&mut self, count: usize) {
         for column in [
             &mut self.u,
+            &mut self.rate,
             &mut self.y,
             &mut self.x,
             &mut self.x_slope,
@@ -90,48 +96,55 @@ pub struct Lobe {
     pub first: usize,
 }
 
-/// Matrices of one assembly; `stride` entries a row.
+/// Matrices of one assembly, and what goes into them.
 #[derive(Clone, Debug, Default)]
 pub struct Matrices {
-    /// D of pairs and its slope d(a D)/da, then those of the own half length.
+    /// Strips that stay where they are, one row at a time: D and its slope d(a D)/da, then those straight across.
     pub d: Vec<f64>,
     pub slope: Vec<f64>,
-    pub own_d: Vec<f64>,
-    pub own_slope: Vec<f64>,
-    /// Scratch for columns and rows of whole vectors.
-    pub padded: [Vec<f64>; 7],
-    pub pairs: [Vec<f64>; PAIR_COLUMNS],
-    pub own: [Vec<f64>; OWN_COLUMNS],
-    pub logarithm: Vec<f64>,
-    /// The Newton matrix.
+    pub straight_d: Vec<f64>,
+    pub straight_slope: Vec<f64>,
+    /// Targets and sums of lobes.
+    pub scratch: Box<Scratch>,
+    /// The Newton matrix: by columns of [`stride`](linear_system::stride) numbers for lobes, by rows for strips that stay where they are.
     pub newton: Vec<f64>,
     /// Its right side: residuals, then the step.
     pub right: Vec<f64>,
+    /// Unknowns that follow others, and rows and columns of the rest.
+    pub closures: Vec<Closure>,
+    pub runs: Vec<Run>,
+    pub columns: Vec<usize>,
+}
+
+/// What a row of the Newton matrix is made of, for some nodes at once.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch {
+    pub targets: Targets,
+    pub acting: Acting,
+    pub sums: Sums,
+    pub logarithm: Column,
 }
 
 impl Matrices {
     /// Most nodes.
     pub fn nodes(&self) -> usize {
-        self.padded[0].len()
+        self.d.len()
     }
 
-    /// Room for `nodes` nodes, `strips` a lobe, and `unknowns` unknowns.
-    pub fn new(strips: usize, nodes: usize, unknowns: usize) -> Self {
-        let square = || vec![0.0; nodes * nodes];
+    /// Room for `lobes` lobes with `nodes` nodes and `unknowns` unknowns in all.
+    pub fn new(lobes: usize, nodes: usize, unknowns: usize) -> Self {
+        let row = || vec![0.0; nodes];
         Self {
-            d: square(),
-            slope: square(),
-            own_d: square(),
-            own_slope: square(),
-            padded: std::array::from_fn(|_| vec![0.0; nodes.next_multiple_of(LANES)]),
-            pairs: std::array::from_fn(|_| vec![0.0; nodes]),
-            own: std::array::from_fn(|_| vec![0.0; strips]),
-            logarithm: vec![0.0; strips],
-            newton: vec![0.0; unknowns * unknowns],
-            right: vec![0.0; unknowns],
+            d: row(),
+            slope: row(),
+            straight_d: row(),
+            straight_slope: row(),
+            scratch: Box::default(),
+            newton: vec![0.0; linear_system::room(unknowns).max(nodes * nodes)],
+            right: vec![0.0; linear_system::stride(unknowns)],
+            closures: Vec::with_capacity(OF_LOBE * lobes),
+            runs: Vec::with_capacity(OF_LOBE * lobes),
+            columns: Vec::with_capacity(unknowns),
         }
     }
 }
-
-/// Numbers in the longest vectors: rows of so many have no remainder, which would be taken one by one.
-pub const LANES: usize = 8;

@@ -2,6 +2,7 @@
 
 use super::cell::TERMS;
 use super::influence::logarithm_corrections;
+use super::pair_sums::LANES;
 use crate::math::quadrature::GaussLegendre;
 
 /// Quadrature and extrapolation on the nodes of a lobe.
@@ -11,17 +12,18 @@ pub struct LobeRule {
     pub nodes: Vec<f64>,
     /// Weights, with dt/ds in them.
     pub weights: Vec<f64>,
+    /// Weights of the polynomial in s through values at the nodes, in its barycentric form.
+    pub barycentric: Vec<f64>,
     /// Terms of the shape, as many as the nodes carry.
     pub terms: usize,
-    /// See [`logarithm_corrections`].
-    pub corrections: Vec<f64>,
+    /// See [`logarithm_corrections`]: source by source, whole vectors of targets.
+    corrections: Vec<f64>,
     /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
     pub outer_closures: [[f64; 4]; 2],
-    /// What the value of the outermost node is beyond that of the next three where a parabola times the root of the distance from the end
-    /// goes through them: factors of the four.
-    pub met_closure: [f64; 4],
     /// Legendre polynomials at the nodes.
-    pub legendre: Vec<Vec<f64>>,
+    pub legendre: Vec<[f64; TERMS]>,
+    /// Roots of the distances of the nodes from the left and the right end.
+    pub roots: Vec<[f64; 2]>,
     /// How far a node travels with the left and the right edge.
     pub travel: [Vec<f64>; 2],
 }
@@ -36,29 +38,32 @@ impl LobeRule {
             gauss.nodes.iter().map(|s| std::f64::consts::FRAC_PI_2 * angle(s).cos()).collect();
         let t: Vec<f64> = gauss.nodes.iter().map(|s| angle(s).sin()).collect();
         let weights: Vec<f64> = gauss.weights.iter().zip(&rate).map(|(w, r)| w * r).collect();
-        let mut corrections = logarithm_corrections(&gauss);
+        let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let pairs = gauss.nodes.iter().zip(&gauss.weights).enumerate();
+        let barycentric = pairs.map(|(k, (s, w))| sign(k) * ((1.0 - s * s) * w).sqrt()).collect();
+        let by_target = logarithm_corrections(&gauss);
+        let stride = count.next_multiple_of(LANES);
+        let mut corrections = vec![0.0; count * stride];
         for i in 0..count {
             for j in 0..count {
-                corrections[i * count + j] *= rate[j];
+                corrections[j * stride + i] = by_target[i * count + j] * rate[j];
             }
         }
         let terms = TERMS.min(count - 3);
-        let legendre: Vec<Vec<f64>> =
-            (0..terms).map(|l| t.iter().map(|&x| legendre(x)[l]).collect()).collect();
-        let closure = lagrange_closure([t[1], t[2], t[3]], t[0]);
+        let legendre = t.iter().map(|&t| legendre(t)).collect();
+        let roots = t.iter().map(|t| [(1.0 + t).sqrt(), (1.0 - t).sqrt()]).collect();
         let outer_closures = [0, 1].map(|outer| lagrange_closure([t[2], t[3], t[4]], t[outer]));
-        let met_closure =
-            std::array::from_fn(|k| closure[k] * ((1.0 + t[0]) / (1.0 + t[k])).sqrt());
         let travel = [
             t.iter().map(|t| 0.5 * (1.0 - t)).collect(),
             t.iter().map(|t| 0.5 * (1.0 + t)).collect(),
         ];
         Self {
             terms,
+            barycentric,
             corrections,
             outer_closures,
-            met_closure,
             legendre,
+            roots,
             travel,
             nodes: t,
             weights,
@@ -71,14 +76,11 @@ impl LobeRule {
         self.nodes.len()
     }
 
-    /// Nodes at the end `side` of a lobe, which meets another one there, and factors of their ratios in the pressure at that end beyond
-    /// that of a free one; `met` tells which of its ends do.
-    pub fn met_end(&self, met: [bool; 2], side: usize) -> impl Iterator<Item = (usize, f64)> {
-        let n = self.count();
-        let node = move |k| if side == 0 { k } else { n - 1 - k };
-        // The root of the distance from the other end.
-        let factor = if met[1 - side] { 1.0 } else { std::f64::consts::SQRT_2 };
-        self.met_closure.iter().enumerate().map(move |(k, c)| (node(k), factor * c))
+    /// Corrections for the logarithm with node `k` as source, for each target, and zeros to the end of the last vector.
+    #[must_use]
+    pub fn corrections_of(&self, k: usize) -> &[f64] {
+        let stride = self.count().next_multiple_of(LANES);
+        &self.corrections[k * stride..(k + 1) * stride]
     }
 }
 
@@ -101,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parabolas_close_free_ends_and_their_products_with_the_root_met_ones() {
+    fn parabolas_close_free_ends() {
         let rule = LobeRule::new(12);
         let f = |t: f64| 1.0 + t * (0.5 - 2.0 * t);
         let at = |k: usize| f(rule.nodes[k]);
@@ -109,8 +111,5 @@ mod tests {
             let free: f64 = closure.iter().zip(nodes).map(|(c, k)| c * at(k)).sum();
             approx::assert_abs_diff_eq!(free, 0.0, epsilon = 1e-14);
         }
-        let root = |k: usize| (1.0 + rule.nodes[k]).sqrt();
-        let met: f64 = (0..4).map(|k| rule.met_closure[k] * at(k) * root(k)).sum();
-        approx::assert_abs_diff_eq!(met, 0.0, epsilon = 1e-14);
     }
 }

@@ -2,19 +2,20 @@
 
 use super::Line;
 use super::cell::{self, Cell};
+use super::faint_ridges::{self, WithoutRidge};
 use super::influence::Integrals;
+use super::joints::Apart;
 use super::nodes::{Lobe, Matrices, Nodes};
 use super::rule::LobeRule;
 use super::system::Assembly;
 use crate::geometry::separation::Probe;
-use crate::math::linear_system;
 use crate::math::room::Room;
 use crate::normal::Strips;
 
 /// Most lobes at once; what has no room is left to its neighbour.
 pub(super) const MOST_LOBES: usize = 6;
 /// Most Newton steps for one set of lobes, and most changes of that set.
-const MOST_STEPS: usize = 24;
+const MOST_STEPS: u64 = 24;
 const MOST_CHANGES: usize = 16;
 /// Most Newton steps for a problem, with all its starts and sets of lobes: of 20 000 random poses of a wheel those with a solution took up to 72.
 const MOST_STEPS_IN_ALL: u64 = 128;
@@ -82,8 +83,12 @@ pub struct StripSolver {
     pub(super) lobes: Room<Lobe>,
     pub(super) nodes: Nodes,
     pub(super) matrices: Matrices,
+    pub(super) apart: Apart,
+    pub(super) without_ridge: WithoutRidge,
+    /// Whether the strips are between two solutions.
+    pub(super) is_mixed: bool,
     /// Share of the Newton step that is taken far from the solution.
-    caution: f64,
+    pub(super) caution: f64,
     /// Count of Newton steps at which the present problem is given up.
     last_step: u64,
     /// Work so far.
@@ -111,7 +116,10 @@ impl StripSolver {
             cells: Room::new(64),
             lobes: Room::new(MOST_LOBES),
             nodes: Nodes::with_capacity(nodes),
-            matrices: Matrices::new(strips, nodes, unknowns),
+            matrices: Matrices::new(MOST_LOBES, nodes, unknowns),
+            apart: Apart::with_capacity(nodes, MOST_LOBES),
+            without_ridge: WithoutRidge::with_capacity(nodes),
+            is_mixed: false,
             caution: 1.0,
             last_step: 0,
             work: Work::default(),
@@ -130,14 +138,23 @@ impl StripSolver {
         strips: &mut Strips,
     ) -> bool {
         self.work.solved += 1;
-        self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
-        for start in STARTS {
-            cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
-            self.caution = start.caution;
-            if self.settle(line, (probes, level), start) {
-                self.emit(contact_modulus, strips);
-                return true;
-            }
+        let least = cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
+        let weight = faint_ridges::weight(least);
+        let without = weight < 1.0 && self.find(line, (probes, level), least);
+        // What is between two solutions already is not mixed once more.
+        let kept = without && !self.is_mixed;
+        if kept {
+            self.keep_without_ridge();
+        }
+        let mut found = self.find(line, (probes, level), LEAST_SHARE);
+        if found && kept && !self.is_mixed {
+            self.mix_without_ridge(line, weight);
+        } else if !found && without {
+            found = self.find(line, (probes, level), least);
+        }
+        if found {
+            self.emit(contact_modulus, strips);
+            return true;
         }
         self.work.fixed += 1;
         if self.solve_fixed(line, (probes, level), contact_modulus, strips) {
@@ -148,8 +165,20 @@ impl StripSolver {
         false
     }
 
+    /// Finds a solution for the cells between ridges of more than `least_share`.
+    fn find(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), least_share: f64) -> bool {
+        self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
+        STARTS.iter().any(|start| {
+            cell::fill(overlap.0, overlap.1, least_share, &mut self.cells);
+            self.caution = start.caution;
+            self.settle(line, overlap, *start)
+        })
+    }
+
     /// Finds the lobes of all cells.
     fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) -> bool {
+        self.apart.lobe = None;
+        self.is_mixed = false;
         self.begin(line, overlap, start);
         if start.met && !self.begin_met() {
             return false;
@@ -162,7 +191,8 @@ impl StripSolver {
                 }
                 continue;
             }
-            if !self.revise(line, overlap) {
+            if !self.revise(line, overlap) && !self.meet_or_part(line, overlap) {
+                self.mix(line);
                 return true;
             }
         }
@@ -171,17 +201,15 @@ impl StripSolver {
 
     /// Newton's method for the present lobes; false where it does not converge.
     fn newton(&mut self, line: &mut impl Line) -> bool {
-        let n = self.rule.count();
-        let block = n + 2 + self.rule.terms;
         let depth = self.lobes.iter().map(|l| self.cells[l.cell].deepest[1]).fold(0.0, f64::max);
         let (mut before, mut damping) = (f64::INFINITY, 1.0f64);
-        for _ in 0..MOST_STEPS {
+        let mut given_up = self.work.steps + MOST_STEPS;
+        while self.work.steps < given_up {
             if self.work.steps >= self.last_step {
                 return false;
             }
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
-            let unknowns = self.lobes.len() * block;
             let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
             if scale.is_nan() || scale <= 0.0 {
                 return false;
@@ -196,10 +224,8 @@ impl StripSolver {
                 depth,
                 scale,
             };
-            assembly.influences(&mut self.matrices);
             assembly.assemble(&mut self.matrices);
-            let Matrices { newton, right, .. } = &mut self.matrices;
-            if !linear_system::solve(newton, unknowns, &mut right[..unknowns]) {
+            if !assembly.solve(&mut self.matrices) {
                 return false;
             }
             let (share, change) = self.step_share(scale);
@@ -223,11 +249,12 @@ impl StripSolver {
             {
                 return false;
             }
-            let changed = self.meet_and_part(settled);
+            let changed = self.meet();
             if !changed && share * damping >= 1.0 && (change < LAST_STEP || near) {
                 self.place_nodes(line);
-                if self.retreat_free_ends() {
+                if !self.is_about_to_meet() && self.retreat_free_ends() {
                     before = f64::INFINITY;
+                    given_up = self.work.steps + MOST_STEPS;
                     continue;
                 }
                 return true;
@@ -248,8 +275,11 @@ impl StripSolver {
             let step = &self.matrices.right[number * block..(number + 1) * block];
             let cell = &self.cells[lobe.cell];
             let width = cell.edges[1] - cell.edges[0];
-            for ratio in &step[..n] {
-                change = change.max(ratio.abs() / scale);
+            let ratios = &self.nodes.ratio[lobe.first..lobe.first + n];
+            for ((step, ratio), t) in step[..n].iter().zip(ratios).zip(&self.rule.nodes) {
+                let weight =
+                    if cell.is_beside_joint(*t) { (ratio.abs() / scale).min(1.0) } else { 1.0 };
+                change = change.max(weight * step.abs() / scale);
             }
             for side in 0..2 {
                 let moved = step[n + side].abs() / width;
@@ -270,14 +300,35 @@ impl StripSolver {
         for number in 0..self.lobes.len() {
             let Lobe { cell, first, .. } = self.lobes[number];
             let step = &self.matrices.right[number * block..(number + 1) * block];
-            for (ratio, step) in self.nodes.ratio[first..first + n].iter_mut().zip(step) {
+            let cell = &mut self.cells[cell];
+            let ratios = &mut self.nodes.ratio[first..first + n];
+            for ((ratio, step), t) in ratios.iter_mut().zip(step).zip(&self.rule.nodes) {
+                if cell.is_beside_joint(*t) {
+                    // Loads go with the square of the pressure: those are near to linear where there is hardly any.
+                    if *ratio > 0.0 {
+                        let size = *ratio;
+                        let load = size * (size + 2.0 * share * step);
+                        *ratio = if load > 0.0 {
+                            load.sqrt().min(3.0 * size + scale)
+                        } else {
+                            -1e-6 * scale
+                        };
+                    } else {
+                        *ratio = (*ratio + share * step).min(scale).max(-scale);
+                    }
+                    continue;
+                }
                 // A node is not emptied at once: its edge may be on the way.
                 let kept = !settled && *ratio > EMPTY * scale;
                 let least = if kept { (1.0 - MOST_DROP) * *ratio } else { -scale };
                 *ratio = (*ratio + share * step).min(3.0 * ratio.abs() + scale).max(least);
             }
+            for (end, next) in [(0, 1), (n - 1, n - 2)] {
+                if cell.met[usize::from(end > 0)] {
+                    ratios[end] = ratios[next];
+                }
+            }
             let moved = [share * step[n], share * step[n + 1]];
-            let cell = &mut self.cells[cell];
             for l in 0..self.rule.terms {
                 cell.shape[l] += (share * step[n + 2 + l]).clamp(-MOST_SHAPE_STEP, MOST_SHAPE_STEP);
             }

@@ -12,21 +12,18 @@
 //! cos_ij is that of the angle between the normals.
 //! The curvature along x follows in the same way with D/(a² + Δy²) for D.
 
-use std::ops::Range;
-
-use multiversion::multiversion;
-
-use super::cell::{Cell, TERMS};
-use super::influence::{Integrals, skewed, straight};
-use super::nodes::{LANES, Lobe, Matrices, Nodes};
-use super::pair_sums::{self, Point, Sources};
+use super::cell::Cell;
+use super::influence::Integrals;
+use super::nodes::{Lobe, Matrices, Nodes, Scratch};
+use super::pair_sums::{
+    Acting, Column, LANES, MOST_TARGETS, Source, Sums, Targets, from_elsewhere, weighed,
+    within_lobe,
+};
 use super::rule::LobeRule;
+use crate::math::linear_system::stride;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
 pub const SHAPE_REGULARISATION: f64 = 1e-5;
-
-/// How strongly the joint of two lobes is drawn to the ridge.
-pub(super) const TO_RIDGE: f64 = 10.0;
 
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
@@ -49,263 +46,241 @@ impl Assembly<'_> {
         self.rule.count() + 2 + self.rule.terms
     }
 
-    /// Influence of all nodes on all nodes.
-    pub fn influences(&self, m: &mut Matrices) {
-        let nodes = self.nodes;
-        let count = nodes.y.len();
-        let padded = count.next_multiple_of(LANES);
-        let Matrices { d, slope, own_d, own_slope, padded: columns, .. } = m;
-        let [y, x, a, own, near, row_d, row_slope] = columns;
-        for (to, from) in [(&mut *y, &nodes.y), (x, &nodes.x), (a, &nodes.half_length)] {
-            to[..count].copy_from_slice(from);
-            to[count..padded].fill(from[count - 1]);
-        }
-        let (y, x, a) = (&y[..padded], &x[..padded], &a[..padded]);
-        let (row_d, row_slope) = (&mut row_d[..padded], &mut row_slope[..padded]);
-        for i in 0..count {
-            let row = i * count..(i + 1) * count;
-            if self.skewed {
-                skewed([nodes.x[i], nodes.y[i]], x, y, a, row_d, row_slope);
-            } else {
-                straight(nodes.y[i], y, a, row_d, row_slope);
-            }
-            d[row.clone()].copy_from_slice(&row_d[..count]);
-            slope[row].copy_from_slice(&row_slope[..count]);
-        }
-        if !self.skewed {
-            for i in 0..count {
-                for j in 0..count {
-                    own_d[i * count + j] = d[j * count + i];
-                    own_slope[i * count + j] = slope[j * count + i];
-                }
-            }
-            return;
-        }
-        // Only those of the own lobe are asked for.
-        let n = self.rule.count();
-        let padded = n.next_multiple_of(LANES);
-        for lobe in self.lobes {
-            let range = lobe.first..lobe.first + n;
-            let near = &mut near[..padded];
-            near[..n].copy_from_slice(&nodes.y[range.clone()]);
-            near[n..].fill(nodes.y[range.end - 1]);
-            for i in range.clone() {
-                let own = &mut own[..padded];
-                own.fill(nodes.half_length[i]);
-                let (row_d, row_slope) = (&mut row_d[..padded], &mut row_slope[..padded]);
-                straight(nodes.y[i], near, own, row_d, row_slope);
-                let row = i * count + range.start..i * count + range.end;
-                own_d[row.clone()].copy_from_slice(&row_d[..n]);
-                own_slope[row].copy_from_slice(&row_slope[..n]);
-            }
-        }
+    /// Place of an entry of the Newton matrix.
+    pub fn entry(&self, row: usize, column: usize) -> usize {
+        column * stride(self.lobes.len() * self.unknowns_per_lobe()) + row
+    }
+
+    /// Derivative of the pressure of node `k` of a lobe by its ratio [-].
+    fn ratio_factor(&self, lobe: usize, k: usize) -> f64 {
+        let j = self.lobes[lobe].first + k;
+        if self.nodes.ratio[j] > 0.0 { self.nodes.edge_shape[j] } else { 0.0 }
     }
 
     /// Fills the Newton matrix and its right side (minus the residuals).
     pub fn assemble(&self, m: &mut Matrices) {
-        assemble(self, m);
+        let unknowns = self.lobes.len() * self.unknowns_per_lobe();
+        let n = self.rule.count();
+        let columns = m.newton[..unknowns * stride(unknowns)].chunks_exact_mut(stride(unknowns));
+        for column in columns {
+            for lobe in column[..unknowns].chunks_exact_mut(self.unknowns_per_lobe()) {
+                lobe[n..].fill(0.0);
+            }
+            column[unknowns..].fill(0.0);
+        }
+        m.right.fill(0.0);
+        for (number, lobe) in self.lobes.iter().enumerate() {
+            let nodes = self.nodes;
+            let load = (lobe.first..lobe.first + n)
+                .map(|j| nodes.width[j] * nodes.pressure[j] * nodes.half_length[j])
+                .sum();
+            for begin in (0..n).step_by(MOST_TARGETS) {
+                let count = (n - begin).min(MOST_TARGETS);
+                self.node_rows(m, &LobePart { lobe: number, load, begin, count });
+            }
+            self.edge_rows(m, number);
+        }
     }
 
-    /// Equation of one node and its share of the curvature equations of its lobe.
-    // One formula and its derivatives, term by term; inside each instruction set or not at all: a call would not be vectorised.
-    #[allow(clippy::too_many_lines, clippy::inline_always)]
-    #[inline(always)]
-    fn node_row(&self, m: &mut Matrices, unknowns: usize, lobe: usize, t: usize) {
-        let (nodes, rule) = (self.nodes, self.rule);
-        let (n, count) = (rule.count(), nodes.y.len());
-        let Lobe { first, cell } = self.lobes[lobe];
-        let edge_y = self.cells[cell].edges;
-        let i = first + t;
-        let pairs = i * count..(i + 1) * count;
-        let (d, slope) = (&m.d[pairs.clone()], &m.slope[pairs.clone()]);
-        let (own_d, own_slope) = (&m.own_d[pairs.clone()], &m.own_slope[pairs]);
-        let (y, x, q_i, a_i) = (nodes.y[i], nodes.x[i], nodes.pressure[i], nodes.half_length[i]);
-        let at = Point { y, x, tangent: nodes.tangent[i], pressure: q_i, own_length: a_i };
-        let sources = |range: Range<usize>| Sources {
-            y: &nodes.y[range.clone()],
-            x: &nodes.x[range.clone()],
-            tangent: &nodes.tangent[range.clone()],
-            width: &nodes.width[range.clone()],
-            pressure: &nodes.pressure[range.clone()],
-            half_length: &nodes.half_length[range.clone()],
-            d: &d[range.clone()],
-            slope: &slope[range],
-        };
-        // All strips but the node's own.
-        pair_sums::pairs(&at, &sources(0..count), &mut m.pairs);
-        for column in &mut m.pairs {
-            column[i] = 0.0;
-        }
-        let sum = |column: &[f64]| column.iter().sum::<f64>();
-        let mut u = sum(&m.pairs[0][..count]);
-        let mut curvature = sum(&m.pairs[1][..count]);
-        // Singularity of its own lobe: taken out of the sum, integrated instead; derivatives by the scale of the lobe.
-        let half = 0.5 * (self.cells[cell].edges[1] - self.cells[cell].edges[0]);
-        let corrections = &rule.corrections[t * n..(t + 1) * n];
-        for (weight, correction) in m.logarithm.iter_mut().zip(corrections) {
-            *weight = -2.0 * correction * half;
-        }
-        let range = first..first + n;
-        let (near_d, near_slope) = (&own_d[range.clone()], &own_slope[range.clone()]);
-        pair_sums::own(&at, &sources(range), near_d, near_slope, &m.logarithm, &mut m.own);
-        for column in &mut m.own {
-            column[t] = 0.0;
-        }
-        let own: [f64; 8] = std::array::from_fn(|k| sum(&m.own[k][..n]));
-        let [own_u, own_q, own_a, own_x, own_xq, own_xa, scaled_u, scaled_x] = own;
-        // The logarithm of the pairs.
-        for k in 0..n {
-            let j = first + k;
-            let a2 = nodes.half_length[j] * nodes.half_length[j];
-            let share = a2 / (a2 + (y - nodes.y[j]) * (y - nodes.y[j]));
-            let weight = if k == t { 0.0 } else { m.logarithm[k] * nodes.pressure[j] * share };
-            u += weight;
-            curvature += weight * share / a2;
-        }
-        let [_, _, row_q, row_a, row_xq, row_xa] = &mut m.pairs;
-        for k in 0..n {
-            row_q[first + k] += m.own[8][k];
-            row_a[first + k] += m.own[9][k];
-            row_xq[first + k] += m.own[10][k];
-            row_xa[first + k] += m.own[11][k];
-        }
-        u -= q_i * own_u;
-        curvature -= q_i * own_x;
-        row_q[i] -= own_q;
-        row_a[i] -= q_i * own_a;
-        row_xq[i] -= own_xq;
-        row_xa[i] -= q_i * own_xa;
-        let mut edge_slope = [0.0; 2];
-        let mut edge_slope_x = [0.0; 2];
-        for side in 0..2 {
-            let reach = (edge_y[side] - y).abs();
-            let sigma = reach / a_i;
-            let [psi, weighted, at] = self.integrals.at(sigma);
-            u += q_i * a_i * psi;
-            row_q[i] += a_i * (2.0 * psi - sigma * at);
-            row_a[i] += q_i * a_i * (psi - sigma * at);
-            edge_slope[side] = q_i * at;
-            let inverse = 1.0 / a_i;
-            let falling = sigma * at / (1.0 + sigma * sigma);
-            curvature += q_i * inverse * weighted;
-            row_xq[i] -= inverse * falling;
-            row_xa[i] -= q_i * inverse * (weighted + falling);
-            edge_slope_x[side] = q_i * at / ((1.0 + sigma * sigma) * a_i * a_i);
-        }
-        let load: f64 = (first..first + n)
-            .map(|j| nodes.width[j] * nodes.pressure[j] * nodes.half_length[j])
-            .sum();
-        // Into the system.
+    /// Equations of the nodes of a part and their share of the curvature equations of its lobe.
+    fn node_rows(&self, m: &mut Matrices, part: &LobePart) {
+        let n = self.rule.count();
         let block = self.unknowns_per_lobe();
-        let loaded = nodes.ratio[i] > 0.0;
-        let equation = lobe * block + t;
+        let Matrices { scratch, newton, right, .. } = m;
+        let Scratch { targets, acting, sums, logarithm } = &mut **scratch;
+        self.fill(part, targets);
+        sums.begin(targets.vectors);
         let inverse_depth = 1.0 / self.depth;
-        let radius = nodes.radius[i];
-        let share = if loaded { nodes.width[i] * q_i * a_i / load } else { 0.0 };
-        let error = radius * curvature - 1.0;
-        m.right[equation] = -(u - nodes.overlap[i]) * inverse_depth;
-        let finds_edge =
-            [1, n - 2].iter().zip(self.cells[cell].met).any(|(&second, met)| t == second && !met);
-        if !loaded && !finds_edge {
-            // An unloaded node may lie apart: its ratio below zero is that distance.
-            m.right[equation] -= nodes.ratio[i] / self.scale;
-            m.newton[equation * unknowns + equation] += 1.0 / self.scale;
-        }
-        for term in 0..rule.terms {
-            let row = lobe * block + n + 2 + term;
-            let weight = share * rule.legendre[term][t];
-            m.right[row] -= weight * error;
-            // The weight is a load, q a.
-            if loaded {
-                m.newton[row * unknowns + equation] += weight * error * 2.0 / nodes.ratio[i];
-                for l in 0..rule.terms {
-                    m.newton[row * unknowns + lobe * block + n + 2 + l] -=
-                        weight * error * rule.legendre[l][t];
-                }
+        let mut rows = Rows { assembly: self, part, newton, inverse_depth };
+        for (number, lobe) in self.lobes.iter().enumerate() {
+            if number == part.lobe {
+                continue;
             }
-        }
-        let weights: [f64; TERMS] =
-            std::array::from_fn(|l| rule.legendre.get(l).map_or(0.0, |p| share * p[t] * radius));
-        let Matrices { newton, pairs, own, .. } = m;
-        let [_, _, row_q, row_a, row_xq, row_xa] = pairs;
-        let [moved_q, moved_x, ..] = own;
-        let (moved_q, moved_x) = (&mut moved_q[..n], &mut moved_x[..n]);
-        for (other, source) in self.lobes.iter().enumerate() {
-            let column = other * block;
-            let range = source.first..source.first + n;
-            // What is not loaded does not act.
-            for (k, j) in range.clone().enumerate() {
-                let factor = if nodes.ratio[j] > 0.0 { nodes.edge_shape[j] } else { 0.0 };
-                moved_q[k] = row_q[j] * factor * inverse_depth;
-                moved_x[k] = row_xq[j] * factor;
-            }
-            let at = equation * unknowns + column;
-            for (entry, value) in newton[at..at + n].iter_mut().zip(moved_q.iter()) {
-                *entry += value;
-            }
-            for (term, weight) in weights.iter().enumerate().take(rule.terms) {
-                let at = (lobe * block + n + 2 + term) * unknowns + column;
-                for (entry, value) in newton[at..at + n].iter_mut().zip(moved_x.iter()) {
-                    *entry += weight * value;
-                }
-            }
-            for (term, polynomial) in rule.legendre.iter().enumerate() {
-                let dot = |row: &[f64]| -> f64 {
-                    row[range.clone()].iter().zip(polynomial).map(|(a, p)| a * p).sum()
-                };
-                let (by_u, by_x) = (dot(row_a), dot(row_xa));
-                let at = column + n + 2 + term;
-                newton[equation * unknowns + at] -= by_u * inverse_depth;
-                for (l, weight) in weights.iter().enumerate().take(rule.terms) {
-                    newton[(lobe * block + n + 2 + l) * unknowns + at] -= weight * by_x;
-                }
-            }
-            // Edges of that lobe.
-            let half = 0.5 * (self.cells[source.cell].edges[1] - self.cells[source.cell].edges[0]);
-            for side in 0..2 {
-                let stretch = if side == 1 { 0.5 / half } else { -0.5 / half };
-                let (mut by_u, mut by_x) = (0.0, 0.0);
-                if other == lobe {
-                    by_u += scaled_u * stretch;
-                    by_x += scaled_x * stretch;
-                    let moved = rule.travel[side][t];
-                    by_u += edge_slope[0] * (moved - if side == 0 { 1.0 } else { 0.0 });
-                    by_u += edge_slope[1] * (if side == 1 { 1.0 } else { 0.0 } - moved);
-                    by_x += edge_slope_x[0] * (moved - if side == 0 { 1.0 } else { 0.0 });
-                    by_x += edge_slope_x[1] * (if side == 1 { 1.0 } else { 0.0 } - moved);
-                    by_u -= nodes.overlap_slope[i] * rule.travel[side][t];
-                    // Sources elsewhere are passed.
-                    for j in (0..count).filter(|&j| nodes.lobe[j] != lobe) {
-                        let dy = y - nodes.y[j];
-                        let steep = nodes.width[j] * nodes.pressure[j] * (d[j] - slope[j]);
-                        let dx = x - nodes.x[j];
-                        let apart = dy + dx * nodes.x_slope[i];
-                        by_u += steep * moved * apart / (dy * dy + dx * dx);
-                    }
+            sums.begin_lobe(targets.vectors);
+            for k in 0..n {
+                if self.nodes.pressure[lobe.first + k] > 0.0 {
+                    from_elsewhere(&self.source(lobe, k), self.skewed, targets, acting, sums);
+                    rows.put_node(targets, acting, number, k);
                 } else {
-                    for k in 0..n {
-                        let j = source.first + k;
-                        let dy = y - nodes.y[j];
-                        let load = nodes.width[j] * nodes.pressure[j];
-                        let moved = rule.travel[side][k];
-                        by_u += load * d[j] * stretch;
-                        let dx = x - nodes.x[j];
-                        let apart = dy + dx * nodes.x_slope[j];
-                        by_u -= load * (d[j] - slope[j]) * moved * apart / (dy * dy + dx * dx);
-                    }
-                }
-                let at = column + n + side;
-                newton[equation * unknowns + at] += by_u * inverse_depth;
-                for l in 0..rule.terms {
-                    let row = lobe * block + n + 2 + l;
-                    newton[row * unknowns + at] += share * rule.legendre[l][t] * radius * by_x;
+                    // What is not loaded does not act.
+                    rows.put(number * block + k, 0.0, &sums.u);
                 }
             }
+            rows.put_lobe(targets, sums, number);
         }
+        let lobe = &self.lobes[part.lobe];
+        sums.begin_lobe(targets.vectors);
+        sums.begin_own_lobe(targets.vectors);
+        let [left, right_end] = self.cells[lobe.cell].edges;
+        for k in 0..n {
+            let corrections = &self.rule.corrections_of(k)[part.begin..];
+            for (weight, correction) in logarithm.iter_mut().zip(corrections) {
+                *weight = (left - right_end) * correction;
+            }
+            let own = k.wrapping_sub(part.begin);
+            if own < part.count {
+                targets.other[own] = 0.0;
+            }
+            within_lobe(&self.source(lobe, k), self.skewed, targets, logarithm, acting, sums);
+            if own < part.count {
+                targets.other[own] = 1.0;
+            }
+            rows.put_node(targets, acting, part.lobe, k);
+        }
+        self.singular(part, targets, sums, &mut rows);
+        rows.put_lobe(targets, sums, part.lobe);
+        for side in 0..2 {
+            rows.put_bent(targets, part.lobe * block + n + side, 1.0, &sums.bent_by_edge[side]);
+        }
+        self.residuals(part, scratch, &mut rows, right);
+    }
+
+    /// Takes the nodes of a part as targets.
+    fn fill(&self, part: &LobePart, targets: &mut Targets) {
+        let (nodes, rule) = (self.nodes, self.rule);
+        let first = self.lobes[part.lobe].first + part.begin;
+        targets.vectors = part.count.div_ceil(LANES);
+        for k in 0..LANES * targets.vectors {
+            let i = first + k.min(part.count - 1);
+            targets.y[k] = nodes.y[i];
+            targets.x[k] = nodes.x[i];
+            targets.x_slope[k] = nodes.x_slope[i];
+            targets.tangent[0][k] = nodes.tangent[i][0];
+            targets.tangent[1][k] = nodes.tangent[i][1];
+            targets.pressure[k] = nodes.pressure[i];
+            targets.inverse_length[k] = 1.0 / nodes.half_length[i];
+            targets.other[k] = 1.0;
+            let weight = if k < part.count { self.share(part, k) * nodes.radius[i] } else { 0.0 };
+            let polynomials = rule.legendre[part.begin + k.min(part.count - 1)];
+            for (weights, polynomial) in targets.weights.iter_mut().zip(polynomials) {
+                weights[k] = weight * polynomial;
+            }
+        }
+    }
+
+    /// Share of target `k` of a part in the load of its lobe, none where it is not loaded.
+    fn share(&self, part: &LobePart, k: usize) -> f64 {
+        let (nodes, i) = (self.nodes, self.lobes[part.lobe].first + part.begin + k);
+        if nodes.ratio[i] > 0.0 {
+            nodes.width[i] * nodes.pressure[i] * nodes.half_length[i] / part.load
+        } else {
+            0.0
+        }
+    }
+
+    /// Node `k` of a lobe as a source.
+    fn source(&self, lobe: &Lobe, k: usize) -> Source {
+        let (nodes, rule, j) = (self.nodes, self.rule, lobe.first + k);
+        let [left, right] = self.cells[lobe.cell].edges;
+        let stretch = 1.0 / (right - left);
+        Source {
+            y: nodes.y[j],
+            x: nodes.x[j],
+            x_slope: nodes.x_slope[j],
+            tangent: nodes.tangent[j],
+            width: nodes.width[j],
+            pressure: nodes.pressure[j],
+            half_length: nodes.half_length[j],
+            legendre: rule.legendre[k],
+            travel: [rule.travel[0][k], rule.travel[1][k]],
+            stretch: [-stretch, stretch],
+        }
+    }
+
+    /// The singularity of the own lobe, taken out of the sum and integrated instead, and what moves with the edges of that lobe.
+    fn singular(&self, part: &LobePart, targets: &Targets, sums: &mut Sums, rows: &mut Rows) {
+        let (nodes, rule) = (self.nodes, self.rule);
+        let Lobe { first, cell } = self.lobes[part.lobe];
+        let edges = self.cells[cell].edges;
+        let stretch = 1.0 / (edges[1] - edges[0]);
+        for k in 0..part.count {
+            let t = part.begin + k;
+            let i = first + t;
+            let (y, q, a) = (nodes.y[i], nodes.pressure[i], nodes.half_length[i]);
+            let inverse = targets.inverse_length[k];
+            let (mut u, mut curvature) = (-q * sums.own_u[k], -q * sums.own_curvature[k]);
+            let (mut by_pressure, mut bent_by_pressure) = (-sums.own_q[k], -sums.own_bent_q[k]);
+            let (mut slope, mut bent_slope) = ([0.0; 2], [0.0; 2]);
+            for side in 0..2 {
+                let sigma = (edges[side] - y).abs() * inverse;
+                let [psi, weighted, at] = self.integrals.at(sigma);
+                let squared = 1.0 / (1.0 + sigma * sigma);
+                u += q * a * psi;
+                by_pressure += a * (2.0 * psi - sigma * at);
+                curvature += q * inverse * weighted;
+                bent_by_pressure -= inverse * sigma * at * squared;
+                slope[side] = q * at;
+                bent_slope[side] = q * at * squared * inverse * inverse;
+            }
+            sums.u[k] += u;
+            sums.curvature[k] += curvature;
+            let excess = sums.curvature[k] - 1.0 / nodes.radius[i];
+            sums.excess[k] = excess;
+            // The weights of the curvature equations are loads, q a.
+            let ratio = nodes.ratio[i];
+            let weighted_more = if ratio > 0.0 { 2.0 * excess / ratio } else { 0.0 };
+            rows.put_own(targets, k, by_pressure, bent_by_pressure, weighted_more);
+            let by_length = q * by_pressure - u;
+            let bent_by_length = q * bent_by_pressure - curvature + excess;
+            for (term, polynomial) in rule.legendre[t].into_iter().enumerate() {
+                sums.by_shape[term][k] += by_length * polynomial;
+                sums.bent_by_shape[term][k] += bent_by_length * polynomial;
+            }
+            for side in 0..2 {
+                let moved = rule.travel[side][t];
+                // How far the left and the right edge go away from the node.
+                let (away, stretch) = if side == 0 {
+                    ([moved - 1.0, -moved], -stretch)
+                } else {
+                    ([moved, 1.0 - moved], stretch)
+                };
+                sums.by_edge[side][k] = sums.scaled_u[k] * stretch
+                    + slope[0] * away[0]
+                    + slope[1] * away[1]
+                    + (sums.passed[k] - nodes.overlap_slope[i]) * moved;
+                sums.bent_by_edge[side][k] = sums.scaled_curvature[k] * stretch
+                    + bent_slope[0] * away[0]
+                    + bent_slope[1] * away[1];
+            }
+        }
+    }
+
+    /// Residuals of a part.
+    fn residuals(&self, part: &LobePart, scratch: &Scratch, rows: &mut Rows, right: &mut [f64]) {
+        let nodes = self.nodes;
+        let (n, block) = (self.rule.count(), self.unknowns_per_lobe());
+        let Lobe { first, cell } = self.lobes[part.lobe];
+        for k in 0..part.count {
+            let t = part.begin + k;
+            let (i, equation) = (first + t, part.lobe * block + t);
+            right[equation] = -(scratch.sums.u[k] - nodes.overlap[i]) * rows.inverse_depth;
+            let finds_edge = [1, n - 2]
+                .iter()
+                .zip(self.cells[cell].met)
+                .any(|(&second, met)| t == second && !met);
+            if nodes.ratio[i] <= 0.0 && !finds_edge {
+                // An unloaded node may lie apart: its ratio below zero is that distance.
+                right[equation] -= nodes.ratio[i] / self.scale;
+                rows.newton[self.entry(equation, equation)] += 1.0 / self.scale;
+            }
+        }
+        let shape = part.lobe * block + n + 2;
+        let errors = weighed(&scratch.targets, &scratch.sums.excess);
+        for (right, error) in right[shape..].iter_mut().zip(errors) {
+            *right -= error;
+        }
+    }
+
+    /// Sets an equation to zero.
+    fn clear_row(&self, m: &mut Matrices, row: usize) {
+        for column in 0..self.lobes.len() * self.unknowns_per_lobe() {
+            m.newton[self.entry(row, column)] = 0.0;
+        }
+        m.right[row] = 0.0;
     }
 
     /// Closure of the edges, and the regularisation of the shape.
-    fn edge_rows(&self, m: &mut Matrices, unknowns: usize, lobe: usize) {
+    fn edge_rows(&self, m: &mut Matrices, lobe: usize) {
         let (rule, nodes) = (self.rule, self.nodes);
         let n = rule.count();
         let block = self.unknowns_per_lobe();
@@ -317,64 +292,126 @@ impl Assembly<'_> {
             let place = |k: usize| if side == 0 { k } else { n - 1 - k };
             let close = |m: &mut Matrices, row: usize, factors: [f64; 4], from_end: [usize; 4]| {
                 for (factor, k) in factors.into_iter().zip(from_end) {
-                    m.newton[row * unknowns + begin + place(k)] = factor / self.scale;
+                    m.newton[self.entry(row, begin + place(k))] = factor / self.scale;
                     m.right[row] -= factor * nodes.ratio[first + place(k)] / self.scale;
                 }
             };
+            if cell.met[side] {
+                // The outermost node, as good as at the joint, has the pressure of the next one: its own condition would be that of the
+                // outermost one on the other side.
+                let outermost = begin + place(0);
+                self.clear_row(m, outermost);
+                close(m, outermost, [1.0, -1.0, 0.0, 0.0], [0, 1, 2, 3]);
+            }
             if !cell.met[side] {
                 // The outermost node has no condition of its own: both outermost ones follow the smooth ratio of the others, so that
                 // the condition of the second one finds the edge.
                 let outermost = begin + place(0);
                 let [edge, second] = rule.outer_closures;
                 close(m, row, edge, [0, 2, 3, 4]);
-                m.newton[outermost * unknowns..(outermost + 1) * unknowns].fill(0.0);
-                m.right[outermost] = 0.0;
+                self.clear_row(m, outermost);
                 close(m, outermost, second, [1, 2, 3, 4]);
             } else if side == 0 {
                 // The end of the lobe before.
                 let before = &self.cells[self.lobes[lobe - 1].cell];
                 let inverse = 1.0 / (cell.edges[1] - before.edges[0]);
-                m.newton[row * unknowns + row] = inverse;
-                m.newton[row * unknowns + begin - block + n + 1] = -inverse;
+                m.newton[self.entry(row, row)] = inverse;
+                m.newton[self.entry(row, begin - block + n + 1)] = -inverse;
                 m.right[row] = -(cell.edges[0] - before.edges[1]) * inverse;
             } else {
-                // What the pressure is above that of free ends is the same on both sides, at its minimum; the more pressure there is, the
-                // closer is the joint to the ridge.
+                // At the ridge.
                 let beyond = &self.cells[self.lobes[lobe + 1].cell];
-                let pull = TO_RIDGE / (beyond.edges[1] - cell.edges[0]);
-                let moved = pull * (cell.edges[1] - cell.bounds[1]);
-                let mut sum = 0.0;
-                for (lobe, side, sign) in [(lobe, 1, 1.0 + moved), (lobe + 1, 0, moved - 1.0)] {
-                    let Lobe { first, cell } = self.lobes[lobe];
-                    for (at, c) in rule.met_end(self.cells[cell].met, side) {
-                        let factor = c / self.scale;
-                        m.newton[row * unknowns + lobe * block + at] = sign * factor;
-                        m.right[row] -= sign * factor * nodes.ratio[first + at];
-                        sum += factor * nodes.ratio[first + at];
-                    }
-                }
-                m.newton[row * unknowns + row] = pull * sum;
+                let inverse = 1.0 / (beyond.edges[1] - cell.edges[0]);
+                m.newton[self.entry(row, row)] = inverse;
+                m.right[row] = -(cell.edges[1] - cell.bounds[1]) * inverse;
             }
         }
         for term in 1..rule.terms {
             let row = begin + n + 2 + term;
-            m.newton[row * unknowns + row] += SHAPE_REGULARISATION;
+            m.newton[self.entry(row, row)] += SHAPE_REGULARISATION;
             m.right[row] -= SHAPE_REGULARISATION * cell.shape[term];
         }
     }
 }
 
-/// See [`Assembly::assemble`].
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn assemble(assembly: &Assembly, m: &mut Matrices) {
-    let unknowns = assembly.lobes.len() * assembly.unknowns_per_lobe();
-    m.newton[..unknowns * unknowns].fill(0.0);
-    m.right[..unknowns].fill(0.0);
-    let n = assembly.rule.count();
-    for lobe in 0..assembly.lobes.len() {
-        for t in 0..n {
-            assembly.node_row(m, unknowns, lobe, t);
+/// Some nodes of a lobe: its number and load over π E* [m²], and the nodes.
+struct LobePart {
+    lobe: usize,
+    load: f64,
+    begin: usize,
+    count: usize,
+}
+
+/// Rows of the Newton matrix for a part.
+struct Rows<'a> {
+    assembly: &'a Assembly<'a>,
+    part: &'a LobePart,
+    newton: &'a mut [f64],
+    /// One over the greatest overlap [1/m].
+    inverse_depth: f64,
+}
+
+impl Rows<'_> {
+    /// What node `k` of a lobe does.
+    fn put_node(&mut self, targets: &Targets, acting: &Acting, lobe: usize, k: usize) {
+        let assembly = self.assembly;
+        let column = lobe * assembly.unknowns_per_lobe() + k;
+        let factor = assembly.ratio_factor(lobe, k);
+        self.put(column, factor, &acting.by_pressure);
+        self.put_bent(targets, column, factor, &acting.bent_by_pressure);
+    }
+
+    /// What the edges and the shape of a lobe do.
+    fn put_lobe(&mut self, targets: &Targets, sums: &Sums, lobe: usize) {
+        let rule = self.assembly.rule;
+        let edges = lobe * self.assembly.unknowns_per_lobe() + rule.count();
+        for (side, column) in sums.by_edge.iter().enumerate() {
+            self.put(edges + side, 1.0, column);
         }
-        assembly.edge_rows(m, unknowns, lobe);
+        for term in 0..rule.terms {
+            self.put(edges + 2 + term, -1.0, &sums.by_shape[term]);
+            self.put_bent(targets, edges + 2 + term, -1.0, &sums.bent_by_shape[term]);
+        }
+    }
+
+    /// What target `k` does to itself.
+    fn put_own(
+        &mut self,
+        targets: &Targets,
+        k: usize,
+        by_pressure: f64,
+        bent_by_pressure: f64,
+        excess: f64,
+    ) {
+        let assembly = self.assembly;
+        let begin = self.part.lobe * assembly.unknowns_per_lobe();
+        let column = begin + self.part.begin + k;
+        let factor = assembly.ratio_factor(self.part.lobe, self.part.begin + k);
+        self.newton[assembly.entry(column, column)] += factor * by_pressure * self.inverse_depth;
+        let at = assembly.entry(begin + assembly.rule.count() + 2, column);
+        for (entry, weights) in self.newton[at..].iter_mut().zip(&targets.weights) {
+            *entry += weights[k] * (factor * bent_by_pressure + excess);
+        }
+    }
+
+    /// Adds a derivative of the displacements.
+    fn put(&mut self, column: usize, factor: f64, values: &Column) {
+        let assembly = self.assembly;
+        let row = self.part.lobe * assembly.unknowns_per_lobe() + self.part.begin;
+        let at = assembly.entry(row, column);
+        let factor = factor * self.inverse_depth;
+        for (entry, value) in self.newton[at..at + self.part.count].iter_mut().zip(values) {
+            *entry = factor * value;
+        }
+    }
+
+    /// Adds a derivative of the curvatures to the conditions of the lobe.
+    fn put_bent(&mut self, targets: &Targets, column: usize, factor: f64, values: &Column) {
+        let assembly = self.assembly;
+        let row = self.part.lobe * assembly.unknowns_per_lobe() + assembly.rule.count() + 2;
+        let at = assembly.entry(row, column);
+        for (entry, value) in self.newton[at..].iter_mut().zip(weighed(targets, values)) {
+            *entry += factor * value;
+        }
     }
 }

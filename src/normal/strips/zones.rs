@@ -31,16 +31,13 @@ impl StripSolver {
         zone
     }
 
-    /// Hands the lobes over as strips; lobes that have met are one zone.
+    /// Hands the lobes over as strips; lobes with a joint are one zone, unless there is a gap at it.
     pub(super) fn emit(&self, contact_modulus: f64, strips: &mut Strips) {
         let n = self.rule.count();
         let mut number = 0;
         while number < self.lobes.len() {
             let begin = number;
-            while number + 1 < self.lobes.len() {
-                if !self.cells[self.lobes[number].cell].met[1] {
-                    break;
-                }
+            while self.goes_on(number) {
                 number += 1;
             }
             number += 1;
@@ -55,8 +52,8 @@ impl StripSolver {
                     * greatest_pressure(&self.rule.nodes, |t| self.nodes.pressure[lobe.first + t]);
                 zone.max_pressure = zone.max_pressure.max(greatest);
             }
-            zone.width = self.cells[self.lobes[number - 1].cell].edges[1]
-                - self.cells[self.lobes[begin].cell].edges[0];
+            zone.width = self.cells[self.lobes[number - 1].cell].load_ends[1]
+                - self.cells[self.lobes[begin].cell].load_ends[0];
             strips.summarise(&mut zone);
             strips.zones.push(zone);
         }

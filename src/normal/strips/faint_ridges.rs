@@ -1,0 +1,139 @@
+//! Faint ridges: where the least ridge of the overlap comes or goes, one lobe goes over into two.
+//!
+//! A ridge that is hardly there parts no lobes. Between two shares of the overlap beside it the problem is solved without the least ridge and
+//! with it, and the strips of the latter get pressures and half lengths between those of both: to the accuracy of so many strips the
+//! two are the same, but what they differ by would be a jump of the force.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::Line;
+use super::cell::TERMS;
+use super::rule::legendre;
+use super::solver::{LEAST_SHARE, MOST_LOBES, StripSolver};
+
+/// Share from which a ridge parts lobes for good.
+const CLEAR_SHARE: f64 = 0.08;
+
+/// How much of a solution with a ridge of the given share counts, beside that without.
+pub(super) fn weight(share: f64) -> f64 {
+    let way = ((share - LEAST_SHARE) / (CLEAR_SHARE - LEAST_SHARE)).clamp(0.0, 1.0);
+    way * way * (3.0 - 2.0 * way)
+}
+
+/// A lobe of the solution without the ridge.
+#[derive(Clone, Copy, Debug)]
+struct Kept {
+    edges: [f64; 2],
+    met: [bool; 2],
+    shape: [f64; TERMS],
+}
+
+/// The solution without the least ridge.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WithoutRidge {
+    lobes: Vec<Kept>,
+    /// Ratios of all nodes [-].
+    ratio: Vec<f64>,
+}
+
+impl WithoutRidge {
+    /// Room for so many nodes.
+    pub fn with_capacity(nodes: usize) -> Self {
+        Self { lobes: Vec::with_capacity(MOST_LOBES), ratio: Vec::with_capacity(nodes) }
+    }
+
+    /// Ends of the zone that begins with lobe `first`, and its last lobe.
+    fn zone(&self, first: usize) -> Option<([f64; 2], usize)> {
+        let begin = self.lobes.get(first)?;
+        let last = (first..self.lobes.len()).find(|&k| !self.lobes[k].met[1])?;
+        Some(([begin.edges[0], self.lobes[last].edges[1]], last))
+    }
+}
+
+impl StripSolver {
+    /// Keeps a solution without the least ridge.
+    pub(super) fn keep_without_ridge(&mut self) {
+        let Self { without_ridge, lobes, cells, nodes, .. } = self;
+        without_ridge.lobes.clear();
+        without_ridge.lobes.extend(lobes.iter().map(|lobe| {
+            let cell = &cells[lobe.cell];
+            Kept { edges: cell.edges, met: cell.met, shape: cell.shape }
+        }));
+        without_ridge.ratio.clear();
+        without_ridge.ratio.extend_from_slice(&nodes.ratio);
+    }
+
+    /// Mixes the solution, which has `weight`, with that without the least ridge; as it is where the two have not the same zones.
+    pub(super) fn mix_without_ridge(&mut self, line: &mut impl Line, weight: f64) {
+        let n = self.rule.count();
+        // Zone by zone: lobes, ends here and there.
+        let mut zones = [(0, 0, [0.0; 2], [0.0; 2], 0); MOST_LOBES];
+        let (mut count, mut first, mut other) = (0, 0, 0);
+        while first < self.lobes.len() {
+            let mut last = first;
+            while self.cells[self.lobes[last].cell].met[1] {
+                last += 1;
+            }
+            let here = [self.lobes[first].cell, self.lobes[last].cell];
+            let here = [self.cells[here[0]].edges[0], self.cells[here[1]].edges[1]];
+            let Some((there, last_other)) = self.without_ridge.zone(other) else { return };
+            if there[0] >= here[1] || there[1] <= here[0] {
+                return;
+            }
+            zones[count] = (first, last, here, there, other);
+            (count, first, other) = (count + 1, last + 1, last_other + 1);
+        }
+        if other != self.without_ridge.lobes.len() {
+            return;
+        }
+        let between = |with: f64, without: f64| weight * with + (1.0 - weight) * without;
+        self.nodes.spare.clear();
+        for &(first, last, here, there, other) in &zones[..count] {
+            let scale = (there[1] - there[0]) / (here[1] - here[0]);
+            let over = |y: f64| there[0] + scale * (y - here[0]);
+            for number in first..=last {
+                for i in number * n..(number + 1) * n {
+                    let at = over(self.nodes.y[i]);
+                    let [pressure, per_length] = self.pressure_without_ridge(other, at);
+                    let half_length = pressure * self.nodes.radius[i] * per_length;
+                    self.nodes.pressure[i] = between(self.nodes.pressure[i], pressure);
+                    let least = self.nodes.half_length[i];
+                    self.nodes.spare.push(between(least, half_length));
+                }
+                let cell = &mut self.cells[self.lobes[number].cell];
+                cell.edges = cell.edges.map(|y| between(y, over(y)));
+                cell.load_ends = cell.edges;
+            }
+        }
+        std::mem::swap(&mut self.nodes.half_length, &mut self.nodes.spare);
+        self.place_mixed(line);
+    }
+
+    /// Pressure at `y` of the solution without the ridge, in the zone that begins with lobe `first`, and half length over that and the radius.
+    fn pressure_without_ridge(&self, first: usize, y: f64) -> [f64; 2] {
+        let (n, kept) = (self.rule.count(), &self.without_ridge);
+        let mut number = first;
+        while kept.lobes[number].met[1] && y > kept.lobes[number].edges[1] {
+            number += 1;
+        }
+        let Kept { edges, met, shape } = kept.lobes[number];
+        let t = ((2.0 * y - edges[0] - edges[1]) / (edges[1] - edges[0])).clamp(-1.0, 1.0);
+        let s = t.asin() / FRAC_PI_2;
+        // The polynomial in s through the ratios.
+        let (mut sum, mut weights) = (0.0, 0.0);
+        let ratios = &kept.ratio[number * n..(number + 1) * n];
+        for ((node, weight), ratio) in
+            self.rule.nodes.iter().zip(&self.rule.barycentric).zip(ratios)
+        {
+            let distance = s - node.asin() / FRAC_PI_2;
+            // At a node the others do not count.
+            let part = weight / if distance.abs() < 1e-14 { 1e-14 } else { distance };
+            sum += part * ratio.max(0.0);
+            weights += part;
+        }
+        let end = |side: usize, distance: f64| if met[side] { 1.0 } else { distance.sqrt() };
+        let pressure = (sum / weights).max(0.0) * end(0, 1.0 + t) * end(1, 1.0 - t);
+        let exponent: f64 = shape.iter().zip(legendre(t)).map(|(s, p)| s * p).sum();
+        [pressure, 2.0 * PI * (-exponent).exp()]
+    }
+}
