@@ -52,7 +52,12 @@ fn compare(element: &mut Element, table: &Table, row: &csv::StringRecord) -> (i3
     let mut output = Output::default();
     element.evaluate(&input, &mut output).unwrap();
     let [_, fy, fz] = output.wheel.force;
-    assert!((fz / v("load_n") + 1.0).abs() < tolerance::PRESCRIBED_LOAD, "{} {} {fz}", v("y_ws_mm"), v("load_n"));
+    assert!(
+        (fz / v("load_n") + 1.0).abs() < tolerance::PRESCRIBED_LOAD,
+        "{} {} {fz}",
+        v("y_ws_mm"),
+        v("load_n")
+    );
     let patches = &output.patches[..output.patch_count as usize];
     let total: f64 = patches.iter().map(|p| p.normal_force).sum();
     let place = patches.iter().map(|p| p.normal_force * p.position[1]).sum::<f64>() / total;
