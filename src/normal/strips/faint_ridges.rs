@@ -26,6 +26,8 @@ struct Kept {
     edges: [f64; 2],
     met: [bool; 2],
     shape: [f64; TERMS],
+    /// Sum of width, half length and pressure over π E* of its strips [m³].
+    load: f64,
 }
 
 /// The solution without the least ridge.
@@ -55,9 +57,13 @@ impl StripSolver {
     pub(super) fn keep_without_ridge(&mut self) {
         let Self { without_ridge, lobes, cells, nodes, .. } = self;
         without_ridge.lobes.clear();
+        let n = self.rule.count();
         without_ridge.lobes.extend(lobes.iter().map(|lobe| {
             let cell = &cells[lobe.cell];
-            Kept { edges: cell.edges, met: cell.met, shape: cell.shape }
+            let load = (lobe.first..lobe.first + n)
+                .map(|i| nodes.width[i] * nodes.half_length[i] * nodes.pressure[i])
+                .sum();
+            Kept { edges: cell.edges, met: cell.met, shape: cell.shape, load }
         }));
         without_ridge.ratio.clear();
         without_ridge.ratio.extend_from_slice(&nodes.ratio);
@@ -91,11 +97,27 @@ impl StripSolver {
         for &(first, last, here, there, other) in &zones[..count] {
             let scale = (there[1] - there[0]) / (here[1] - here[0]);
             let over = |y: f64| there[0] + scale * (y - here[0]);
+            let without = |solver: &Self, i: usize| {
+                let [pressure, per_length] =
+                    solver.pressure_without_ridge(other, over(solver.nodes.y[i]));
+                [pressure, pressure * solver.nodes.radius[i] * per_length]
+            };
+            // Where the pressure has a narrow peak, other strips have another sum of it: the load is that of the solution.
+            let last_other = self.without_ridge.zone(other).map_or(other, |(_, last)| last);
+            let load: f64 =
+                self.without_ridge.lobes[other..=last_other].iter().map(|l| l.load).sum();
+            let strips = first * n..(last + 1) * n;
+            let of_strips: f64 = strips
+                .map(|i| {
+                    let [pressure, half_length] = without(self, i);
+                    scale * self.nodes.width[i] * half_length * pressure
+                })
+                .sum();
+            let evened = if of_strips > 0.0 { load / of_strips } else { 1.0 };
             for number in first..=last {
                 for i in number * n..(number + 1) * n {
-                    let at = over(self.nodes.y[i]);
-                    let [pressure, per_length] = self.pressure_without_ridge(other, at);
-                    let half_length = pressure * self.nodes.radius[i] * per_length;
+                    let [pressure, half_length] = without(self, i);
+                    let pressure = evened * pressure;
                     self.nodes.pressure[i] = between(self.nodes.pressure[i], pressure);
                     let least = self.nodes.half_length[i];
                     self.nodes.spare.push(between(least, half_length));
@@ -116,7 +138,7 @@ impl StripSolver {
         while kept.lobes[number].met[1] && y > kept.lobes[number].edges[1] {
             number += 1;
         }
-        let Kept { edges, met, shape } = kept.lobes[number];
+        let Kept { edges, met, shape, .. } = kept.lobes[number];
         let t = ((2.0 * y - edges[0] - edges[1]) / (edges[1] - edges[0])).clamp(-1.0, 1.0);
         let s = t.asin() / FRAC_PI_2;
         // The polynomial in s through the ratios.
