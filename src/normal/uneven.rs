@@ -153,6 +153,10 @@ impl UnevenStrips {
         let (mut left_out, mut count) = (0, 0);
         let Self { stretches, quarter, .. } = self;
         overlap.stretches(|start, end| {
+            // Steep circles of the flange back may overlap over less than the last digit of x: no load.
+            if end <= start {
+                return;
+            }
             count += 1;
             if count > MOST_STRETCHES || stretches.len() == stretches.capacity() {
                 left_out += 1;
