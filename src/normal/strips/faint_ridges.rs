@@ -7,12 +7,16 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Line;
-use super::cell::TERMS;
+use super::cell::{Cell, TERMS};
+use super::nodes::Lobe;
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, MOST_LOBES, StripSolver};
 
 /// Share from which a ridge parts lobes for good.
 const CLEAR_SHARE: f64 = 0.08;
+
+/// Least width of a lobe that is cut off from a solution, share of its zone.
+const LEAST_WIDTH: f64 = 0.02;
 
 /// How much of a solution with a ridge of the given share counts, beside that without.
 pub(super) fn weight(share: f64) -> f64 {
@@ -28,6 +32,8 @@ struct Kept {
     shape: [f64; TERMS],
     /// Sum of width, half length and pressure over π E* of its strips [m³].
     load: f64,
+    /// Parameters of its outermost strips [m].
+    near: [f64; 2],
 }
 
 /// The solution without the least ridge.
@@ -63,7 +69,8 @@ impl StripSolver {
             let load = (lobe.first..lobe.first + n)
                 .map(|i| nodes.width[i] * nodes.half_length[i] * nodes.pressure[i])
                 .sum();
-            Kept { edges: cell.edges, met: cell.met, shape: cell.shape, load }
+            let near = [nodes.u[lobe.first], nodes.u[lobe.first + n - 1]];
+            Kept { edges: cell.edges, met: cell.met, shape: cell.shape, load, near }
         }));
         without_ridge.ratio.clear();
         without_ridge.ratio.extend_from_slice(&nodes.ratio);
@@ -129,6 +136,67 @@ impl StripSolver {
         }
         std::mem::swap(&mut self.nodes.half_length, &mut self.nodes.spare);
         self.place_mixed(line);
+    }
+
+    /// Begins with the solution without the least ridge, its zones cut at all ridges with joints there; false where that leaves a
+    /// lobe of no width.
+    pub(super) fn begin_from_without_ridge(&mut self, line: &mut impl Line) -> bool {
+        self.bound_cells(line);
+        let mut zones = [0; MOST_LOBES];
+        let (mut count, mut first) = (0, 0);
+        while let Some(([left, right], last)) = self.without_ridge.zone(first) {
+            let near = [first, last].map(|k| self.without_ridge.lobes[k].near);
+            let least = LEAST_WIDTH * (right - left);
+            for i in 0..self.cells.len() {
+                let cell = &mut self.cells[i];
+                let edges = [cell.bounds[0].max(left), cell.bounds[1].min(right)];
+                let width = edges[1] - edges[0];
+                if width <= 0.0 {
+                    continue;
+                }
+                if width < least || count == MOST_LOBES || cell.active {
+                    return false;
+                }
+                cell.active = true;
+                cell.edges = edges;
+                cell.met = [cell.bounds[0] > left, cell.bounds[1] < right];
+                let start = if cell.met[0] { cell.range[0] } else { near[0][0] };
+                let end = if cell.met[1] { cell.range[1] } else { near[1][1] };
+                (cell.near, cell.start_width) = ([start, end], width);
+                zones[count] = first;
+                count += 1;
+            }
+            first = last + 1;
+        }
+        self.gather();
+        for (number, zone) in zones.into_iter().enumerate().take(self.lobes.len()) {
+            self.take_from_without_ridge(number, zone);
+        }
+        count > 0
+    }
+
+    /// Gives the lobe `number` the pressures and half lengths that are there in the zone that begins with lobe `zone` without the ridge.
+    fn take_from_without_ridge(&mut self, number: usize, zone: usize) {
+        let Lobe { cell, first } = self.lobes[number];
+        let Cell { edges: [left, right], met, .. } = self.cells[cell];
+        let mut shape = [0.0; TERMS];
+        let mut greatest = 0.0f64;
+        for (t, abscissa) in self.rule.nodes.iter().enumerate() {
+            let y = 0.5 * (left + right + (right - left) * abscissa);
+            let [pressure, per_length] = self.pressure_without_ridge(zone, y);
+            let root = |side: usize| if met[side] { 1.0 } else { self.rule.roots[t][side] };
+            let ratio = pressure / (root(0) * root(1));
+            self.nodes.ratio[first + t] = ratio;
+            greatest = greatest.max(ratio);
+            // The projection on each polynomial.
+            let exponent = -(per_length / (2.0 * PI)).ln();
+            let terms = shape.iter_mut().zip(self.rule.legendre[t]).take(self.rule.terms);
+            for (degree, (term, polynomial)) in terms.enumerate() {
+                *term += (degree as f64 + 0.5) * self.rule.weights[t] * exponent * polynomial;
+            }
+        }
+        let cell = &mut self.cells[cell];
+        (cell.shape, cell.begun_with) = (shape, greatest);
     }
 
     /// Pressure at `y` of the solution without the ridge, in the zone that begins with lobe `first`, and half length over that and the radius.

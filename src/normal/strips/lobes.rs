@@ -17,6 +17,21 @@ const SHARED: f64 = 0.75;
 impl StripSolver {
     /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
     pub(super) fn begin(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) {
+        self.bound_cells(line);
+        let most = self.cells.iter().map(|c| c.deepest[1]).fold(0.0, f64::max);
+        let first = self.cells.iter().filter(|c| c.deepest[1] > FIRST_LOBES * most).count();
+        let approach = if first > 1 { SHARED * start.approach } else { start.approach };
+        for i in 0..self.cells.len() {
+            let depth = self.cells[i].deepest[1];
+            if depth > FIRST_LOBES * most {
+                self.start_lobe(line, overlap, i, approach * depth);
+            }
+        }
+        self.gather();
+    }
+
+    /// Coordinates of the cells and of their intervals of overlap; no lobes yet.
+    pub(super) fn bound_cells(&mut self, line: &mut impl Line) {
         self.lobes.clear();
         for cell in self.cells.iter_mut() {
             cell.bounds = cell.range.map(|u| line.place(u).y);
@@ -32,16 +47,6 @@ impl StripSolver {
             }
             begin = i + 1;
         }
-        let most = self.cells.iter().map(|c| c.deepest[1]).fold(0.0, f64::max);
-        let first = self.cells.iter().filter(|c| c.deepest[1] > FIRST_LOBES * most).count();
-        let approach = if first > 1 { SHARED * start.approach } else { start.approach };
-        for i in 0..self.cells.len() {
-            let depth = self.cells[i].deepest[1];
-            if depth > FIRST_LOBES * most {
-                self.start_lobe(line, overlap, i, approach * depth);
-            }
-        }
-        self.gather();
     }
 
     /// A first guess for the lobe of cell `i` from the ellipse of the approach `depth` [m] at its deepest place.

@@ -146,7 +146,8 @@ impl StripSolver {
         if kept {
             self.keep_without_ridge();
         }
-        let mut found = self.find(line, (probes, level), LEAST_SHARE);
+        let mut found = kept && self.find_from_without_ridge(line, (probes, level))
+            || self.find(line, (probes, level), LEAST_SHARE);
         if found && kept && !self.is_mixed {
             self.mix_without_ridge(line, weight);
         } else if !found && without {
@@ -171,18 +172,23 @@ impl StripSolver {
         STARTS.iter().any(|start| {
             cell::fill(overlap.0, overlap.1, least_share, &mut self.cells);
             self.caution = start.caution;
-            self.settle(line, overlap, *start)
+            self.begin(line, overlap, *start);
+            (!start.met || self.begin_met()) && self.settle(line, overlap)
         })
     }
 
-    /// Finds the lobes of all cells.
-    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64), start: Start) -> bool {
+    /// Finds a solution for the cells between all ridges from the one without the least of them.
+    fn find_from_without_ridge(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
+        self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
+        cell::fill(overlap.0, overlap.1, LEAST_SHARE, &mut self.cells);
+        self.caution = 1.0;
+        self.begin_from_without_ridge(line) && self.settle(line, overlap)
+    }
+
+    /// Finds the lobes of all cells from those that have begun.
+    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
         self.apart.lobe = None;
         self.is_mixed = false;
-        self.begin(line, overlap, start);
-        if start.met && !self.begin_met() {
-            return false;
-        }
         for _ in 0..MOST_CHANGES {
             if !self.lobes.is_empty() && !self.newton(line) {
                 // A cell that lost its lobe on the way: go on without.
