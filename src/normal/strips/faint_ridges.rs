@@ -79,8 +79,8 @@ impl StripSolver {
     /// Mixes the solution, which has `weight`, with that without the least ridge; as it is where the two have not the same zones.
     pub(super) fn mix_without_ridge(&mut self, line: &mut impl Line, weight: f64) {
         let n = self.rule.count();
-        // Zone by zone: lobes, ends here and there.
-        let mut zones = [(0, 0, [0.0; 2], [0.0; 2], 0); MOST_LOBES];
+        // Zone by zone: first and last lobe, ends, here and there.
+        let mut zones = [([0; 2], [0.0; 2], [0; 2], [0.0; 2]); MOST_LOBES];
         let (mut count, mut first, mut other) = (0, 0, 0);
         while first < self.lobes.len() {
             let mut last = first;
@@ -93,7 +93,7 @@ impl StripSolver {
             if there[0] >= here[1] || there[1] <= here[0] {
                 return;
             }
-            zones[count] = (first, last, here, there, other);
+            zones[count] = ([first, last], here, [other, last_other], there);
             (count, first, other) = (count + 1, last + 1, last_other + 1);
         }
         if other != self.without_ridge.lobes.len() {
@@ -101,29 +101,25 @@ impl StripSolver {
         }
         let between = |with: f64, without: f64| weight * with + (1.0 - weight) * without;
         self.nodes.spare.clear();
-        for &(first, last, here, there, other) in &zones[..count] {
+        for &([first, last], here, [other, last_other], there) in &zones[..count] {
             let scale = (there[1] - there[0]) / (here[1] - here[0]);
             let over = |y: f64| there[0] + scale * (y - here[0]);
-            let without = |solver: &Self, i: usize| {
-                let [pressure, per_length] =
-                    solver.pressure_without_ridge(other, over(solver.nodes.y[i]));
-                [pressure, pressure * solver.nodes.radius[i] * per_length]
-            };
             // Where the pressure has a narrow peak, other strips have another sum of it: the load is that of the solution.
-            let last_other = self.without_ridge.zone(other).map_or(other, |(_, last)| last);
-            let load: f64 =
-                self.without_ridge.lobes[other..=last_other].iter().map(|l| l.load).sum();
-            let strips = first * n..(last + 1) * n;
-            let of_strips: f64 = strips
-                .map(|i| {
-                    let [pressure, half_length] = without(self, i);
-                    scale * self.nodes.width[i] * half_length * pressure
-                })
-                .sum();
+            let kept = &self.without_ridge.lobes[other..=last_other];
+            let load: f64 = kept.iter().map(|lobe| lobe.load).sum();
+            let mut of_strips = 0.0;
+            self.apart.nodes.clear();
+            for i in first * n..(last + 1) * n {
+                let [pressure, per_length] =
+                    self.pressure_without_ridge(other, over(self.nodes.y[i]));
+                let half_length = pressure * self.nodes.radius[i] * per_length;
+                of_strips += scale * self.nodes.width[i] * half_length * pressure;
+                self.apart.nodes.push([pressure, half_length]);
+            }
             let evened = if of_strips > 0.0 { load / of_strips } else { 1.0 };
             for number in first..=last {
                 for i in number * n..(number + 1) * n {
-                    let [pressure, half_length] = without(self, i);
+                    let [pressure, half_length] = self.apart.nodes[i - first * n];
                     let pressure = evened * pressure;
                     self.nodes.pressure[i] = between(self.nodes.pressure[i], pressure);
                     let least = self.nodes.half_length[i];

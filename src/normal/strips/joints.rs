@@ -29,7 +29,7 @@ pub(super) struct Apart {
     /// Their share, 0 to 1.
     share: f64,
     /// Pressure over π E* and half length of all nodes; ends of all lobes.
-    nodes: Vec<[f64; 2]>,
+    pub nodes: Vec<[f64; 2]>,
     edges: Vec<[f64; 2]>,
 }
 
