@@ -119,31 +119,37 @@ impl<T: Real> EquivalentEllipse<T> {
     pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
     }
+}
 
-    /// Creep force on the wheel from `table`, for a creepage at the centre and the friction limit μ N > 0 [N]; `area` is that of which a share
-    /// slips [m²].
+/// An ellipse that rolls under load.
+#[derive(Clone, Copy, Debug)]
+pub struct RollingEllipse<'a, T = f64> {
+    /// The ellipse.
+    pub ellipse: EquivalentEllipse<T>,
+    /// Elastic constants of both bodies.
+    pub material: &'a MaterialPair<T>,
+    /// Creepage at its centre.
+    pub creepage: Creepage<T>,
+    /// Which end leads.
+    pub rolling: Rolling,
+    /// Friction limit μ N > 0 [N].
+    pub limit: T,
+}
+
+impl<T: Tabulated> RollingEllipse<'_, T> {
+    /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a share slips [m²].
     #[must_use]
-    pub fn tabulated_force(
-        &self,
-        table: &CreepForceTable,
-        material: &MaterialPair<T>,
-        creepage: &Creepage<T>,
-        rolling: Rolling,
-        limit: T,
-        area: T,
-    ) -> CreepForce<T>
-    where
-        T: Tabulated,
-    {
-        let c = self.mean_radius();
+    pub fn tabulated_force(&self, table: &CreepForceTable, area: T) -> CreepForce<T> {
+        let &Self { ellipse, material, creepage, rolling, limit } = self;
+        let c = ellipse.mean_radius();
         // However little the limit is, creepages stay finite.
         let scale = (material.shear_modulus * c * c / limit).at_most(1e60);
         // Backwards the ellipse is the same seen in a mirror along x.
         let direction = rolling.direction();
-        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let Creepage { longitudinal, lateral, spin } = creepage;
         let v = [longitudinal * direction, lateral, c * direction * spin]
             .map(|v| (scale * v).within(-1e100, 1e100));
-        let log_ratio = (self.along / self.across).ln();
+        let log_ratio = (ellipse.along / ellipse.across).ln();
         let EllipseForce { force, slip_share } =
             T::tabulated(table, log_ratio, material.poisson_ratio, v);
         CreepForce {
