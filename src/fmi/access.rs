@@ -18,7 +18,8 @@ impl<S: Described> Instance<S> {
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_real, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Real(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
+            // Read at every step: by its type, which was checked.
+            if let Some(value) = S::real(&self.values, reference as usize) {
                 *out = value;
             }
         }
@@ -114,10 +115,8 @@ impl<S: Described> Instance<S> {
     ) -> Result<Status, FmiError> {
         let (mut outputs, mut nominal, mut requested) = (false, false, false);
         for &reference in references {
-            let variable = variable(S::UNIT, reference)?;
-            if !belongs(variable.kind) {
-                return Err(wrong_type(variable));
-            }
+            let known = S::UNIT.variables.get(reference as usize).filter(|v| belongs(v.kind));
+            let Some(variable) = known else { return Err(unreadable(S::UNIT, reference)) };
             outputs |= variable.causality == Causality::Output;
             requested |= variable.on_request;
             nominal |= variable.causality == Causality::CalculatedParameter;
@@ -141,6 +140,12 @@ pub(super) fn variable(
 ) -> Result<&'static Variable, FmiError> {
     let last = unit.variables.len() - 1;
     unit.variables.get(reference as usize).ok_or(FmiError::UnknownReference { reference, last })
+}
+
+/// Why a variable is not read: there is none, or it has another type.
+#[cold]
+fn unreadable(unit: &'static Unit, reference: ValueReference) -> FmiError {
+    variable(unit, reference).map_or_else(|error| error, wrong_type)
 }
 
 /// Why a value is not accepted; after initialization, if there is nothing else against it.
