@@ -94,7 +94,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             .iter()
             .filter_map(|one| Some([one.displacement, conicity(one.displacement)?]))
             .collect();
-        let title = format!("{} on {}", arguments.wheel_profile, arguments.rail_profile);
+        let (wheel, rail) = (&arguments.wheel_profile, &arguments.rail_profile);
+        let title = format!("{wheel} on {rail}, inclination {}", arguments.inclination);
         figures::conicity::draw(path, &title, difference.points(), &curve)?;
     }
     if arguments.output.is_some() {

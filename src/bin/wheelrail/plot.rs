@@ -14,6 +14,7 @@ use wheelrail::variables::Values;
 
 use crate::cases::Cases;
 use crate::figures::contact::{Figure, Side};
+use crate::figures::models;
 use crate::patch::PlanarCases;
 use crate::{evaluate, output};
 
@@ -164,7 +165,7 @@ fn draw(
     let side = |case: &PlanarCase<'_>| -> Result<Side> {
         let result = wheelrail::planar::solve(case)?;
         Ok(Side {
-            name: format!("{} + {}", name(&case.normal_model), name(&case.tangential_model)),
+            name: models(case.normal_model, case.tangential_model),
             fields: fields(case)?,
             result,
         })
@@ -182,18 +183,6 @@ fn draw(
         println!("{}", path.display());
     }
     Ok(())
-}
-
-/// The name of a model as variables have it: `PiotrowskiKik` is `piotrowski_kik`.
-fn name(model: &impl std::fmt::Debug) -> String {
-    let mut name = String::new();
-    for letter in format!("{model:?}").chars() {
-        if letter.is_uppercase() && !name.is_empty() {
-            name.push('_');
-        }
-        name.extend(letter.to_lowercase());
-    }
-    name
 }
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
@@ -249,16 +238,4 @@ fn field_row(
         }
         .into(),
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn models_have_the_names_of_their_variables() {
-        assert_eq!(name(&NormalModel::PiotrowskiKik), "piotrowski_kik");
-        assert_eq!(name(&TangentialModel::Fastsim), "fastsim");
-        assert_eq!(name(&NormalModel::BoundaryElement), "boundary_element");
-    }
 }
