@@ -32,7 +32,7 @@ const COLUMNS: [&str; 9] = [
 /// and for y > 0 the equivalent conicity of a motion of the amplitude y. A conicity of 0 says that the wheelset does not
 /// swing at that amplitude, an empty cell that one of the turning points lies beyond the range.
 #[derive(Args, Debug)]
-#[command(verbatim_doc_comment)]
+#[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
     /// File for the table, CSV; without it standard output
     #[arg(long, short, value_name = "FILE")]
@@ -75,7 +75,8 @@ const REFERENCE_AMPLITUDE: f64 = 3e-3;
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let values = values(arguments)?;
-    let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &[])?;
+    let here = [PathBuf::from(".")];
+    let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
     let radii = wheelset.sweep(arguments.range, arguments.step);
     let Some(difference) = RollingRadiusDifference::of(&radii) else {
         bail!("the wheels stand beside the rails: check track.gauge and --running-circles");

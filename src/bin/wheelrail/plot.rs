@@ -134,7 +134,8 @@ fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatCo
     order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));
     match order.get(number.wrapping_sub(1)) {
         Some(&index) => Ok((contacts, index)),
-        None => bail!("--contact {number}: the wheel has {} contacts", contacts.len()),
+        None if contacts.is_empty() => bail!("the wheel touches no rail: nothing to draw"),
+        None => bail!("--contact {number}: the wheel has contacts 1 to {}", contacts.len()),
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use clap::Args;
 
+use super::fmu_wheel::is_driven;
 use crate::wheelset::GRAVITY;
 use crate::wheelset::body::Body;
 use crate::wheelset::suspension::Suspension;
@@ -17,7 +18,7 @@ use crate::wheelset::track::{RampShape, Track};
 /// frame that runs straight ahead on the track's centre line. It starts rolling freely in the middle of the track
 /// and meets a lateral ramp of both rails. Left in the output folder: history.csv, motion.svg, patches.svg.
 #[derive(Args, Debug)]
-#[command(verbatim_doc_comment)]
+#[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
     /// The unit to run; without it WheelRail.fmu beside this program
     #[arg(long, value_name = "FILE")]
@@ -46,13 +47,7 @@ pub struct Arguments {
     #[arg(long, value_name = "M", default_value_t = 60.0, help_heading = "Run")]
     pub length: f64,
     /// Lateral displacement of the track by the ramp, to the right [m]
-    #[arg(
-        long,
-        value_name = "M",
-        default_value_t = 0.005,
-        allow_negative_numbers = true,
-        help_heading = "Run"
-    )]
+    #[arg(long, value_name = "M", default_value_t = 0.005, help_heading = "Run")]
     pub ramp: f64,
     /// Length of the ramp [m]
     #[arg(long, value_name = "M", default_value_t = 1.0, help_heading = "Run")]
@@ -165,6 +160,9 @@ impl Arguments {
             if !value.is_finite() {
                 bail!("--{name} {value} is not admitted: it must be a finite number");
             }
+        }
+        if let Some((name, _)) = self.settings.iter().find(|(name, _)| is_driven(name)) {
+            bail!("--set {name}: the run itself sets it, for each wheel and at every step");
         }
         let weight = self.mass * GRAVITY;
         if !(self.axle_load.is_finite() && self.axle_load >= weight) {

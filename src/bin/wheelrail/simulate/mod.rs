@@ -25,6 +25,8 @@ use crate::wheelset::{Moment, Wheelset};
 
 /// Steps between two looks at the progress bar.
 const STEPS_A_TICK: u64 = 2000;
+/// Rows of the history at most: a gigabyte of them.
+const MOST_ROWS: u64 = 2_000_000;
 /// Steps below are not proposed: a second would take millions of them [s].
 const SHORTEST_STEP: f64 = 1e-6;
 /// Beyond this lateral position against the track the wheelset has left the rails [m].
@@ -122,6 +124,13 @@ fn integrate(
     let steps = (arguments.length / (arguments.speed * step)).ceil() as u64;
     let steps_a_record =
         (arguments.record_every / (arguments.speed * step)).round().max(1.0) as u64;
+    let rows = steps / steps_a_record + 1;
+    if rows > MOST_ROWS {
+        bail!(
+            "--record-every {}: {rows} rows of history.csv, and at most {MOST_ROWS} are kept",
+            arguments.record_every
+        );
+    }
     let progress = ProgressBar::new(steps).with_style(ProgressStyle::with_template(
         "{bar:40.blue} {percent:>3} % of {msg}, {elapsed} elapsed, {eta} to go",
     )?);
@@ -129,7 +138,7 @@ fn integrate(
 
     let before: u64 = wheelset.wheels.iter().map(|wheel| wheel.evaluations).sum();
     let begin = Instant::now();
-    let mut records = Vec::with_capacity((steps / steps_a_record) as usize + 1);
+    let mut records = Vec::with_capacity(rows as usize);
     let mut state = start;
     for index in 0..steps {
         // Multiples of the step, not a sum, so that rounding does not add up.
