@@ -48,17 +48,19 @@ impl Tangential {
             MarchedPart { share, lobe, three, blended, mean }
         };
         let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
-        let whole = (share < 1.0).then(|| {
-            let three = ZoneFlexibility::new(zone, strips, material);
-            part(-share + 1.0, None, three, slip.mean(), T::from(1.0))
-        });
+        let whole = if share < 1.0 {
+            ZoneFlexibility::new(zone, strips, material, |_| T::from(1.0))
+                .map(|three| part(-share + 1.0, None, three, slip.mean(), T::from(1.0)))
+        } else {
+            None
+        };
         let Some(&Lobes { waist, parts: [left, right] }) = lobes else {
             return [whole, None, None];
         };
         let lobe = |side, carried: Option<LoadedPart<T>>| {
             let carried = carried?;
             let member = |y| waist.member(side, y);
-            let three = ZoneFlexibility::of_part(zone, strips, material, member)?;
+            let three = ZoneFlexibility::new(zone, strips, material, member)?;
             Some(part(share, Some((waist, side)), three, carried.creepage, carried.share))
         };
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
