@@ -10,11 +10,10 @@ use clap::Args;
 use wheelrail::element::Element;
 use wheelrail::variables::{Causality, Kind, VARIABLES, Values, Variable, find};
 
-use crate::args::TableFiles;
+use crate::args::{TableFiles, assignment};
 use crate::cases::Cases;
 use crate::evaluate::read_values;
 use crate::output;
-use crate::simulate::assignment;
 
 use path::Path;
 use results::{Results, Swept};

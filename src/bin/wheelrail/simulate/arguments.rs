@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use super::fmu_wheel::is_driven;
+use crate::args::ContactOptions;
 use crate::wheelset::GRAVITY;
 use crate::wheelset::body::Body;
 use crate::wheelset::suspension::Suspension;
@@ -27,18 +28,9 @@ pub struct Arguments {
     #[arg(long, short, value_name = "FOLDER", default_value = "wheelrail-simulation")]
     pub output: PathBuf,
 
-    /// Profile of both wheels: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
-    pub wheel_profile: String,
-    /// Profile of both rails: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
-    pub rail_profile: String,
-    /// Inclination of the rails: 0.025 is 1:40
-    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
-    pub inclination: f64,
-    /// Set any other parameter or input of the FMU, for both wheels; may be repeated
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
-    pub settings: Vec<(String, String)>,
+    /// Profiles and what else is set.
+    #[command(flatten)]
+    pub contact: ContactOptions,
 
     /// Speed along the track [m/s]
     #[arg(long, value_name = "M/S", default_value_t = 15.0, help_heading = "Run")]
@@ -109,16 +101,6 @@ pub struct Arguments {
     pub damping: [f64; 3],
 }
 
-/// Reads NAME=VALUE.
-pub fn assignment(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() => {
-            Ok((name.trim().into(), value.trim().into()))
-        }
-        _ => Err("write NAME=VALUE, such as friction.coefficient=0.4".into()),
-    }
-}
-
 fn three(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text
         .split(',')
@@ -161,7 +143,7 @@ impl Arguments {
                 bail!("--{name} {value} is not admitted: it must be a finite number");
             }
         }
-        if let Some((name, _)) = self.settings.iter().find(|(name, _)| is_driven(name)) {
+        if let Some((name, _)) = self.contact.settings.iter().find(|(name, _)| is_driven(name)) {
             bail!("--set {name}: the run itself sets it, for each wheel and at every step");
         }
         let weight = self.mass * GRAVITY;

@@ -13,7 +13,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 use wheelrail::element::output::Wrench;
 
-pub use arguments::{Arguments, assignment};
+pub use arguments::Arguments;
 use fmu_wheel::FmuWheel;
 pub use fmu_wheel::Patch;
 pub use history::Record;
@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.check()?;
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;
     let fmu = Fmu::open(&path)?;
-    let settings = settings(arguments);
+    let settings = arguments.contact.all_settings();
     let mut right = FmuWheel::new(&fmu, "right", &settings)?;
     let left = FmuWheel::new(&fmu, "left", &settings)?;
     let touching_z = right.touching_z()?;
@@ -103,16 +103,6 @@ fn packaged_unit() -> Result<PathBuf> {
         );
     }
     Ok(path)
-}
-
-fn settings(arguments: &Arguments) -> Vec<(String, String)> {
-    let named = [
-        ("wheel.profile", arguments.wheel_profile.clone()),
-        ("rail[1].profile", arguments.rail_profile.clone()),
-        ("rail[1].inclination", arguments.inclination.to_string()),
-    ];
-    let named = named.into_iter().map(|(name, value)| (name.into(), value));
-    named.chain(arguments.settings.iter().cloned()).collect()
 }
 
 fn integrate(
@@ -185,9 +175,8 @@ fn write_files(arguments: &Arguments, records: &[Record]) -> Result<Vec<PathBuf>
     let files = ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name));
     history::write(&files[0], records)?;
     let title = format!(
-        "{} on {}, {} mm ramp at {} m/s",
-        arguments.wheel_profile,
-        arguments.rail_profile,
+        "{}, {} mm ramp at {} m/s",
+        arguments.contact.profiles(),
         1e3 * arguments.ramp,
         arguments.speed
     );
