@@ -64,6 +64,7 @@ fn main() {
     let mut text = String::from("| | instructions | |\n|---|---|---|\n");
     for (k, ((name, _, depth), count)) in CASES.iter().zip(&counts).enumerate() {
         let more = match 100.0 * (count / counts[0] - 1.0) {
+            more if k > 0 && *depth > 0.0 && more.abs() < 0.5 => "0".into(),
             more if k > 0 && *depth > 0.0 => format!("{more:+.0} %"),
             _ => String::new(),
         };

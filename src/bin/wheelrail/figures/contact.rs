@@ -162,7 +162,7 @@ impl Figure {
         let greatest = self.greatest();
         let caption = match quantity {
             Quantity::Pressure => format!(
-                "{}: pressure to {:.0}, colours to {greatest:.0} MPa; N {:.2} kN",
+                "{}: p ≤ {:.0} MPa, colours to {greatest:.0}; N {:.2} kN",
                 side.name,
                 1e-6 * result.max_pressure,
                 1e-3 * result.normal_force
@@ -179,7 +179,7 @@ impl Figure {
             Quantity::State => "Adhesion blue, slip area orange".into(),
         };
         let mut chart = ChartBuilder::on(area)
-            .caption(caption, heading(15))
+            .caption(caption, heading(14))
             .margin(px(6))
             .margin_right(px(14))
             .x_label_area_size(px(42))
