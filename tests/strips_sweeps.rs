@@ -156,7 +156,7 @@ fn element(wheel: &str, parameters: Parameters) -> Element {
 }
 
 #[test]
-#[ignore = "half a million evaluations; for a release build"]
+#[ignore = "a million evaluations; for a release build"]
 fn jumps_of_the_vertical_force_in_other_places() {
     let mut report = String::from("wheel,moved,shift_mm,yaw_mrad,depth_um,N,at_mm_or_mrad\n");
     let (mut worst, mut count) = (0.0_f64, 0);

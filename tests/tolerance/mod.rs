@@ -210,8 +210,8 @@ pub const STRIPS_JUMP: f64 = 1e-6;
 pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [1.1e-4, 5e-4, 2.5e-3, 4.4e-3];
 
 /// Second differences of the vertical force in fine steps of sweeps in other places, without creep forces, over the load. The aim is none; worst is
-/// where strips of fixed width take over.
-pub const STRIPS_SWEEP_ELSEWHERE: f64 = 0.06;
+/// a flange root where strips of fixed width take over.
+pub const STRIPS_SWEEP_ELSEWHERE: f64 = 0.048;
 
 /// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
 pub const STRIPS_HERTZ: f64 = 2e-3;
