@@ -5,7 +5,7 @@ mod chart;
 
 use std::error::Error;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 const LOAD: f64 = 50e3;
@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             x,
             y,
             downwards: false,
-            legend_below: false,
+            legend: Corner::UpperRight,
             legend_room: 0.0,
             height: 300,
             series,

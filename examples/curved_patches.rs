@@ -6,7 +6,7 @@ mod free_wheelset;
 
 use std::error::Error;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use free_wheelset::{FreeWheelset, SPEED};
 use wheelrail::conicity::{RollingRadiusDifference, TrackedWheelset};
 use wheelrail::element::Parameters;
@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y,
             downwards: false,
             height: 260,
-            legend_below: false,
+            legend: Corner::UpperRight,
             legend_room: 0.0,
             series,
         });

@@ -6,7 +6,7 @@ mod chart;
 use std::error::Error;
 use std::path::Path;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use csv::{Reader, ReaderBuilder, StringRecord};
 use wheelrail::material::Material;
 use wheelrail::normal::{NormalModel, ShapeFit};
@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y: "x, in the direction of rolling [mm]",
             downwards: false,
             height: 300,
-            legend_below: false,
+            legend: Corner::UpperRight,
             legend_room: 0.16,
             series: vec![
                 Series::line("CONTACT", closed(&reference)),

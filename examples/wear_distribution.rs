@@ -6,7 +6,7 @@ mod chart;
 
 use std::error::Error;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use wheelrail::element::parameters::{VerticalMode, WearDistribution, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters, WornBody};
 
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             y: "wear depth [mm]",
             downwards: true,
             height: 300,
-            legend_below: true,
+            legend: Corner::LowerLeft,
             legend_room: 0.0,
             series,
         });

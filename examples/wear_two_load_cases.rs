@@ -9,7 +9,7 @@ mod driven_wheelset;
 use std::error::Error;
 use std::time::Instant;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use driven_wheelset::{DrivenWheelset, Guidance};
 use wheelrail::element::parameters::WearModel;
 use wheelrail::element::{Parameters, WornBody};
@@ -154,7 +154,7 @@ fn charts(cases: &[DrivenWheelset; 2]) -> Result<Vec<Chart>, Box<dyn Error>> {
         y,
         downwards,
         height,
-        legend_below: downwards,
+        legend: if downwards { Corner::LowerRight } else { Corner::UpperRight },
         legend_room: 0.0,
         series,
     };
@@ -182,21 +182,21 @@ fn charts(cases: &[DrivenWheelset; 2]) -> Result<Vec<Chart>, Box<dyn Error>> {
         ),
         chart(
             "Wear depth of the wheels",
-            "mm",
+            "wear depth [mm]",
             false,
             260,
             vec![depth("left", 0, 0, WornBody::Wheel), depth("right", 0, 1, WornBody::Wheel)],
         ),
         chart(
             "Wear depth of the rails of the flanging wheelset",
-            "mm",
+            "wear depth [mm]",
             false,
             260,
             vec![depth("left", 0, 0, rail_depth), depth("right", 0, 1, rail_depth)],
         ),
         chart(
             "Wear depth of the rails of the swaying wheelset",
-            "mm",
+            "wear depth [mm]",
             false,
             260,
             vec![depth("left", 1, 0, rail_depth), depth("right", 1, 1, rail_depth)],

@@ -5,7 +5,7 @@ mod chart;
 
 use std::error::Error;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use wheelrail::element::parameters::{FlatShape, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -44,21 +44,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         impacts.push(Series::line(name, peaks));
     }
     if let Some(path) = std::env::args().nth(1) {
-        let chart = |title, x, legend_below, series| Chart {
+        let chart = |title, x, legend, series| Chart {
             title,
             x,
             y: "contact force [kN]",
             downwards: false,
-            legend_below,
+            legend,
             legend_room: 0.0,
             height: 300,
             series,
         };
         let title = "Greatest force on a flat of 50 mm, static load 87 kN";
-        let first = chart(title, "speed [km/h]", true, impacts);
+        let first = chart(title, "speed [km/h]", Corner::LowerRight, impacts);
         let title = "Force around the flat";
-        let second =
-            chart(title, "rolled distance from the middle of the flat [mm]", false, histories);
+        let second = chart(
+            title,
+            "rolled distance from the middle of the flat [mm]",
+            Corner::UpperRight,
+            histories,
+        );
         chart::save(path, &[first, second])?;
     }
     Ok(())

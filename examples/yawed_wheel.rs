@@ -5,7 +5,7 @@ mod chart;
 
 use std::error::Error;
 
-use chart::{Chart, Series};
+use chart::{Chart, Corner, Series};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::contact_line::{ContactLine, LinePoint, WheelPose};
 use wheelrail::geometry::profile::ProfileKind;
@@ -56,7 +56,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             x: y,
             y: z,
             downwards: true,
-            legend_below: true,
+            legend: Corner::LowerRight,
             legend_room: 0.0,
             height: 300,
             series: seen,
@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             x: y,
             y: x,
             downwards: false,
-            legend_below: false,
+            legend: Corner::UpperRight,
             legend_room: 0.0,
             height: 320,
             series: above,

@@ -5,6 +5,8 @@
 //! crate, solved here, on contacts of a wheel. Written are the tables in docs/benchmarks.md between their marks, the figure
 //! docs/figures/error_over_time.svg, and target/reports/error_over_time.csv with everything. It takes minutes; nothing else should run.
 
+#[path = "../callgrind/mod.rs"]
+mod callgrind;
 mod choices;
 #[path = "../../tests/common/mod.rs"]
 mod common;
@@ -67,7 +69,7 @@ pub struct EllipseRow {
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
     if let [flag, index, scene, evaluations] = arguments.as_slice()
-        && flag == times::COUNT
+        && flag == callgrind::COUNT
     {
         let number = |text: &str| text.parse().expect("a whole number");
         let input = wheel::timed_input(number(scene));
@@ -127,7 +129,7 @@ fn main() {
     let bar = progress("instructions", rows.len());
     rows.par_iter_mut().enumerate().for_each(|(index, row)| {
         if !row.choice.normal.is_slow() {
-            row.instructions = times::instructions(index, 0);
+            row.instructions = callgrind::instructions(&[index.to_string(), "0".into()]);
         }
         bar.inc(1);
     });

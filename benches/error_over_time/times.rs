@@ -1,8 +1,6 @@
-//! What one evaluation of the element takes: time, and instructions where Valgrind can count them.
+//! What one evaluation of the element takes.
 
-use std::env;
 use std::hint::black_box;
-use std::process::Command;
 use std::time::{Duration, Instant};
 
 use wheelrail::element::{Element, Input, Output};
@@ -14,10 +12,6 @@ const STRETCH: Duration = Duration::from_millis(1);
 const STRETCHES: usize = 11;
 /// Step of the height between evaluations, so that nothing is reused [m].
 const STEP: f64 = 1e-10;
-/// Evaluations by which two counted runs differ.
-const COUNTED: usize = 20;
-/// First argument of a counted run.
-pub const COUNT: &str = "--evaluate";
 
 /// Median time of one evaluation [s].
 pub fn time(choice: Choice, input: &Input) -> f64 {
@@ -61,25 +55,7 @@ impl Subject {
     }
 }
 
-/// Instructions of one evaluation: two runs of this program under Valgrind, the difference over the evaluations; none without Valgrind.
-///
-/// `index` is that of the choice in [`Choice::all`], `scene` that of the place.
-pub fn instructions(index: usize, scene: usize) -> Option<f64> {
-    let run = |evaluations: usize| -> Option<f64> {
-        let output = Command::new("valgrind")
-            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-            .arg(env::current_exe().ok()?)
-            .args([COUNT, &index.to_string(), &scene.to_string(), &evaluations.to_string()])
-            .output()
-            .ok()?;
-        let text = String::from_utf8_lossy(&output.stderr);
-        let line = text.lines().find(|line| line.contains("Collected :"))?;
-        line.rsplit(':').next()?.trim().parse().ok()
-    };
-    Some((run(COUNTED)? - run(0)?) / COUNTED as f64)
-}
-
-/// The counted run itself.
+/// A run whose instructions are counted.
 pub fn evaluate(choice: Choice, input: &Input, evaluations: usize) {
     let mut subject = Subject::new(choice, input);
     // What happens once only.

@@ -1,4 +1,5 @@
 //! Sections of docs/benchmarks.md that benchmarks write.
+#![allow(dead_code)] // each benchmark uses its own part
 
 use std::process::Command;
 use std::time::SystemTime;

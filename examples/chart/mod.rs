@@ -5,6 +5,7 @@
 use std::error::Error;
 use std::path::Path;
 
+pub use plotters::chart::SeriesLabelPosition as Corner;
 use plotters::prelude::*;
 
 // Colours told apart by colour-blind readers (Okabe and Ito 2008).
@@ -47,8 +48,8 @@ pub struct Chart {
     pub y: &'static str,
     /// Whether growing values of y go down.
     pub downwards: bool,
-    /// Whether the legend stands at the lower right instead of the upper right.
-    pub legend_below: bool,
+    /// The corner in which the legend stands.
+    pub legend: Corner,
     /// Share of the range of x that is added at its right end for the legend, and a fifth of that at the left.
     pub legend_room: f64,
     /// Height [pixels].
@@ -135,11 +136,7 @@ fn draw(
     if chart.series.len() > 1 {
         context
             .configure_series_labels()
-            .position(if chart.legend_below {
-                SeriesLabelPosition::LowerRight
-            } else {
-                SeriesLabelPosition::UpperRight
-            })
+            .position(chart.legend.clone())
             .margin(px(6))
             .legend_area_size(px(24))
             .background_style(WHITE.mix(0.85))

@@ -74,9 +74,10 @@ impl Tangential {
         parts: &[Option<MarchedPart<T>>; 3],
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
+        let strips = loaded.strips;
         for part in parts.iter().flatten() {
             let add = |j: usize, force: StripForce<T>| {
-                let weight = part.weight(loaded.strips.y[j]);
+                let weight = part.weight(strips.y[j]);
                 if weight > 0.0 {
                     each(j, force.times(weight));
                 }

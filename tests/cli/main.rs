@@ -105,6 +105,24 @@ fn conicity_of_a_cone_is_its_angle_in_table_and_figure() {
 }
 
 #[test]
+fn conicity_finds_a_profile_in_the_folder_it_runs_in() {
+    let output = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+        .args([
+            "conicity",
+            "--wheel-profile",
+            "S1002_worn.txt",
+            "--range",
+            "1e-3",
+            "--step",
+            "1e-3",
+        ])
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles"))
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
 fn conicity_complains_about_options_by_name() {
     for (options, words) in [
         (&["--step=0"][..], "--step 0 is not admitted"),

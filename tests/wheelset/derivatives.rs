@@ -1,6 +1,7 @@
 //! Derivatives of a wheelset.
 
 use super::*;
+use wheelrail::element::parameters::TangentialModel;
 
 /// The coordinates, rates and loads of an input, to be changed one by one.
 fn numbers(input: &mut Input) -> Vec<&mut f64> {
@@ -29,10 +30,10 @@ fn results(output: &Output) -> [Vec<f64>; 4] {
 }
 
 /// In random directions, of a model of creep forces without kinks.
-fn judge_derivatives(mode: VerticalMode, step: f64) -> f64 {
+fn judge_derivatives(model: TangentialModel, mode: VerticalMode, step: f64) -> f64 {
     let mut parameters = Parameters::default();
     for side in &mut parameters.sides {
-        (side.vertical_mode, side.tangential_model) = (mode, TangentialModel::Linear);
+        (side.vertical_mode, side.tangential_model) = (mode, model);
     }
     let mut wheelset = wheelset(&parameters);
     let mut random = Random::new(27);
@@ -76,15 +77,19 @@ fn judge_derivatives(mode: VerticalMode, step: f64) -> f64 {
             }
         }
     }
-    println!("{mode:?}: worst of {count} rates {worst:e}");
+    println!("{model:?}, {mode:?}: worst of {count} rates {worst:e}");
     assert!(count > 300, "{count}");
     worst
 }
 
 #[test]
 fn derivatives_are_those_of_differences() {
-    assert!(judge_derivatives(VerticalMode::Penetration, 2e-7) < tolerance::DERIVATIVES);
-    assert!(judge_derivatives(VerticalMode::Load, 2e-6) < tolerance::DERIVATIVES);
+    for model in [TangentialModel::Linear, TangentialModel::Tables] {
+        for (mode, step) in [(VerticalMode::Penetration, 2e-7), (VerticalMode::Load, 1e-6)] {
+            let worst = judge_derivatives(model, mode, step);
+            assert!(worst < tolerance::DERIVATIVES, "{model:?}, {mode:?}: {worst:e}");
+        }
+    }
 }
 
 #[test]

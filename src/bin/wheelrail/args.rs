@@ -42,6 +42,51 @@ pub struct TableFiles {
     pub output: Option<PathBuf>,
 }
 
+/// What touches what; its help is shown with that of the commands that run a wheelset.
+#[derive(Args, Debug)]
+pub struct ContactOptions {
+    /// Profile of both wheels: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
+    pub wheel_profile: String,
+    /// Profile of both rails: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
+    pub rail_profile: String,
+    /// Inclination of the rails: 0.025 is 1:40
+    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
+    pub inclination: f64,
+    /// Set any other parameter of both wheels (for simulate any input too), such as track.gauge; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
+    pub settings: Vec<(String, String)>,
+}
+
+impl ContactOptions {
+    /// Names and values of all variables that are set, in order.
+    pub fn all_settings(&self) -> Vec<(String, String)> {
+        let named = [
+            ("wheel.profile", self.wheel_profile.clone()),
+            ("rail[1].profile", self.rail_profile.clone()),
+            ("rail[1].inclination", self.inclination.to_string()),
+        ];
+        let named = named.into_iter().map(|(name, value)| (name.into(), value));
+        named.chain(self.settings.iter().cloned()).collect()
+    }
+
+    /// The pair, for titles.
+    pub fn profiles(&self) -> String {
+        format!("{} on {}", self.wheel_profile, self.rail_profile)
+    }
+}
+
+/// Reads NAME=VALUE.
+pub fn assignment(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok((name.trim().into(), value.trim().into()))
+        }
+        _ => Err("write NAME=VALUE, such as friction.coefficient=0.4".into()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
@@ -62,7 +107,7 @@ mod tests {
             parse(&["--stiffness", "1,2e3,3", "--set", "friction.coefficient = 0.4"]).unwrap();
         let Command::Simulate(simulate) = parsed.command else { panic!("not simulate") };
         assert_eq!(simulate.stiffness.map(|value| value as i32), [1, 2000, 3]);
-        assert_eq!(simulate.settings, [("friction.coefficient".into(), "0.4".into())]);
+        assert_eq!(simulate.contact.settings, [("friction.coefficient".into(), "0.4".into())]);
         assert!(simulate.check().is_ok());
         for wrong in [["--stiffness", "1,2"], ["--damping", "a,b,c"], ["--set", "friction"]] {
             let message = parse(&wrong).unwrap_err().to_string();

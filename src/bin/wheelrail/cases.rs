@@ -1,8 +1,8 @@
 //! Tables of cases: read whole, and every complaint with its row and column.
 
-use std::path::{Path, PathBuf};
+use std::path::{Display, Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 /// A table of cases with a header. Lines that begin with `#` are comments.
@@ -42,10 +42,11 @@ impl Cases {
                 bail!("{shown}: column \"{name}\" occurs twice");
             }
         }
-        let rows: Vec<StringRecord> = reader
-            .records()
-            .collect::<Result<_, _>>()
-            .with_context(|| format!("cannot read {shown}"))?;
+        if header.len() == 1 && header[0].contains([';', '\t']) {
+            bail!("{shown}: part columns by commas, with decimal points in the numbers");
+        }
+        let rows: Vec<StringRecord> =
+            reader.records().collect::<Result<_, _>>().map_err(|error| unread(error, &shown))?;
         if rows.is_empty() {
             bail!("{shown} has no rows: write a header and one row for each case");
         }
@@ -112,6 +113,19 @@ impl<'a> Row<'a> {
     }
 }
 
+/// What a row is refused for.
+fn unread(error: csv::Error, shown: &Display<'_>) -> anyhow::Error {
+    let csv::ErrorKind::UnequalLengths { pos: Some(place), expected_len, len } = error.kind()
+    else {
+        return anyhow::Error::new(error).context(format!("cannot read {shown}"));
+    };
+    let (row, line) = (place.record(), place.line());
+    anyhow!(
+        "{shown}, row {row} (line {line}): it has {len} of {expected_len} cells: write one for each column, empty where the start \
+         value does"
+    )
+}
+
 /// Line of `text`, from 1, on which `row` begins. The position of a record is where its reading began: empty lines
 /// and comments before it are still to be passed.
 fn line_of(row: &StringRecord, text: &str) -> usize {
@@ -151,6 +165,7 @@ mod tests {
         assert!(message("a,b\n").contains("has no rows"));
         assert!(message("a,a\n1,2\n").contains("column \"a\" occurs twice"));
         assert!(message("a,,b\n1,2,3\n").contains("column 2 has no name"));
-        assert!(message("a,b\n1,2\n3\n").contains("line: 3"), "{}", message("a,b\n1,2\n3\n"));
+        assert!(message("a,b\n1,2\n3\n").contains("row 2 (line 3): it has 1 of 2 cells"));
+        assert!(message("a;b\n1;2\n").contains("part columns by commas"));
     }
 }

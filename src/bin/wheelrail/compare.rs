@@ -10,12 +10,13 @@ use anyhow::{Context, Result};
 use clap::Args;
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::planar::PlanarCase;
+use wheelrail::variables::find;
 
 use crate::args::TableFiles;
 use crate::cases::Cases;
 use crate::figures::errors::{self, Line};
 use crate::patch::{PlanarCases, timed};
-use crate::{batch, evaluate, output};
+use crate::{batch, evaluate, figures, output};
 
 use summary::Summary;
 
@@ -189,8 +190,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         progress.inc(1);
         Ok(())
     };
+    let mut models: Vec<String>;
     if cases.column("separation").is_some() {
         let planar = PlanarCases::read(&cases)?;
+        let all = planar.cases.iter().map(|case| planar.planar(case));
+        models = all.map(|c| figures::models(c.normal_model, c.tangential_model)).collect();
         batch::in_order(
             &planar.cases,
             true,
@@ -199,6 +203,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         )?;
     } else {
         let all = evaluate::read_values(&cases)?;
+        let parameters = all.iter().map(|(_, values)| &values.parameters);
+        models = parameters.map(|p| figures::models(p.normal_model, p.tangential_model)).collect();
         let folder = cases.folder();
         batch::in_order(
             &all,
@@ -215,7 +221,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         summary.write(output::table(Some(path))?)?;
     }
     if let Some(path) = &arguments.figure {
-        errors::draw(path, cases.columns().next().unwrap_or_default(), &lines)?;
+        models.sort_unstable();
+        models.dedup();
+        let models = if let [one] = models.as_slice() { one } else { "fast models" };
+        let first = cases.columns().next().unwrap_or_default();
+        let abscissa = match unit(first) {
+            "" => first.to_owned(),
+            unit => format!("{first} [{unit}]"),
+        };
+        errors::draw(path, models, &abscissa, &lines)?;
     }
     let text = summary.text();
     if path.is_some() {
@@ -226,11 +240,18 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(std::io::stdout().flush()?)
 }
 
+/// The unit of the variable of a column; those of planar tables have it in their names.
+fn unit(column: &str) -> &'static str {
+    find(column).map_or("", |variable| variable.unit)
+}
+
 /// Adds a case to the line of its second column, at the value of its first.
 fn add_to_lines(lines: &mut Vec<Line>, cases: &Cases, inputs: &[String], compared: &Compared) {
     let Some(at) = inputs.first().and_then(|text| text.parse::<f64>().ok()) else { return };
     let name = match (cases.columns().nth(1), inputs.get(1)) {
-        (Some(column), Some(value)) => format!("{column} {value}"),
+        (Some(column), Some(value)) => {
+            format!("{column} {value} {}", unit(column)).trim_end().into()
+        }
         _ => String::new(),
     };
     let [n, p, a, f, _] = compared.errors();

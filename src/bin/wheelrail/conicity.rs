@@ -8,7 +8,7 @@ use clap::Args;
 use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
 use wheelrail::variables::{Causality, Values, find};
 
-use crate::simulate::assignment;
+use crate::args::ContactOptions;
 use crate::{figures, output};
 
 /// Columns of the table.
@@ -32,7 +32,7 @@ const COLUMNS: [&str; 9] = [
 /// and for y > 0 the equivalent conicity of a motion of the amplitude y. A conicity of 0 says that the wheelset does not
 /// swing at that amplitude, an empty cell that one of the turning points lies beyond the range.
 #[derive(Args, Debug)]
-#[command(verbatim_doc_comment)]
+#[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
     /// File for the table, CSV; without it standard output
     #[arg(long, short, value_name = "FILE")]
@@ -40,18 +40,9 @@ pub struct Arguments {
     /// File for a figure of both functions, SVG
     #[arg(long, value_name = "FILE")]
     pub figure: Option<PathBuf>,
-    /// Profile of both wheels: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
-    pub wheel_profile: String,
-    /// Profile of both rails: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
-    pub rail_profile: String,
-    /// Inclination of the rails: 0.025 is 1:40
-    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
-    pub inclination: f64,
-    /// Set any other parameter of the FMU, such as track.gauge; may be repeated
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
-    pub settings: Vec<(String, String)>,
+    /// Profiles and what else is set.
+    #[command(flatten)]
+    pub contact: ContactOptions,
     /// Distance of the running circles [m]
     #[arg(long, value_name = "M", default_value_t = 1.5, help_heading = "Contact")]
     pub running_circles: f64,
@@ -75,7 +66,8 @@ const REFERENCE_AMPLITUDE: f64 = 3e-3;
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let values = values(arguments)?;
-    let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &[])?;
+    let here = [PathBuf::from(".")];
+    let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
     let radii = wheelset.sweep(arguments.range, arguments.step);
     let Some(difference) = RollingRadiusDifference::of(&radii) else {
         bail!("the wheels stand beside the rails: check track.gauge and --running-circles");
@@ -90,11 +82,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     table.flush()?;
     if let Some(path) = &arguments.figure {
+        let contact = &arguments.contact;
         let curve: Vec<[f64; 2]> = radii
             .iter()
             .filter_map(|one| Some([one.displacement, conicity(one.displacement)?]))
             .collect();
-        let title = format!("{} on {}", arguments.wheel_profile, arguments.rail_profile);
+        let title = format!("{}, inclination {}", contact.profiles(), contact.inclination);
         figures::conicity::draw(path, &title, difference.points(), &curve)?;
     }
     if arguments.output.is_some() {
@@ -131,13 +124,7 @@ fn check(arguments: &Arguments) -> Result<()> {
 /// The element's parameters as the options set them.
 fn values(arguments: &Arguments) -> Result<Values> {
     let mut values = Values::default();
-    let named = [
-        ("wheel.profile", arguments.wheel_profile.clone()),
-        ("rail[1].profile", arguments.rail_profile.clone()),
-        ("rail[1].inclination", arguments.inclination.to_string()),
-    ];
-    let named = named.into_iter().map(|(name, value)| (name.to_string(), value));
-    for (name, value) in named.chain(arguments.settings.iter().cloned()) {
+    for (name, value) in arguments.contact.all_settings() {
         let variable = find(&name).with_context(|| format!("--set {name}"))?;
         if variable.causality != Causality::Parameter || name == "side" {
             bail!("--set {name}: only parameters that both wheels share can be set");

@@ -107,6 +107,9 @@ pub fn is_slow(parameters: &Parameters) -> bool {
 }
 
 fn settable(cases: &Cases, name: &str) -> Result<&'static Variable> {
+    if name == "separation" {
+        bail!("{}: a table of planar problems is one for patch", cases.column_place(name));
+    }
     let variable = find(name).with_context(|| cases.column_place(name))?;
     if !variable.is_settable() {
         bail!(

@@ -14,6 +14,7 @@ use wheelrail::variables::Values;
 
 use crate::cases::Cases;
 use crate::figures::contact::{Figure, Side};
+use crate::figures::models;
 use crate::patch::PlanarCases;
 use crate::{evaluate, output};
 
@@ -133,7 +134,8 @@ fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatCo
     order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));
     match order.get(number.wrapping_sub(1)) {
         Some(&index) => Ok((contacts, index)),
-        None => bail!("--contact {number}: the wheel has {} contacts", contacts.len()),
+        None if contacts.is_empty() => bail!("the wheel touches no rail: nothing to draw"),
+        None => bail!("--contact {number}: the wheel has contacts 1 to {}", contacts.len()),
     }
 }
 
@@ -164,7 +166,7 @@ fn draw(
     let side = |case: &PlanarCase<'_>| -> Result<Side> {
         let result = wheelrail::planar::solve(case)?;
         Ok(Side {
-            name: format!("{} + {}", name(&case.normal_model), name(&case.tangential_model)),
+            name: models(case.normal_model, case.tangential_model),
             fields: fields(case)?,
             result,
         })
@@ -182,18 +184,6 @@ fn draw(
         println!("{}", path.display());
     }
     Ok(())
-}
-
-/// The name of a model as variables have it: `PiotrowskiKik` is `piotrowski_kik`.
-fn name(model: &impl std::fmt::Debug) -> String {
-    let mut name = String::new();
-    for letter in format!("{model:?}").chars() {
-        if letter.is_uppercase() && !name.is_empty() {
-            name.push('_');
-        }
-        name.extend(letter.to_lowercase());
-    }
-    name
 }
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
@@ -249,16 +239,4 @@ fn field_row(
         }
         .into(),
     ]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn models_have_the_names_of_their_variables() {
-        assert_eq!(name(&NormalModel::PiotrowskiKik), "piotrowski_kik");
-        assert_eq!(name(&TangentialModel::Fastsim), "fastsim");
-        assert_eq!(name(&NormalModel::BoundaryElement), "boundary_element");
-    }
 }

@@ -28,7 +28,7 @@ pub fn draw(
         };
         let titles = ["lateral displacement [mm]", "rolling radius difference [mm]"];
         panel(&left, titles, BLUE, false, scaled(difference, 1e3))?;
-        let titles = ["amplitude [mm]", "equivalent conicity tan γe"];
+        let titles = ["amplitude [mm]", "equivalent conicity tan γe [-]"];
         panel(&right, titles, VERMILION, true, scaled(conicity, 1.0))
     })
 }

@@ -11,12 +11,14 @@ use wheelrail::tangential::field::{Adherence, ContactField};
 
 use super::axes::Axes;
 use super::patches::color;
-use super::{Area, BLUE, GREY, INK, VERMILION, heading, px, save};
+use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, px, save, text};
 
 const WIDTH: u32 = 1180;
 const PROFILES: u32 = 330;
 const PATCHES: u32 = 3 * 330;
 const TITLE: u32 = 60;
+/// Length of a line in the legend, in coordinates.
+const SAMPLE: i32 = px(22) as i32;
 /// Arrows along the longer side of a patch.
 const ARROWS: usize = 14;
 const ADHESION: RGBColor = RGBColor(160, 205, 235);
@@ -96,14 +98,35 @@ impl Figure {
         Axes { titles: ["y, to the field side [mm]", "z, down [mm]"], labels: [8, 6], size: 14 }
             .draw(&mut chart)?;
         for (index, contact) in self.contacts.iter().enumerate() {
-            for (outline, color) in [(&contact.rail_head, GREY), (&contact.wheel, BLUE)] {
+            for (name, outline, color) in
+                [("rail", &contact.rail_head, GREY), ("wheel", &contact.wheel, BLUE)]
+            {
                 let points = outline.iter().map(|p| (1e3 * p[0], 1e3 * p[1]));
-                chart.draw_series(LineSeries::new(points, color.stroke_width(px(2))))?;
+                let style = color.stroke_width(px(2));
+                let line = chart.draw_series(LineSeries::new(points, style))?;
+                if index == 0 {
+                    let sample = move |(x, y)| PathElement::new([(x, y), (x + SAMPLE, y)], style);
+                    line.label(name).legend(sample);
+                }
             }
             let [y, z] = contact.position.map(|value| 1e3 * value);
             let size = if index == self.drawn { px(6) } else { px(4) };
-            chart.draw_series([Circle::new((y, z), size, VERMILION.filled())])?;
+            let point = chart.draw_series([Circle::new((y, z), size, VERMILION.filled())])?;
+            if index == self.drawn {
+                let sample = |(x, y)| Circle::new((x + SAMPLE / 2, y), px(5), VERMILION.filled());
+                point.label("contact point of the patch below").legend(sample);
+            }
         }
+        // The rail head falls off to both sides.
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::LowerMiddle)
+            .legend_area_size(px(30))
+            .margin(px(8))
+            .background_style(WHITE.mix(0.85))
+            .border_style(GRID)
+            .label_font(text(14))
+            .draw()?;
         Ok(())
     }
 
@@ -139,21 +162,24 @@ impl Figure {
         let greatest = self.greatest();
         let caption = match quantity {
             Quantity::Pressure => format!(
-                "{}: pressure, greatest {:.0} MPa; N {:.2} kN",
+                "{}: p ≤ {:.0} MPa, colours to {greatest:.0}; N {:.2} kN",
                 side.name,
                 1e-6 * result.max_pressure,
                 1e-3 * result.normal_force
             ),
             Quantity::Traction => format!(
-                "Traction on the wheel, colours to {:.0} MPa; Fx {:.2}, Fy {:.2} kN",
+                "Traction on the wheel, colours to {:.0} MPa; Fx {:.2} kN, Fy {:.2} kN",
                 self.friction * greatest,
                 1e-3 * result.fx,
                 1e-3 * result.fy
             ),
-            Quantity::State => "Adhesion blue, slip orange; arrows: slip".into(),
+            Quantity::State if side.fields.iter().any(|field| field.slip.is_some()) => {
+                "Adhesion blue, slip area orange; arrows: slip of the wheel".into()
+            }
+            Quantity::State => "Adhesion blue, slip area orange".into(),
         };
         let mut chart = ChartBuilder::on(area)
-            .caption(caption, heading(15))
+            .caption(caption, heading(14))
             .margin(px(6))
             .margin_right(px(14))
             .x_label_area_size(px(42))

@@ -6,19 +6,12 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, GRID, heading, px, range_of, save, text};
+use super::{Area, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, heading, px, range_of, save, text};
 
-const SIZE: (u32, u32) = (1180, 760);
-
-/// Told apart by colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 6] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-];
+const SIZE: (u32, u32) = (1180, 790);
+/// Height of a row of the legend, and how many names it holds.
+const LEGEND: (u32, u32) = (24, 5);
+const COLOURS: [RGBColor; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
 
 /// Errors of normal force, pressure, area and creep force over an abscissa.
 pub struct Line {
@@ -31,18 +24,41 @@ pub struct Line {
 const TITLES: [&str; 4] =
     ["Normal force [%]", "Greatest pressure [%]", "Area [%]", "Creep force [% of friction limit]"];
 
-/// Draws the errors into the file `path`; `abscissa` names what they are drawn over.
+/// Draws the errors of `models` into the file `path`; `abscissa` names what they are drawn over.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn draw(path: &Path, abscissa: &str, lines: &[Line]) -> Result<()> {
-    save(path, SIZE, |area| {
-        let area = area.titled("Errors against boundary elements", heading(24))?;
+pub fn draw(path: &Path, models: &str, abscissa: &str, lines: &[Line]) -> Result<()> {
+    let named = if lines.len() > 1 { lines } else { &[] };
+    let rows = (named.len() as u32).div_ceil(LEGEND.1);
+    save(path, (SIZE.0, SIZE.1 + LEGEND.0 * rows), |area| {
+        let title = format!("Errors of {models} against boundary elements");
+        let area = area.titled(&title, heading(24))?;
+        let (legend, area) = area.split_vertically(px(LEGEND.0 * rows));
+        draw_legend(&legend, named)?;
         for (quantity, cell) in area.split_evenly((2, 2)).iter().enumerate() {
             draw_panel(cell, abscissa, lines, quantity)?;
         }
         Ok(())
     })
+}
+
+/// Names and colours of the lines, over all panels.
+fn draw_legend(area: &Area<'_>, lines: &[Line]) -> Result<()> {
+    let column = px(SIZE.0 / LEGEND.1) as i32;
+    let count = (lines.len() as u32).min(LEGEND.1) as i32;
+    let start = (px(SIZE.0) as i32 - count * column) / 2;
+    for (index, line) in (0..).zip(lines) {
+        let colour = COLOURS[index % COLOURS.len()];
+        let place = [index as u32 % LEGEND.1, index as u32 / LEGEND.1];
+        let x = start + place[0] as i32 * column + px(30) as i32;
+        let y = px(LEGEND.0 * place[1] + LEGEND.0 / 2) as i32;
+        let end = x + px(24) as i32;
+        area.draw(&PathElement::new(vec![(x, y), (end, y)], colour.stroke_width(px(3))))?;
+        let corner = (end + px(8) as i32, y - px(6) as i32);
+        area.draw(&Text::new(line.name.as_str(), corner, text(15)))?;
+    }
+    Ok(())
 }
 
 fn draw_panel(area: &Area<'_>, abscissa: &str, lines: &[Line], quantity: usize) -> Result<()> {
@@ -61,23 +77,8 @@ fn draw_panel(area: &Area<'_>, abscissa: &str, lines: &[Line], quantity: usize) 
     for (index, line) in lines.iter().enumerate() {
         let colour = COLOURS[index % COLOURS.len()];
         let drawn = line.points.iter().filter_map(|(x, y)| Some((*x, y[quantity]?)));
-        chart
-            .draw_series(LineSeries::new(drawn.clone(), colour.stroke_width(px(2))))?
-            .label(&line.name)
-            .legend(move |(x, y)| {
-                let ends = vec![(x, y), (x + px(22) as i32, y)];
-                PathElement::new(ends, colour.stroke_width(px(2)))
-            });
+        chart.draw_series(LineSeries::new(drawn.clone(), colour.stroke_width(px(2))))?;
         chart.draw_series(drawn.map(|point| Circle::new(point, px(3), colour.filled())))?;
-    }
-    if quantity == 0 && lines.len() > 1 {
-        chart
-            .configure_series_labels()
-            .legend_area_size(px(28))
-            .label_font(text(14))
-            .background_style(WHITE.mix(0.8))
-            .border_style(GRID)
-            .draw()?;
     }
     Ok(())
 }

@@ -16,12 +16,17 @@ use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::TextStyle;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
 
 use crate::wheelset::track::Track;
 
 // Colours told apart by colour-blind readers (Okabe and Ito 2008).
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
+const GREEN: RGBColor = RGBColor(0, 158, 115);
+const PURPLE: RGBColor = RGBColor(204, 121, 167);
+const ORANGE: RGBColor = RGBColor(230, 159, 0);
+const SKY: RGBColor = RGBColor(86, 180, 233);
 const GREY: RGBColor = RGBColor(110, 110, 110);
 const INK: RGBColor = RGBColor(40, 40, 40);
 const GRID: RGBColor = RGBColor(225, 225, 225);
@@ -66,6 +71,33 @@ fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()
     std::fs::write(path, svg).with_context(place)
 }
 
+/// Names of a normal and a tangential model, for titles.
+pub fn models(normal: NormalModel, tangential: TangentialModel) -> String {
+    format!("{} + {}", name(&normal), name(&tangential))
+}
+
+/// The name of a model as variables have it: `PiotrowskiKik` is `piotrowski_kik`.
+fn name(model: &impl std::fmt::Debug) -> String {
+    let mut name = String::new();
+    for letter in format!("{model:?}").chars() {
+        if letter.is_uppercase() && !name.is_empty() {
+            name.push('_');
+        }
+        name.extend(letter.to_lowercase());
+    }
+    name
+}
+
+/// Every few of `all`, about `most` of them, and the last one.
+fn thinned<T>(all: &[T], most: usize) -> Vec<&T> {
+    let every = all.len().div_ceil(most).max(1);
+    let mut shown: Vec<&T> = all.iter().step_by(every).collect();
+    if all.len() % every != 1 % every {
+        shown.extend(all.last());
+    }
+    shown
+}
+
 /// The stretch of distance that holds the ramp, cut to what is drawn.
 fn ramp_stretch(track: &Track, drawn: &Range<f64>) -> Range<f64> {
     let end = track.ramp_start + track.ramp_length;
@@ -95,6 +127,21 @@ fn label(value: &f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn models_have_the_names_of_their_variables() {
+        let named = models(NormalModel::PiotrowskiKik, TangentialModel::BoundaryElement);
+        assert_eq!(named, "piotrowski_kik + boundary_element");
+    }
+
+    #[test]
+    fn the_last_one_is_shown_once() {
+        let numbers = [0, 1, 2, 3, 4, 5];
+        assert_eq!(thinned(&numbers, 9), [&0, &1, &2, &3, &4, &5]);
+        assert_eq!(thinned(&numbers, 3), [&0, &2, &4, &5]);
+        assert_eq!(thinned(&numbers[..5], 3), [&0, &2, &4]);
+        assert!(thinned::<u8>(&[], 3).is_empty());
+    }
 
     #[test]
     fn ranges_are_never_empty() {

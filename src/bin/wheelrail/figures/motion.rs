@@ -8,6 +8,7 @@ use plotters::prelude::*;
 use super::axes::Axes;
 use super::{
     Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, ramp_stretch, range_of, save, text,
+    thinned,
 };
 use crate::simulate::Record;
 use crate::wheelset::track::Track;
@@ -38,7 +39,7 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
     let area = area.titled(&format!("Wheelset: {title}"), heading(26))?;
     let (above, below) = area.split_vertically(px(362));
     let over = |quantity: fn(&Record) -> f64| -> Vec<(f64, f64)> {
-        let shown = records.iter().step_by(records.len().div_ceil(POINTS));
+        let shown = thinned(records, POINTS).into_iter();
         shown.map(|r| (r.state.distance, quantity(r))).collect()
     };
     let lateral = [

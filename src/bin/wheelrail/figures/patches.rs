@@ -7,7 +7,7 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text};
+use super::{Area, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text, thinned};
 use crate::simulate::{Patch, Record};
 use crate::wheelset::track::Track;
 
@@ -46,7 +46,7 @@ pub fn draw(path: &Path, title: &str, track: &Track, records: &[Record]) -> Resu
 fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -> Result<()> {
     let area = area.titled(&format!("Contact patches: {title}"), heading(26))?;
     let (charts, scale) = area.split_horizontally(px(SIZE.0 - SCALE_WIDTH));
-    let shown: Vec<&Record> = records.iter().step_by(records.len().div_ceil(COLUMNS)).collect();
+    let shown = thinned(records, COLUMNS);
     let forces =
         shown.iter().flat_map(|r| r.patches.iter().flatten()).map(|p| 1e-3 * p.normal_force);
     let forces_range = range_of(forces, LEAST_SCALE);

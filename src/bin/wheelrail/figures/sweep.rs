@@ -6,15 +6,13 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, BLUE, GREY, VERMILION, heading, px, range_of, save, text};
+use super::{
+    Area, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION, heading, px, range_of, save, text,
+};
 
 /// Width of the figure and height of one panel; width of the legend beside the curves, and from one of its lines to the next.
 const SIZE: (u32, u32) = (1200, 380);
 const LEGEND: (u32, u32) = (290, 20);
-// From Okabe and Ito (2008), as the others.
-const GREEN: RGBColor = RGBColor(0, 158, 115);
-const ORANGE: RGBColor = RGBColor(230, 159, 0);
-const PURPLE: RGBColor = RGBColor(204, 121, 167);
 const COLOURS: [RGBColor; 6] = [BLUE, VERMILION, GREY, GREEN, ORANGE, PURPLE];
 
 /// One output along the path.

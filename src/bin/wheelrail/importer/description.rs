@@ -78,9 +78,12 @@ impl ModelDescription {
     /// # Errors
     /// If there is none.
     pub fn variable(&self, name: &str) -> Result<&Variable> {
-        self.variables
-            .get(name)
-            .with_context(|| format!("the model {} has no variable \"{name}\"", self.model_name))
+        self.variables.get(name).with_context(|| {
+            format!(
+                "the model {} has no variable \"{name}\": its modelDescription.xml lists them",
+                self.model_name
+            )
+        })
     }
 
     /// Value of the item called `item` of the enumeration type `type_name`.
@@ -189,7 +192,10 @@ mod tests {
     fn what_does_not_exist_is_named() {
         let description = ModelDescription::parse(TEXT).unwrap();
         let message = description.variable("wheel.q").unwrap_err().to_string();
-        assert_eq!(message, "the model A & B has no variable \"wheel.q\"");
+        assert_eq!(
+            message,
+            "the model A & B has no variable \"wheel.q\": its modelDescription.xml lists them"
+        );
         let message = description.item("Side", "up").unwrap_err().to_string();
         assert_eq!(message, "\"up\" is not one of right, left");
     }

@@ -3,7 +3,7 @@
 
 use std::ffi::{CString, c_char, c_int, c_void};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 use super::archive::Fmu;
 use super::description::Kind;
@@ -106,17 +106,19 @@ impl<'fmu> Instance<'fmu> {
         let variable = self.fmu.description.variable(name)?;
         let reference = [variable.value_reference];
         let what = || format!("{name} = \"{value}\"");
+        let refused = |wanted: &str| anyhow!("{} is not admitted: {wanted}", what());
         let functions = &self.fmu.functions;
         let status = match &variable.kind {
             Kind::Real => {
-                let value = [value.parse::<f64>().with_context(what)?];
+                let value = [value.parse::<f64>().map_err(|_| refused("a number"))?];
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
                 unsafe {
                     (functions.set_real)(self.component, reference.as_ptr(), 1, value.as_ptr())
                 }
             }
             Kind::Boolean => {
-                let value = [c_int::from(value.parse::<bool>().with_context(what)?)];
+                let value =
+                    [c_int::from(value.parse::<bool>().map_err(|_| refused("true or false"))?)];
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
                 unsafe {
                     (functions.set_boolean)(self.component, reference.as_ptr(), 1, value.as_ptr())
@@ -127,7 +129,7 @@ impl<'fmu> Instance<'fmu> {
                     Kind::Enumeration(type_name) => {
                         self.fmu.description.item(type_name, value).with_context(what)?
                     }
-                    _ => value.parse::<c_int>().with_context(what)?,
+                    _ => value.parse::<c_int>().map_err(|_| refused("an integer"))?,
                 }];
                 // SAFETY: FMI 2.0, 2.1.7: one reference, one value.
                 unsafe {

@@ -69,6 +69,9 @@ pub fn check(cases: &Cases) -> Result<()> {
     let known: Vec<&str> =
         OTHER_COLUMNS.into_iter().chain(VARIABLE_COLUMNS.iter().map(|c| c.0)).collect();
     if let Some(name) = cases.columns().find(|name| !known.contains(name)) {
+        if find(name).is_ok() && cases.column("separation").is_none() {
+            bail!("{}: a table of variables is one for evaluate", cases.column_place(name));
+        }
         bail!("{}: unknown; known columns are {}", cases.column_place(name), known.join(", "));
     }
     for name in ["separation", "radius_mm"] {

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use clap::Args;
 
+use super::fmu_wheel::is_driven;
+use crate::args::ContactOptions;
 use crate::wheelset::GRAVITY;
 use crate::wheelset::body::Body;
 use crate::wheelset::suspension::Suspension;
@@ -17,7 +19,7 @@ use crate::wheelset::track::{RampShape, Track};
 /// frame that runs straight ahead on the track's centre line. It starts rolling freely in the middle of the track
 /// and meets a lateral ramp of both rails. Left in the output folder: history.csv, motion.svg, patches.svg.
 #[derive(Args, Debug)]
-#[command(verbatim_doc_comment)]
+#[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
     /// The unit to run; without it WheelRail.fmu beside this program
     #[arg(long, value_name = "FILE")]
@@ -26,18 +28,9 @@ pub struct Arguments {
     #[arg(long, short, value_name = "FOLDER", default_value = "wheelrail-simulation")]
     pub output: PathBuf,
 
-    /// Profile of both wheels: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
-    pub wheel_profile: String,
-    /// Profile of both rails: built-in name or file
-    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
-    pub rail_profile: String,
-    /// Inclination of the rails: 0.025 is 1:40
-    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
-    pub inclination: f64,
-    /// Set any other parameter or input of the FMU, for both wheels; may be repeated
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
-    pub settings: Vec<(String, String)>,
+    /// Profiles and what else is set.
+    #[command(flatten)]
+    pub contact: ContactOptions,
 
     /// Speed along the track [m/s]
     #[arg(long, value_name = "M/S", default_value_t = 15.0, help_heading = "Run")]
@@ -46,13 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "M", default_value_t = 60.0, help_heading = "Run")]
     pub length: f64,
     /// Lateral displacement of the track by the ramp, to the right [m]
-    #[arg(
-        long,
-        value_name = "M",
-        default_value_t = 0.005,
-        allow_negative_numbers = true,
-        help_heading = "Run"
-    )]
+    #[arg(long, value_name = "M", default_value_t = 0.005, help_heading = "Run")]
     pub ramp: f64,
     /// Length of the ramp [m]
     #[arg(long, value_name = "M", default_value_t = 1.0, help_heading = "Run")]
@@ -114,16 +101,6 @@ pub struct Arguments {
     pub damping: [f64; 3],
 }
 
-/// Reads NAME=VALUE.
-pub fn assignment(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.trim().is_empty() => {
-            Ok((name.trim().into(), value.trim().into()))
-        }
-        _ => Err("write NAME=VALUE, such as friction.coefficient=0.4".into()),
-    }
-}
-
 fn three(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text
         .split(',')
@@ -165,6 +142,9 @@ impl Arguments {
             if !value.is_finite() {
                 bail!("--{name} {value} is not admitted: it must be a finite number");
             }
+        }
+        if let Some((name, _)) = self.contact.settings.iter().find(|(name, _)| is_driven(name)) {
+            bail!("--set {name}: the run itself sets it, for each wheel and at every step");
         }
         let weight = self.mass * GRAVITY;
         if !(self.axle_load.is_finite() && self.axle_load >= weight) {

@@ -36,6 +36,11 @@ const WRENCH: [&str; 6] = [
 const PATCH: [&str; 7] =
     ["normal_force", "contact_angle", "rail_y", "wheel_y", "width", "position.y", "rolling_radius"];
 
+/// Whether a run gives the variable `name` its values.
+pub fn is_driven(name: &str) -> bool {
+    name == "side" || INPUTS.contains(&name)
+}
+
 /// One patch as the history and the figures show it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Patch {

@@ -13,7 +13,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 use wheelrail::element::output::Wrench;
 
-pub use arguments::{Arguments, assignment};
+pub use arguments::Arguments;
 use fmu_wheel::FmuWheel;
 pub use fmu_wheel::Patch;
 pub use history::Record;
@@ -25,6 +25,8 @@ use crate::wheelset::{Moment, Wheelset};
 
 /// Steps between two looks at the progress bar.
 const STEPS_A_TICK: u64 = 2000;
+/// Rows of the history at most: a gigabyte of them.
+const MOST_ROWS: u64 = 2_000_000;
 /// Steps below are not proposed: a second would take millions of them [s].
 const SHORTEST_STEP: f64 = 1e-6;
 /// Beyond this lateral position against the track the wheelset has left the rails [m].
@@ -45,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.check()?;
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;
     let fmu = Fmu::open(&path)?;
-    let settings = settings(arguments);
+    let settings = arguments.contact.all_settings();
     let mut right = FmuWheel::new(&fmu, "right", &settings)?;
     let left = FmuWheel::new(&fmu, "left", &settings)?;
     let touching_z = right.touching_z()?;
@@ -103,16 +105,6 @@ fn packaged_unit() -> Result<PathBuf> {
     Ok(path)
 }
 
-fn settings(arguments: &Arguments) -> Vec<(String, String)> {
-    let named = [
-        ("wheel.profile", arguments.wheel_profile.clone()),
-        ("rail[1].profile", arguments.rail_profile.clone()),
-        ("rail[1].inclination", arguments.inclination.to_string()),
-    ];
-    let named = named.into_iter().map(|(name, value)| (name.into(), value));
-    named.chain(arguments.settings.iter().cloned()).collect()
-}
-
 fn integrate(
     wheelset: &mut Wheelset<FmuWheel<'_>>,
     start: State,
@@ -122,6 +114,13 @@ fn integrate(
     let steps = (arguments.length / (arguments.speed * step)).ceil() as u64;
     let steps_a_record =
         (arguments.record_every / (arguments.speed * step)).round().max(1.0) as u64;
+    let rows = steps / steps_a_record + 1;
+    if rows > MOST_ROWS {
+        bail!(
+            "--record-every {}: {rows} rows of history.csv, and at most {MOST_ROWS} are kept",
+            arguments.record_every
+        );
+    }
     let progress = ProgressBar::new(steps).with_style(ProgressStyle::with_template(
         "{bar:40.blue} {percent:>3} % of {msg}, {elapsed} elapsed, {eta} to go",
     )?);
@@ -129,7 +128,7 @@ fn integrate(
 
     let before: u64 = wheelset.wheels.iter().map(|wheel| wheel.evaluations).sum();
     let begin = Instant::now();
-    let mut records = Vec::with_capacity((steps / steps_a_record) as usize + 1);
+    let mut records = Vec::with_capacity(rows as usize);
     let mut state = start;
     for index in 0..steps {
         // Multiples of the step, not a sum, so that rounding does not add up.
@@ -176,9 +175,8 @@ fn write_files(arguments: &Arguments, records: &[Record]) -> Result<Vec<PathBuf>
     let files = ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name));
     history::write(&files[0], records)?;
     let title = format!(
-        "{} on {}, {} mm ramp at {} m/s",
-        arguments.wheel_profile,
-        arguments.rail_profile,
+        "{}, {} mm ramp at {} m/s",
+        arguments.contact.profiles(),
         1e3 * arguments.ramp,
         arguments.speed
     );

@@ -15,18 +15,15 @@ const SMALLEST_OSCILLATION: f64 = 2e-6;
 
 /// Wheelset, suspension, track and contact.
 pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io::Result<()> {
-    let suspension = arguments.suspension();
+    let (suspension, contact) = (arguments.suspension(), &arguments.contact);
     writeln!(out, "Unit        {}", unit.display())?;
     writeln!(
         out,
         "Contact     wheel {} on rail {}, inclination {}{}",
-        arguments.wheel_profile,
-        arguments.rail_profile,
-        arguments.inclination,
-        arguments
-            .settings
-            .iter()
-            .fold(String::new(), |text, (n, v)| text + &format!(", {n} = {v}"))
+        contact.wheel_profile,
+        contact.rail_profile,
+        contact.inclination,
+        contact.settings.iter().fold(String::new(), |text, (n, v)| text + &format!(", {n} = {v}"))
     )?;
     writeln!(
         out,
