@@ -112,26 +112,6 @@ impl<T: Real> LoadedPart<T> {
 const LEAST_SHARE: f64 = 1e-9;
 
 impl<T: Real> EquivalentEllipse<T> {
-    /// That of the outline of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no area.
-    #[must_use]
-    pub fn of_outline(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
-        let [mut area, mut along, mut across, mut within, mut first] = [T::from(0.0); 5];
-        for j in zone.first..zone.first + zone.count {
-            let (half_length, width) = (strips.half_length[j], strips.width[j]);
-            let weight = half_length * width * member(strips.y[j]);
-            let y = strips.y[j] - zone.y;
-            area += weight;
-            along += weight * half_length * half_length;
-            first += weight * y;
-            across += weight * y * y;
-            within += weight * width * width;
-        }
-        (area > 0.0).then(|| {
-            let [across, within] = [across / area - (first / area).powi(2), within / area];
-            Self::of_moments(along / area * (4.0 / 3.0), across * 4.0, within * 4.0)
-        })
-    }
-
     /// From the means of x_l², of y² about the centroid and of the square of the strips' width over the load [m²].
     fn of_load(along: T, across: T, within: T) -> Self {
         Self::of_moments(along * 1.25, across * 5.0, within * 5.0)
@@ -149,6 +129,44 @@ impl<T: Real> EquivalentEllipse<T> {
     #[must_use]
     pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
+    }
+}
+
+/// What of the outline of a zone, or of a part of it, is in its flexibilities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outline<T = f64> {
+    /// The ellipse with its second moments.
+    pub ellipse: EquivalentEllipse<T>,
+    /// ∫ x_l² dy [m³].
+    pub squares: T,
+    /// ∫ x_l³ dy [m⁴].
+    pub cubes: T,
+}
+
+impl<T: Real> Outline<T> {
+    /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no area.
+    #[must_use]
+    pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
+        let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
+        let [mut first, mut across, mut within] = [T::from(0.0); 3];
+        for j in zone.first..zone.first + zone.count {
+            let (half_length, width) = (strips.half_length[j], strips.width[j]);
+            let weight = half_length * width * member(strips.y[j]);
+            let y = strips.y[j] - zone.y;
+            area += weight;
+            squares += weight * half_length;
+            cubes += weight * half_length * half_length;
+            first += weight * y;
+            across += weight * y * y;
+            within += weight * width * width;
+        }
+        (area > 0.0).then(|| {
+            let [along, within] = [cubes / area, within / area];
+            let across = across / area - (first / area).powi(2);
+            let ellipse =
+                EquivalentEllipse::of_moments(along * (4.0 / 3.0), across * 4.0, within * 4.0);
+            Self { ellipse, squares, cubes }
+        })
     }
 }
 

@@ -14,7 +14,7 @@
 use std::f64::consts::PI;
 
 use super::Creepage;
-use super::equivalent_ellipse::EquivalentEllipse;
+use super::equivalent_ellipse::Outline;
 use super::kalker_coefficients::kalker_coefficients;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -44,21 +44,14 @@ impl<T: Real> ZoneFlexibility<T> {
         material: &MaterialPair<T>,
         member: impl Fn(T) -> T,
     ) -> Option<Self> {
-        let ellipse = EquivalentEllipse::of_outline(zone, strips, &member)?;
-        let (mut second, mut third) = (T::from(0.0), T::from(0.0));
-        for j in zone.first..zone.first + zone.count {
-            let a = strips.half_length[j];
-            let width = strips.width[j] * member(strips.y[j]);
-            second += width * a * a;
-            third += width * a * a * a;
-        }
+        let Outline { ellipse, squares, cubes } = Outline::of(zone, strips, member)?;
         let c = kalker_coefficients(ellipse.along / ellipse.across, material.poisson_ratio);
         let c_squared = ellipse.along * ellipse.across;
         let scale = material.shear_modulus * c_squared;
         Some(Self {
-            longitudinal: second * 2.0 / (scale * c.c11),
-            lateral: second * 2.0 / (scale * c.c22),
-            spin: third * (2.0 / 3.0) / (scale * c_squared.sqrt() * c.c23),
+            longitudinal: squares * 2.0 / (scale * c.c11),
+            lateral: squares * 2.0 / (scale * c.c22),
+            spin: cubes * (2.0 / 3.0) / (scale * c_squared.sqrt() * c.c23),
             semi_axis_along: ellipse.along,
             stiffness: [scale * c.c11, scale * c.c22],
         })
