@@ -10,10 +10,10 @@
 //! The second and third term take the singularity out of the sum and put its integral in its place; the last one mends the sum for
 //! the logarithm that is left. Strips shifted along x lie no further apart for that, so that the singularity is that of straight ones;
 //! cos_ij is that of the angle between the normals.
-//! The curvature along x follows in the same way with D/(a² + Δy²) for D.
+//! The fall of u from x = 0 to both [`STATION`]s along the strip follows in the same way with that of D.
 
 use super::cell::Cell;
-use super::influence::Integrals;
+use super::influence::{Integrals, STATION};
 use super::nodes::{Lobe, Matrices, Nodes, Scratch};
 use super::pair_sums::{
     Acting, Column, LANES, MOST_TARGETS, Source, Sums, Targets, from_elsewhere, weighed,
@@ -82,7 +82,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// Equations of the nodes of a part and their share of the curvature equations of its lobe.
+    /// Equations of the nodes of a part and their share of the equations of the fall of its lobe.
     fn node_rows(&self, m: &mut Matrices, part: &LobePart) {
         let n = self.rule.count();
         let block = self.unknowns_per_lobe();
@@ -130,7 +130,7 @@ impl Assembly<'_> {
         self.singular(part, targets, sums, &mut rows);
         rows.put_lobe(targets, sums, part.lobe);
         for side in 0..2 {
-            rows.put_bent(targets, part.lobe * block + n + side, 1.0, &sums.bent_by_edge[side]);
+            rows.put_fall(targets, part.lobe * block + n + side, 1.0, &sums.fall_by_edge[side]);
         }
         self.residuals(part, scratch, &mut rows, right);
     }
@@ -148,9 +148,16 @@ impl Assembly<'_> {
             targets.tangent[0][k] = nodes.tangent[i][0];
             targets.tangent[1][k] = nodes.tangent[i][1];
             targets.pressure[k] = nodes.pressure[i];
+            targets.half_length[k] = nodes.half_length[i];
             targets.inverse_length[k] = 1.0 / nodes.half_length[i];
             targets.other[k] = 1.0;
-            let weight = if k < part.count { self.share(part, k) * nodes.radius[i] } else { 0.0 };
+            // Falls are compared with that of the wheel.
+            let distance = STATION * nodes.half_length[i];
+            let weight = if k < part.count {
+                2.0 * self.share(part, k) * nodes.radius[i] / (distance * distance)
+            } else {
+                0.0
+            };
             let polynomials = rule.legendre[part.begin + k.min(part.count - 1)];
             for (weights, polynomial) in targets.weights.iter_mut().zip(polynomials) {
                 weights[k] = weight * polynomial;
@@ -198,33 +205,34 @@ impl Assembly<'_> {
             let i = first + t;
             let (y, q, a) = (nodes.y[i], nodes.pressure[i], nodes.half_length[i]);
             let inverse = targets.inverse_length[k];
-            let (mut u, mut curvature) = (-q * sums.own_u[k], -q * sums.own_curvature[k]);
-            let (mut by_pressure, mut bent_by_pressure) = (-sums.own_q[k], -sums.own_bent_q[k]);
-            let (mut slope, mut bent_slope) = ([0.0; 2], [0.0; 2]);
+            let (mut u, mut fall) = (-q * sums.own_u[k], -q * sums.own_fall[k]);
+            let (mut by_pressure, mut fall_by_pressure) = (-sums.own_q[k], -sums.own_fall_q[k]);
+            let (mut slope, mut fall_slope) = ([0.0; 2], [0.0; 2]);
             for side in 0..2 {
                 let sigma = (edges[side] - y).abs() * inverse;
-                let [psi, weighted, at] = self.integrals.at(sigma);
-                let squared = 1.0 / (1.0 + sigma * sigma);
+                let [[psi, at], [beside, at_beside]] = self.integrals.at(sigma);
+                let (less, at_less) = (psi - beside, at - at_beside);
                 u += q * a * psi;
                 by_pressure += a * (2.0 * psi - sigma * at);
-                curvature += q * inverse * weighted;
-                bent_by_pressure -= inverse * sigma * at * squared;
+                fall += q * a * less;
+                fall_by_pressure += a * (2.0 * less - sigma * at_less);
                 slope[side] = q * at;
-                bent_slope[side] = q * at * squared * inverse * inverse;
+                fall_slope[side] = q * at_less;
             }
             sums.u[k] += u;
-            sums.curvature[k] += curvature;
-            let excess = sums.curvature[k] - 1.0 / nodes.radius[i];
+            sums.fall[k] += fall;
+            let of_wheel = (STATION * a) * (STATION * a) / (2.0 * nodes.radius[i]);
+            let excess = sums.fall[k] - of_wheel;
             sums.excess[k] = excess;
-            // The weights of the curvature equations are loads, q a.
-            let ratio = nodes.ratio[i];
-            let weighted_more = if ratio > 0.0 { 2.0 * excess / ratio } else { 0.0 };
-            rows.put_own(targets, k, by_pressure, bent_by_pressure, weighted_more);
+            // The stations move with the half length; the weights of the equations of the fall are pressures over it.
+            let moved = sums.pulled[k] - 2.0 * of_wheel;
+            let moved_q = if q > 0.0 { moved / q } else { 0.0 };
+            rows.put_own(targets, k, by_pressure, fall_by_pressure + moved_q);
             let by_length = q * by_pressure - u;
-            let bent_by_length = q * bent_by_pressure - curvature + excess;
+            let fall_by_length = q * fall_by_pressure - fall + moved - excess;
             for (term, polynomial) in rule.legendre[t].into_iter().enumerate() {
                 sums.by_shape[term][k] += by_length * polynomial;
-                sums.bent_by_shape[term][k] += bent_by_length * polynomial;
+                sums.fall_by_shape[term][k] += fall_by_length * polynomial;
             }
             for side in 0..2 {
                 let moved = rule.travel[side][t];
@@ -238,9 +246,9 @@ impl Assembly<'_> {
                     + slope[0] * away[0]
                     + slope[1] * away[1]
                     + (sums.passed[k] - nodes.overlap_slope[i]) * moved;
-                sums.bent_by_edge[side][k] = sums.scaled_curvature[k] * stretch
-                    + bent_slope[0] * away[0]
-                    + bent_slope[1] * away[1];
+                sums.fall_by_edge[side][k] = sums.scaled_fall[k] * stretch
+                    + fall_slope[0] * away[0]
+                    + fall_slope[1] * away[1];
             }
         }
     }
@@ -358,7 +366,7 @@ impl Rows<'_> {
         let column = lobe * assembly.unknowns_per_lobe() + k;
         let factor = assembly.ratio_factor(lobe, k);
         self.put(column, factor, &acting.by_pressure);
-        self.put_bent(targets, column, factor, &acting.bent_by_pressure);
+        self.put_fall(targets, column, factor, &acting.fall_by_pressure);
     }
 
     /// What the edges and the shape of a lobe do.
@@ -370,19 +378,12 @@ impl Rows<'_> {
         }
         for term in 0..rule.terms {
             self.put(edges + 2 + term, -1.0, &sums.by_shape[term]);
-            self.put_bent(targets, edges + 2 + term, -1.0, &sums.bent_by_shape[term]);
+            self.put_fall(targets, edges + 2 + term, -1.0, &sums.fall_by_shape[term]);
         }
     }
 
     /// What target `k` does to itself.
-    fn put_own(
-        &mut self,
-        targets: &Targets,
-        k: usize,
-        by_pressure: f64,
-        bent_by_pressure: f64,
-        excess: f64,
-    ) {
+    fn put_own(&mut self, targets: &Targets, k: usize, by_pressure: f64, fall_by_pressure: f64) {
         let assembly = self.assembly;
         let begin = self.part.lobe * assembly.unknowns_per_lobe();
         let column = begin + self.part.begin + k;
@@ -390,7 +391,7 @@ impl Rows<'_> {
         self.newton[assembly.entry(column, column)] += factor * by_pressure * self.inverse_depth;
         let at = assembly.entry(begin + assembly.rule.count() + 2, column);
         for (entry, weights) in self.newton[at..].iter_mut().zip(&targets.weights) {
-            *entry += weights[k] * (factor * bent_by_pressure + excess);
+            *entry += weights[k] * factor * fall_by_pressure;
         }
     }
 
@@ -405,8 +406,8 @@ impl Rows<'_> {
         }
     }
 
-    /// Adds a derivative of the curvatures to the conditions of the lobe.
-    fn put_bent(&mut self, targets: &Targets, column: usize, factor: f64, values: &Column) {
+    /// Adds a derivative of the falls to the conditions of the lobe.
+    fn put_fall(&mut self, targets: &Targets, column: usize, factor: f64, values: &Column) {
         let assembly = self.assembly;
         let row = self.part.lobe * assembly.unknowns_per_lobe() + assembly.rule.count() + 2;
         let at = assembly.entry(row, column);
