@@ -159,8 +159,8 @@ impl StripSolver {
         for j in 0..count {
             let (a, h) = (nodes.half_length[j], 0.5 * nodes.width[j]);
             let distance = (nodes.y[j] - at[1]).abs();
-            let [far, far_station] = self.integrals.at((distance + h) / a);
-            let [near, near_station] = self.integrals.at((distance - h).abs() / a);
+            let [far, far_fall] = self.integrals.at((distance + h) / a);
+            let [near, near_fall] = self.integrals.at((distance - h).abs() / a);
             let side = if distance < h { -1.0 } else { 1.0 };
             let (outer, inner) = ((distance + h) / a, (distance - h).abs() / a);
             // Strips shifted along x.
@@ -174,7 +174,7 @@ impl StripSolver {
             slope[j] = cosine * (psi - turn);
             // How much the displacement falls along the strip of the row.
             let fall = if i == j {
-                psi - a * (far_station[0] - side * near_station[0])
+                a * (far_fall[0] - side * near_fall[0])
             } else {
                 let (xi, sigma) = ((nodes.x[j] - at[0]) / a, (nodes.y[j] - at[1]) / a);
                 let centre = shifted_at(xi, sigma);

@@ -26,6 +26,18 @@ const LEAST: f64 = 1e-24;
 const MOST: f64 = 1e24;
 /// Factors of τ³ and τ⁴.
 const FITTED: [f64; 2] = [0.6, 0.5];
+/// Polynomials in c = σ²/(1 + σ²) of a strip's fall along itself, to [`STATION`]: W = (R - L ln c)/(1 + σ²)^(3/2), 3e-5 off.
+const REGULAR: [f64; 5] = [
+    0.096_999_662_635,
+    0.358_785_903_426,
+    -1.666_682_358_609,
+    1.262_334_982_842,
+    0.333_406_510_947,
+];
+const LOGARITHMIC: [f64; 4] =
+    [STATION_LOGARITHM, -0.032_020_367_424, 0.691_695_405_367, 1.203_516_755_636];
+/// 1 - sqrt(1 - [`STATION`]²), the fall of the factor of the logarithm.
+const STATION_LOGARITHM: f64 = 0.285_857_157_145_715;
 
 /// Where along a strip the displacement is compared with that at its centre, share of the half length.
 ///
@@ -48,7 +60,7 @@ pub struct Influence<T = f64> {
     pub d: T,
     pub slope: T,
     pub along: T,
-    /// The same of the factor F of -ln σ² in D, continued away from the strip as F = sqrt(1 - η²)/(1 + σ²).
+    /// The same of the factor F of -ln σ² in D, continued away from the strip as F = sqrt(1 - η²)/ζ².
     pub log: T,
     pub log_slope: T,
     pub log_along: T,
@@ -122,14 +134,6 @@ pub fn skewed_pair<T: Real>(dx: T, dy: T, a: T) -> (T, T) {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub fn shifted_at<T: Real>(xi: T, sigma: T) -> Influence<T> {
-    shifted(xi, sigma, complete_integrals)
-}
-
-/// As [`shifted_at`], with K, E and K - E by `integrals` from the complement of the parameter.
-// Inside each instruction set or not at all: a call would not be vectorised.
-#[allow(clippy::inline_always)]
-#[inline(always)]
-fn shifted<T: Real>(xi: T, sigma: T, integrals: impl Fn(T) -> [T; 3]) -> Influence<T> {
     let squared = (sigma * sigma).at_least(LEAST).at_most(MOST);
     let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
     let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
@@ -141,7 +145,7 @@ fn shifted<T: Real>(xi: T, sigma: T, integrals: impl Fn(T) -> [T; 3]) -> Influen
     let tau = -root + 1.0;
     // ζ² - 1 = σ²/(1 - η²), more than σ²: on the strip the former difference is all rounding.
     let beyond = (zeta * zeta - 1.0).max(squared);
-    let [first, second, difference] = integrals(beyond * m);
+    let [first, second, difference] = complete_integrals(beyond * m);
     let zeroth = zeta * 2.0 * difference;
     let linear = first * inverse - zeroth;
     let square = (linear + zeroth * m * 0.5) * (1.0 / 3.0);
@@ -152,8 +156,7 @@ fn shifted<T: Real>(xi: T, sigma: T, integrals: impl Fn(T) -> [T; 3]) -> Influen
     // (ζ² - 1) ∂/∂ζ of the three, and of D; and ∂D/∂τ.
     let by_zeta0 = zeta * zeroth - first * 2.0;
     let by_zeta1 = -(second + by_zeta0);
-    let by_zeta2 =
-        (by_zeta1 + (by_zeta0 * 0.5 - beyond * zeroth * inverse) * m) * (1.0 / 3.0);
+    let by_zeta2 = (by_zeta1 + (by_zeta0 * 0.5 - beyond * zeroth * inverse) * m) * (1.0 / 3.0);
     let by_zeta = by_zeta0 + tau * 2.0 * by_zeta1 + by_zeta2 * (tau2 + fitted)
         - square * fitted * beyond * inverse * 4.0;
     let by_tau = linear * 2.0
@@ -161,16 +164,72 @@ fn shifted<T: Real>(xi: T, sigma: T, integrals: impl Fn(T) -> [T; 3]) -> Influen
     let share = T::from(1.0) / (far * near);
     let along = eta * (by_zeta + zeta * root * by_tau) * share;
     let across = root * (root * zeta * by_zeta - eta2 * beyond * by_tau) * share;
-    let flat = T::from(1.0) / (squared + 1.0);
-    let log = root * flat;
+    let log = root * m;
     Influence {
         d,
         slope: d - xi * along - across,
         along,
         log,
-        log_slope: log * (flat * -2.0 + 3.0 + eta2 * share),
-        log_along: -(flat * eta * zeta * root * share),
+        log_slope: log * (share * (beyond * 2.0 + eta2) + 1.0),
+        log_along: -(log * eta * share * (beyond * inverse * 2.0 + zeta)),
     }
+}
+
+/// What takes the singularity out of the sums at a strip: its own influence at σ, and its fall along itself to [`STATION`].
+#[derive(Clone, Copy, Debug)]
+pub struct Own<T = f64> {
+    /// D, d(a D)/da and the factor of the logarithm.
+    pub d: T,
+    pub slope: T,
+    pub log: T,
+    /// Fall W and d(a W)/da; that of the factor of the logarithm is [`Own::LOG_FALL`] of it.
+    pub fall: T,
+    pub fall_slope: T,
+}
+
+impl Own {
+    pub const LOG_FALL: f64 = STATION_LOGARITHM;
+}
+
+/// The influence of a strip in itself at σ.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub fn own_at<T: Real>(sigma: T) -> Own<T> {
+    let squared = (sigma * sigma).at_least(LEAST).at_most(MOST);
+    let sum = squared + 1.0;
+    let m = T::from(1.0) / sum;
+    let s = sum.sqrt();
+    let complement = squared * m;
+    let log = complement.normal_ln();
+    let [first, _, difference] = with_logarithm(complement, log);
+    let [r, l] = [value_and_slope(&REGULAR, complement), value_and_slope(&LOGARITHMIC, complement)];
+    let share = m * m * s;
+    let value = r[0] - log * l[0];
+    let fall = share * value;
+    // σ ∂W/∂σ
+    let by_sigma =
+        (m * (complement * (r[1] - log * l[1]) - l[0]) * 2.0 - complement * value * 3.0) * share;
+    Own {
+        d: s * 2.0 * difference,
+        slope: s * 2.0 * first * m,
+        log: m,
+        fall,
+        fall_slope: fall - by_sigma,
+    }
+}
+
+/// A polynomial and its derivative.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn value_and_slope<T: Real, const N: usize>(factors: &[f64; N], at: T) -> [T; 2] {
+    let (mut value, mut slope) = (T::from(factors[N - 1]), T::from(0.0));
+    for &factor in factors[..N - 1].iter().rev() {
+        slope = slope * at + value;
+        value = value * at + factor;
+    }
+    [value, slope]
 }
 
 /// How much less than `centre`, its influence straight across, a source does on the mean at `station`, in its half lengths, ahead of and
@@ -218,37 +277,42 @@ pub fn shifted_fall<T: Real>(centre: &Influence<T>, station: T, xi: T, sigma: T)
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn complete_integrals<T: Real>(complement: T) -> [T; 3] {
+    with_logarithm(complement, complement.normal_ln())
+}
+
+/// The same with the logarithm of the complement.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn with_logarithm<T: Real>(complement: T, log: T) -> [T; 3] {
     let [k0, k1, e0, e1] = first_and_second_split(complement);
-    let log = complement.normal_ln();
     let (first, second) = (k0 - log * k1, e0 - log * e1);
     [first, second, first - second]
 }
 
-/// The integrals over the distance across, Ψ(σ) = ∫_0^σ D at the centre and at [`STATION`], tabulated over ln σ with exact slopes.
+/// The integrals over the distance across, Ψ(σ) = ∫_0^σ D and ∫_0^σ W, tabulated over ln σ with exact slopes.
 ///
 /// Cubic interpolation at steps of 0.05: 2e-8 of the value.
 #[derive(Clone, Debug)]
 pub struct Integrals {
     /// (value, derivative by ln σ) of both integrals.
     table: Vec<[f64; 4]>,
-    near: [Near; 2],
 }
 
-/// The influence close to the strip: `constant` - 2 `factor` ln σ.
+/// What is integrated, close to the strip: `constant` - 2 `factor` ln σ.
 #[derive(Clone, Copy, Debug)]
 struct Near {
     constant: f64,
     factor: f64,
 }
 
-impl Near {
-    /// At ξ.
-    fn at(xi: f64) -> Self {
-        let sigma = TABLE_START.exp();
-        let Influence { d, log: factor, .. } = shifted_at(xi, sigma);
-        Self { constant: d + 2.0 * factor * TABLE_START, factor }
-    }
+/// D and W close to the strip.
+const NEAR: [Near; 2] = [
+    Near { constant: 4.0 * std::f64::consts::LN_2 - 2.0, factor: 1.0 },
+    Near { constant: REGULAR[0], factor: STATION_LOGARITHM },
+];
 
+impl Near {
     fn influence<T: Real>(&self, log: T) -> T {
         log * (-2.0 * self.factor) + self.constant
     }
@@ -267,20 +331,18 @@ impl Integrals {
     #[must_use]
     pub fn new() -> Self {
         let rule = GaussLegendre::new(4);
-        // To rounding also far away, where K - E cancels.
-        let to_rounding = |complement: f64| {
-            let c = complete(complement);
-            [c.first, c.second, c.first_minus_second]
+        let influences = |sigma: f64| {
+            let squared = sigma * sigma;
+            let c = complete(squared / (1.0 + squared));
+            [2.0 * (1.0 + squared).sqrt() * c.first_minus_second, own_at(sigma).fall]
         };
-        let influences = |sigma| [0.0, STATION].map(|xi| shifted(xi, sigma, to_rounding).d);
-        let near = [0.0, STATION].map(Near::at);
-        let mut sums = near.each_ref().map(|near| near.integral(TABLE_START.exp(), TABLE_START));
+        let mut sums = NEAR.map(|near| near.integral(TABLE_START.exp(), TABLE_START));
         let mut table = Vec::with_capacity(TABLE_LENGTH);
         for i in 0..TABLE_LENGTH {
             let at = TABLE_START + TABLE_STEP * i as f64;
             let sigma = at.exp();
-            let [centre, station] = influences(sigma);
-            table.push([sums[0], sigma * centre, sums[1], sigma * station]);
+            let [d, fall] = influences(sigma);
+            table.push([sums[0], sigma * d, sums[1], sigma * fall]);
             for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
                 let sigma = (at + 0.5 * TABLE_STEP * (1.0 + node)).exp();
                 let width = 0.5 * TABLE_STEP * weight * sigma;
@@ -289,18 +351,17 @@ impl Integrals {
                 }
             }
         }
-        Self { table, near }
+        Self { table }
     }
 
-    /// Both integrals at σ > 0, each with D there.
+    /// Both integrals at σ > 0, each with D or W there.
     #[must_use]
     pub fn at<T: Real>(&self, sigma: T) -> [[T; 2]; 2] {
         let log = sigma.at_least(f64::MIN_POSITIVE).ln();
         let last = (TABLE_LENGTH - 2) as f64;
         let place = (log - TABLE_START) / TABLE_STEP;
         if place < 0.0 {
-            let near = &self.near;
-            return [0, 1].map(|k| [near[k].integral(sigma, log), near[k].influence(log)]);
+            return NEAR.map(|near| [near.integral(sigma, log), near.influence(log)]);
         }
         let cell = place.value().min(last).floor();
         // Beyond the table only the logarithm grows: its slope carries on.
@@ -414,7 +475,8 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_the_influence() {
         let step = 1e-5;
-        for (xi, sigma) in [(0.0, 0.2), (0.4, 0.05), (-0.7, 0.5), (0.95, 0.1), (1.3, 0.2), (-4.0, 2.0)]
+        for (xi, sigma) in
+            [(0.0, 0.2), (0.4, 0.05), (-0.7, 0.5), (0.95, 0.1), (1.3, 0.2), (-4.0, 2.0)]
         {
             let at = shifted_at(xi, sigma);
             let difference = |f: &dyn Fn(f64) -> f64| (f(step) - f(-step)) / (2.0 * step);
@@ -456,6 +518,23 @@ mod tests {
     }
 
     #[test]
+    fn a_strip_falls_along_itself_as_along_others() {
+        assert_relative_eq!(STATION_LOGARITHM, 1.0 - (1.0 - STATION * STATION).sqrt());
+        for sigma in [1e-5, 1e-3, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0] {
+            let (own, centre) = (own_at(sigma), centred_at(sigma));
+            let fall = fall(&centre, STATION, sigma);
+            assert_relative_eq!(own.d, centre.d, max_relative = 1e-14);
+            assert_relative_eq!(own.slope, centre.slope, max_relative = 1e-14);
+            assert_relative_eq!(own.fall, fall.d, max_relative = 3e-5, epsilon = 2e-6);
+            assert_relative_eq!(Own::LOG_FALL * own.log, fall.log, epsilon = 0.7 * sigma * sigma);
+            let step = 1e-5 * sigma;
+            let difference = own_at(sigma + step).fall - own_at(sigma - step).fall;
+            let slope = own.fall - sigma * difference / (2.0 * step);
+            assert_relative_eq!(own.fall_slope, slope, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
     fn the_table_holds_the_integrals_of_the_influence() {
         let table = Integrals::new();
         for sigma in [1e-9, 1e-6, 0.013, 0.7, 5.3, 321.0] {
@@ -467,9 +546,9 @@ mod tests {
                 let (a, h) = (low + (high - low) * f64::from(cell) / 60.0, (high - low) / 60.0);
                 for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
                     let s = (a + 0.5 * h * (1.0 + node)).exp();
-                    for (sum, xi) in sums.iter_mut().zip([0.0, STATION]) {
-                        *sum += 0.5 * h * weight * s * shifted_at(xi, s).d;
-                    }
+                    let own = own_at(s);
+                    sums[0] += 0.5 * h * weight * s * own.d;
+                    sums[1] += 0.5 * h * weight * s * own.fall;
                 }
             }
             // Single influences stay what they are below 1e-12 and lose digits far away, where the table has them.
@@ -477,8 +556,9 @@ mod tests {
             for (found, sum) in table.at(sigma).into_iter().zip(sums) {
                 assert_relative_eq!(found[0], sum, max_relative = share);
             }
-            for (found, xi) in table.at(sigma).into_iter().zip([0.0, STATION]) {
-                assert_relative_eq!(found[1], shifted_at(xi, sigma).d, max_relative = 3e-3);
+            let own = own_at(sigma);
+            for (found, own) in table.at(sigma).into_iter().zip([own.d, own.fall]) {
+                assert_relative_eq!(found[1], own, max_relative = 1e-2);
             }
         }
     }

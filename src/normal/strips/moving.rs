@@ -13,7 +13,7 @@
 use std::f64::consts::PI;
 
 use super::cell::Cell;
-use super::influence::{STATION, centred_at, fall, shifted_at, shifted_fall};
+use super::influence::{Own, STATION, centred_at, fall, own_at, shifted_at, shifted_fall};
 use super::nodes::Lobe;
 use super::solver::StripSolver;
 use super::system::{Assembly, SHAPE_REGULARISATION};
@@ -290,21 +290,19 @@ impl<const N: usize> StripFollower<Dual<N>> {
             let Some(k) = j.checked_sub(first).filter(|&k| k < n) else { continue };
             let logarithm = half * (-2.0 * rule.corrections_of(k)[t]);
             let mended = logarithm * node.pressure;
-            displacement += mended / (sigma * sigma + 1.0);
+            displacement += mended * centre.log;
             fallen += mended * less.log;
-            let sigma = dy / own.half_length;
-            let centre = centred_at(sigma);
-            let less = fall(&centre, Dual::from(STATION), sigma);
-            taken_out += node.width * centre.d + logarithm * centre.log;
-            fall_out += node.width * less.d + logarithm * less.log;
+            let out = own_at(dy / own.half_length);
+            taken_out += node.width * out.d + logarithm * out.log;
+            fall_out += node.width * out.fall + logarithm * out.log * Own::LOG_FALL;
         }
         displacement -= own.pressure * taken_out;
         fallen -= own.pressure * fall_out;
         for edge in [left, right] {
             let sigma = (edge - own.y).abs() / own.half_length;
-            let [[centre, _], [beside, _]] = at.solver.integrals.at(sigma);
-            displacement += own.pressure * own.half_length * centre;
-            fallen += own.pressure * own.half_length * (centre - beside);
+            let [[integral, _], [less, _]] = at.solver.integrals.at(sigma);
+            displacement += own.pressure * own.half_length * integral;
+            fallen += own.pressure * own.half_length * less;
         }
         [displacement, fallen]
     }

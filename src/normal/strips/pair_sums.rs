@@ -6,7 +6,9 @@
 use multiversion::multiversion;
 
 use super::cell::TERMS;
-use super::influence::{Fall, STATION, centred_at, fall, shifted_at, shifted_fall};
+use super::influence::{
+    Fall, Influence, Own, STATION, centred_at, fall, own_at, shifted_at, shifted_fall,
+};
 
 /// Numbers taken together: loops over whole vectors have no remainder, which would be taken one by one.
 pub const LANES: usize = 4;
@@ -19,8 +21,9 @@ pub type Column = [f64; MOST_TARGETS];
 /// Nodes at which sums are taken; what is behind the last one is any number.
 #[derive(Clone, Debug, Default)]
 pub struct Targets {
-    /// Whole vectors of targets.
+    /// Whole vectors of targets, and how many of them, from the first on, have targets at which falls are taken.
     pub vectors: usize,
+    pub fall_vectors: usize,
     /// Place across and along [m], derivative of the latter by the former [-].
     pub y: Column,
     pub x: Column,
@@ -64,7 +67,8 @@ pub struct Acting {
     centre: Influences,
     fall: Falls,
     own: Influences,
-    own_fall: Falls,
+    own_fall: Column,
+    own_fall_slope: Column,
     /// Derivatives of displacement and fall by the pressure of the source.
     pub by_pressure: Column,
     pub fall_by_pressure: Column,
@@ -76,6 +80,19 @@ struct Influences {
     d: Column,
     slope: Column,
     log: Column,
+    log_slope: Column,
+}
+
+impl Influences {
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn set(&mut self, k: usize, influence: &Influence) {
+        self.d[k] = influence.d;
+        self.slope[k] = influence.slope;
+        self.log[k] = influence.log;
+        self.log_slope[k] = influence.log_slope;
+    }
 }
 
 /// [`Fall`] of a source at each target.
@@ -169,28 +186,31 @@ fn clear<const N: usize>(columns: [&mut Column; N], vectors: usize) {
 #[inline(always)]
 fn influence(source: &Source, is_skewed: bool, at: &Targets, acting: &mut Acting) {
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
     let inverse = 1.0 / source.half_length;
-    let Acting { centre, fall: falls, .. } = acting;
+    let place = |k: usize| ((source.x - at.x[k]) * inverse, (source.y - at.y[k]) * inverse);
+    let station = STATION * inverse;
     if is_skewed {
-        for k in 0..count {
-            let (xi, sigma) = ((source.x - at.x[k]) * inverse, (source.y - at.y[k]) * inverse);
-            let influence = shifted_at(xi, sigma);
-            centre.d[k] = influence.d;
-            centre.slope[k] = influence.slope;
-            // As far away as straight ones.
-            centre.log[k] = 1.0 / (sigma * sigma + 1.0);
-            let station = STATION * at.half_length[k] * inverse;
-            falls.set(k, &shifted_fall(&influence, station, xi, sigma));
+        for k in 0..falls {
+            let (xi, sigma) = place(k);
+            let centre = shifted_at(xi, sigma);
+            acting.centre.set(k, &centre);
+            acting.fall.set(k, &shifted_fall(&centre, station * at.half_length[k], xi, sigma));
+        }
+        for k in falls..count {
+            let (xi, sigma) = place(k);
+            acting.centre.set(k, &shifted_at(xi, sigma));
         }
     } else {
-        for k in 0..count {
-            let sigma = (source.y - at.y[k]) * inverse;
-            let influence = centred_at(sigma);
-            centre.d[k] = influence.d;
-            centre.slope[k] = influence.slope;
-            centre.log[k] = influence.log;
-            let station = STATION * at.half_length[k] * inverse;
-            falls.set(k, &fall(&influence, station, sigma));
+        for k in 0..falls {
+            let (_, sigma) = place(k);
+            let centre = centred_at(sigma);
+            acting.centre.set(k, &centre);
+            acting.fall.set(k, &fall(&centre, station * at.half_length[k], sigma));
+        }
+        for k in falls..count {
+            let (_, sigma) = place(k);
+            acting.centre.set(k, &centred_at(sigma));
         }
     }
 }
@@ -209,51 +229,65 @@ pub fn within_lobe(
 ) {
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
-    for k in 0..count {
-        let sigma = (source.y - at.y[k]) * at.inverse_length[k];
-        let own = centred_at(sigma);
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
+    for k in 0..falls {
+        let own = own_at((source.y - at.y[k]) * at.inverse_length[k]);
         acting.own.d[k] = own.d;
         acting.own.slope[k] = own.slope;
         acting.own.log[k] = own.log;
-        acting.own_fall.set(k, &fall(&own, STATION, sigma));
+        acting.own_fall[k] = own.fall;
+        acting.own_fall_slope[k] = own.fall_slope;
+    }
+    for k in falls..count {
+        let own = centred_at((source.y - at.y[k]) * at.inverse_length[k]);
+        acting.own.d[k] = own.d;
+        acting.own.slope[k] = own.slope;
+        acting.own.log[k] = own.log;
     }
     let Source { tangent, width, pressure: q, legendre, .. } = *source;
+    let cosine =
+        |k: usize| (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
     for k in 0..count {
         let w = width * at.other[k];
-        let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
-        let turned = w * cosine;
+        let turned = w * cosine(k);
         let (c, d, slope) = (logarithm[k], acting.centre.d[k], acting.centre.slope[k]);
-        let b = acting.centre.log[k];
-        let fall = &acting.fall;
-        let by_pressure = turned * slope + c * b * (3.0 - 2.0 * b);
-        let fall_by_pressure = turned * fall.slope[k] + c * fall.log_slope[k];
-        let u = q * (turned * d + c * b);
-        let fallen = q * (turned * fall.d[k] + c * fall.log[k]);
+        let (log, log_slope) = (acting.centre.log[k], acting.centre.log_slope[k]);
+        let by_pressure = turned * slope + c * log_slope;
+        let u = q * (turned * d + c * log);
         acting.by_pressure[k] = by_pressure;
-        acting.fall_by_pressure[k] = fall_by_pressure;
         sums.u[k] += u;
-        sums.fall[k] += fallen;
-        sums.pulled[k] += q * (turned * fall.pull[k] + c * fall.log_pull[k]);
         // By the logarithm of the half length: that by the pressure at given half length taken off that with it.
         let by_length = q * by_pressure - u;
-        let fall_by_length = q * fall_by_pressure - fallen;
         for (term, p) in legendre.iter().enumerate() {
             sums.by_shape[term][k] += by_length * p;
-            sums.fall_by_shape[term][k] += fall_by_length * p;
         }
-        // The same with the half length of the target, which takes the singularity out; its stations move with its half length.
-        let (own_d, own_slope, own_b) = (acting.own.d[k], acting.own.slope[k], acting.own.log[k]);
-        let own = &acting.own_fall;
-        sums.own_u[k] += w * own_d + c * own_b;
-        sums.own_q[k] += w * own_slope + c * own_b * (3.0 - 2.0 * own_b);
-        sums.own_fall[k] += w * own.d[k] + c * own.log[k];
-        sums.own_fall_q[k] += w * (own.slope[k] + own.pull[k]) + c * (own.log_slope[k] + own.log_pull[k]);
+        // The same with the half length of the target, which takes the singularity out.
+        let (own_d, own_slope, own_log) = (acting.own.d[k], acting.own.slope[k], acting.own.log[k]);
+        let own_log_slope = own_log * (3.0 - 2.0 * own_log);
+        sums.own_u[k] += w * own_d + c * own_log;
+        sums.own_q[k] += w * own_slope + c * own_log_slope;
         let own_pressure = at.pressure[k];
-        let own_drop = 2.0 * own_d - own_slope;
-        let drop = 2.0 * d - slope;
-        sums.scaled_u[k] += w * (q * drop - own_pressure * own_drop)
-            + c * (q * b * (2.0 * b - 1.0) - own_pressure * own_b * (2.0 * own_b - 1.0));
-        sums.scaled_fall[k] += w * (q * fall.spread[k] - own_pressure * own.spread[k]);
+        sums.scaled_u[k] += w * (q * (2.0 * d - slope) - own_pressure * (2.0 * own_d - own_slope))
+            + c * (q * (2.0 * log - log_slope) - own_pressure * (2.0 * own_log - own_log_slope));
+    }
+    for k in 0..falls {
+        let w = width * at.other[k];
+        let (turned, c) = (w * cosine(k), logarithm[k]);
+        let fall = &acting.fall;
+        let by_pressure = turned * fall.slope[k] + c * fall.log_slope[k];
+        let fallen = q * (turned * fall.d[k] + c * fall.log[k]);
+        acting.fall_by_pressure[k] = by_pressure;
+        sums.fall[k] += fallen;
+        sums.pulled[k] += q * (turned * fall.pull[k] + c * fall.log_pull[k]);
+        let by_length = q * by_pressure - fallen;
+        for (term, p) in legendre.iter().enumerate() {
+            sums.fall_by_shape[term][k] += by_length * p;
+        }
+        let (own, own_slope, own_log) =
+            (acting.own_fall[k], acting.own_fall_slope[k], Own::LOG_FALL * acting.own.log[k]);
+        sums.own_fall[k] += w * own + c * own_log;
+        sums.own_fall_q[k] += w * own_slope + c * own_log * (3.0 - 2.0 * acting.own.log[k]);
+        sums.scaled_fall[k] += w * (q * fall.spread[k] - at.pressure[k] * (2.0 * own - own_slope));
     }
 }
 
@@ -268,26 +302,20 @@ pub fn from_elsewhere(
 ) {
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
     let Source { y, x, x_slope, tangent, width, pressure: q, .. } = *source;
+    let turned =
+        |k: usize| width * (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
     for k in 0..count {
-        let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
         let (d, slope) = (acting.centre.d[k], acting.centre.slope[k]);
         let (dy, dx) = (at.y[k] - y, at.x[k] - x);
-        let turned = width * cosine;
-        let by_pressure = turned * slope;
-        let fall_by_pressure = turned * acting.fall.slope[k];
-        let u = q * turned * d;
-        let fallen = q * turned * acting.fall.d[k];
+        let by_pressure = turned(k) * slope;
+        let u = q * turned(k) * d;
         acting.by_pressure[k] = by_pressure;
-        acting.fall_by_pressure[k] = fall_by_pressure;
         sums.u[k] += u;
-        sums.fall[k] += fallen;
-        sums.pulled[k] += q * turned * acting.fall.pull[k];
         let by_length = q * by_pressure - u;
-        let fall_by_length = q * fall_by_pressure - fallen;
         for (term, p) in source.legendre.iter().enumerate() {
             sums.by_shape[term][k] += by_length * p;
-            sums.fall_by_shape[term][k] += fall_by_length * p;
         }
         // The distance changes where either of them moves along its line.
         let load = width * q;
@@ -298,13 +326,24 @@ pub fn from_elsewhere(
             sums.by_edge[side][k] += load * d * source.stretch[side] - moved * source.travel[side];
         }
     }
+    for k in 0..falls {
+        let by_pressure = turned(k) * acting.fall.slope[k];
+        let fallen = q * turned(k) * acting.fall.d[k];
+        acting.fall_by_pressure[k] = by_pressure;
+        sums.fall[k] += fallen;
+        sums.pulled[k] += q * turned(k) * acting.fall.pull[k];
+        let by_length = q * by_pressure - fallen;
+        for (term, p) in source.legendre.iter().enumerate() {
+            sums.fall_by_shape[term][k] += by_length * p;
+        }
+    }
 }
 
 /// Σ of a column times the weights of the equations of the fall.
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 pub fn weighed(at: &Targets, column: &Column) -> [f64; TERMS] {
     let mut lanes = [[0.0; LANES]; TERMS];
-    for vector in 0..at.vectors.min(MOST_TARGETS / LANES) {
+    for vector in 0..at.fall_vectors.min(MOST_TARGETS / LANES) {
         for (sum, weights) in lanes.iter_mut().zip(&at.weights) {
             for (k, sum) in sum.iter_mut().enumerate() {
                 *sum += weights[LANES * vector + k] * column[LANES * vector + k];

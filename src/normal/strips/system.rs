@@ -140,6 +140,7 @@ impl Assembly<'_> {
         let (nodes, rule) = (self.nodes, self.rule);
         let first = self.lobes[part.lobe].first + part.begin;
         targets.vectors = part.count.div_ceil(LANES);
+        targets.fall_vectors = targets.vectors;
         for k in 0..LANES * targets.vectors {
             let i = first + k.min(part.count - 1);
             targets.y[k] = nodes.y[i];
@@ -210,8 +211,7 @@ impl Assembly<'_> {
             let (mut slope, mut fall_slope) = ([0.0; 2], [0.0; 2]);
             for side in 0..2 {
                 let sigma = (edges[side] - y).abs() * inverse;
-                let [[psi, at], [beside, at_beside]] = self.integrals.at(sigma);
-                let (less, at_less) = (psi - beside, at - at_beside);
+                let [[psi, at], [less, at_less]] = self.integrals.at(sigma);
                 u += q * a * psi;
                 by_pressure += a * (2.0 * psi - sigma * at);
                 fall += q * a * less;
