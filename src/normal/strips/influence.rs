@@ -20,10 +20,10 @@ use crate::math::elliptic::{complete, first_and_second_split};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 
-/// Least squared distance over half length, where a node meets itself; those entries are not used.
+/// What squared distances over half lengths are more than they are: where a node meets itself there is no logarithm. Those entries are not used.
 const LEAST: f64 = 1e-24;
-/// Greatest squared distance over half length: strips that shrink to nothing are as good as that far away.
-const MOST: f64 = 1e24;
+/// The same for 1 - η², which rounding may take below zero.
+const LEAST_ACROSS: f64 = 1e-14;
 /// Factors of τ³ and τ⁴.
 const FITTED: [f64; 2] = [0.6, 0.5];
 /// Polynomials in c = σ²/(1 + σ²) of a strip's fall along itself, to [`STATION`]: W = (R - L ln c)/(1 + σ²)^(3/2), 3e-5 off.
@@ -36,7 +36,16 @@ const REGULAR: [f64; 5] = [
 ];
 const LOGARITHMIC: [f64; 4] =
     [STATION_LOGARITHM, -0.032_020_367_424, 0.691_695_405_367, 1.203_516_755_636];
-/// 1 - sqrt(1 - [`STATION`]²), the fall of the factor of the logarithm.
+/// Polynomial of the fall of the factor of the logarithm, over (1 + σ²)²: 2e-4 off.
+const LOG_FALL: [f64; 6] = [
+    STATION_LOGARITHM,
+    0.299_547_019_189,
+    -0.120_334_585_504,
+    0.432_152_398_157,
+    -0.387_879_834_162,
+    0.225_532_632_249,
+];
+/// 1 - sqrt(1 - [`STATION`]²).
 const STATION_LOGARITHM: f64 = 0.285_857_157_145_715;
 
 /// Where along a strip the displacement is compared with that at its centre, share of the half length.
@@ -94,7 +103,7 @@ pub fn straight_pair<T: Real>(distance: T, a: T) -> (T, T) {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub fn centred_at<T: Real>(sigma: T) -> Influence<T> {
-    let squared = (sigma * sigma).at_least(LEAST).at_most(MOST);
+    let squared = sigma * sigma + LEAST;
     let sum = squared + 1.0;
     let m = T::from(1.0) / sum;
     let s = sum.sqrt();
@@ -134,17 +143,18 @@ pub fn skewed_pair<T: Real>(dx: T, dy: T, a: T) -> (T, T) {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub fn shifted_at<T: Real>(xi: T, sigma: T) -> Influence<T> {
-    let squared = (sigma * sigma).at_least(LEAST).at_most(MOST);
+    let squared = sigma * sigma + LEAST;
     let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
     let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
     let zeta = (far + near) * 0.5;
     let inverse = T::from(1.0) / zeta;
     let (eta, m) = (xi * inverse, inverse * inverse);
     let eta2 = eta * eta;
-    let root = (-eta2 + 1.0).at_least(1e-12).sqrt();
+    let root2 = -eta2 + (1.0 + LEAST_ACROSS);
+    let root = root2.sqrt();
     let tau = -root + 1.0;
-    // ζ² - 1 = σ²/(1 - η²), more than σ²: on the strip the former difference is all rounding.
-    let beyond = (zeta * zeta - 1.0).max(squared);
+    // ζ² - 1, all rounding on the strip itself.
+    let beyond = squared / root2;
     let [first, second, difference] = complete_integrals(beyond * m);
     let zeroth = zeta * 2.0 * difference;
     let linear = first * inverse - zeroth;
@@ -182,13 +192,11 @@ pub struct Own<T = f64> {
     pub d: T,
     pub slope: T,
     pub log: T,
-    /// Fall W and d(a W)/da; that of the factor of the logarithm is [`Own::LOG_FALL`] of it.
+    /// Fall W and d(a W)/da, and those of the factor of the logarithm.
     pub fall: T,
     pub fall_slope: T,
-}
-
-impl Own {
-    pub const LOG_FALL: f64 = STATION_LOGARITHM;
+    pub log_fall: T,
+    pub log_fall_slope: T,
 }
 
 /// The influence of a strip in itself at σ.
@@ -196,7 +204,7 @@ impl Own {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub fn own_at<T: Real>(sigma: T) -> Own<T> {
-    let squared = (sigma * sigma).at_least(LEAST).at_most(MOST);
+    let squared = sigma * sigma + LEAST;
     let sum = squared + 1.0;
     let m = T::from(1.0) / sum;
     let s = sum.sqrt();
@@ -204,7 +212,10 @@ pub fn own_at<T: Real>(sigma: T) -> Own<T> {
     let log = complement.normal_ln();
     let [first, _, difference] = with_logarithm(complement, log);
     let [r, l] = [value_and_slope(&REGULAR, complement), value_and_slope(&LOGARITHMIC, complement)];
-    let share = m * m * s;
+    let m2 = m * m;
+    let share = m2 * s;
+    let factor = value_and_slope(&LOG_FALL, complement);
+    let log_fall = m2 * factor[0];
     let value = r[0] - log * l[0];
     let fall = share * value;
     // σ ∂W/∂σ
@@ -216,6 +227,8 @@ pub fn own_at<T: Real>(sigma: T) -> Own<T> {
         log: m,
         fall,
         fall_slope: fall - by_sigma,
+        log_fall,
+        log_fall_slope: log_fall + complement * (log_fall * 4.0 - m2 * m * factor[1] * 2.0),
     }
 }
 
@@ -526,11 +539,14 @@ mod tests {
             assert_relative_eq!(own.d, centre.d, max_relative = 1e-14);
             assert_relative_eq!(own.slope, centre.slope, max_relative = 1e-14);
             assert_relative_eq!(own.fall, fall.d, max_relative = 3e-5, epsilon = 2e-6);
-            assert_relative_eq!(Own::LOG_FALL * own.log, fall.log, epsilon = 0.7 * sigma * sigma);
+            assert_relative_eq!(own.log_fall, fall.log, max_relative = 2e-4);
             let step = 1e-5 * sigma;
             let difference = own_at(sigma + step).fall - own_at(sigma - step).fall;
             let slope = own.fall - sigma * difference / (2.0 * step);
             assert_relative_eq!(own.fall_slope, slope, max_relative = 1e-6);
+            let difference = own_at(sigma + step).log_fall - own_at(sigma - step).log_fall;
+            let slope = own.log_fall - sigma * difference / (2.0 * step);
+            assert_relative_eq!(own.log_fall_slope, slope, max_relative = 1e-6);
         }
     }
 

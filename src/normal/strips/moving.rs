@@ -13,7 +13,7 @@
 use std::f64::consts::PI;
 
 use super::cell::Cell;
-use super::influence::{Own, STATION, centred_at, fall, own_at, shifted_at, shifted_fall};
+use super::influence::{STATION, centred_at, fall, own_at, shifted_at, shifted_fall};
 use super::nodes::Lobe;
 use super::solver::StripSolver;
 use super::system::{Assembly, SHAPE_REGULARISATION};
@@ -216,9 +216,9 @@ impl<const N: usize> StripFollower<Dual<N>> {
                     rest += self.unknowns[begin + t] / at.scale;
                 }
                 self.residuals[begin + t] = rest;
-                if is_loaded {
-                    let distance = node.half_length * STATION;
-                    let error = fall * node.place.radius * 2.0 / (distance * distance) - 1.0;
+                if is_loaded && (rule.outer..n - rule.outer).contains(&t) {
+                    let squared = node.half_length * node.half_length;
+                    let error = fall * node.place.radius / squared - 0.5 * STATION * STATION;
                     let share = node.width * node.pressure * node.half_length / load;
                     for l in 0..rule.terms {
                         self.residuals[begin + n + 2 + l] += share * error * rule.legendre[t][l];
@@ -288,13 +288,13 @@ impl<const N: usize> StripFollower<Dual<N>> {
             displacement += load * centre.d;
             fallen += load * less.d;
             let Some(k) = j.checked_sub(first).filter(|&k| k < n) else { continue };
-            let logarithm = half * (-2.0 * rule.corrections_of(k)[t]);
+            let logarithm = half * (-2.0 * rule.corrections_of(k)[rule.target_of_node(t)]);
             let mended = logarithm * node.pressure;
             displacement += mended * centre.log;
             fallen += mended * less.log;
             let out = own_at(dy / own.half_length);
             taken_out += node.width * out.d + logarithm * out.log;
-            fall_out += node.width * out.fall + logarithm * out.log * Own::LOG_FALL;
+            fall_out += node.width * out.fall + logarithm * out.log_fall;
         }
         displacement -= own.pressure * taken_out;
         fallen -= own.pressure * fall_out;

@@ -7,7 +7,7 @@ use multiversion::multiversion;
 
 use super::cell::TERMS;
 use super::influence::{
-    Fall, Influence, Own, STATION, centred_at, fall, own_at, shifted_at, shifted_fall,
+    Fall, Influence, STATION, centred_at, fall, own_at, shifted_at, shifted_fall,
 };
 
 /// Numbers taken together: loops over whole vectors have no remainder, which would be taken one by one.
@@ -69,9 +69,13 @@ pub struct Acting {
     own: Influences,
     own_fall: Column,
     own_fall_slope: Column,
+    own_log_fall: Column,
+    own_log_fall_slope: Column,
     /// Derivatives of displacement and fall by the pressure of the source.
     pub by_pressure: Column,
     pub fall_by_pressure: Column,
+    /// The latter, weighed.
+    pub weighed: [f64; TERMS],
 }
 
 /// [`Influence`](super::influence::Influence) of a source on each target.
@@ -147,7 +151,7 @@ pub struct Sums {
     pub by_edge: [Column; 2],
     pub fall_by_edge: [Column; 2],
     /// Fall beyond that of the wheel [m].
-    pub excess: Column,
+    pub excess: [Column; 1],
 }
 
 impl Sums {
@@ -237,6 +241,8 @@ pub fn within_lobe(
         acting.own.log[k] = own.log;
         acting.own_fall[k] = own.fall;
         acting.own_fall_slope[k] = own.fall_slope;
+        acting.own_log_fall[k] = own.log_fall;
+        acting.own_log_fall_slope[k] = own.log_fall_slope;
     }
     for k in falls..count {
         let own = centred_at((source.y - at.y[k]) * at.inverse_length[k]);
@@ -283,12 +289,12 @@ pub fn within_lobe(
         for (term, p) in legendre.iter().enumerate() {
             sums.fall_by_shape[term][k] += by_length * p;
         }
-        let (own, own_slope, own_log) =
-            (acting.own_fall[k], acting.own_fall_slope[k], Own::LOG_FALL * acting.own.log[k]);
-        sums.own_fall[k] += w * own + c * own_log;
-        sums.own_fall_q[k] += w * own_slope + c * own_log * (3.0 - 2.0 * acting.own.log[k]);
+        let (own, own_slope) = (acting.own_fall[k], acting.own_fall_slope[k]);
+        sums.own_fall[k] += w * own + c * acting.own_log_fall[k];
+        sums.own_fall_q[k] += w * own_slope + c * acting.own_log_fall_slope[k];
         sums.scaled_fall[k] += w * (q * fall.spread[k] - at.pressure[k] * (2.0 * own - own_slope));
     }
+    acting.weighed = weighed_column(at, &acting.fall_by_pressure);
 }
 
 /// Adds a source in another lobe.
@@ -337,18 +343,30 @@ pub fn from_elsewhere(
             sums.fall_by_shape[term][k] += by_length * p;
         }
     }
+    acting.weighed = weighed_column(at, &acting.fall_by_pressure);
 }
 
-/// Σ of a column times the weights of the equations of the fall.
+/// Σ of columns times the weights of the equations of the fall.
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-pub fn weighed(at: &Targets, column: &Column) -> [f64; TERMS] {
-    let mut lanes = [[0.0; LANES]; TERMS];
-    for vector in 0..at.fall_vectors.min(MOST_TARGETS / LANES) {
-        for (sum, weights) in lanes.iter_mut().zip(&at.weights) {
-            for (k, sum) in sum.iter_mut().enumerate() {
-                *sum += weights[LANES * vector + k] * column[LANES * vector + k];
+pub fn weighed<const N: usize>(at: &Targets, columns: &[Column; N]) -> [[f64; TERMS]; N] {
+    columns.each_ref().map(|column| weighed_column(at, column))
+}
+
+/// Σ of one column times the weights.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn weighed_column(at: &Targets, column: &Column) -> [f64; TERMS] {
+    let vectors = at.fall_vectors.min(MOST_TARGETS / LANES);
+    let column = &column.as_chunks::<LANES>().0[..vectors];
+    at.weights.each_ref().map(|weights| {
+        let mut lanes = [0.0; LANES];
+        for (weights, values) in weights.as_chunks::<LANES>().0[..vectors].iter().zip(column) {
+            for k in 0..LANES {
+                lanes[k] += weights[k] * values[k];
             }
         }
-    }
-    lanes.map(|[a, b, c, d]| (a + b) + (c + d))
+        let [a, b, c, d] = lanes;
+        (a + b) + (c + d)
+    })
 }
