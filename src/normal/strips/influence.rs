@@ -82,8 +82,6 @@ pub struct Fall<T = f64> {
     pub d: T,
     pub slope: T,
     pub pull: T,
-    /// Derivative of a scale of all distances across: d + σ ∂d/∂σ.
-    pub spread: T,
     pub log: T,
     pub log_slope: T,
     pub log_pull: T,
@@ -257,7 +255,6 @@ pub fn fall<T: Real>(centre: &Influence<T>, station: T, sigma: T) -> Fall<T> {
         d,
         slope,
         pull: -(station * at.along),
-        spread: d * 2.0 - slope + station * at.along,
         log: centre.log - at.log,
         log_slope: centre.log_slope - at.log_slope,
         log_pull: -(station * at.log_along),
@@ -278,7 +275,6 @@ pub fn shifted_fall<T: Real>(centre: &Influence<T>, station: T, xi: T, sigma: T)
         d,
         slope,
         pull: -moved(a.along, b.along),
-        spread: d * 2.0 - slope + mean(ahead * a.along, behind * b.along) - xi * centre.along,
         log: centre.log - mean(a.log, b.log),
         log_slope: centre.log_slope - mean(a.log_slope, b.log_slope),
         log_pull: -moved(a.log_along, b.log_along),
@@ -519,14 +515,17 @@ mod tests {
             assert_relative_eq!(here.pull, pull, max_relative = 1e-5, epsilon = 1e-7);
             let log_pull = difference(&|h| at(station * (1.0 + h), xi, sigma).log);
             assert_relative_eq!(here.log_pull, log_pull, max_relative = 1e-5, epsilon = 1e-7);
-            let spread = difference(&|h| (1.0 + h) * at(station, xi, sigma * (1.0 + h)).d);
-            assert_relative_eq!(here.spread, spread, max_relative = 1e-5, epsilon = 1e-7);
+            // With the distance between the strips, the station held.
+            let wider =
+                difference(&|h| (1.0 + h) * at(station, xi * (1.0 + h), sigma * (1.0 + h)).d);
+            let held = 2.0 * here.d - here.slope - here.pull;
+            assert_relative_eq!(held, wider, max_relative = 1e-5, epsilon = 1e-7);
         }
         // Without a shift both are the same.
         let centre = shifted_at(0.0, 0.3);
         let (one, other) = (fall(&centre, 0.6, 0.3), shifted_fall(&centre, 0.6, 0.0, 0.3));
         assert_relative_eq!(one.d, other.d, max_relative = 1e-12);
-        assert_relative_eq!(one.spread, other.spread, max_relative = 1e-12);
+        assert_relative_eq!(one.slope, other.slope, max_relative = 1e-12);
         assert_relative_eq!(one.pull, other.pull, max_relative = 1e-12);
     }
 

@@ -105,7 +105,6 @@ struct Falls {
     d: Column,
     slope: Column,
     pull: Column,
-    spread: Column,
     log: Column,
     log_slope: Column,
     log_pull: Column,
@@ -119,7 +118,6 @@ impl Falls {
         self.d[k] = fall.d;
         self.slope[k] = fall.slope;
         self.pull[k] = fall.pull;
-        self.spread[k] = fall.spread;
         self.log[k] = fall.log;
         self.log_slope[k] = fall.log_slope;
         self.log_pull[k] = fall.log_pull;
@@ -290,9 +288,15 @@ pub fn within_lobe(
             sums.fall_by_shape[term][k] += by_length * p;
         }
         let (own, own_slope) = (acting.own_fall[k], acting.own_fall_slope[k]);
-        sums.own_fall[k] += w * own + c * acting.own_log_fall[k];
-        sums.own_fall_q[k] += w * own_slope + c * acting.own_log_fall_slope[k];
-        sums.scaled_fall[k] += w * (q * fall.spread[k] - at.pressure[k] * (2.0 * own - own_slope));
+        let (own_log, own_log_slope) = (acting.own_log_fall[k], acting.own_log_fall_slope[k]);
+        sums.own_fall[k] += w * own + c * own_log;
+        sums.own_fall_q[k] += w * own_slope + c * own_log_slope;
+        // The stations stay where they are while the strips move apart.
+        let apart = 2.0 * fall.d[k] - fall.slope[k] - fall.pull[k];
+        let log_apart = 2.0 * fall.log[k] - fall.log_slope[k] - fall.log_pull[k];
+        let own_pressure = at.pressure[k];
+        sums.scaled_fall[k] += w * (q * apart - own_pressure * (2.0 * own - own_slope))
+            + c * (q * log_apart - own_pressure * (2.0 * own_log - own_log_slope));
     }
     acting.weighed = weighed_column(at, &acting.fall_by_pressure);
 }
