@@ -188,10 +188,10 @@ pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [0.35, 0.3, 1.6];
 
 /// A wheel at given load against CONTACT (tests/element_normal.rs), just above the measured of all cases and of the part of them; rows strips,
 /// piotrowski_kik, piotrowski_kik_corrected, hertz; columns normal force, greatest pressure, area [-] and place along the profile [mm], median
-/// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 2.4 degrees off at 7 mm and 150 kN,
-/// and small areas are five elements of the reference wide; place is worst on two zones that the reference takes as one.
+/// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 1.8 degrees off at 7 mm and 150 kN,
+/// where the patch turns and the reference is plane (the planar problem there is 0.1 % off in area), and small patches are five elements of the reference wide; place is worst on two zones that the reference takes as one.
 pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
-    [[1.5e-4, 0.11], [2.1e-3, 0.045], [0.012, 0.11], [0.14, 1.65]],
+    [[1.2e-4, 0.085], [1.7e-3, 0.048], [0.012, 0.15], [0.14, 1.65]],
     [[7e-4, 0.165], [0.19, 0.60], [0.10, 0.55], [0.12, 1.85]],
     [[7e-4, 0.165], [0.16, 0.60], [0.10, 0.37], [0.13, 2.0]],
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
