@@ -118,10 +118,10 @@ pub const SLIDING_DIRECTION: f64 = 0.02;
 pub const SHRINKING: f64 = 0.35;
 
 /// Second differences of the force over steps of 1 nm and 1 nrad less the curvature of the force, over the force: a stiff integrator's Newton differences stand on
-/// these. What is seen are kinks: of a strip of FASTSIM that begins to slip all over, of the curvature of a profile under a contact point.
-pub const ROUGHNESS: f64 = 1e-8;
+/// these. What is seen are kinks: of a strip of FASTSIM that begins to slip all over (5e-8 with one of nine, single steps of the lateral force), of the curvature of a profile under a contact point.
+pub const ROUGHNESS: f64 = 6e-8;
 
-/// The same for strips with the table, which have neither: the aim. Worst is 2e-11.
+/// The same for strips with the table, which have neither: the aim. Worst is 8e-11.
 pub const ROUGHNESS_STRIPS: f64 = 1e-9;
 
 /// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5 m/s.
@@ -179,19 +179,19 @@ pub const YAWED_PLACE: f64 = 1e-4;
 pub const SECTION_CURVATURE: f64 = 4e-3;
 
 /// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
-/// worst. Worst in normal force is y5.5 at 150 kN, where two lobes have met (1.91 %; 1.63 to 1.91 % wherever between the lobes their joint
-/// is put); it is 1.71 % before they meet at 100 kN and 0.93 % with one lobe at 50 kN, so that the meeting is not the cause. All others are within 0.98 %.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.2, 1.95], [0.3, 1.5], [1.0, 2.0]];
+/// worst, all below the aims of 0.2 and 1, 0.3 and 1.5, 1 and 2 per cent. Worst in normal force is y5.5 at 150 kN, where two lobes have met (0.56 %); all
+/// others are within 0.25 %.
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.08, 0.6], [0.05, 0.8], [0.5, 1.0]];
 
 /// The same on the four cases of two regions, worst.
-pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [1.8, 1.5, 2.0];
+pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [0.35, 0.3, 1.6];
 
 /// A wheel at given load against CONTACT (tests/element_normal.rs), just above the measured of all cases and of the part of them; rows strips,
 /// piotrowski_kik, piotrowski_kik_corrected, hertz; columns normal force, greatest pressure, area [-] and place along the profile [mm], median
-/// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 2.4 degrees off at 7 mm and 150 kN,
-/// and small areas are five elements of the reference wide; place is worst on two zones that the reference takes as one.
+/// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 1.8 degrees off at 7 mm and 150 kN,
+/// where the patch turns and the reference is plane (the planar problem there is 0.1 % off in area), and small patches are five elements of the reference wide; place is worst on two zones that the reference takes as one.
 pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
-    [[1.5e-4, 0.11], [2.1e-3, 0.045], [0.012, 0.11], [0.14, 1.65]],
+    [[1.2e-4, 0.085], [1.7e-3, 0.048], [0.012, 0.15], [0.14, 1.65]],
     [[7e-4, 0.165], [0.19, 0.60], [0.10, 0.55], [0.12, 1.85]],
     [[7e-4, 0.165], [0.16, 0.60], [0.10, 0.37], [0.13, 2.0]],
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
@@ -205,9 +205,9 @@ pub const STRIPS_FIXED: f64 = 2e-3;
 pub const STRIPS_JUMP: f64 = 1e-6;
 
 /// Second differences in fine steps of the sweeps of a new and a worn S1002 on 60E1, curved creepage: vertical and lateral force over the load, longitudinal
-/// force and moment about the vertical (times 10 mm) over the friction limit. The aim is none; worst is the new wheel at 5.2 mm and 105 µm, where two
+/// force and moment about the vertical (times 10 mm) over the friction limit. The aim is none; worst is the new wheel at 5.2 mm and 104.5 µm, where two
 /// zones become one with one contact frame, along whose normal they carry 0.4 % less; without creep forces the vertical force jumps by 3e-6 there.
-pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [1.1e-4, 5e-4, 2.5e-3, 4.4e-3];
+pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [1.2e-4, 5.5e-4, 2.4e-3, 4e-3];
 
 /// Second differences of the vertical force in fine steps of sweeps in other places, without creep forces, over the load. The aim is none; worst is
 /// a flange root where strips of fixed width take over.

@@ -191,7 +191,7 @@ impl StripSolver {
             let cosine = (cos * nodes.tangent[j][0] + sin * nodes.tangent[j][1]).max(0.0);
             let a = nodes.half_length[j];
             let sigma = (place.y - nodes.y[j]).hypot(place.x - nodes.x[j]) / a;
-            let [_, _, d] = self.integrals.at(sigma.max(1e-6));
+            let [[_, d], _] = self.integrals.at(sigma.max(1e-6));
             sum += nodes.width[j] * nodes.pressure[j] * cosine * d;
         }
         sum

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 
 use super::Line;
 use super::cell::{self, TERMS};
-use super::influence::{bend, skewed, straight};
+use super::influence::{STATION, shifted_at, shifted_fall, skewed, straight};
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, STARTS, StripSolver};
 use crate::geometry::separation::Probe;
@@ -27,7 +27,7 @@ const FIRST_STEPS: usize = 25;
 const LATER_STEPS: usize = 1;
 /// Least half length over the width of a strip: what has less is about to be unloaded.
 const LEAST_LENGTH: f64 = 0.25;
-/// Share by which the shape follows the curvature along x: its even part answers with a power of 1 (wide patches) to 2 (long ones), the
+/// Share by which the shape follows the fall along x: its even part answers with a power of 1 (wide patches) to 2 (long ones), the
 /// next ones with up to 3.
 const FOLLOWING: f64 = 0.35;
 /// It follows less when the last change is no smaller than this share of the one before.
@@ -67,7 +67,7 @@ impl StripSolver {
             if !change.is_finite() {
                 return false;
             }
-            let moved = self.follow_curvature(following);
+            let moved = self.follow_fall(following);
             if moved < SETTLED_SHAPE {
                 break;
             }
@@ -145,7 +145,7 @@ impl StripSolver {
         ((2.0 * self.nodes.y[i] - left - right) / (right - left)).clamp(-1.0, 1.0)
     }
 
-    /// Influences of strip columns on row `i`: displacement by unit pressure, its derivative, and curvature by unit pressure.
+    /// Influences of strip columns on row `i`: displacement by unit pressure, its derivative, and its fall to the stations.
     fn row(&mut self, i: usize) {
         let nodes = &self.nodes;
         let count = nodes.y.len();
@@ -159,8 +159,8 @@ impl StripSolver {
         for j in 0..count {
             let (a, h) = (nodes.half_length[j], 0.5 * nodes.width[j]);
             let distance = (nodes.y[j] - at[1]).abs();
-            let far = self.integrals.at((distance + h) / a);
-            let near = self.integrals.at((distance - h).abs() / a);
+            let [far, far_fall] = self.integrals.at((distance + h) / a);
+            let [near, near_fall] = self.integrals.at((distance - h).abs() / a);
             let side = if distance < h { -1.0 } else { 1.0 };
             let (outer, inner) = ((distance + h) / a, (distance - h).abs() / a);
             // Strips shifted along x.
@@ -169,20 +169,23 @@ impl StripSolver {
             let cosine = (t[0] * s[0] + t[1] * s[1]).max(0.0) * ratio;
             let psi = a * (far[0] - side * near[0]);
             let held = nodes.pressure[j] * nodes.edge_shape[j] <= a * (1.0 - 1e-12);
-            let turn = if held { 0.0 } else { a * (outer * far[2] - side * inner * near[2]) - psi };
+            let turn = if held { 0.0 } else { a * (outer * far[1] - side * inner * near[1]) - psi };
             d[j] = cosine * psi;
             slope[j] = cosine * (psi - turn);
-            let bends = if i == j {
-                1.0
+            // How much the displacement falls along the strip of the row.
+            let fall = if i == j {
+                a * (far_fall[0] - side * near_fall[0])
             } else {
-                let dy = nodes.y[j] - at[1];
-                bend(a, nodes.x[j] - at[0], dy) * (a * a + dy * dy)
+                let (xi, sigma) = ((nodes.x[j] - at[0]) / a, (nodes.y[j] - at[1]) / a);
+                let centre = shifted_at(xi, sigma);
+                let station = STATION * nodes.half_length[i] / a;
+                psi * shifted_fall(&centre, station, xi, sigma).d / centre.d
             };
-            own_d[j] = cosine * bends * (far[1] - side * near[1]) / a;
+            own_d[j] = cosine * fall;
         }
     }
 
-    /// Newton's method for the pressures with the shapes held, and radius times curvature before its last step; the last change over the
+    /// Newton's method for the pressures with the shapes held, and the fall before its last step over that of the wheel; the last change over the
     /// greatest pressure.
     fn fit_pressures(&mut self, most_steps: usize) -> f64 {
         let count = self.nodes.y.len();
@@ -202,8 +205,9 @@ impl StripSolver {
                 let q = &self.nodes.pressure;
                 let u: f64 = m.d[..count].iter().zip(q).map(|(d, q)| d * q).sum();
                 let error = self.nodes.overlap[i] - u;
-                let curvature: f64 = m.straight_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
-                self.nodes.ratio[i] = self.nodes.radius[i] * curvature;
+                let fall: f64 = m.straight_d[..count].iter().zip(q).map(|(c, q)| c * q).sum();
+                let distance = STATION * self.nodes.half_length[i];
+                self.nodes.ratio[i] = fall * 2.0 * self.nodes.radius[i] / (distance * distance);
                 if q[i] > 0.0 || error > 0.0 {
                     self.nodes.spare[i] = rows as f64;
                     m.right[rows] = error;
@@ -246,11 +250,11 @@ impl StripSolver {
         change
     }
 
-    /// Lets the shapes follow the curvature of the displacement along x; the greatest change.
-    fn follow_curvature(&mut self, following: f64) -> f64 {
+    /// Lets the shapes follow the fall of the displacement along x; the greatest change.
+    fn follow_fall(&mut self, following: f64) -> f64 {
         let count = self.nodes.y.len();
         let mut moved: f64 = 0.0;
-        // Load-weighted least squares of the logarithm of curvature times radius.
+        // Load-weighted least squares of the logarithm of the fall over that of the wheel.
         for cell in 0..self.cells.len() {
             let mut matrix = [0.0; TERMS * TERMS];
             let mut right = [0.0; TERMS];

@@ -1,13 +1,13 @@
 //! Strips that all satisfy the contact condition.
 //!
 //! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one point, the displacement of the half-space
-//! meets the overlap of the bodies on every strip, and its curvature along x that of the wheel. With q the pressure and a the half length
+//! meets the overlap of the bodies on every strip, and its fall along x, to 0.7 of the half length, that of the wheel. With q the pressure and a the half length
 //! of a strip, κ = q/a varies slowly over a lobe (it is constant on an ellipse, and E*/(2R) wherever a strip is much shorter than the
 //! patch is wide), so that a = q/κ with few terms for κ ends the patch where its pressure ends:
 //!
 //! ```text
 //! p(x, y) = κ(y) sqrt(a(y)² - (x - x_0(y))²),   κ = E*/(2R) exp(Σ_l κ_l P_l(t))
-//! u_n(y_i) = overlap(y_i),   Σ_i ω_i P_l(t_i) (R ∂²u_n/∂x² + 1) = 0,   q ~ sqrt of the distance at free edges
+//! u_n(y_i) = overlap(y_i),   Σ_i ω_i P_l(t_i) (2 R (u_n(0) - u_n(0.7 a))/(0.7 a)² - 1) = 0,   q ~ sqrt of the distance at free edges
 //! ```
 //!
 //! Unknowns are q at the Gauss-Legendre nodes of each lobe, its two edges and κ_l; Newton's method with derivatives in closed form. Lobes are

@@ -13,7 +13,7 @@
 use std::f64::consts::PI;
 
 use super::cell::Cell;
-use super::influence::{bend, skewed_pair, straight_pair};
+use super::influence::{STATION, centred_at, fall, own_at, shifted_at, shifted_fall};
 use super::nodes::Lobe;
 use super::solver::StripSolver;
 use super::system::{Assembly, SHAPE_REGULARISATION};
@@ -207,7 +207,7 @@ impl<const N: usize> StripFollower<Dual<N>> {
             let cell = &at.solver.cells[lobe.cell];
             for t in 0..n {
                 let i = lobe.first + t;
-                let [displacement, curvature] = self.sums(at, number, t);
+                let [displacement, fall] = self.sums(at, number, t);
                 let node = &self.nodes[i];
                 let is_loaded = self.unknowns[begin + t] > 0.0;
                 let mut rest = (displacement - node.place.overlap) / at.depth;
@@ -216,8 +216,9 @@ impl<const N: usize> StripFollower<Dual<N>> {
                     rest += self.unknowns[begin + t] / at.scale;
                 }
                 self.residuals[begin + t] = rest;
-                if is_loaded {
-                    let error = node.place.radius * curvature - 1.0;
+                if is_loaded && (rule.outer..n - rule.outer).contains(&t) {
+                    let squared = node.half_length * node.half_length;
+                    let error = fall * node.place.radius / squared - 0.5 * STATION * STATION;
                     let share = node.width * node.pressure * node.half_length / load;
                     for l in 0..rule.terms {
                         self.residuals[begin + n + 2 + l] += share * error * rule.legendre[t][l];
@@ -255,14 +256,17 @@ impl<const N: usize> StripFollower<Dual<N>> {
         factors.iter().zip(&self.unknowns).map(|(factor, unknown)| *unknown * *factor).sum()
     }
 
-    /// Displacement and curvature at node `t` of a lobe: the sums of [`system`](super::system).
+    /// Displacement at node `t` of a lobe and its fall: the sums of [`system`](super::system).
     fn sums(&self, at: &Solution, lobe: usize, t: usize) -> [Dual<N>; 2] {
         let rule = &at.solver.rule;
         let n = rule.count();
         let Lobe { first, .. } = at.solver.lobes[lobe];
         let i = first + t;
         let own = &self.nodes[i];
-        let (mut displacement, mut curvature) = (Dual::from(0.0), Dual::from(0.0));
+        let (mut displacement, mut fallen) = (Dual::from(0.0), Dual::from(0.0));
+        let [left, right] = self.edges(at, lobe);
+        let half = (right - left) * 0.5;
+        let (mut taken_out, mut fall_out) = (Dual::from(0.0), Dual::from(0.0));
         for (j, node) in self.nodes.iter().enumerate() {
             if j == i {
                 continue;
@@ -270,44 +274,37 @@ impl<const N: usize> StripFollower<Dual<N>> {
             let [a, b] = [own.place.tangent, node.place.tangent];
             let cosine = (a[0] * b[0] + a[1] * b[1]).at_least(0.0);
             let (dy, dx) = (own.y - node.y, own.place.x - node.place.x);
-            let d = if at.skewed {
-                skewed_pair(dx, dy, node.half_length).0
+            let inverse = Dual::from(1.0) / node.half_length;
+            let (sigma, station) = (dy * inverse, own.half_length * inverse * STATION);
+            let (centre, less) = if at.skewed {
+                let xi = dx * inverse;
+                let centre = shifted_at(xi, sigma);
+                (centre, shifted_fall(&centre, station, xi, sigma))
             } else {
-                straight_pair(dy, node.half_length).0
+                let centre = centred_at(sigma);
+                (centre, fall(&centre, station, sigma))
             };
-            let part = node.width * cosine * node.pressure * d;
-            displacement += part;
-            curvature += part * bend(node.half_length, dx, dy);
-        }
-        let [left, right] = self.edges(at, lobe);
-        let half = (right - left) * 0.5;
-        let own_squared = own.half_length * own.half_length;
-        let (mut taken_out, mut bent_out) = (Dual::from(0.0), Dual::from(0.0));
-        for k in (0..n).filter(|&k| k != t) {
-            let node = &self.nodes[first + k];
-            let logarithm = half * (-2.0 * rule.corrections_of(k)[t]);
-            let distance = own.y - node.y;
-            let square = distance * distance;
-            let inverse = Dual::from(1.0) / (own_squared + square);
-            let d = straight_pair(distance, own.half_length).0;
-            let share = own_squared * inverse;
-            taken_out += node.width * d + logarithm * share;
-            bent_out += node.width * d * inverse + logarithm * share * inverse;
-            let squared = node.half_length * node.half_length;
-            let share = squared / (squared + square);
-            let mended = logarithm * node.pressure * share;
-            displacement += mended;
-            curvature += mended * share / squared;
+            let load = node.width * cosine * node.pressure;
+            displacement += load * centre.d;
+            fallen += load * less.d;
+            let Some(k) = j.checked_sub(first).filter(|&k| k < n) else { continue };
+            let logarithm = half * (-2.0 * rule.corrections_of(k)[rule.target_of_node(t)]);
+            let mended = logarithm * node.pressure;
+            displacement += mended * centre.log;
+            fallen += mended * less.log;
+            let out = own_at(dy / own.half_length);
+            taken_out += node.width * out.d + logarithm * out.log;
+            fall_out += node.width * out.fall + logarithm * out.log_fall;
         }
         displacement -= own.pressure * taken_out;
-        curvature -= own.pressure * bent_out;
+        fallen -= own.pressure * fall_out;
         for edge in [left, right] {
             let sigma = (edge - own.y).abs() / own.half_length;
-            let [integral, weighted, _] = at.solver.integrals.at(sigma);
+            let [[integral, _], [less, _]] = at.solver.integrals.at(sigma);
             displacement += own.pressure * own.half_length * integral;
-            curvature += own.pressure / own.half_length * weighted;
+            fallen += own.pressure * own.half_length * less;
         }
-        [displacement, curvature]
+        [displacement, fallen]
     }
 
     /// Takes what is left of the residuals' derivatives off those of the unknowns; the greatest change over the greatest of the same kind.

@@ -6,7 +6,9 @@
 use multiversion::multiversion;
 
 use super::cell::TERMS;
-use super::influence::{centred_at, shifted_at};
+use super::influence::{
+    Fall, Influence, STATION, centred_at, fall, own_at, shifted_at, shifted_fall,
+};
 
 /// Numbers taken together: loops over whole vectors have no remainder, which would be taken one by one.
 pub const LANES: usize = 4;
@@ -19,20 +21,22 @@ pub type Column = [f64; MOST_TARGETS];
 /// Nodes at which sums are taken; what is behind the last one is any number.
 #[derive(Clone, Debug, Default)]
 pub struct Targets {
-    /// Whole vectors of targets.
+    /// Whole vectors of targets, and how many of them, from the first on, have targets at which falls are taken.
     pub vectors: usize,
+    pub fall_vectors: usize,
     /// Place across and along [m], derivative of the latter by the former [-].
     pub y: Column,
     pub x: Column,
     pub x_slope: Column,
     /// Unit tangent across.
     pub tangent: [Column; 2],
-    /// Pressure over π E* [-] and one over the half length [1/m].
+    /// Pressure over π E* [-], half length [m] and one over it.
     pub pressure: Column,
+    pub half_length: Column,
     pub inverse_length: Column,
     /// One, zero for the target that is the source.
     pub other: Column,
-    /// Share of each target in the curvature equations of its lobe, times the radius [m].
+    /// Share of each target in the equations of the fall in its lobe, over that of the wheel [1/m].
     pub weights: [Column; TERMS],
 }
 
@@ -59,62 +63,113 @@ pub struct Source {
 /// What one source does to each target.
 #[derive(Clone, Debug, Default)]
 pub struct Acting {
-    /// Influence of the source, and with the target's half length for its own.
+    /// Influence of the source and its fall, and with the target's half length for its own.
+    centre: Influences,
+    fall: Falls,
+    own: Influences,
+    own_fall: Column,
+    own_fall_slope: Column,
+    own_log_fall: Column,
+    own_log_fall_slope: Column,
+    /// Derivatives of displacement and fall by the pressure of the source.
+    pub by_pressure: Column,
+    pub fall_by_pressure: Column,
+    /// The latter, weighed.
+    pub weighed: [f64; TERMS],
+}
+
+/// [`Influence`](super::influence::Influence) of a source on each target.
+#[derive(Clone, Debug, Default)]
+struct Influences {
     d: Column,
     slope: Column,
-    bend: Column,
-    own_d: Column,
-    own_slope: Column,
-    own_bend: Column,
-    /// Derivatives of displacement and curvature by the pressure of the source.
-    pub by_pressure: Column,
-    pub bent_by_pressure: Column,
+    log: Column,
+    log_slope: Column,
+}
+
+impl Influences {
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn set(&mut self, k: usize, influence: &Influence) {
+        self.d[k] = influence.d;
+        self.slope[k] = influence.slope;
+        self.log[k] = influence.log;
+        self.log_slope[k] = influence.log_slope;
+    }
+}
+
+/// [`Fall`] of a source at each target.
+#[derive(Clone, Debug, Default)]
+struct Falls {
+    d: Column,
+    slope: Column,
+    pull: Column,
+    log: Column,
+    log_slope: Column,
+    log_pull: Column,
+}
+
+impl Falls {
+    // Inside each instruction set or not at all: a call would not be vectorised.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn set(&mut self, k: usize, fall: &Fall) {
+        self.d[k] = fall.d;
+        self.slope[k] = fall.slope;
+        self.pull[k] = fall.pull;
+        self.log[k] = fall.log;
+        self.log_slope[k] = fall.log_slope;
+        self.log_pull[k] = fall.log_pull;
+    }
 }
 
 /// What all sources of one lobe do to each target.
 #[derive(Clone, Debug, Default)]
 pub struct Sums {
-    /// Displacement and curvature.
+    /// Displacement, and its fall from the centre to both stations.
     pub u: Column,
-    pub curvature: Column,
+    pub fall: Column,
     /// Their derivatives by the shape of the lobe.
     pub by_shape: [Column; TERMS],
-    pub bent_by_shape: [Column; TERMS],
+    pub fall_by_shape: [Column; TERMS],
     /// What takes the singularity out of the sums of the own lobe, for a pressure of one, and its derivatives by pressure with half length.
     pub own_u: Column,
     pub own_q: Column,
-    pub own_curvature: Column,
-    pub own_bent_q: Column,
-    /// Changes of displacement and curvature with the scale of the own lobe.
+    pub own_fall: Column,
+    pub own_fall_q: Column,
+    /// Changes of displacement and fall with the scale of the own lobe.
     pub scaled_u: Column,
-    pub scaled_curvature: Column,
+    pub scaled_fall: Column,
+    /// Change of the fall by all sources with the logarithm of the half length of the target, which moves the stations.
+    pub pulled: Column,
     /// Change of the displacement by other lobes where the target moves across.
     pub passed: Column,
-    /// Changes of displacement and curvature with the two edges of the lobe.
+    /// Changes of displacement and fall with the two edges of the lobe.
     pub by_edge: [Column; 2],
-    pub bent_by_edge: [Column; 2],
-    /// Curvature beyond that of the wheel [1/m].
-    pub excess: Column,
+    pub fall_by_edge: [Column; 2],
+    /// Fall beyond that of the wheel [m].
+    pub excess: [Column; 1],
 }
 
 impl Sums {
     /// Sets to zero what is summed up over all lobes.
     pub fn begin(&mut self, vectors: usize) {
-        clear([&mut self.u, &mut self.curvature, &mut self.passed], vectors);
+        clear([&mut self.u, &mut self.fall, &mut self.passed, &mut self.pulled], vectors);
     }
 
     /// Sets to zero what is summed up for each lobe.
     pub fn begin_lobe(&mut self, vectors: usize) {
         clear(self.by_shape.each_mut(), vectors);
-        clear(self.bent_by_shape.each_mut(), vectors);
+        clear(self.fall_by_shape.each_mut(), vectors);
         clear(self.by_edge.each_mut(), vectors);
     }
 
     /// Sets to zero what is summed up for the own lobe alone.
     pub fn begin_own_lobe(&mut self, vectors: usize) {
         clear([&mut self.own_u, &mut self.own_q], vectors);
-        clear([&mut self.own_curvature, &mut self.own_bent_q], vectors);
-        clear([&mut self.scaled_u, &mut self.scaled_curvature], vectors);
+        clear([&mut self.own_fall, &mut self.own_fall_q], vectors);
+        clear([&mut self.scaled_u, &mut self.scaled_fall], vectors);
     }
 }
 
@@ -133,21 +188,31 @@ fn clear<const N: usize>(columns: [&mut Column; N], vectors: usize) {
 #[inline(always)]
 fn influence(source: &Source, is_skewed: bool, at: &Targets, acting: &mut Acting) {
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
     let inverse = 1.0 / source.half_length;
+    let place = |k: usize| ((source.x - at.x[k]) * inverse, (source.y - at.y[k]) * inverse);
+    let station = STATION * inverse;
     if is_skewed {
-        for k in 0..count {
-            let (dx, dy) = (source.x - at.x[k], source.y - at.y[k]);
-            let influence = shifted_at(dx * inverse, dy * inverse);
-            acting.d[k] = influence.d;
-            acting.slope[k] = influence.slope;
-            acting.bend[k] = influence.bend;
+        for k in 0..falls {
+            let (xi, sigma) = place(k);
+            let centre = shifted_at(xi, sigma);
+            acting.centre.set(k, &centre);
+            acting.fall.set(k, &shifted_fall(&centre, station * at.half_length[k], xi, sigma));
+        }
+        for k in falls..count {
+            let (xi, sigma) = place(k);
+            acting.centre.set(k, &shifted_at(xi, sigma));
         }
     } else {
-        for k in 0..count {
-            let influence = centred_at((source.y - at.y[k]) * inverse);
-            acting.d[k] = influence.d;
-            acting.slope[k] = influence.slope;
-            acting.bend[k] = influence.bend;
+        for k in 0..falls {
+            let (_, sigma) = place(k);
+            let centre = centred_at(sigma);
+            acting.centre.set(k, &centre);
+            acting.fall.set(k, &fall(&centre, station * at.half_length[k], sigma));
+        }
+        for k in falls..count {
+            let (_, sigma) = place(k);
+            acting.centre.set(k, &centred_at(sigma));
         }
     }
 }
@@ -166,61 +231,74 @@ pub fn within_lobe(
 ) {
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
-    for k in 0..count {
-        let own = centred_at((source.y - at.y[k]) * at.inverse_length[k]);
-        acting.own_d[k] = own.d;
-        acting.own_slope[k] = own.slope;
-        acting.own_bend[k] = own.bend;
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
+    for k in 0..falls {
+        let own = own_at((source.y - at.y[k]) * at.inverse_length[k]);
+        acting.own.d[k] = own.d;
+        acting.own.slope[k] = own.slope;
+        acting.own.log[k] = own.log;
+        acting.own_fall[k] = own.fall;
+        acting.own_fall_slope[k] = own.fall_slope;
+        acting.own_log_fall[k] = own.log_fall;
+        acting.own_log_fall_slope[k] = own.log_fall_slope;
     }
-    let Source { y, tangent, width, pressure: q, half_length: a, legendre, .. } = *source;
-    let a2 = a * a;
-    let inverse2 = 1.0 / a2;
+    for k in falls..count {
+        let own = centred_at((source.y - at.y[k]) * at.inverse_length[k]);
+        acting.own.d[k] = own.d;
+        acting.own.slope[k] = own.slope;
+        acting.own.log[k] = own.log;
+    }
+    let Source { tangent, width, pressure: q, legendre, .. } = *source;
+    let cosine =
+        |k: usize| (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
     for k in 0..count {
         let w = width * at.other[k];
-        let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
-        let turned = w * cosine;
-        let (c, d, slope) = (logarithm[k], acting.d[k], acting.slope[k]);
-        let square = (at.y[k] - y) * (at.y[k] - y);
-        let bend = acting.bend[k] * inverse2;
-        // Exact straight across.
-        let turn = 2.0 * acting.bend[k] * bend * d;
-        let sum = 1.0 / (a2 + square);
-        let b = a2 * sum;
-        let e = b * sum;
-        let by_pressure = turned * slope + c * b * (3.0 - 2.0 * b);
-        let bent_by_pressure = turned * (slope * bend - turn) + c * e * (3.0 - 4.0 * b);
-        let u = q * (turned * d + c * b);
-        let curvature = q * (turned * d * bend + c * e);
+        let turned = w * cosine(k);
+        let (c, d, slope) = (logarithm[k], acting.centre.d[k], acting.centre.slope[k]);
+        let (log, log_slope) = (acting.centre.log[k], acting.centre.log_slope[k]);
+        let by_pressure = turned * slope + c * log_slope;
+        let u = q * (turned * d + c * log);
         acting.by_pressure[k] = by_pressure;
-        acting.bent_by_pressure[k] = bent_by_pressure;
         sums.u[k] += u;
-        sums.curvature[k] += curvature;
         // By the logarithm of the half length: that by the pressure at given half length taken off that with it.
         let by_length = q * by_pressure - u;
-        let bent_by_length = q * bent_by_pressure - curvature;
         for (term, p) in legendre.iter().enumerate() {
             sums.by_shape[term][k] += by_length * p;
-            sums.bent_by_shape[term][k] += bent_by_length * p;
         }
         // The same with the half length of the target, which takes the singularity out.
-        let (own_d, own_slope, own_b) = (acting.own_d[k], acting.own_slope[k], acting.own_bend[k]);
-        let own_sum = own_b * at.inverse_length[k] * at.inverse_length[k];
-        let own_turn = 2.0 * own_b * own_sum * own_d;
-        let own_c = c * own_b;
-        sums.own_u[k] += w * own_d + own_c;
-        sums.own_q[k] += w * own_slope + own_c * (3.0 - 2.0 * own_b);
-        sums.own_curvature[k] += (w * own_d + own_c) * own_sum;
-        sums.own_bent_q[k] +=
-            w * (own_slope * own_sum - own_turn) + own_c * own_sum * (3.0 - 4.0 * own_b);
+        let (own_d, own_slope, own_log) = (acting.own.d[k], acting.own.slope[k], acting.own.log[k]);
+        let own_log_slope = own_log * (3.0 - 2.0 * own_log);
+        sums.own_u[k] += w * own_d + c * own_log;
+        sums.own_q[k] += w * own_slope + c * own_log_slope;
         let own_pressure = at.pressure[k];
-        let own_drop = 2.0 * own_d - own_slope;
-        let drop = 2.0 * d - slope;
-        sums.scaled_u[k] += w * (q * drop - own_pressure * own_drop)
-            + c * (q * b * (2.0 * b - 1.0) - own_pressure * own_b * (2.0 * own_b - 1.0));
-        sums.scaled_curvature[k] += w
-            * (q * (drop - 2.0 * d * square * sum) * sum
-                - own_pressure * (own_drop - 2.0 * own_d * square * own_sum) * own_sum);
+        sums.scaled_u[k] += w * (q * (2.0 * d - slope) - own_pressure * (2.0 * own_d - own_slope))
+            + c * (q * (2.0 * log - log_slope) - own_pressure * (2.0 * own_log - own_log_slope));
     }
+    for k in 0..falls {
+        let w = width * at.other[k];
+        let (turned, c) = (w * cosine(k), logarithm[k]);
+        let fall = &acting.fall;
+        let by_pressure = turned * fall.slope[k] + c * fall.log_slope[k];
+        let fallen = q * (turned * fall.d[k] + c * fall.log[k]);
+        acting.fall_by_pressure[k] = by_pressure;
+        sums.fall[k] += fallen;
+        sums.pulled[k] += q * (turned * fall.pull[k] + c * fall.log_pull[k]);
+        let by_length = q * by_pressure - fallen;
+        for (term, p) in legendre.iter().enumerate() {
+            sums.fall_by_shape[term][k] += by_length * p;
+        }
+        let (own, own_slope) = (acting.own_fall[k], acting.own_fall_slope[k]);
+        let (own_log, own_log_slope) = (acting.own_log_fall[k], acting.own_log_fall_slope[k]);
+        sums.own_fall[k] += w * own + c * own_log;
+        sums.own_fall_q[k] += w * own_slope + c * own_log_slope;
+        // The stations stay where they are while the strips move apart.
+        let apart = 2.0 * fall.d[k] - fall.slope[k] - fall.pull[k];
+        let log_apart = 2.0 * fall.log[k] - fall.log_slope[k] - fall.log_pull[k];
+        let own_pressure = at.pressure[k];
+        sums.scaled_fall[k] += w * (q * apart - own_pressure * (2.0 * own - own_slope))
+            + c * (q * log_apart - own_pressure * (2.0 * own_log - own_log_slope));
+    }
+    acting.weighed = weighed_column(at, &acting.fall_by_pressure);
 }
 
 /// Adds a source in another lobe.
@@ -234,29 +312,20 @@ pub fn from_elsewhere(
 ) {
     influence(source, is_skewed, at, acting);
     let count = LANES * at.vectors.min(MOST_TARGETS / LANES);
-    let Source { y, x, x_slope, tangent, width, pressure: q, half_length: a, .. } = *source;
-    let inverse2 = 1.0 / (a * a);
+    let falls = LANES * at.fall_vectors.min(at.vectors).min(MOST_TARGETS / LANES);
+    let Source { y, x, x_slope, tangent, width, pressure: q, .. } = *source;
+    let turned =
+        |k: usize| width * (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
     for k in 0..count {
-        let cosine = (at.tangent[0][k] * tangent[0] + at.tangent[1][k] * tangent[1]).max(0.0);
-        let (d, slope) = (acting.d[k], acting.slope[k]);
+        let (d, slope) = (acting.centre.d[k], acting.centre.slope[k]);
         let (dy, dx) = (at.y[k] - y, at.x[k] - x);
-        let bend = acting.bend[k] * inverse2;
-        // Exact straight across.
-        let turn = 2.0 * acting.bend[k] * bend * d;
-        let turned = width * cosine;
-        let by_pressure = turned * slope;
-        let bent_by_pressure = turned * (slope * bend - turn);
-        let u = q * turned * d;
-        let curvature = u * bend;
+        let by_pressure = turned(k) * slope;
+        let u = q * turned(k) * d;
         acting.by_pressure[k] = by_pressure;
-        acting.bent_by_pressure[k] = bent_by_pressure;
         sums.u[k] += u;
-        sums.curvature[k] += curvature;
         let by_length = q * by_pressure - u;
-        let bent_by_length = q * bent_by_pressure - curvature;
         for (term, p) in source.legendre.iter().enumerate() {
             sums.by_shape[term][k] += by_length * p;
-            sums.bent_by_shape[term][k] += bent_by_length * p;
         }
         // The distance changes where either of them moves along its line.
         let load = width * q;
@@ -267,18 +336,41 @@ pub fn from_elsewhere(
             sums.by_edge[side][k] += load * d * source.stretch[side] - moved * source.travel[side];
         }
     }
-}
-
-/// Σ of a column times the weights of the curvature equations.
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-pub fn weighed(at: &Targets, column: &Column) -> [f64; TERMS] {
-    let mut lanes = [[0.0; LANES]; TERMS];
-    for vector in 0..at.vectors.min(MOST_TARGETS / LANES) {
-        for (sum, weights) in lanes.iter_mut().zip(&at.weights) {
-            for (k, sum) in sum.iter_mut().enumerate() {
-                *sum += weights[LANES * vector + k] * column[LANES * vector + k];
-            }
+    for k in 0..falls {
+        let by_pressure = turned(k) * acting.fall.slope[k];
+        let fallen = q * turned(k) * acting.fall.d[k];
+        acting.fall_by_pressure[k] = by_pressure;
+        sums.fall[k] += fallen;
+        sums.pulled[k] += q * turned(k) * acting.fall.pull[k];
+        let by_length = q * by_pressure - fallen;
+        for (term, p) in source.legendre.iter().enumerate() {
+            sums.fall_by_shape[term][k] += by_length * p;
         }
     }
-    lanes.map(|[a, b, c, d]| (a + b) + (c + d))
+    acting.weighed = weighed_column(at, &acting.fall_by_pressure);
+}
+
+/// Σ of columns times the weights of the equations of the fall.
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
+pub fn weighed<const N: usize>(at: &Targets, columns: &[Column; N]) -> [[f64; TERMS]; N] {
+    columns.each_ref().map(|column| weighed_column(at, column))
+}
+
+/// Σ of one column times the weights.
+// Inside each instruction set or not at all: a call would not be vectorised.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn weighed_column(at: &Targets, column: &Column) -> [f64; TERMS] {
+    let vectors = at.fall_vectors.min(MOST_TARGETS / LANES);
+    let column = &column.as_chunks::<LANES>().0[..vectors];
+    at.weights.each_ref().map(|weights| {
+        let mut lanes = [0.0; LANES];
+        for (weights, values) in weights.as_chunks::<LANES>().0[..vectors].iter().zip(column) {
+            for k in 0..LANES {
+                lanes[k] += weights[k] * values[k];
+            }
+        }
+        let [a, b, c, d] = lanes;
+        (a + b) + (c + d)
+    })
 }

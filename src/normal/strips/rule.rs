@@ -2,8 +2,12 @@
 
 use super::cell::TERMS;
 use super::influence::logarithm_corrections;
-use super::pair_sums::LANES;
+use super::pair_sums::{LANES, MOST_TARGETS};
 use crate::math::quadrature::GaussLegendre;
+
+/// Least nodes of a lobe whose displacement is compared along x without the outer ones, which have 0.7 % of the load then; more than can be
+/// targets at once have all compared.
+const LEAST_WITHOUT_OUTER: usize = 9;
 
 /// Quadrature and extrapolation on the nodes of a lobe.
 #[derive(Clone, Debug)]
@@ -18,6 +22,8 @@ pub struct LobeRule {
     pub terms: usize,
     /// See [`logarithm_corrections`]: source by source, whole vectors of targets.
     corrections: Vec<f64>,
+    /// Nodes at each end at which the displacement is not compared along x: what little load they have does not matter there.
+    pub outer: usize,
     /// What the values of the two outermost nodes are beyond the parabola through the next three: factors of each and of the three.
     pub outer_closures: [[f64; 4]; 2],
     /// Legendre polynomials at the nodes.
@@ -43,10 +49,12 @@ impl LobeRule {
         let barycentric = pairs.map(|(k, (s, w))| sign(k) * ((1.0 - s * s) * w).sqrt()).collect();
         let by_target = logarithm_corrections(&gauss);
         let stride = count.next_multiple_of(LANES);
+        let outer = if (LEAST_WITHOUT_OUTER..=MOST_TARGETS).contains(&count) { 2 } else { 0 };
         let mut corrections = vec![0.0; count * stride];
-        for i in 0..count {
+        for target in 0..count {
+            let i = node_of_target(target, outer, count);
             for j in 0..count {
-                corrections[j * stride + i] = by_target[i * count + j] * rate[j];
+                corrections[j * stride + target] = by_target[i * count + j] * rate[j];
             }
         }
         let terms = TERMS.min(count - 3);
@@ -61,6 +69,7 @@ impl LobeRule {
             terms,
             barycentric,
             corrections,
+            outer,
             outer_closures,
             legendre,
             roots,
@@ -76,12 +85,28 @@ impl LobeRule {
         self.nodes.len()
     }
 
+    /// Node that is target `k` of the sums: from the first inner node on, the outer ones of the left end last.
+    #[must_use]
+    pub fn node_of_target(&self, k: usize) -> usize {
+        node_of_target(k, self.outer, self.count())
+    }
+
+    /// Target that node `t` is.
+    #[must_use]
+    pub fn target_of_node(&self, t: usize) -> usize {
+        if t < self.outer { t + self.count() - self.outer } else { t - self.outer }
+    }
+
     /// Corrections for the logarithm with node `k` as source, for each target, and zeros to the end of the last vector.
     #[must_use]
     pub fn corrections_of(&self, k: usize) -> &[f64] {
         let stride = self.count().next_multiple_of(LANES);
         &self.corrections[k * stride..(k + 1) * stride]
     }
+}
+
+fn node_of_target(k: usize, outer: usize, count: usize) -> usize {
+    if k + outer < count { k + outer } else { k + outer - count }
 }
 
 /// Factors of the values at `to` and at three nodes in what the first is beyond the parabola through the three.
@@ -101,6 +126,18 @@ pub fn legendre(t: f64) -> [f64; TERMS] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn targets_are_all_nodes_with_the_inner_ones_first() {
+        for count in [7, 8, 9, 11, 32, 33, 40] {
+            let rule = LobeRule::new(count);
+            for k in 0..count {
+                assert_eq!(rule.target_of_node(rule.node_of_target(k)), k);
+            }
+            let inner = |k| (rule.outer..count - rule.outer).contains(&rule.node_of_target(k));
+            assert!((0..count - 2 * rule.outer).all(inner));
+        }
+    }
 
     #[test]
     fn parabolas_close_free_ends() {

@@ -21,9 +21,9 @@ const MOST_CHANGES: usize = 16;
 const MOST_STEPS_IN_ALL: u64 = 128;
 /// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square. A longer step is the last one
 /// where the one before it shows that no more than this is left.
-const LAST_STEP: f64 = 3e-6;
+const LAST_STEP: f64 = 1e-7;
 const LONGEST_LAST_STEP: f64 = 1e-4;
-const LEFT_OVER: f64 = 5e-10;
+const LEFT_OVER: f64 = 1e-11;
 /// Least change that a change of one leaves.
 const LEAST_RATE: f64 = 0.3;
 /// Change from which a set of loaded nodes is believed.

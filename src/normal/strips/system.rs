@@ -10,10 +10,10 @@
 //! The second and third term take the singularity out of the sum and put its integral in its place; the last one mends the sum for
 //! the logarithm that is left. Strips shifted along x lie no further apart for that, so that the singularity is that of straight ones;
 //! cos_ij is that of the angle between the normals.
-//! The curvature along x follows in the same way with D/(a² + Δy²) for D.
+//! The fall of u from x = 0 to both [`STATION`]s along the strip follows in the same way with that of D.
 
-use super::cell::Cell;
-use super::influence::Integrals;
+use super::cell::{Cell, TERMS};
+use super::influence::{Integrals, STATION};
 use super::nodes::{Lobe, Matrices, Nodes, Scratch};
 use super::pair_sums::{
     Acting, Column, LANES, MOST_TARGETS, Source, Sums, Targets, from_elsewhere, weighed,
@@ -23,7 +23,7 @@ use super::rule::LobeRule;
 use crate::math::linear_system::stride;
 
 /// Regularisation of the shape terms beyond the first: what the equations hardly determine stays small.
-pub const SHAPE_REGULARISATION: f64 = 1e-5;
+pub const SHAPE_REGULARISATION: f64 = 2.5e-6;
 
 /// What the assembly needs beside nodes and lobes.
 pub struct Assembly<'a> {
@@ -82,7 +82,7 @@ impl Assembly<'_> {
         }
     }
 
-    /// Equations of the nodes of a part and their share of the curvature equations of its lobe.
+    /// Equations of the nodes of a part and their share of the equations of the fall of its lobe.
     fn node_rows(&self, m: &mut Matrices, part: &LobePart) {
         let n = self.rule.count();
         let block = self.unknowns_per_lobe();
@@ -100,7 +100,7 @@ impl Assembly<'_> {
             for k in 0..n {
                 if self.nodes.pressure[lobe.first + k] > 0.0 {
                     from_elsewhere(&self.source(lobe, k), self.skewed, targets, acting, sums);
-                    rows.put_node(targets, acting, number, k);
+                    rows.put_node(acting, number, k);
                 } else {
                     // What is not loaded does not act.
                     rows.put(number * block + k, 0.0, &sums.u);
@@ -117,7 +117,7 @@ impl Assembly<'_> {
             for (weight, correction) in logarithm.iter_mut().zip(corrections) {
                 *weight = (left - right_end) * correction;
             }
-            let own = k.wrapping_sub(part.begin);
+            let own = self.rule.target_of_node(k).wrapping_sub(part.begin);
             if own < part.count {
                 targets.other[own] = 0.0;
             }
@@ -125,42 +125,49 @@ impl Assembly<'_> {
             if own < part.count {
                 targets.other[own] = 1.0;
             }
-            rows.put_node(targets, acting, part.lobe, k);
+            rows.put_node(acting, part.lobe, k);
         }
         self.singular(part, targets, sums, &mut rows);
         rows.put_lobe(targets, sums, part.lobe);
-        for side in 0..2 {
-            rows.put_bent(targets, part.lobe * block + n + side, 1.0, &sums.bent_by_edge[side]);
-        }
+        rows.put_falls(part.lobe * block + n, 1.0, &weighed(targets, &sums.fall_by_edge));
         self.residuals(part, scratch, &mut rows, right);
     }
 
     /// Takes the nodes of a part as targets.
     fn fill(&self, part: &LobePart, targets: &mut Targets) {
         let (nodes, rule) = (self.nodes, self.rule);
-        let first = self.lobes[part.lobe].first + part.begin;
+        let first = self.lobes[part.lobe].first;
         targets.vectors = part.count.div_ceil(LANES);
+        let falls = part.count - 2 * rule.outer;
+        targets.fall_vectors = falls.div_ceil(LANES);
         for k in 0..LANES * targets.vectors {
-            let i = first + k.min(part.count - 1);
+            let t = rule.node_of_target(part.begin + k.min(part.count - 1));
+            let i = first + t;
             targets.y[k] = nodes.y[i];
             targets.x[k] = nodes.x[i];
             targets.x_slope[k] = nodes.x_slope[i];
             targets.tangent[0][k] = nodes.tangent[i][0];
             targets.tangent[1][k] = nodes.tangent[i][1];
             targets.pressure[k] = nodes.pressure[i];
-            targets.inverse_length[k] = 1.0 / nodes.half_length[i];
+            let inverse = 1.0 / nodes.half_length[i];
+            targets.half_length[k] = nodes.half_length[i];
+            targets.inverse_length[k] = inverse;
             targets.other[k] = 1.0;
-            let weight = if k < part.count { self.share(part, k) * nodes.radius[i] } else { 0.0 };
-            let polynomials = rule.legendre[part.begin + k.min(part.count - 1)];
-            for (weights, polynomial) in targets.weights.iter_mut().zip(polynomials) {
+            // Falls are compared with that of the wheel.
+            let weight = if k < falls {
+                self.share(part, i) * nodes.radius[i] * (inverse * inverse)
+            } else {
+                0.0
+            };
+            for (weights, polynomial) in targets.weights.iter_mut().zip(rule.legendre[t]) {
                 weights[k] = weight * polynomial;
             }
         }
     }
 
-    /// Share of target `k` of a part in the load of its lobe, none where it is not loaded.
-    fn share(&self, part: &LobePart, k: usize) -> f64 {
-        let (nodes, i) = (self.nodes, self.lobes[part.lobe].first + part.begin + k);
+    /// Share of node `i` in the load of its lobe, none where it is not loaded.
+    fn share(&self, part: &LobePart, i: usize) -> f64 {
+        let nodes = self.nodes;
         if nodes.ratio[i] > 0.0 {
             nodes.width[i] * nodes.pressure[i] * nodes.half_length[i] / part.load
         } else {
@@ -192,55 +199,65 @@ impl Assembly<'_> {
         let (nodes, rule) = (self.nodes, self.rule);
         let Lobe { first, cell } = self.lobes[part.lobe];
         let edges = self.cells[cell].edges;
-        let stretch = 1.0 / (edges[1] - edges[0]);
+        let inverse = 1.0 / (edges[1] - edges[0]);
+        let stretch = [-inverse, inverse];
         for k in 0..part.count {
-            let t = part.begin + k;
+            let t = rule.node_of_target(part.begin + k);
             let i = first + t;
             let (y, q, a) = (nodes.y[i], nodes.pressure[i], nodes.half_length[i]);
             let inverse = targets.inverse_length[k];
-            let (mut u, mut curvature) = (-q * sums.own_u[k], -q * sums.own_curvature[k]);
-            let (mut by_pressure, mut bent_by_pressure) = (-sums.own_q[k], -sums.own_bent_q[k]);
-            let (mut slope, mut bent_slope) = ([0.0; 2], [0.0; 2]);
+            // How far the left and the right edge go away from the node, by each of them.
+            let moved = [rule.travel[0][t], rule.travel[1][t]];
+            let away = [[moved[0] - 1.0, -moved[0]], [moved[1], 1.0 - moved[1]]];
+            let integrals = edges.map(|edge| self.integrals.at((edge - y).abs() * inverse));
+            let sigma = edges.map(|edge| (edge - y).abs() * inverse);
+            let mut u = -q * sums.own_u[k];
+            let mut by_pressure = -sums.own_q[k];
             for side in 0..2 {
-                let sigma = (edges[side] - y).abs() * inverse;
-                let [psi, weighted, at] = self.integrals.at(sigma);
-                let squared = 1.0 / (1.0 + sigma * sigma);
+                let [psi, at] = integrals[side][0];
                 u += q * a * psi;
-                by_pressure += a * (2.0 * psi - sigma * at);
-                curvature += q * inverse * weighted;
-                bent_by_pressure -= inverse * sigma * at * squared;
-                slope[side] = q * at;
-                bent_slope[side] = q * at * squared * inverse * inverse;
+                by_pressure += a * (2.0 * psi - sigma[side] * at);
             }
             sums.u[k] += u;
-            sums.curvature[k] += curvature;
-            let excess = sums.curvature[k] - 1.0 / nodes.radius[i];
-            sums.excess[k] = excess;
-            // The weights of the curvature equations are loads, q a.
-            let ratio = nodes.ratio[i];
-            let weighted_more = if ratio > 0.0 { 2.0 * excess / ratio } else { 0.0 };
-            rows.put_own(targets, k, by_pressure, bent_by_pressure, weighted_more);
+            rows.put_own(part.begin + k, by_pressure);
             let by_length = q * by_pressure - u;
-            let bent_by_length = q * bent_by_pressure - curvature + excess;
             for (term, polynomial) in rule.legendre[t].into_iter().enumerate() {
                 sums.by_shape[term][k] += by_length * polynomial;
-                sums.bent_by_shape[term][k] += bent_by_length * polynomial;
             }
             for side in 0..2 {
-                let moved = rule.travel[side][t];
-                // How far the left and the right edge go away from the node.
-                let (away, stretch) = if side == 0 {
-                    ([moved - 1.0, -moved], -stretch)
-                } else {
-                    ([moved, 1.0 - moved], stretch)
-                };
-                sums.by_edge[side][k] = sums.scaled_u[k] * stretch
-                    + slope[0] * away[0]
-                    + slope[1] * away[1]
-                    + (sums.passed[k] - nodes.overlap_slope[i]) * moved;
-                sums.bent_by_edge[side][k] = sums.scaled_curvature[k] * stretch
-                    + bent_slope[0] * away[0]
-                    + bent_slope[1] * away[1];
+                let [_, left] = integrals[0][0];
+                let [_, right] = integrals[1][0];
+                sums.by_edge[side][k] = sums.scaled_u[k] * stretch[side]
+                    + q * (left * away[side][0] + right * away[side][1])
+                    + (sums.passed[k] - nodes.overlap_slope[i]) * moved[side];
+            }
+            if k + 2 * rule.outer >= part.count {
+                continue;
+            }
+            let mut fall = -q * sums.own_fall[k];
+            let mut by_pressure = -sums.own_fall_q[k];
+            for side in 0..2 {
+                let [less, at] = integrals[side][1];
+                fall += q * a * less;
+                by_pressure += a * (2.0 * less - sigma[side] * at);
+            }
+            sums.fall[k] += fall;
+            let of_wheel = (STATION * a) * (STATION * a) / (2.0 * nodes.radius[i]);
+            let excess = sums.fall[k] - of_wheel;
+            sums.excess[0][k] = excess;
+            // The stations move with the half length; the weights of the equations of the fall are pressures over it.
+            let by_station = sums.pulled[k] - 2.0 * of_wheel;
+            let by_station_q = if q > 0.0 { by_station / q } else { 0.0 };
+            rows.put_own_fall(targets, k, by_pressure + by_station_q);
+            let by_length = q * by_pressure - fall + by_station - excess;
+            for (term, polynomial) in rule.legendre[t].into_iter().enumerate() {
+                sums.fall_by_shape[term][k] += by_length * polynomial;
+            }
+            for side in 0..2 {
+                let [_, left] = integrals[0][1];
+                let [_, right] = integrals[1][1];
+                sums.fall_by_edge[side][k] = sums.scaled_fall[k] * stretch[side]
+                    + q * (left * away[side][0] + right * away[side][1]);
             }
         }
     }
@@ -251,7 +268,7 @@ impl Assembly<'_> {
         let (n, block) = (self.rule.count(), self.unknowns_per_lobe());
         let Lobe { first, cell } = self.lobes[part.lobe];
         for k in 0..part.count {
-            let t = part.begin + k;
+            let t = self.rule.node_of_target(part.begin + k);
             let (i, equation) = (first + t, part.lobe * block + t);
             right[equation] = -(scratch.sums.u[k] - nodes.overlap[i]) * rows.inverse_depth;
             let finds_edge = [1, n - 2]
@@ -265,7 +282,7 @@ impl Assembly<'_> {
             }
         }
         let shape = part.lobe * block + n + 2;
-        let errors = weighed(&scratch.targets, &scratch.sums.excess);
+        let [errors] = weighed(&scratch.targets, &scratch.sums.excess);
         for (right, error) in right[shape..].iter_mut().zip(errors) {
             *right -= error;
         }
@@ -353,12 +370,12 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// What node `k` of a lobe does.
-    fn put_node(&mut self, targets: &Targets, acting: &Acting, lobe: usize, k: usize) {
+    fn put_node(&mut self, acting: &Acting, lobe: usize, k: usize) {
         let assembly = self.assembly;
         let column = lobe * assembly.unknowns_per_lobe() + k;
         let factor = assembly.ratio_factor(lobe, k);
         self.put(column, factor, &acting.by_pressure);
-        self.put_bent(targets, column, factor, &acting.bent_by_pressure);
+        self.put_falls(column, factor, &[acting.weighed]);
     }
 
     /// What the edges and the shape of a lobe do.
@@ -370,48 +387,55 @@ impl Rows<'_> {
         }
         for term in 0..rule.terms {
             self.put(edges + 2 + term, -1.0, &sums.by_shape[term]);
-            self.put_bent(targets, edges + 2 + term, -1.0, &sums.bent_by_shape[term]);
         }
+        let falls = weighed(targets, &sums.fall_by_shape);
+        self.put_falls(edges + 2, -1.0, &falls[..rule.terms]);
     }
 
-    /// What target `k` does to itself.
-    fn put_own(
-        &mut self,
-        targets: &Targets,
-        k: usize,
-        by_pressure: f64,
-        bent_by_pressure: f64,
-        excess: f64,
-    ) {
-        let assembly = self.assembly;
-        let begin = self.part.lobe * assembly.unknowns_per_lobe();
-        let column = begin + self.part.begin + k;
-        let factor = assembly.ratio_factor(self.part.lobe, self.part.begin + k);
-        self.newton[assembly.entry(column, column)] += factor * by_pressure * self.inverse_depth;
-        let at = assembly.entry(begin + assembly.rule.count() + 2, column);
-        for (entry, weights) in self.newton[at..].iter_mut().zip(&targets.weights) {
-            *entry += weights[k] * (factor * bent_by_pressure + excess);
-        }
+    /// Column of the node that is target `k` of the lobe, and the derivative of its pressure.
+    fn own_column(&self, k: usize) -> (usize, f64) {
+        let (assembly, lobe) = (self.assembly, self.part.lobe);
+        let t = assembly.rule.node_of_target(k);
+        (lobe * assembly.unknowns_per_lobe() + t, assembly.ratio_factor(lobe, t))
     }
 
-    /// Adds a derivative of the displacements.
+    /// What target `k` of the lobe does to its displacement.
+    fn put_own(&mut self, k: usize, by_pressure: f64) {
+        let (column, factor) = self.own_column(k);
+        self.newton[self.assembly.entry(column, column)] +=
+            factor * by_pressure * self.inverse_depth;
+    }
+
+    /// What target `k` of the part does to its fall.
+    fn put_own_fall(&mut self, targets: &Targets, k: usize, by_pressure: f64) {
+        let (column, factor) = self.own_column(self.part.begin + k);
+        let falls = targets.weights.each_ref().map(|weights| weights[k] * by_pressure);
+        self.put_falls(column, factor, &[falls]);
+    }
+
+    /// Puts a derivative of the displacements.
     fn put(&mut self, column: usize, factor: f64, values: &Column) {
         let assembly = self.assembly;
         let row = self.part.lobe * assembly.unknowns_per_lobe() + self.part.begin;
         let at = assembly.entry(row, column);
         let factor = factor * self.inverse_depth;
-        for (entry, value) in self.newton[at..at + self.part.count].iter_mut().zip(values) {
+        let outer = assembly.rule.outer;
+        let (last, first) = self.newton[at..at + self.part.count].split_at_mut(outer);
+        let (inner, values) = values.split_at(self.part.count - outer);
+        for (entry, value) in first.iter_mut().zip(inner).chain(last.iter_mut().zip(values)) {
             *entry = factor * value;
         }
     }
 
-    /// Adds a derivative of the curvatures to the conditions of the lobe.
-    fn put_bent(&mut self, targets: &Targets, column: usize, factor: f64, values: &Column) {
+    /// Adds derivatives of the falls by the unknowns from `column` on, weighed, to the conditions of the lobe.
+    fn put_falls(&mut self, column: usize, factor: f64, falls: &[[f64; TERMS]]) {
         let assembly = self.assembly;
         let row = self.part.lobe * assembly.unknowns_per_lobe() + assembly.rule.count() + 2;
-        let at = assembly.entry(row, column);
-        for (entry, value) in self.newton[at..].iter_mut().zip(weighed(targets, values)) {
-            *entry += factor * value;
+        for (k, values) in falls.iter().enumerate() {
+            let at = assembly.entry(row, column + k);
+            for (entry, value) in self.newton[at..at + assembly.rule.terms].iter_mut().zip(values) {
+                *entry += factor * value;
+            }
         }
     }
 }
