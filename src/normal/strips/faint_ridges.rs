@@ -41,7 +41,7 @@ struct Kept {
 pub(super) struct WithoutRidge {
     lobes: Vec<Kept>,
     /// Ratios of all nodes [-].
-    ratio: Vec<f64>,
+    pub ratio: Vec<f64>,
 }
 
 impl WithoutRidge {

@@ -18,6 +18,8 @@ mod changes;
 mod closures;
 mod faint_ridges;
 mod fixed;
+mod fixed_layout;
+mod fixed_lobes;
 mod influence;
 mod joints;
 mod lobes;

@@ -18,7 +18,7 @@ pub(super) const MOST_LOBES: usize = 6;
 const MOST_STEPS: u64 = 24;
 const MOST_CHANGES: usize = 16;
 /// Most Newton steps for a problem, with all its starts and sets of lobes: of 20 000 random poses of a wheel those with a solution took up to 72.
-const MOST_STEPS_IN_ALL: u64 = 128;
+pub(super) const MOST_STEPS_IN_ALL: u64 = 128;
 /// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square. A longer step is the last one
 /// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 3e-6;
@@ -43,6 +43,8 @@ pub(super) const STARTS: [Start; 4] = [
     Start { approach: 1.0, caution: 1.0, met: true },
     Start { approach: 0.45, caution: 0.4, met: false },
 ];
+/// Pressure between two peaks, over the lower of them, below which strips that stay where they are make two lobes of them: tried in turn.
+const VALLEYS: [f64; 3] = [0.6, 0.2, 0.02];
 /// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
 const MOST_SHAPE: f64 = 4.0;
 /// Share from which a ridge counts.
@@ -90,7 +92,7 @@ pub struct StripSolver {
     /// Share of the Newton step that is taken far from the solution.
     pub(super) caution: f64,
     /// Count of Newton steps at which the present problem is given up.
-    last_step: u64,
+    pub(super) last_step: u64,
     /// Work so far.
     pub work: Work,
 }
@@ -157,13 +159,22 @@ impl StripSolver {
             self.emit(contact_modulus, strips);
             return true;
         }
-        self.work.fixed += 1;
-        if self.solve_fixed(line, (probes, level), contact_modulus, strips) {
-            return true;
+        // Strips that stay where they are show where the lobes are.
+        for valley_share in VALLEYS {
+            strips.clear();
+            if !self.solve_fixed(line, (probes, level), contact_modulus, valley_share, strips) {
+                strips.clear();
+                self.work.failed += 1;
+                return false;
+            }
+            if self.find_from_fixed(line, (probes, level), valley_share) {
+                strips.clear();
+                self.emit(contact_modulus, strips);
+                return true;
+            }
         }
-        strips.clear();
-        self.work.failed += 1;
-        false
+        self.work.fixed += 1;
+        true
     }
 
     /// Finds a solution for the cells between ridges of more than `least_share`.
@@ -186,7 +197,7 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells from those that have begun.
-    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
+    pub(super) fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
         self.apart.lobe = None;
         self.is_mixed = false;
         for _ in 0..MOST_CHANGES {
