@@ -37,6 +37,8 @@ pub struct Cell {
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
+    /// Whether it begins or ends at a shoulder, where its overlap is not deepest.
+    pub on_shoulder: bool,
     /// Whether a lobe is in it.
     pub active: bool,
     /// Whether the left and the right end of the lobe is that of the lobe beside it too.
@@ -161,7 +163,94 @@ fn interval(
     for cell in &mut cells[begin..] {
         cell.probes = [first, last];
     }
+    next.min(cut_shoulders(probes, level, least_share, cells, begin))
+}
+
+/// Share of a shoulder over that of a ridge that counts as much.
+const SHOULDER: f64 = 0.5;
+/// Most places at which a concave line above the overlap is looked for.
+const MOST_TOUCHES: usize = 512;
+
+/// Cuts the cells from number `begin` on, those of one interval of overlap, at shoulders that count more than `least_share`; the least of
+/// those shares, or infinity.
+///
+/// On a shoulder the overlap lies below a straight line that touches it on both sides, the least concave line above all of it. Its share is the most
+/// that it does so, over that line, times the root of the lower of the two places of touch, over that line too: what lies beyond a long
+/// flank counts little. Where such a straight line goes over a ridge that is a cut already there is no other one.
+fn cut_shoulders(
+    probes: &[Probe],
+    level: f64,
+    least_share: f64,
+    cells: &mut Room<Cell>,
+    begin: usize,
+) -> f64 {
+    let [first, last] = cells[begin].probes;
+    let at = |i: usize| [probes[i].u, level - probes[i].f];
+    // Whether the middle one of three places lies on or below the line through the others.
+    let is_below = |i: usize, j: usize, k: usize| {
+        let [a, b, c] = [at(i), at(j), at(k)];
+        (b[1] - a[1]) * (c[0] - a[0]) <= (c[1] - a[1]) * (b[0] - a[0])
+    };
+    if (first + 1..last).all(|i| !is_below(i - 1, i, i + 1)) {
+        return f64::INFINITY;
+    }
+    let mut touches = [0u16; MOST_TOUCHES];
+    if last - first >= MOST_TOUCHES {
+        return f64::INFINITY;
+    }
+    let mut count = 0;
+    for i in first..=last {
+        let place = |k: usize| first + usize::from(touches[k]);
+        while count >= 2 && is_below(place(count - 2), place(count - 1), i) {
+            count -= 1;
+        }
+        touches[count] = (i - first) as u16;
+        count += 1;
+    }
+    let mut next = f64::INFINITY;
+    let mut k = begin;
+    for pair in touches[..count].windows(2) {
+        let [a, b] = [pair[0], pair[1]].map(|touch| first + usize::from(touch));
+        let [left, right] = [at(a), at(b)];
+        let slope = (right[1] - left[1]) / (right[0] - left[0]);
+        let line = |u: f64| left[1] + slope * (u - left[0]);
+        let below = |i: usize| 1.0 - at(i)[1] / line(probes[i].u);
+        let Some(most) = (a + 1..b).max_by(|&i, &j| below(i).total_cmp(&below(j))) else {
+            continue;
+        };
+        let lower = left[1].min(right[1]) / line(probes[most].u);
+        let share = SHOULDER * below(most) * lower.sqrt();
+        while cells[k].range[1] <= left[0] && k + 1 < cells.len() {
+            k += 1;
+        }
+        let has_cut = cells[k].joined && cells[k].range[1] < right[0];
+        if share <= least_share || has_cut || cells.len() == cells.capacity() {
+            continue;
+        }
+        next = next.min(share);
+        let place = vertex([most - 1, most, most + 1].map(|i| [probes[i].u, below(i)]));
+        let [mut before, mut after] = [cells[k]; 2];
+        (before.range[1], after.range[0], before.joined) = (place, place, true);
+        if cells[k].deepest[0] < place {
+            (after.deepest, after.on_shoulder) = (right, true);
+        } else {
+            (before.deepest, before.on_shoulder) = (left, true);
+        }
+        cells[k] = before;
+        cells.insert(k + 1, after);
+    }
     next
+}
+
+/// Where the parabola through three points is highest, the middle one being the highest of the three.
+fn vertex([left, middle, right]: [[f64; 2]; 3]) -> f64 {
+    let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+    let (before, after) = (slope(left, middle), slope(middle, right));
+    if before <= after {
+        return middle[0];
+    }
+    let (half_before, half_after) = (0.5 * (left[0] + middle[0]), 0.5 * (middle[0] + right[0]));
+    half_before + before / (before - after) * (half_after - half_before)
 }
 
 /// The highest overlap from probe `i` on before it falls below `low` again.

@@ -45,12 +45,14 @@ impl Apart {
 }
 
 impl StripSolver {
-    /// Joins all lobes on both sides of a ridge before the first step; whether there are any.
-    pub(super) fn begin_met(&mut self) -> bool {
+    /// Joins all lobes on both sides of a ridge, or those on both sides of a shoulder, before the first step; whether there are any.
+    pub(super) fn begin_met(&mut self, only_shoulders: bool) -> bool {
         let mut found = false;
         for number in 1..self.lobes.len() {
             let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
-            if right == left + 1 && self.cells[left].joined {
+            let [a, b] = [&self.cells[left], &self.cells[right]];
+            let is_shoulder = a.on_shoulder || b.on_shoulder;
+            if right == left + 1 && a.joined && (is_shoulder || !only_shoulders) {
                 let ridge = self.cells[left].bounds[1];
                 (self.cells[left].edges[1], self.cells[right].edges[0]) = (ridge, ridge);
                 (self.cells[left].met[1], self.cells[right].met[0]) = (true, true);

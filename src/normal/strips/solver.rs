@@ -45,6 +45,8 @@ pub(super) const STARTS: [Start; 4] = [
 ];
 /// Pressure between two peaks, over the lower of them, below which strips that stay where they are make two lobes of them: tried in turn.
 const VALLEYS: [f64; 3] = [0.6, 0.2, 0.02];
+/// Caution of a start below which lobes on both sides of a shoulder begin apart.
+const AGAIN_APART: f64 = 0.5;
 /// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
 const MOST_SHAPE: f64 = 4.0;
 /// Share from which a ridge counts.
@@ -184,7 +186,9 @@ impl StripSolver {
             cell::fill(overlap.0, overlap.1, least_share, &mut self.cells);
             self.caution = start.caution;
             self.begin(line, overlap, *start);
-            (!start.met || self.begin_met()) && self.settle(line, overlap)
+            // Lobes on both sides of a shoulder mostly are one zone.
+            let has_met = start.caution >= AGAIN_APART && self.begin_met(!start.met);
+            (!start.met || has_met) && self.settle(line, overlap)
         })
     }
 
