@@ -31,6 +31,8 @@ pub struct Cell {
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
+    /// Parameters of the probes before and after a ridge at its end; nothing where it ends otherwise [m].
+    pub ridge: Option<[f64; 2]>,
     /// Coordinates where its interval of overlap begins and ends [m].
     pub reach: [f64; 2],
     /// Parameter of the deepest place and overlap there [m].
@@ -126,14 +128,20 @@ fn interval(
     let mut peak = at(first);
     let mut ridge: Option<Extremum> = None;
     let mut start = left;
-    let push = |cells: &mut Room<Cell>, range: [f64; 2], peak: Extremum, joined: bool| {
+    let push = |cells: &mut Room<Cell>, range, peak: Extremum, ridge: Option<[f64; 2]>| {
+        let joined = ridge.is_some();
         if cells.len() < cells.capacity() {
-            cells.push(Cell { range, joined, deepest: [peak.u, peak.overlap], ..Cell::default() });
+            let deepest = [peak.u, peak.overlap];
+            cells.push(Cell { range, joined, ridge, deepest, ..Cell::default() });
         } else if let Some(cell) = cells.last_mut() {
             // No room: the last cell reaches over the rest.
             cell.range[1] = range[1];
-            cell.joined = joined;
+            (cell.joined, cell.ridge) = (joined, ridge);
         }
+    };
+    let beside = |low: Extremum| {
+        let after = probes[first..=last].partition_point(|p| p.u <= low.u) + first;
+        [probes[(after.max(2)) - 2].u, probes[after.min(last)].u]
     };
     for i in first..=last {
         let here = at(i);
@@ -148,7 +156,7 @@ fn interval(
                 let share = (lower - low.overlap) / lower;
                 if share > least_share {
                     next = next.min(share);
-                    push(cells, [start, low.u], peak, true);
+                    push(cells, [start, low.u], peak, Some(beside(low)));
                     start = low.u;
                     peak = here;
                     ridge = None;
@@ -159,7 +167,7 @@ fn interval(
             }
         }
     }
-    push(cells, [start, right], peak, false);
+    push(cells, [start, right], peak, None);
     for cell in &mut cells[begin..] {
         cell.probes = [first, last];
     }
@@ -231,6 +239,7 @@ fn cut_shoulders(
         let place = vertex([most - 1, most, most + 1].map(|i| [probes[i].u, below(i)]));
         let [mut before, mut after] = [cells[k]; 2];
         (before.range[1], after.range[0], before.joined) = (place, place, true);
+        before.ridge = None;
         if cells[k].deepest[0] < place {
             (after.deepest, after.on_shoulder) = (right, true);
         } else {
@@ -325,5 +334,32 @@ mod tests {
         // Apart: two intervals.
         fill(&probes(f), 1e-6, 0.1, &mut cells);
         assert!(cells.len() == 2 && !cells[0].joined);
+    }
+
+    #[test]
+    fn a_shoulder_is_cut_where_it_is_furthest_below_a_straight_line() {
+        // A peak at zero, and a bulge on its flank 3 mm out.
+        let f = |u: f64| {
+            let bulge = 1.0 - (u / 1e-3 - 3.0).powi(2);
+            if u < 1e-3 { u * u } else { 1e-6 + 1e-3 * (u - 1e-3) - 4e-7 * bulge.max(0.0) }
+        };
+        let mut cells = Room::new(8);
+        let share = fill(&probes(f), 4e-6, 0.02, &mut cells);
+        assert!(share > 0.02 && share < 0.2, "{share}");
+        assert_eq!(cells.len(), 2);
+        assert!(cells[0].joined && !cells[1].joined && cells[1].on_shoulder);
+        approx::assert_relative_eq!(cells[0].range[1], 2e-3, max_relative = 0.05);
+        approx::assert_relative_eq!(cells[1].range[0], cells[0].range[1]);
+        // Passed over, and where there is none.
+        assert!(fill(&probes(f), 4e-6, share, &mut cells).is_infinite() && cells.len() == 1);
+        let concave = |u: f64| u * u + 0.2 * u.abs().powi(3);
+        assert!(fill(&probes(concave), 4e-6, 0.0, &mut cells).is_infinite());
+        assert_eq!(cells.len(), 1);
+    }
+
+    #[test]
+    fn the_vertex_of_a_parabola_is_found() {
+        let at = |u: f64| [u, 2.0 - (u - 0.3).powi(2)];
+        approx::assert_relative_eq!(vertex([at(-0.5), at(0.1), at(1.0)]), 0.3, epsilon = 1e-12);
     }
 }

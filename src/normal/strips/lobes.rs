@@ -7,12 +7,32 @@ use super::nodes::Lobe;
 use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
+use crate::math::root::bracketed;
 use crate::normal::hertz;
 
 /// Overlap, over the deepest, from which a cell has a lobe from the start.
 const FIRST_LOBES: f64 = 0.4;
 /// Share of the approach that several lobes leave each other.
 const SHARED: f64 = 0.75;
+
+/// Slope of the overlap, over that between two probes, up to which a probe is the ridge itself, and share of their distance to which one is found.
+const LEVEL: f64 = 1e-6;
+const AT_RIDGE: f64 = 1e-9;
+
+/// Parameter of the ridge near the probe at `u`, between those beside it: a joint that goes from probe to probe would make the force jump.
+fn ridge(line: &mut (impl Line + ?Sized), u: f64, [before, after]: [f64; 2]) -> f64 {
+    let mut slope = |u: f64| line.place(u).overlap_slope;
+    let [left, here, right] = [slope(before), slope(u), slope(after)];
+    if here.abs() <= LEVEL * (right - left) || !(left < 0.0 && right > 0.0) {
+        return u;
+    }
+    let tolerance = AT_RIDGE * (after - before);
+    if here < 0.0 {
+        bracketed((u, here), (after, right), tolerance, slope)
+    } else {
+        bracketed((before, left), (u, here), tolerance, slope)
+    }
+}
 
 impl StripSolver {
     /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
@@ -33,6 +53,13 @@ impl StripSolver {
     /// Coordinates of the cells and of their intervals of overlap; no lobes yet.
     pub(super) fn bound_cells(&mut self, line: &mut impl Line) {
         self.lobes.clear();
+        for i in 1..self.cells.len() {
+            let before = self.cells[i - 1];
+            if let Some(within) = before.ridge {
+                let ridge = ridge(line, before.range[1], within);
+                (self.cells[i - 1].range[1], self.cells[i].range[0]) = (ridge, ridge);
+            }
+        }
         for cell in self.cells.iter_mut() {
             cell.bounds = cell.range.map(|u| line.place(u).y);
         }

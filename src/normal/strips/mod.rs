@@ -29,6 +29,8 @@ mod pair_sums;
 mod rule;
 mod solver;
 mod system;
+#[cfg(test)]
+mod two_peaks;
 mod zones;
 
 pub use moving::{MovingLine, MovingPlace, StripFollower};
