@@ -165,7 +165,7 @@ impl<T: Real> CurvedZone<T> {
         total.fell_back = outcome == Outcome::FellBack;
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
-            let limit = state.friction * zone.load * state.load_factor;
+            let limit = state.friction_limit(zone);
             total.force *= (limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
         }
         Some(total)

@@ -8,11 +8,10 @@
 //! Backward rolling is the mirror image along x.
 
 use super::rigid_slip::RigidSlip;
-use super::{Creepage, Rolling, StripForce};
+use super::{Creepage, LoadedZone, Rolling, StripForce};
 use crate::boundary_element::friction::Tractions;
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::rolling::steady_rolling;
-use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 
 /// Pressure on elements and the strips that their rows belong to.
@@ -114,16 +113,14 @@ impl LoadedElements {
         Self { grid, pressure, rows }
     }
 
-    /// Tractions of all elements by friction `friction` [-] times the pressure.
+    /// Tractions of all elements for the slip and the friction of `loaded`.
     #[must_use]
     pub fn tractions(
         &self,
-        strips: &Strips,
-        material: &MaterialPair,
-        slip: &impl RigidSlip,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
         rolling: Rolling,
-        friction: f64,
     ) -> Tractions {
+        let &LoadedZone { strips, material, slip, friction, .. } = loaded;
         let grid = &self.grid;
         let bound: Vec<f64> = self.pressure.iter().map(|p| friction * p).collect();
         let mut rigid = vec![[0.0; 2]; grid.len()];

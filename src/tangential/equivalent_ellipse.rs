@@ -1,14 +1,16 @@
-//! The ellipse that stands for a loaded zone in the table of creep forces.
+//! The ellipse that stands for a zone, or for a lobe of it.
 //!
-//! Centred at the centroid of the load, with the second moments of the load: for a Hertzian pressure
+//! In the table of creep forces it is centred at the centroid of the load and has the second moments of the load; for the flexibilities of
+//! marches it has those of the outline. For a Hertzian pressure
 //!
 //! ```text
-//! <x²> = a²/5,  <y²> = b²/5
+//! of the load:     <x²> = a²/5,  <y²> = b²/5,  and of a semi-ellipse of half length x_l <x²> = x_l²/4
+//! of the outline:  <x²> = a²/4,  <y²> = b²/4,  and of a strip of half length x_l <x²> = x_l²/3
 //! ```
 //!
-//! and a semi-ellipse of half length x_l along rolling has <x²> = x_l²/4 about its own centre. That strips of a yawed wheel are shifted
-//! against each other along rolling is left out: particles cross each of them alone. Of the ellipses tried (moments of load, of area,
-//! length to width with the area, greatest length with the area) this one has the least error: see docs/validation.md.
+//! That strips of a yawed wheel are shifted against each other along rolling is left out: particles cross each of them alone. Of the
+//! ellipses tried (moments of load, of area, length to width with the area, greatest length with the area) these have the least error, each
+//! for its purpose: see docs/validation.md.
 
 use super::rigid_slip::RigidSlip;
 use super::tables::tabulated::Tabulated;
@@ -18,7 +20,7 @@ use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
-/// Semi-axes of an ellipse that is loaded like a zone, or like a part of it.
+/// Semi-axes of an ellipse with the second moments of a zone, or of a part of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EquivalentEllipse<T = f64> {
     /// Along rolling, > 0 [m].
@@ -47,15 +49,17 @@ impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
     #[must_use]
     pub fn whole(zone: &Zone<T>, strips: &Strips<T>, creepage: Creepage<T>) -> Self {
-        let (mut load, mut along, mut across) = (T::from(0.0), T::from(0.0), T::from(0.0));
+        let [mut load, mut along, mut across, mut within] = [T::from(0.0); 4];
         for j in zone.first..zone.first + zone.count {
-            let weight = strips.half_length[j] * strips.width[j] * strips.pressure[j];
+            let (half_length, width) = (strips.half_length[j], strips.width[j]);
+            let weight = half_length * width * strips.pressure[j];
             let arm = strips.y[j] - zone.y;
             load += weight;
-            along += weight * strips.half_length[j] * strips.half_length[j];
+            along += weight * half_length * half_length;
             across += weight * arm * arm;
+            within += weight * width * width;
         }
-        let ellipse = EquivalentEllipse::of_moments(along / load, across / load, zone.width);
+        let ellipse = EquivalentEllipse::of_load(along / load, across / load, within / load);
         Self { share: T::from(1.0), centre: [T::from(0.0); 2], ellipse, creepage }
     }
 
@@ -67,7 +71,7 @@ impl<T: Real> LoadedPart<T> {
         slip: &impl RigidSlip<T>,
         member: impl Fn(T) -> T,
     ) -> Option<Self> {
-        let [mut total, mut load, mut along, mut x, mut y] = [T::from(0.0); 5];
+        let [mut total, mut load, mut along, mut within, mut x, mut y] = [T::from(0.0); 6];
         let mut creepage = Creepage::<T>::default();
         let range = zone.first..zone.first + zone.count;
         let weight_of = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
@@ -77,6 +81,7 @@ impl<T: Real> LoadedPart<T> {
             total += whole;
             load += weight;
             along += weight * strips.half_length[j] * strips.half_length[j];
+            within += weight * strips.width[j] * strips.width[j];
             x += weight * strips.x[j];
             y += weight * strips.y[j];
             let own = slip.creepage(j);
@@ -93,7 +98,7 @@ impl<T: Real> LoadedPart<T> {
         Some(Self {
             share: load / total,
             centre: [x / load - zone.x, y - zone.y],
-            ellipse: EquivalentEllipse::of_moments(along / load, across / load, zone.width),
+            ellipse: EquivalentEllipse::of_load(along / load, across / load, within / load),
             creepage: Creepage {
                 longitudinal: creepage.longitudinal / load,
                 lateral: creepage.lateral / load,
@@ -107,10 +112,36 @@ impl<T: Real> LoadedPart<T> {
 const LEAST_SHARE: f64 = 1e-9;
 
 impl<T: Real> EquivalentEllipse<T> {
-    /// From the means of x_l² and y² over the load [m²]; without a moment across, as a single row of elements has none, from the `width` [m].
-    fn of_moments(along: T, across: T, width: T) -> Self {
-        let along = (along * 1.25).sqrt();
-        let across = if across > 0.0 { (across * 5.0).sqrt() } else { width * 0.5 };
+    /// That of the outline of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no area.
+    #[must_use]
+    pub fn of_outline(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
+        let [mut area, mut along, mut across, mut within, mut first] = [T::from(0.0); 5];
+        for j in zone.first..zone.first + zone.count {
+            let (half_length, width) = (strips.half_length[j], strips.width[j]);
+            let weight = half_length * width * member(strips.y[j]);
+            let y = strips.y[j] - zone.y;
+            area += weight;
+            along += weight * half_length * half_length;
+            first += weight * y;
+            across += weight * y * y;
+            within += weight * width * width;
+        }
+        (area > 0.0).then(|| {
+            let [across, within] = [across / area - (first / area).powi(2), within / area];
+            Self::of_moments(along / area * (4.0 / 3.0), across * 4.0, within * 4.0)
+        })
+    }
+
+    /// From the means of x_l², of y² about the centroid and of the square of the strips' width over the load [m²].
+    fn of_load(along: T, across: T, within: T) -> Self {
+        Self::of_moments(along * 1.25, across * 5.0, within * 5.0)
+    }
+
+    /// From a², b² and, with the factor of b², the mean square of the width of strips [m²], which counts where a single strip has no moment of
+    /// its own.
+    fn of_moments(along: T, across: T, within: T) -> Self {
+        let along = along.sqrt();
+        let across = across.max(within / 12.0).sqrt();
         Self { along, across: across.max(along / MOST_RATIO) }
     }
 
@@ -119,31 +150,37 @@ impl<T: Real> EquivalentEllipse<T> {
     pub fn mean_radius(&self) -> T {
         (self.along * self.across).sqrt()
     }
+}
 
-    /// Creep force on the wheel from `table`, for a creepage at the centre and the friction limit μ N > 0 [N]; `area` is that of which a share
-    /// slips [m²].
+/// An ellipse that rolls under load.
+#[derive(Clone, Copy, Debug)]
+pub struct RollingEllipse<'a, T = f64> {
+    /// The ellipse.
+    pub ellipse: EquivalentEllipse<T>,
+    /// Elastic constants of both bodies.
+    pub material: &'a MaterialPair<T>,
+    /// Creepage at its centre.
+    pub creepage: Creepage<T>,
+    /// Which end leads.
+    pub rolling: Rolling,
+    /// Friction limit μ N > 0 [N].
+    pub limit: T,
+}
+
+impl<T: Tabulated> RollingEllipse<'_, T> {
+    /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a share slips [m²].
     #[must_use]
-    pub fn tabulated_force(
-        &self,
-        table: &CreepForceTable,
-        material: &MaterialPair<T>,
-        creepage: &Creepage<T>,
-        rolling: Rolling,
-        limit: T,
-        area: T,
-    ) -> CreepForce<T>
-    where
-        T: Tabulated,
-    {
-        let c = self.mean_radius();
+    pub fn tabulated_force(&self, table: &CreepForceTable, area: T) -> CreepForce<T> {
+        let &Self { ellipse, material, creepage, rolling, limit } = self;
+        let c = ellipse.mean_radius();
         // However little the limit is, creepages stay finite.
         let scale = (material.shear_modulus * c * c / limit).at_most(1e60);
         // Backwards the ellipse is the same seen in a mirror along x.
         let direction = rolling.direction();
-        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let Creepage { longitudinal, lateral, spin } = creepage;
         let v = [longitudinal * direction, lateral, c * direction * spin]
             .map(|v| (scale * v).within(-1e100, 1e100));
-        let log_ratio = (self.along / self.across).ln();
+        let log_ratio = (ellipse.along / ellipse.across).ln();
         let EllipseForce { force, slip_share } =
             T::tabulated(table, log_ratio, material.poisson_ratio, v);
         CreepForce {

@@ -31,10 +31,9 @@ use multiversion::multiversion;
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
-use super::{Rolling, StripForce};
+use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
-use crate::normal::{Strips, Zone};
 
 /// Normalised spin of a strip from which on FASTSIM takes over [-].
 const SPIN_FROM: f64 = 0.85;
@@ -88,24 +87,18 @@ impl Fastrip {
         Self { elements: (0..elements).map(element).collect() }
     }
 
-    /// Hands the force of each strip of `zone` on the wheel to `each`.
+    /// Hands the force of each strip of `loaded`, whose friction is above 0, on the wheel to `each`.
     ///
     /// Strip theory has the three flexibilities of `flexibility`, the march of FASTSIM those of `marching`.
-    /// `friction` > 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
-    /// the elastic load.
-    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     pub fn strip_forces<T: Marching>(
         &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
+        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        rolling: Rolling,
         flexibility: &ZoneFlexibility<T>,
         marching: &ZoneFlexibility<T>,
-        slip: &impl RigidSlip<T>,
-        rolling: Rolling,
-        friction: T,
-        poisson_ratio: f64,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
+        let &LoadedZone { zone, strips, material, slip, friction } = loaded;
         let range = zone.first..zone.first + zone.count;
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
@@ -129,7 +122,7 @@ impl Fastrip {
                 // However little the bound is, its inverse can be squared.
                 let per_bound = (a / bound).at_most(1e60);
                 let twist = flexibility.semi_axis_along * direction * growth.twist;
-                *own = StripTheory::new(&growth, twist, per_bound, poisson_ratio)
+                *own = StripTheory::new(&growth, twist, per_bound, material.poisson_ratio)
                     .on_strip(flexibility.semi_axis_along / a);
                 march.adhesion_x[lane] = own.kappa;
                 march.adhesion_y[lane] = own.lambda;

@@ -17,7 +17,7 @@ use multiversion::multiversion;
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
-use super::{Rolling, StripForce};
+use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -68,21 +68,15 @@ impl Fastsim {
         Self { bound, profile, abscissae }
     }
 
-    /// Hands the force of each strip of `zone` on the wheel to `each`.
-    ///
-    /// `friction` ≥ 0 is the coefficient of friction [-], times the factor of the pressure where damping forces act on top of
-    /// the elastic load.
-    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
+    /// Hands the force of each strip of `loaded` on the wheel to `each`.
     pub fn strip_forces<T: Marching>(
         &self,
-        zone: &Zone<T>,
-        strips: &impl Marched<T>,
-        flexibility: &ZoneFlexibility<T>,
-        slip: &impl RigidSlip<T>,
+        loaded: &LoadedZone<'_, impl RigidSlip<T>, T, impl Marched<T>>,
         rolling: Rolling,
-        friction: T,
+        flexibility: &ZoneFlexibility<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
+        let &LoadedZone { zone, strips, slip, friction, .. } = loaded;
         let range = zone.first..zone.first + zone.count;
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
@@ -137,13 +131,11 @@ impl Fastsim {
     #[must_use]
     pub fn tractions(
         &self,
-        zone: &Zone,
-        strips: &Strips,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
         j: usize,
         flexibility: &ZoneFlexibility,
-        slip: &impl RigidSlip,
-        friction: f64,
     ) -> Vec<([f64; 2], bool)> {
+        let &LoadedZone { zone, strips, slip, friction, .. } = loaded;
         let a = strips.half_length[j];
         let step = 2.0 * a / self.profile.len() as f64;
         let growth = slip.growth(j, flexibility);

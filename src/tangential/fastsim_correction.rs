@@ -3,12 +3,11 @@
 //! FASTSIM marches over the ellipse of the zone with the bound, the resolution along and the way of blending flexibilities that it has on the
 //! zone itself. The strips of all ellipses are those of one circle, stretched.
 
-use super::equivalent_ellipse::EquivalentEllipse;
+use super::equivalent_ellipse::{EquivalentEllipse, RollingEllipse};
 use super::fastsim::{Fastsim, Marching};
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
-use super::{CreepForce, Creepage, Flexibilities, Rolling};
-use crate::material::MaterialPair;
+use super::{CreepForce, Creepage, Flexibilities, LoadedZone};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -73,31 +72,31 @@ impl<T: Real> RigidSlip<T> for StretchedSlip<'_, T> {
 }
 
 impl EllipseStrips {
-    /// The force of FASTSIM on `ellipse`, moment about its centre; `limit` is μ N > 0 [N].
-    #[allow(clippy::too_many_arguments)] // what the ellipse is and how it moves
+    /// The force of FASTSIM on the ellipse `rolling`, moment about its centre.
     #[must_use]
     pub fn force<T: Marching>(
         &self,
         fastsim: &Fastsim,
-        ellipse: &EquivalentEllipse<T>,
         flexibilities: Flexibilities,
-        material: &MaterialPair<T>,
-        creepage: &Creepage<T>,
-        rolling: Rolling,
-        limit: T,
+        rolling: &RollingEllipse<'_, T>,
     ) -> CreepForce<T> {
+        let &RollingEllipse { ellipse, material, creepage, rolling, limit } = rolling;
         let mut flexibility = ZoneFlexibility::of_ellipse(ellipse.along, ellipse.across, material);
         if flexibilities == Flexibilities::Blended {
-            flexibility = flexibility.blended(creepage, limit);
+            flexibility = flexibility.blended(&creepage, limit);
         }
-        let slip = StretchedSlip { circle: &self.strips, ellipse: *ellipse, creepage: *creepage };
+        let circle = &self.strips;
         let area = ellipse.along * ellipse.across;
-        // Friction times amplitude of the pressure, which the circle has as 1.
-        let bound = limit / (area * self.zone.load);
+        let loaded = LoadedZone {
+            zone: &Zone { count: STRIPS, load: self.zone.load.into(), ..Zone::default() },
+            strips: circle,
+            material,
+            slip: &StretchedSlip { circle, ellipse, creepage },
+            // Times the amplitude of the pressure, which the circle has as 1.
+            friction: limit / (area * self.zone.load),
+        };
         let mut total = CreepForce::<T>::default();
-        let (circle, load) = (&self.strips, self.zone.load.into());
-        let zone = Zone { count: STRIPS, load, ..Zone::default() };
-        fastsim.strip_forces(&zone, circle, &flexibility, &slip, rolling, bound, |j, f| {
+        fastsim.strip_forces(&loaded, rolling, &flexibility, |j, f| {
             total.longitudinal += area * f.longitudinal;
             total.lateral += area * f.lateral;
             total.spin_moment +=

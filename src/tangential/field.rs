@@ -3,8 +3,8 @@
 use super::boundary_element::LoadedElements;
 use super::march::MarchedPart;
 use super::rigid_slip::FlatSlip;
-use super::waist::LobeSlip;
-use super::{Rolling, RollingState, Tangential, TangentialModel};
+use super::waist::{LobeSlip, Lobes};
+use super::{LoadedZone, Rolling, RollingState, Tangential, TangentialModel};
 use crate::boundary_element::grid::Grid;
 use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
@@ -49,7 +49,6 @@ impl Tangential {
         state: &RollingState,
     ) -> ContactField {
         let (state, material) = self.under_law(zone, material, state);
-        let (state, material) = (&state, &material);
         let elements = LoadedElements::of(zone, strips, self.elements);
         let count = elements.grid.len();
         let mut field = ContactField {
@@ -64,10 +63,11 @@ impl Tangential {
             return field;
         }
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
+        let loaded = LoadedZone::new(zone, strips, &material, &slip, &state);
         let adherence = |slips: bool| if slips { Adherence::Slip } else { Adherence::Adhesion };
         match self.model {
             TangentialModel::BoundaryElement => {
-                let found = elements.tractions(strips, material, &slip, Rolling::Forward, friction);
+                let found = elements.tractions(&loaded, Rolling::Forward);
                 let pairs = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
                 field.traction = pairs(&found.x, &found.y);
                 field.slip = Some(pairs(&found.slip_x, &found.slip_y));
@@ -78,7 +78,9 @@ impl Tangential {
             TangentialModel::Fastsim
             | TangentialModel::FastsimCorrected
             | TangentialModel::Tables => {
-                let parts = self.marched_parts(zone, strips, material, &slip, state);
+                let lobes = Lobes::of(zone, strips, &slip);
+                let limit = state.friction_limit(zone);
+                let parts = self.marched_parts(&loaded, lobes.as_ref(), limit);
                 for (j, strip) in elements.nearest_strips().enumerate() {
                     let Some(strip) = strip else { continue };
                     if strip < zone.first || strip >= zone.first + zone.count {
@@ -90,10 +92,9 @@ impl Tangential {
                         weight(a).total_cmp(&weight(b))
                     };
                     let Some(part) = parts.iter().flatten().max_by(heavier) else { continue };
-                    let own = LobeSlip { zone: &slip, mean: part.mean };
-                    let fastsim = &self.fastsim;
-                    let marched =
-                        fastsim.tractions(zone, strips, strip, &part.blended, &own, friction);
+                    let slip = LobeSlip { zone: &slip, mean: part.mean };
+                    let own = loaded.with_slip(&slip);
+                    let marched = self.fastsim.tractions(&own, strip, &part.blended);
                     for i in 0..field.grid.along {
                         let k = j * field.grid.along + i;
                         let t = (strips.x[strip] - field.grid.x(i)) / strips.half_length[strip];

@@ -1,16 +1,20 @@
 //! Flexibilities of the simplified theory for a loaded zone of any outline.
 //!
-//! The zone is given the ellipse with its length to width ratio and its area, a/b = L/W and π a b = area. The creep forces
+//! The zone is given the ellipse with the second moments of its outline, a² = 4 <x²> and b² = 4 <y²>. The creep forces
 //! that full adhesion gives on the true zone (Piotrowski and Kik 2008, eqs 21 and 22) are set equal to those of
 //! Kalker's linear theory on the ellipse, creepage by creepage:
 //!
 //! ```text
 //! L1 = 2 ∫ x_l² dy / (G c² c11),  L2 = 2 ∫ x_l² dy / (G c² c22),  L3 = (2/3) ∫ x_l³ dy / (G c³ c23),  c² = a b
 //! ```
+//!
+//! The paper's ellipse has the length to width ratio and the area of the zone. One long strip, or a wide shoulder that carries little, changes
+//! that ratio at will; it changes moments no more than it matters, and those of two zones go over into those of one with two lobes.
 
 use std::f64::consts::PI;
 
 use super::Creepage;
+use super::equivalent_ellipse::EquivalentEllipse;
 use super::kalker_coefficients::kalker_coefficients;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -32,56 +36,32 @@ pub struct ZoneFlexibility<T = f64> {
 }
 
 impl<T: Real> ZoneFlexibility<T> {
-    /// The three flexibilities of `zone`, whose area is positive.
+    /// The three flexibilities of `zone`, each strip of which counts as far as `member(y)`, 0 to 1; nothing where that has no area.
     #[must_use]
-    pub fn new(zone: &Zone<T>, strips: &Strips<T>, material: &MaterialPair<T>) -> Self {
-        let (mut second, mut third) = (T::from(0.0), T::from(0.0));
-        for j in zone.first..zone.first + zone.count {
-            let (a, width) = (strips.half_length[j], strips.width[j]);
-            second += width * a * a;
-            third += width * a * a * a;
-        }
-        Self::of_outline([second, third], zone.area, zone.length / zone.width, material)
-    }
-
-    /// Those of a part of `zone`, of which strips at y belong to `member(y)`, 0 to 1; nothing where it has no area.
-    #[must_use]
-    pub fn of_part(
+    pub fn new(
         zone: &Zone<T>,
         strips: &Strips<T>,
         material: &MaterialPair<T>,
         member: impl Fn(T) -> T,
     ) -> Option<Self> {
-        let [mut second, mut third, mut half_area, mut across, mut longest] = [T::from(0.0); 5];
+        let ellipse = EquivalentEllipse::of_outline(zone, strips, &member)?;
+        let (mut second, mut third) = (T::from(0.0), T::from(0.0));
         for j in zone.first..zone.first + zone.count {
-            let (a, share) = (strips.half_length[j], member(strips.y[j]));
-            let width = share * strips.width[j];
-            across += width;
-            half_area += width * a;
+            let a = strips.half_length[j];
+            let width = strips.width[j] * member(strips.y[j]);
             second += width * a * a;
             third += width * a * a * a;
-            if share >= 0.5 {
-                longest = longest.max(a);
-            }
         }
-        (longest > 0.0).then(|| {
-            Self::of_outline([second, third], half_area * 2.0, longest * 2.0 / across, material)
-        })
-    }
-
-    /// From ∫ x_l² dy and ∫ x_l³ dy, the area and the ratio of length to width [m³, m⁴, m², -].
-    fn of_outline(moments: [T; 2], area: T, axis_ratio: T, material: &MaterialPair<T>) -> Self {
-        let [second, third] = moments;
-        let c_squared = area / PI;
-        let c = kalker_coefficients(axis_ratio, material.poisson_ratio);
+        let c = kalker_coefficients(ellipse.along / ellipse.across, material.poisson_ratio);
+        let c_squared = ellipse.along * ellipse.across;
         let scale = material.shear_modulus * c_squared;
-        Self {
+        Some(Self {
             longitudinal: second * 2.0 / (scale * c.c11),
             lateral: second * 2.0 / (scale * c.c22),
             spin: third * (2.0 / 3.0) / (scale * c_squared.sqrt() * c.c23),
-            semi_axis_along: (c_squared * axis_ratio).sqrt(),
+            semi_axis_along: ellipse.along,
             stiffness: [scale * c.c11, scale * c.c22],
-        }
+        })
     }
 
     /// Kalker's three flexibilities of an ellipse with semi-axes `along` and `across` > 0 [m].

@@ -14,19 +14,17 @@
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
-use super::{Rolling, StripForce};
+use super::{LoadedZone, Rolling, StripForce};
 use crate::math::real::Real;
-use crate::normal::{Strips, Zone};
 
-/// Hands the force of each strip of `zone` to `each`.
+/// Hands the force of each strip of `loaded` to `each`; without friction.
 pub fn strip_forces<T: Real>(
-    zone: &Zone<T>,
-    strips: &Strips<T>,
-    flexibility: &ZoneFlexibility<T>,
-    slip: &impl RigidSlip<T>,
+    loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
     rolling: Rolling,
+    flexibility: &ZoneFlexibility<T>,
     mut each: impl FnMut(usize, StripForce<T>),
 ) {
+    let &LoadedZone { zone, strips, slip, .. } = loaded;
     for j in zone.first..zone.first + zone.count {
         let a = strips.half_length[j];
         let growth = slip.growth(j, flexibility);

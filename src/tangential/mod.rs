@@ -8,27 +8,32 @@ pub mod fastsim;
 pub mod fastsim_correction;
 pub mod field;
 pub mod flexibility;
+mod forces;
 pub mod friction_law;
 pub mod kalker_coefficients;
 pub mod linear;
+mod loaded_zone;
 mod march;
 pub mod rigid_slip;
 pub mod tables;
 pub mod waist;
 
 pub use crate::kinematics::creepage::Creepage;
+pub use forces::{CreepForce, StripForce};
+pub use loaded_zone::LoadedZone;
+
 use crate::material::MaterialPair;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 use boundary_element::LoadedElements;
-use ellipse_force::spread_by_load;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use fastsim_correction::EllipseStrips;
 use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
 use tables::CreepForceTable;
+use waist::Lobes;
 
 /// Tangential contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -79,57 +84,6 @@ impl Rolling {
     }
 }
 
-/// Force of one strip on the wheel, along x and along the strip's tangent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StripForce<T = f64> {
-    /// Longitudinal force [N].
-    pub longitudinal: T,
-    /// Lateral force [N].
-    pub lateral: T,
-    /// Moment about the normal through the strip's centre [N m].
-    pub moment: T,
-    /// Area that slips [m²].
-    pub slip_area: T,
-}
-
-impl<T: Real> StripForce<T> {
-    fn times(self, share: T) -> Self {
-        Self {
-            longitudinal: share * self.longitudinal,
-            lateral: share * self.lateral,
-            moment: share * self.moment,
-            slip_area: share * self.slip_area,
-        }
-    }
-}
-
-/// Creep force of one zone on the wheel, in the contact frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CreepForce<T = f64> {
-    /// Longitudinal force [N].
-    pub longitudinal: T,
-    /// Lateral force [N].
-    pub lateral: T,
-    /// Moment about the normal through the centroid of the load [N m].
-    pub spin_moment: T,
-    /// Area that slips [m²].
-    pub slip_area: T,
-    /// Whether a simpler model took the place of one that did not converge.
-    pub fell_back: bool,
-}
-
-impl<T: Real> CreepForce<T> {
-    /// Adds the force of strip `j` of `zone`, a flat one.
-    #[inline]
-    fn add(&mut self, zone: &Zone<T>, strips: &Strips<T>, j: usize, force: &StripForce<T>) {
-        let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
-        self.longitudinal += force.longitudinal;
-        self.lateral += force.lateral;
-        self.spin_moment += x * force.lateral + force.moment - y * force.longitudinal;
-        self.slip_area += force.slip_area;
-    }
-}
-
 /// How a zone rolls and how much friction it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingState<T = f64> {
@@ -143,6 +97,14 @@ pub struct RollingState<T = f64> {
     pub load_factor: T,
     /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed alone.
     pub speed: T,
+}
+
+impl<T: Real> RollingState<T> {
+    /// Friction limit μ N of `zone`, ≥ 0 [N].
+    #[must_use]
+    pub fn friction_limit(&self, zone: &Zone<T>) -> T {
+        self.friction * zone.load * self.load_factor
+    }
 }
 
 /// The chosen tangential model with its settings.
@@ -244,8 +206,10 @@ impl Tangential {
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
             let (state, material) = self.under_law(zone, material, state);
-            let force = self.ellipse_force(zone, strips, &material, &slip, &state)?;
-            spread_by_load(zone, strips, &force, |j, force| each(j, &force));
+            let loaded = LoadedZone::new(zone, strips, &material, &slip, &state);
+            let lobes = Lobes::of(zone, strips, &slip);
+            let force = self.ellipse_force(&loaded, lobes.as_ref(), &state)?;
+            force.spread_by_load(zone, strips, |j, force| each(j, &force));
             return Some(force);
         }
         let mut total = CreepForce::<T>::default();
@@ -272,43 +236,42 @@ impl Tangential {
     ) -> Option<Outcome> {
         let state = RollingState { creepage: slip.mean(), ..*state };
         let (state, material) = self.under_law(zone, material, &state);
-        let (state, material) = (&state, &material);
-        let RollingState { forward_share, friction, load_factor, .. } = *state;
-        let limit = friction * zone.load * load_factor;
+        let limit = state.friction_limit(zone);
         let is_bounded = self.model != TangentialModel::Linear;
-        let load = zone.load * load_factor;
+        let load = zone.load * state.load_factor;
         if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
             return None;
         }
+        let loaded = LoadedZone::new(zone, strips, &material, slip, &state);
+        let lobes = Lobes::of(zone, strips, slip);
         if self.model == TangentialModel::Tables {
-            let force = self.ellipse_force(zone, strips, material, slip, state)?;
-            spread_by_load(zone, strips, &force, each);
+            let force = self.ellipse_force(&loaded, lobes.as_ref(), &state)?;
+            force.spread_by_load(zone, strips, each);
             return Some(Outcome::Solved);
         }
         let mut outcome = Outcome::Solved;
         let elements = (self.model == TangentialModel::BoundaryElement)
             .then(|| T::elements(zone, strips, self.elements))
             .flatten();
-        let backward_share = -forward_share + 1.0;
-        let parts = self.marched_parts(zone, strips, material, slip, state);
+        let backward_share = -state.forward_share + 1.0;
+        let parts = self.marched_parts(&loaded, lobes.as_ref(), limit);
         let mut marched = CreepForce::<T>::default();
         for (rolling, share) in
-            [(Rolling::Forward, forward_share), (Rolling::Backward, backward_share)]
+            [(Rolling::Forward, state.forward_share), (Rolling::Backward, backward_share)]
         {
             if share <= 0.0 {
                 continue;
             }
-            let friction = friction * load_factor;
             if let Some(elements) = &elements {
                 let add = |j, force: StripForce<T>| each(j, force.times(share));
-                if T::on_elements(elements, zone, strips, material, slip, rolling, friction, add) {
+                if T::on_elements(elements, &loaded, rolling, add) {
                     continue;
                 }
                 outcome = Outcome::FellBack;
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
-            let share = if is_bounded { share } else { share * load_factor.at_most(1.0) };
-            self.march(zone, strips, &parts, material, slip, friction, rolling, |j, force| {
+            let share = if is_bounded { share } else { share * state.load_factor.at_most(1.0) };
+            self.march(&loaded, rolling, &parts, |j, force| {
                 let force = force.times(share);
                 if self.is_corrected() {
                     marched.add(zone, strips, j, &force);
@@ -317,10 +280,10 @@ impl Tangential {
             });
         }
         if self.is_corrected()
-            && let Some(mut force) = self.ellipse_force(zone, strips, material, slip, state)
+            && let Some(mut force) = self.ellipse_force(&loaded, lobes.as_ref(), &state)
         {
             force.keep_within(limit, &marched);
-            spread_by_load(zone, strips, &force, each);
+            force.spread_by_load(zone, strips, each);
         }
         Some(outcome)
     }
@@ -338,15 +301,10 @@ pub trait CreepNumber:
 
     /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
     #[must_use]
-    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     fn on_elements(
         _: &LoadedElements,
-        _: &Zone<Self>,
-        _: &Strips<Self>,
-        _: &MaterialPair<Self>,
-        _: &impl RigidSlip<Self>,
+        _: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
         _: Rolling,
-        _: Self,
         _: impl FnMut(usize, StripForce<Self>),
     ) -> bool {
         false
@@ -362,17 +320,13 @@ impl CreepNumber for f64 {
 
     fn on_elements(
         elements: &LoadedElements,
-        zone: &Zone,
-        strips: &Strips,
-        material: &MaterialPair,
-        slip: &impl RigidSlip,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
         rolling: Rolling,
-        friction: f64,
         each: impl FnMut(usize, StripForce),
     ) -> bool {
-        let tractions = elements.tractions(strips, material, slip, rolling, friction);
+        let tractions = elements.tractions(loaded, rolling);
         if tractions.converged {
-            elements.strip_forces(zone, strips, &tractions, each);
+            elements.strip_forces(loaded.zone, loaded.strips, &tractions, each);
         }
         tractions.converged
     }

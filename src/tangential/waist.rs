@@ -67,6 +67,26 @@ impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<'_, S, T> {
     }
 }
 
+/// The two lobes of a zone with a waist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobes<T = f64> {
+    /// What is between them.
+    pub waist: Waist<T>,
+    /// The left and the right one, as far as they carry load.
+    pub parts: [Option<LoadedPart<T>>; 2],
+}
+
+impl<T: Real> Lobes<T> {
+    /// Those of `zone`, if it has a waist.
+    #[must_use]
+    pub fn of(zone: &Zone<T>, strips: &Strips<T>, slip: &impl RigidSlip<T>) -> Option<Self> {
+        let waist = Waist::of(zone, strips)?;
+        let parts = [Side::Left, Side::Right]
+            .map(|side| LoadedPart::of(zone, strips, slip, |y| waist.member(side, y)));
+        Some(Self { waist, parts })
+    }
+}
+
 impl<T: Real> Waist<T> {
     /// The deepest waist of `zone`, if it has one.
     #[must_use]
@@ -125,18 +145,6 @@ impl<T: Real> Waist<T> {
         }
         let blend = zone.width * 2.0 / zone.count as f64;
         (sum > 0.0).then(|| Self { share, y: y / sum, blend })
-    }
-
-    /// The two lobes, as far as they carry load.
-    #[must_use]
-    pub fn lobes(
-        &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        slip: &impl RigidSlip<T>,
-    ) -> [Option<LoadedPart<T>>; 2] {
-        [Side::Left, Side::Right]
-            .map(|side| LoadedPart::of(zone, strips, slip, |y| self.member(side, y)))
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
