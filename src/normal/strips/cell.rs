@@ -4,6 +4,7 @@
 //! lobe, whose edges may leave it; lobes that meet are one zone. A ridge counts by its share, the drop of the overlap from the lower of
 //! the two peaks beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
 
+use super::shoulders::cut_shoulders;
 use crate::geometry::separation::Probe;
 use crate::math::room::Room;
 use crate::math::root::bracketed;
@@ -23,6 +24,16 @@ pub enum Joint {
     Stays,
 }
 
+/// Where the lobe of a cell is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Top {
+    /// At a peak of the overlap.
+    #[default]
+    Peak,
+    /// On a shoulder, where the overlap goes on rising to one side.
+    Shoulder,
+}
+
 /// A cell and the lobe in it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cell {
@@ -39,8 +50,8 @@ pub struct Cell {
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
-    /// Whether it begins or ends at a shoulder, where its overlap is not deepest.
-    pub on_shoulder: bool,
+    /// Where its lobe is.
+    pub top: Top,
     /// Whether a lobe is in it.
     pub active: bool,
     /// Whether the left and the right end of the lobe is that of the lobe beside it too.
@@ -73,6 +84,11 @@ impl Cell {
     /// Whether an end of its lobe is free, and found by a condition of its own.
     pub fn is_free(&self, side: usize) -> bool {
         !self.met[side]
+    }
+
+    /// Whether its lobe is on a shoulder.
+    pub fn is_on_shoulder(&self) -> bool {
+        self.top == Top::Shoulder
     }
 
     /// Whether strips at `abscissa`, -1 to 1 between the ends of its lobe, are on the side of a joint.
@@ -174,94 +190,6 @@ fn interval(
     next.min(cut_shoulders(probes, level, least_share, cells, begin))
 }
 
-/// Share of a shoulder over that of a ridge that counts as much.
-const SHOULDER: f64 = 0.5;
-/// Most places at which a concave line above the overlap is looked for.
-const MOST_TOUCHES: usize = 512;
-
-/// Cuts the cells from number `begin` on, those of one interval of overlap, at shoulders that count more than `least_share`; the least of
-/// those shares, or infinity.
-///
-/// On a shoulder the overlap lies below a straight line that touches it on both sides, the least concave line above all of it. Its share is the most
-/// that it does so, over that line, times the root of the lower of the two places of touch, over that line too: what lies beyond a long
-/// flank counts little. Where such a straight line goes over a ridge that is a cut already there is no other one.
-fn cut_shoulders(
-    probes: &[Probe],
-    level: f64,
-    least_share: f64,
-    cells: &mut Room<Cell>,
-    begin: usize,
-) -> f64 {
-    let [first, last] = cells[begin].probes;
-    let at = |i: usize| [probes[i].u, level - probes[i].f];
-    // Whether the middle one of three places lies on or below the line through the others.
-    let is_below = |i: usize, j: usize, k: usize| {
-        let [a, b, c] = [at(i), at(j), at(k)];
-        (b[1] - a[1]) * (c[0] - a[0]) <= (c[1] - a[1]) * (b[0] - a[0])
-    };
-    if (first + 1..last).all(|i| !is_below(i - 1, i, i + 1)) {
-        return f64::INFINITY;
-    }
-    let mut touches = [0u16; MOST_TOUCHES];
-    if last - first >= MOST_TOUCHES {
-        return f64::INFINITY;
-    }
-    let mut count = 0;
-    for i in first..=last {
-        let place = |k: usize| first + usize::from(touches[k]);
-        while count >= 2 && is_below(place(count - 2), place(count - 1), i) {
-            count -= 1;
-        }
-        touches[count] = (i - first) as u16;
-        count += 1;
-    }
-    let mut next = f64::INFINITY;
-    let mut k = begin;
-    for pair in touches[..count].windows(2) {
-        let [a, b] = [pair[0], pair[1]].map(|touch| first + usize::from(touch));
-        let [left, right] = [at(a), at(b)];
-        let slope = (right[1] - left[1]) / (right[0] - left[0]);
-        let line = |u: f64| left[1] + slope * (u - left[0]);
-        let below = |i: usize| 1.0 - at(i)[1] / line(probes[i].u);
-        let Some(most) = (a + 1..b).max_by(|&i, &j| below(i).total_cmp(&below(j))) else {
-            continue;
-        };
-        let lower = left[1].min(right[1]) / line(probes[most].u);
-        let share = SHOULDER * below(most) * lower.sqrt();
-        while cells[k].range[1] <= left[0] && k + 1 < cells.len() {
-            k += 1;
-        }
-        let has_cut = cells[k].joined && cells[k].range[1] < right[0];
-        if share <= least_share || has_cut || cells.len() == cells.capacity() {
-            continue;
-        }
-        next = next.min(share);
-        let place = vertex([most - 1, most, most + 1].map(|i| [probes[i].u, below(i)]));
-        let [mut before, mut after] = [cells[k]; 2];
-        (before.range[1], after.range[0], before.joined) = (place, place, true);
-        before.ridge = None;
-        if cells[k].deepest[0] < place {
-            (after.deepest, after.on_shoulder) = (right, true);
-        } else {
-            (before.deepest, before.on_shoulder) = (left, true);
-        }
-        cells[k] = before;
-        cells.insert(k + 1, after);
-    }
-    next
-}
-
-/// Where the parabola through three points is highest, the middle one being the highest of the three.
-fn vertex([left, middle, right]: [[f64; 2]; 3]) -> f64 {
-    let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-    let (before, after) = (slope(left, middle), slope(middle, right));
-    if before <= after {
-        return middle[0];
-    }
-    let (half_before, half_after) = (0.5 * (left[0] + middle[0]), 0.5 * (middle[0] + right[0]));
-    half_before + before / (before - after) * (half_after - half_before)
-}
-
 /// The highest overlap from probe `i` on before it falls below `low` again.
 fn peak_after(probes: &[Probe], level: f64, i: usize, last: usize, low: f64) -> f64 {
     probes[i..=last].iter().map(|p| level - p.f).take_while(|&g| g > low).fold(0.0, f64::max)
@@ -303,10 +231,10 @@ pub fn places(
 const PLACE: f64 = 0.02;
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
-    fn probes(f: impl Fn(f64) -> f64) -> Vec<Probe> {
+    pub fn probes(f: impl Fn(f64) -> f64) -> Vec<Probe> {
         (-100..=100).map(|i| f64::from(i) * 1e-4).map(|u| Probe { u, f: f(u) }).collect()
     }
 
@@ -334,32 +262,5 @@ mod tests {
         // Apart: two intervals.
         fill(&probes(f), 1e-6, 0.1, &mut cells);
         assert!(cells.len() == 2 && !cells[0].joined);
-    }
-
-    #[test]
-    fn a_shoulder_is_cut_where_it_is_furthest_below_a_straight_line() {
-        // A peak at zero, and a bulge on its flank 3 mm out.
-        let f = |u: f64| {
-            let bulge = 1.0 - (u / 1e-3 - 3.0).powi(2);
-            if u < 1e-3 { u * u } else { 1e-6 + 1e-3 * (u - 1e-3) - 4e-7 * bulge.max(0.0) }
-        };
-        let mut cells = Room::new(8);
-        let share = fill(&probes(f), 4e-6, 0.02, &mut cells);
-        assert!(share > 0.02 && share < 0.2, "{share}");
-        assert_eq!(cells.len(), 2);
-        assert!(cells[0].joined && !cells[1].joined && cells[1].on_shoulder);
-        approx::assert_relative_eq!(cells[0].range[1], 2e-3, max_relative = 0.05);
-        approx::assert_relative_eq!(cells[1].range[0], cells[0].range[1]);
-        // Passed over, and where there is none.
-        assert!(fill(&probes(f), 4e-6, share, &mut cells).is_infinite() && cells.len() == 1);
-        let concave = |u: f64| u * u + 0.2 * u.abs().powi(3);
-        assert!(fill(&probes(concave), 4e-6, 0.0, &mut cells).is_infinite());
-        assert_eq!(cells.len(), 1);
-    }
-
-    #[test]
-    fn the_vertex_of_a_parabola_is_found() {
-        let at = |u: f64| [u, 2.0 - (u - 0.3).powi(2)];
-        approx::assert_relative_eq!(vertex([at(-0.5), at(0.1), at(1.0)]), 0.3, epsilon = 1e-12);
     }
 }

@@ -7,8 +7,9 @@
 //! q_i ≥ 0,  u_i ≥ overlap_i,  one of them equal         u_i = Σ_j q_j a_j cos_ij [Ψ((Δy_ij + h/2)/a_j) - Ψ((Δy_ij - h/2)/a_j)]
 //! ```
 //!
-//! No edge is looked for and no set of lobes chosen, so that there is nothing that could cycle but single strips. The load is that of the
-//! lobes but for a few parts in a thousand: edges lie anywhere in their strips.
+//! No edge is looked for and no set of lobes chosen, so that there is nothing that could cycle but single strips. Then the strips are laid anew, twice,
+//! finer towards the ends of the load, and lobes are begun with what they show. Where these have no solution either the strips are the result: their load
+//! is 0.02 % off that of lobes in the median, up to 2.5 % on slender flanges, where κ has not settled after so many rounds.
 
 use std::f64::consts::PI;
 
@@ -46,7 +47,6 @@ impl StripSolver {
         line: &mut impl Line,
         (probes, level): (&[Probe], f64),
         contact_modulus: f64,
-        valley_share: f64,
         strips: &mut Strips,
     ) -> bool {
         cell::fill(probes, level, LEAST_SHARE, &mut self.cells);
@@ -62,7 +62,7 @@ impl StripSolver {
             return false;
         }
         for layout in 1..LAYOUTS {
-            self.lay_strips_anew(line, valley_share);
+            self.lay_strips_anew(line);
             if !self.fit_strips(if layout + 1 < LAYOUTS { ROUNDS / 2 } else { ROUNDS }) {
                 return false;
             }
@@ -314,7 +314,7 @@ mod tests {
             let mut line = FrameLine { separation, approach, radius: 0.5 / along };
             let mut solver = StripSolver::new(15);
             let mut strips = Strips::with_capacity(4, 15);
-            assert!(solver.solve_fixed(&mut line, (&probes, approach), 1e11, 0.5, &mut strips));
+            assert!(solver.solve_fixed(&mut line, (&probes, approach), 1e11, &mut strips));
             assert_eq!(strips.zones.len(), 1);
             assert_relative_eq!(strips.load(), ellipse.load, max_relative = 2e-2);
             let greatest = strips.zones[0].max_pressure;

@@ -13,6 +13,8 @@ use crate::geometry::separation::Probe;
 const BEGIN: f64 = 0.02;
 /// Distance of two strips with which strips go on beyond the end of a load.
 const MARGIN: f64 = 0.5;
+/// Pressure between two peaks, over the lower of them, below which they are two stretches.
+const VALLEY: f64 = 0.6;
 
 /// A stretch of loaded strips with one greatest pressure: its strips, and where it begins and ends [m].
 #[derive(Clone, Copy, Debug, Default)]
@@ -77,9 +79,9 @@ impl StripSolver {
 
     /// Lays the strips of a solution anew: as many for each loaded stretch, finer towards its ends; those where nothing is loaded stay.
     /// Pressures and shapes stay what they are.
-    pub(super) fn lay_strips_anew(&mut self, line: &mut impl Line, valley_share: f64) {
+    pub(super) fn lay_strips_anew(&mut self, line: &mut impl Line) {
         let mut pieces = [Piece::default(); MOST_LOBES];
-        let count = self.pieces(&mut pieces, MARGIN, valley_share);
+        let count = self.pieces(&mut pieces, MARGIN);
         let pieces = &pieces[..count];
         let capacity = self.nodes.y.capacity().min(self.matrices.nodes());
         let is_beside = |y: f64| !pieces.iter().any(|p| y >= p.ends[0] && y <= p.ends[1]);
@@ -134,14 +136,8 @@ impl StripSolver {
         self.lengths();
     }
 
-    /// Finds the loaded stretches, with ends so much further out, in distances of two strips, cut where the pressure is less than the
-    /// given share of the lower of the peaks beside; their count.
-    pub(super) fn pieces(
-        &self,
-        pieces: &mut [Piece; MOST_LOBES],
-        margin: f64,
-        valley_share: f64,
-    ) -> usize {
+    /// Finds the loaded stretches, with ends so much further out, in distances of two strips, cut at valleys of the pressure; their count.
+    pub(super) fn pieces(&self, pieces: &mut [Piece; MOST_LOBES], margin: f64) -> usize {
         let nodes = &self.nodes;
         let strips = nodes.y.len();
         let (mut count, mut i) = (0, 0);
@@ -164,7 +160,7 @@ impl StripSolver {
                 let here = nodes.pressure[k];
                 if here < low {
                     (valley, low) = (k, here);
-                } else if low < valley_share * here.min(peak) && count + 1 < MOST_LOBES {
+                } else if low < VALLEY * here.min(peak) && count + 1 < MOST_LOBES {
                     pieces[count] =
                         Piece { strips: [first, valley], ends: [start, nodes.y[valley]] };
                     (count, first, start) = (count + 1, valley, nodes.y[valley]);

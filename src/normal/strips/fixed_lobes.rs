@@ -14,21 +14,15 @@ impl StripSolver {
         &mut self,
         line: &mut impl Line,
         overlap: (&[Probe], f64),
-        valley_share: f64,
     ) -> bool {
         self.last_step = self.work.steps + MOST_STEPS_IN_ALL;
-        self.begin_from_fixed(line, overlap, valley_share) && self.settle(line, overlap)
+        self.begin_from_fixed(line, overlap) && self.settle(line, overlap)
     }
 
     /// Begins with a lobe for each loaded stretch of the strips; false where one has no width.
-    fn begin_from_fixed(
-        &mut self,
-        line: &mut impl Line,
-        (probes, level): (&[Probe], f64),
-        valley_share: f64,
-    ) -> bool {
+    fn begin_from_fixed(&mut self, line: &mut impl Line, (probes, level): (&[Probe], f64)) -> bool {
         let mut pieces = [Piece::default(); MOST_LOBES];
-        let count = self.pieces(&mut pieces, 0.0, valley_share);
+        let count = self.pieces(&mut pieces, 0.0);
         let pieces = &pieces[..count];
         self.without_ridge.ratio.clear();
         self.shape_pieces(pieces);

@@ -56,7 +56,7 @@ impl StripSolver {
         for number in 1..self.lobes.len() {
             let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
             let [a, b] = [&self.cells[left], &self.cells[right]];
-            let is_shoulder = a.on_shoulder || b.on_shoulder;
+            let is_shoulder = a.is_on_shoulder() || b.is_on_shoulder();
             if right == left + 1 && a.joined && (is_shoulder || !only_shoulders) {
                 let ridge = self.cells[left].bounds[1];
                 (self.cells[left].edges[1], self.cells[right].edges[0]) = (ridge, ridge);

@@ -43,7 +43,7 @@ impl StripSolver {
         let approach = if first > 1 { SHARED * start.approach } else { start.approach };
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
-            if depth > FIRST_LOBES * most || self.cells[i].on_shoulder {
+            if depth > FIRST_LOBES * most || self.cells[i].is_on_shoulder() {
                 self.start_lobe(line, overlap, i, approach * depth);
             }
         }

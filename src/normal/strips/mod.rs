@@ -27,6 +27,7 @@ mod moving;
 mod nodes;
 mod pair_sums;
 mod rule;
+mod shoulders;
 mod solver;
 mod system;
 #[cfg(test)]

@@ -43,8 +43,6 @@ pub(super) const STARTS: [Start; 4] = [
     Start { approach: 1.0, caution: 1.0, met: true },
     Start { approach: 0.45, caution: 0.4, met: false },
 ];
-/// Pressure between two peaks, over the lower of them, below which strips that stay where they are make two lobes of them: tried in turn.
-const VALLEYS: [f64; 3] = [0.6, 0.2, 0.02];
 /// Caution of a start below which lobes on both sides of a shoulder begin apart.
 const AGAIN_APART: f64 = 0.5;
 /// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
@@ -161,21 +159,18 @@ impl StripSolver {
             self.emit(contact_modulus, strips);
             return true;
         }
-        // Strips that stay where they are show where the lobes are.
-        for valley_share in VALLEYS {
+        if !self.solve_fixed(line, (probes, level), contact_modulus, strips) {
             strips.clear();
-            if !self.solve_fixed(line, (probes, level), contact_modulus, valley_share, strips) {
-                strips.clear();
-                self.work.failed += 1;
-                return false;
-            }
-            if self.find_from_fixed(line, (probes, level), valley_share) {
-                strips.clear();
-                self.emit(contact_modulus, strips);
-                return true;
-            }
+            self.work.failed += 1;
+            return false;
         }
-        self.work.fixed += 1;
+        // Strips that stay where they are show where the lobes are.
+        if self.find_from_fixed(line, (probes, level)) {
+            strips.clear();
+            self.emit(contact_modulus, strips);
+        } else {
+            self.work.fixed += 1;
+        }
         true
     }
 
