@@ -70,10 +70,14 @@ impl StripSolver {
                 Some(before) if self.cells[before].joined => self.cells[before].range[1],
                 _ => probes[begin].u,
             };
+            if start >= cut {
+                return false;
+            }
             let cell = &mut self.cells[k];
             cell.range = [start, cut];
             cell.joined = joined;
-            cell.deepest = [nodes.u[deepest], nodes.overlap[deepest]];
+            // The strip at a cut may lie beside it.
+            cell.deepest = [nodes.u[deepest].clamp(start, cut), nodes.overlap[deepest]];
             cell.probes = [begin, end];
             (cell.near, cell.start_width) = (near, right - left);
             (cell.met, cell.begun_with) = (met, greatest);

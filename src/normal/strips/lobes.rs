@@ -102,8 +102,8 @@ impl StripSolver {
         let left = (1.0 - used * depth / cell.deepest[1]).clamp(0.05, 0.999_999);
         let places = cell::places(probes, level, cell, left, &mut overlap);
         cell.near = [
-            places[0].clamp(cell.range[0], cell.deepest[0]),
-            places[1].clamp(cell.deepest[0], cell.range[1]),
+            places[0].min(cell.deepest[0]).max(cell.range[0]),
+            places[1].max(cell.deepest[0]).min(cell.range[1]),
         ];
         cell.edges = cell.near.map(|u| line.place(u).y);
         cell.start_level = left * cell.deepest[1];
