@@ -156,8 +156,12 @@ pub fn largest(numbers: &[f64]) -> f64 {
 
 /// Judges the Jacobian at random poses of a right and of a left wheel, and at those of `more` besides.
 pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
-    // The height that carries a load is found to 1e-11 of it.
-    let noise = if parameters.vertical_mode == VerticalMode::Load { 100.0 } else { 1.0 };
+    // The height that carries a load is found to 1e-11 of it; Newton's method for strips leaves some 1e-11 of a force.
+    let noise = match (parameters.vertical_mode, parameters.normal_model) {
+        (VerticalMode::Load, _) => 100.0,
+        (_, NormalModel::Strips) => 10.0,
+        _ => 1.0,
+    };
     let mut errors = Errors::default();
     for side in [Side::Right, Side::Left] {
         let [mut right, mut own] =
@@ -184,7 +188,7 @@ pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
     let line = format!("{name},{count},{median:.1e},{worst:.1e},{open}\n");
     println!("{line}");
     write_report(&format!("derivatives_{name}.csv"), &line);
-    let most_open = if noise > 1.0 { 2.0 * MOST_OPEN } else { MOST_OPEN };
+    let most_open = if noise > 10.0 { 2.0 * MOST_OPEN } else { MOST_OPEN };
     assert!(count > 1000 && share < most_open, "{name}: {open} open of {count}");
     assert!(worst < tolerance::DERIVATIVES, "{name}: {worst:e}");
 }

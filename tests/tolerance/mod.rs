@@ -181,7 +181,7 @@ pub const SECTION_CURVATURE: f64 = 4e-3;
 /// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
 /// worst, all below the aims of 0.2 and 1, 0.3 and 1.5, 1 and 2 per cent. Worst in normal force is y5.5 at 150 kN, where two lobes have met (0.56 %); all
 /// others are within 0.25 %.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.08, 0.6], [0.05, 0.8], [0.5, 1.0]];
+pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.08, 0.6], [0.05, 0.85], [0.5, 1.0]];
 
 /// The same on the four cases of two regions, worst.
 pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [0.35, 0.3, 1.6];
@@ -197,9 +197,8 @@ pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
 ];
 
-/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 31 of 20 000,
-/// most of them where a faint second lobe begins on a long flat of the overlap.
-pub const STRIPS_FIXED: f64 = 2e-3;
+/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 2 of 20 000.
+pub const STRIPS_FIXED: f64 = 1.5e-4;
 
 /// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
 pub const STRIPS_JUMP: f64 = 1e-6;

@@ -4,6 +4,7 @@
 //! lobe, whose edges may leave it; lobes that meet are one zone. A ridge counts by its share, the drop of the overlap from the lower of
 //! the two peaks beside it, over that peak: 1 where the intervals part, 0 where ridge and peak annihilate.
 
+use super::shoulders::cut_shoulders;
 use crate::geometry::separation::Probe;
 use crate::math::room::Room;
 use crate::math::root::bracketed;
@@ -23,6 +24,16 @@ pub enum Joint {
     Stays,
 }
 
+/// Where the lobe of a cell is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Top {
+    /// At a peak of the overlap.
+    #[default]
+    Peak,
+    /// On a shoulder, where the overlap goes on rising to one side.
+    Shoulder,
+}
+
 /// A cell and the lobe in it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cell {
@@ -31,12 +42,16 @@ pub struct Cell {
     pub bounds: [f64; 2],
     /// Whether the next cell begins at its end.
     pub joined: bool,
+    /// Parameters of the probes before and after a ridge at its end; nothing where it ends otherwise [m].
+    pub ridge: Option<[f64; 2]>,
     /// Coordinates where its interval of overlap begins and ends [m].
     pub reach: [f64; 2],
     /// Parameter of the deepest place and overlap there [m].
     pub deepest: [f64; 2],
     /// Probes of its interval of overlap, first and last.
     pub probes: [usize; 2],
+    /// Where its lobe is.
+    pub top: Top,
     /// Whether a lobe is in it.
     pub active: bool,
     /// Whether the left and the right end of the lobe is that of the lobe beside it too.
@@ -69,6 +84,11 @@ impl Cell {
     /// Whether an end of its lobe is free, and found by a condition of its own.
     pub fn is_free(&self, side: usize) -> bool {
         !self.met[side]
+    }
+
+    /// Whether its lobe is on a shoulder.
+    pub fn is_on_shoulder(&self) -> bool {
+        self.top == Top::Shoulder
     }
 
     /// Whether strips at `abscissa`, -1 to 1 between the ends of its lobe, are on the side of a joint.
@@ -124,14 +144,20 @@ fn interval(
     let mut peak = at(first);
     let mut ridge: Option<Extremum> = None;
     let mut start = left;
-    let push = |cells: &mut Room<Cell>, range: [f64; 2], peak: Extremum, joined: bool| {
+    let push = |cells: &mut Room<Cell>, range, peak: Extremum, ridge: Option<[f64; 2]>| {
+        let joined = ridge.is_some();
         if cells.len() < cells.capacity() {
-            cells.push(Cell { range, joined, deepest: [peak.u, peak.overlap], ..Cell::default() });
+            let deepest = [peak.u, peak.overlap];
+            cells.push(Cell { range, joined, ridge, deepest, ..Cell::default() });
         } else if let Some(cell) = cells.last_mut() {
             // No room: the last cell reaches over the rest.
             cell.range[1] = range[1];
-            cell.joined = joined;
+            (cell.joined, cell.ridge) = (joined, ridge);
         }
+    };
+    let beside = |low: Extremum| {
+        let after = probes[first..=last].partition_point(|p| p.u <= low.u) + first;
+        [probes[(after.max(2)) - 2].u, probes[after.min(last)].u]
     };
     for i in first..=last {
         let here = at(i);
@@ -146,7 +172,7 @@ fn interval(
                 let share = (lower - low.overlap) / lower;
                 if share > least_share {
                     next = next.min(share);
-                    push(cells, [start, low.u], peak, true);
+                    push(cells, [start, low.u], peak, Some(beside(low)));
                     start = low.u;
                     peak = here;
                     ridge = None;
@@ -157,11 +183,11 @@ fn interval(
             }
         }
     }
-    push(cells, [start, right], peak, false);
+    push(cells, [start, right], peak, None);
     for cell in &mut cells[begin..] {
         cell.probes = [first, last];
     }
-    next
+    next.min(cut_shoulders(probes, level, least_share, cells, begin))
 }
 
 /// The highest overlap from probe `i` on before it falls below `low` again.
@@ -205,10 +231,10 @@ pub fn places(
 const PLACE: f64 = 0.02;
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
-    fn probes(f: impl Fn(f64) -> f64) -> Vec<Probe> {
+    pub fn probes(f: impl Fn(f64) -> f64) -> Vec<Probe> {
         (-100..=100).map(|i| f64::from(i) * 1e-4).map(|u| Probe { u, f: f(u) }).collect()
     }
 

@@ -8,6 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Line;
 use super::cell::{Cell, TERMS};
+use super::joints::smooth;
 use super::nodes::Lobe;
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, MOST_LOBES, StripSolver};
@@ -20,8 +21,7 @@ const LEAST_WIDTH: f64 = 0.02;
 
 /// How much of a solution with a ridge of the given share counts, beside that without.
 pub(super) fn weight(share: f64) -> f64 {
-    let way = ((share - LEAST_SHARE) / (CLEAR_SHARE - LEAST_SHARE)).clamp(0.0, 1.0);
-    way * way * (3.0 - 2.0 * way)
+    smooth(((share - LEAST_SHARE) / (CLEAR_SHARE - LEAST_SHARE)).clamp(0.0, 1.0))
 }
 
 /// A lobe of the solution without the ridge.
@@ -41,7 +41,7 @@ struct Kept {
 pub(super) struct WithoutRidge {
     lobes: Vec<Kept>,
     /// Ratios of all nodes [-].
-    ratio: Vec<f64>,
+    pub ratio: Vec<f64>,
 }
 
 impl WithoutRidge {
@@ -221,5 +221,65 @@ impl StripSolver {
         let pressure = (sum / weights).max(0.0) * end(0, 1.0 + t) * end(1, 1.0 - t);
         let exponent: f64 = shape.iter().zip(legendre(t)).map(|(s, p)| s * p).sum();
         [pressure, 2.0 * PI * (-exponent).exp()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::super::two_peaks::TwoPeaks;
+    use super::*;
+
+    #[test]
+    fn a_ridge_counts_from_its_least_to_its_clear_share() {
+        assert_relative_eq!(weight(LEAST_SHARE), 0.0);
+        assert_relative_eq!(weight(CLEAR_SHARE), 1.0);
+        assert_relative_eq!(weight(f64::INFINITY), 1.0);
+        assert_relative_eq!(weight(0.5 * (LEAST_SHARE + CLEAR_SHARE)), 0.5, epsilon = 1e-12);
+    }
+
+    /// Level at which a ridge between equal peaks is so much lower than these.
+    fn level(ridge: f64, share: f64) -> f64 {
+        ridge / share
+    }
+
+    #[test]
+    fn a_ridge_that_comes_leaves_the_load_as_it_is() {
+        let peaks = TwoPeaks { ridge: 3e-6, half_distance: 5e-3, tilt: 5e-5 };
+        let mut solver = StripSolver::new(15);
+        // With the tilt the lower peak is as much lower as that place is further out.
+        let lower = |share: f64| level(peaks.ridge, share);
+        let (mut loads, mut mixed) = (Vec::new(), 0);
+        for step in 0..=400 {
+            let strips = peaks.pressed(&mut solver, lower(0.09) + 1e-7 * f64::from(step));
+            mixed += usize::from(solver.is_mixed);
+            loads.push(strips.load());
+        }
+        assert!(mixed > 20 && mixed < 380, "{mixed}");
+        assert_eq!(solver.work.fixed, 0);
+        let bend = |w: &[f64]| (w[2] - 2.0 * w[1] + w[0]).abs() / w[1];
+        let worst = loads.windows(3).map(bend).fold(0.0, f64::max);
+        assert!(worst < 2e-5, "{worst}");
+    }
+
+    #[test]
+    fn what_is_mixed_has_the_load_of_both() {
+        let peaks = TwoPeaks { ridge: 3e-6, half_distance: 5e-3, tilt: 0.0 };
+        let mut solver = StripSolver::new(15);
+        for share in [0.0501, 0.06, 0.07, 0.0799] {
+            let strips = peaks.pressed(&mut solver, level(peaks.ridge, share));
+            assert!(solver.is_mixed, "{share}");
+            let load = solver.without_ridge.lobes.iter().map(|lobe| lobe.load).sum::<f64>();
+            let load = 0.5 * std::f64::consts::PI.powi(2) * TwoPeaks::MODULUS * load;
+            let with = weight(share);
+            // All strips have loads between the two.
+            let other =
+                (strips.load() - (1.0 - with).powi(2) * load) / (1.0 - (1.0 - with).powi(2));
+            assert_relative_eq!(other, load, max_relative = 2e-2);
+            if share < 0.051 {
+                assert_relative_eq!(strips.load(), load, max_relative = 1e-4);
+            }
+        }
     }
 }

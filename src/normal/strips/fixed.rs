@@ -7,8 +7,9 @@
 //! q_i ≥ 0,  u_i ≥ overlap_i,  one of them equal         u_i = Σ_j q_j a_j cos_ij [Ψ((Δy_ij + h/2)/a_j) - Ψ((Δy_ij - h/2)/a_j)]
 //! ```
 //!
-//! No edge is looked for and no set of lobes chosen, so that there is nothing that could cycle but single strips. The load is that of the
-//! lobes but for a few parts in a thousand: edges lie anywhere in their strips.
+//! No edge is looked for and no set of lobes chosen, so that there is nothing that could cycle but single strips. Then the strips are laid anew, twice,
+//! finer towards the ends of the load, and lobes are begun with what they show. Where these have no solution either the strips are the result: their load
+//! is 0.02 % off that of lobes in the median, up to 2.5 % on slender flanges, where κ has not settled after so many rounds.
 
 use std::f64::consts::PI;
 
@@ -21,6 +22,8 @@ use crate::geometry::separation::Probe;
 use crate::math::linear_system;
 use crate::normal::Strips;
 
+/// How often the strips are laid: evenly at first, then finer towards the ends of the load as found before.
+const LAYOUTS: usize = 3;
 /// Rounds of pressures and shape; steps of the pressures in the first and in the later ones.
 const ROUNDS: usize = 16;
 const FIRST_STEPS: usize = 25;
@@ -36,8 +39,6 @@ const SLOWER: f64 = 0.7;
 /// Change of a pressure over the greatest, and of a shape, at which rounds end.
 const SETTLED: f64 = 1e-7;
 const SETTLED_SHAPE: f64 = 1e-3;
-/// Overlap over the deepest of its interval where the strips begin.
-const BEGIN: f64 = 0.02;
 
 impl StripSolver {
     /// Fills `strips` with zones of strips that stay where they are, as [`solve`](Self::solve) does with lobes.
@@ -57,11 +58,23 @@ impl StripSolver {
             }
         }
         self.lay_strips(line, probes, level);
-        if self.nodes.y.is_empty() {
+        if self.nodes.y.is_empty() || !self.fit_strips(ROUNDS / 2) {
             return false;
         }
+        for layout in 1..LAYOUTS {
+            self.lay_strips_anew(line);
+            if !self.fit_strips(if layout + 1 < LAYOUTS { ROUNDS / 2 } else { ROUNDS }) {
+                return false;
+            }
+        }
+        self.emit_fixed(contact_modulus, strips);
+        strips.load() > 0.0 && strips.load().is_finite()
+    }
+
+    /// Finds the pressures and shapes of the strips that are laid; false where there are none.
+    fn fit_strips(&mut self, rounds: usize) -> bool {
         let (mut following, mut before) = (FOLLOWING, f64::INFINITY);
-        for round in 0..ROUNDS {
+        for round in 0..rounds {
             let steps = if round == 0 { FIRST_STEPS } else { LATER_STEPS };
             let change = self.fit_pressures(steps);
             if !change.is_finite() {
@@ -76,57 +89,11 @@ impl StripSolver {
             }
             before = moved;
         }
-        self.emit_fixed(contact_modulus, strips);
-        strips.load() > 0.0 && strips.load().is_finite()
-    }
-
-    /// Strips of all intervals with their geometry and a first guess of their pressure.
-    fn lay_strips(&mut self, line: &mut impl Line, probes: &[Probe], level: f64) {
-        let n = self.rule.count();
-        let capacity = self.nodes.y.capacity().min(self.matrices.nodes());
-        self.nodes.resize(0);
-        self.nodes.u.clear();
-        let mut begin = 0;
-        while begin < self.cells.len() {
-            let mut end = begin + 1;
-            while end < self.cells.len() && self.cells[end - 1].joined {
-                end += 1;
-            }
-            let mut overlap = |u: f64| line.place(u).overlap;
-            let (first, last) = (self.cells[begin], self.cells[end - 1]);
-            let from = cell::places(probes, level, &first, BEGIN, &mut overlap)[0];
-            let to = cell::places(probes, level, &last, BEGIN, &mut overlap)[1];
-            let [left, right] = [from, to].map(|u| line.place(u).y);
-            let old = self.nodes.y.len();
-            let count = (n * (end - begin + 1)).min(capacity - old);
-            let width = (right - left) / count.max(1) as f64;
-            self.nodes.resize(old + count);
-            self.nodes.u.resize(old + count, from);
-            let mut near = from;
-            for i in old..old + count {
-                let y = left + (0.5 + (i - old) as f64) * width;
-                let place = line.across(y, near);
-                near = place.u + width / place.dy;
-                let inner = &self.cells[begin..end];
-                let number = inner.iter().position(|c| y < c.bounds[1]).unwrap_or(inner.len() - 1);
-                let cell = &self.cells[begin + number];
-                let radius = line.radius(place.u);
-                let span = cell.deepest[1] - cell.start_level;
-                let share = ((place.overlap - cell.start_level) / span).max(0.0);
-                let nodes = &mut self.nodes;
-                (nodes.u[i], nodes.y[i], nodes.x[i]) = (place.u, y, place.x);
-                (nodes.tangent[i], nodes.radius[i]) = (place.tangent, radius);
-                (nodes.overlap[i], nodes.width[i]) = (place.overlap, width);
-                nodes.pressure[i] = if cell.active { cell.begun_with * share.sqrt() } else { 0.0 };
-                nodes.lobe[i] = begin + number;
-            }
-            begin = end;
-        }
-        self.lengths();
+        true
     }
 
     /// Half lengths for the present pressures and shapes.
-    fn lengths(&mut self) {
+    pub(super) fn lengths(&mut self) {
         for i in 0..self.nodes.y.len() {
             let cell = &self.cells[self.nodes.lobe[i]];
             let polynomials = legendre(self.abscissa(i));
@@ -304,16 +271,16 @@ impl StripSolver {
                 continue;
             }
             let begin = i;
-            let follows = |i: usize| nodes.y[i] - nodes.y[i - 1] < 1.5 * nodes.width[i];
             i += 1;
-            while i < count && nodes.pressure[i] > 0.0 && follows(i) {
+            while i < count && nodes.pressure[i] > 0.0 && nodes.follows(i) {
                 i += 1;
             }
             if !strips.has_room_for(i - begin) {
                 continue;
             }
             let mut zone = self.push_zone(begin..i, contact_modulus, strips);
-            zone.width = nodes.y[i - 1] - nodes.y[begin] + nodes.width[begin];
+            zone.width =
+                nodes.y[i - 1] - nodes.y[begin] + 0.5 * (nodes.width[i - 1] + nodes.width[begin]);
             strips.summarise(&mut zone);
             strips.zones.push(zone);
         }

@@ -21,6 +21,11 @@ const UNLOADED: f64 = 0.06;
 /// Least width of a lobe with a joint, share of both.
 const LEAST_WIDTH: f64 = 0.02;
 
+/// From 0 to 1, level at both ends.
+pub(super) fn smooth(way: f64) -> f64 {
+    way * way * (3.0 - 2.0 * way)
+}
+
 /// Strips of two lobes apart, while the same are solved with a joint.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Apart {
@@ -45,12 +50,14 @@ impl Apart {
 }
 
 impl StripSolver {
-    /// Joins all lobes on both sides of a ridge before the first step; whether there are any.
-    pub(super) fn begin_met(&mut self) -> bool {
+    /// Joins all lobes on both sides of a ridge, or those on both sides of a shoulder, before the first step; whether there are any.
+    pub(super) fn begin_met(&mut self, only_shoulders: bool) -> bool {
         let mut found = false;
         for number in 1..self.lobes.len() {
             let (left, right) = (self.lobes[number - 1].cell, self.lobes[number].cell);
-            if right == left + 1 && self.cells[left].joined {
+            let [a, b] = [&self.cells[left], &self.cells[right]];
+            let is_shoulder = a.is_on_shoulder() || b.is_on_shoulder();
+            if right == left + 1 && a.joined && (is_shoulder || !only_shoulders) {
                 let ridge = self.cells[left].bounds[1];
                 (self.cells[left].edges[1], self.cells[right].edges[0]) = (ridge, ridge);
                 (self.cells[left].met[1], self.cells[right].met[0]) = (true, true);
@@ -100,8 +107,7 @@ impl StripSolver {
                     continue;
                 }
                 if gap > JOINED {
-                    let way = (gap - JOINED) / (APART - JOINED);
-                    self.keep(number - 1, way * way * (3.0 - 2.0 * way));
+                    self.keep(number - 1, smooth((gap - JOINED) / (APART - JOINED)));
                 }
                 self.cells[left].joint = Joint::Stays;
                 self.join(number - 1);
@@ -245,5 +251,77 @@ impl StripSolver {
             (self.nodes.pressure[i], self.nodes.half_length[i]) = (*pressure, *half_length);
         }
         self.is_mixed = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::super::two_peaks::TwoPeaks;
+    use super::*;
+
+    const PEAKS: TwoPeaks = TwoPeaks { ridge: 5e-5, half_distance: 5e-3, tilt: 0.0 };
+
+    /// Second difference of a load over the load.
+    fn bend(loads: &[f64]) -> f64 {
+        (loads[2] - 2.0 * loads[1] + loads[0]).abs() / loads[1]
+    }
+
+    #[test]
+    fn weights_are_level_at_both_ends() {
+        assert_relative_eq!(smooth(0.0), 0.0);
+        assert_relative_eq!(smooth(1.0), 1.0);
+        for way in [0.1, 0.3, 0.5, 0.9] {
+            assert_relative_eq!(smooth(way) + smooth(1.0 - way), 1.0, epsilon = 1e-15);
+        }
+        let step = 1e-4;
+        assert!(smooth(step) < 4.0 * step * step && 1.0 - smooth(1.0 - step) < 4.0 * step * step);
+    }
+
+    #[test]
+    fn two_equal_lobes_merge_without_a_jump() {
+        let mut solver = StripSolver::new(15);
+        let (mut loads, mut mixed, mut joined, mut zones) = (Vec::new(), 0, 0, [false; 3]);
+        for step in 0..=75 {
+            let strips = PEAKS.pressed(&mut solver, 9.5e-5 + 1e-6 * f64::from(step));
+            zones[strips.zones.len()] = true;
+            mixed += usize::from(solver.is_mixed);
+            joined += usize::from(!solver.is_mixed && strips.zones.len() == 1);
+            loads.push(strips.load());
+            // Each strip has its mirror image.
+            let count = strips.y.len();
+            let most = strips.pressure.iter().fold(0.0f64, |a, b| a.max(*b));
+            for i in 0..count / 2 {
+                let other = count - 1 - i;
+                assert_relative_eq!(strips.y[i], -strips.y[other], epsilon = 1e-9);
+                let [a, b] = [i, other].map(|i| strips.pressure[i] / most);
+                assert_relative_eq!(a, b, epsilon = 1e-7);
+            }
+        }
+        assert!(zones[1] && zones[2] && mixed > 5 && joined > 5, "{zones:?} {mixed} {joined}");
+        assert_eq!(solver.work.fixed, 0);
+        assert!(loads.windows(2).all(|w| w[1] > w[0]));
+        let worst = loads.windows(3).map(bend).fold(0.0, f64::max);
+        assert!(worst < MOST_BEND, "{worst}");
+    }
+
+    /// Second difference of the load over steps of 1 µm, of the load: measured 7.8e-4, where strips with a joint carry 0.2 % less than strips apart and the
+    /// one go over into the other within 7 µm.
+    const MOST_BEND: f64 = 1e-3;
+
+    #[test]
+    fn a_joint_that_moves_leaves_no_jags() {
+        for strips in [9, 12] {
+            let mut solver = StripSolver::new(strips);
+            // The ridge goes over two probes, 125 µm apart.
+            let loads: Vec<f64> = (0..60)
+                .map(|step| TwoPeaks { tilt: 4e-5 * f64::from(step), ..PEAKS })
+                .map(|peaks| peaks.pressed(&mut solver, 1.8e-4).load())
+                .collect();
+            assert_eq!(solver.work.fixed, 0);
+            let worst = loads.windows(3).map(bend).fold(0.0, f64::max);
+            assert!(worst < 4e-6, "{strips} {worst}");
+        }
     }
 }

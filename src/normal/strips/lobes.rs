@@ -7,12 +7,32 @@ use super::nodes::Lobe;
 use super::solver::{MOST_LOBES, Start, StripSolver};
 use super::{Line, LinePlace};
 use crate::geometry::separation::Probe;
+use crate::math::root::bracketed;
 use crate::normal::hertz;
 
 /// Overlap, over the deepest, from which a cell has a lobe from the start.
 const FIRST_LOBES: f64 = 0.4;
 /// Share of the approach that several lobes leave each other.
 const SHARED: f64 = 0.75;
+
+/// Slope of the overlap, over that between two probes, up to which a probe is the ridge itself, and share of their distance to which one is found.
+const LEVEL: f64 = 1e-6;
+const AT_RIDGE: f64 = 1e-9;
+
+/// Parameter of the ridge near the probe at `u`, between those beside it: a joint that goes from probe to probe would make the force jump.
+fn ridge(line: &mut (impl Line + ?Sized), u: f64, [before, after]: [f64; 2]) -> f64 {
+    let mut slope = |u: f64| line.place(u).overlap_slope;
+    let [left, here, right] = [slope(before), slope(u), slope(after)];
+    if here.abs() <= LEVEL * (right - left) || !(left < 0.0 && right > 0.0) {
+        return u;
+    }
+    let tolerance = AT_RIDGE * (after - before);
+    if here < 0.0 {
+        bracketed((u, here), (after, right), tolerance, slope)
+    } else {
+        bracketed((before, left), (u, here), tolerance, slope)
+    }
+}
 
 impl StripSolver {
     /// Starts a lobe in the deepest cells; the others follow where they still overlap then.
@@ -23,7 +43,7 @@ impl StripSolver {
         let approach = if first > 1 { SHARED * start.approach } else { start.approach };
         for i in 0..self.cells.len() {
             let depth = self.cells[i].deepest[1];
-            if depth > FIRST_LOBES * most {
+            if depth > FIRST_LOBES * most || self.cells[i].is_on_shoulder() {
                 self.start_lobe(line, overlap, i, approach * depth);
             }
         }
@@ -33,6 +53,13 @@ impl StripSolver {
     /// Coordinates of the cells and of their intervals of overlap; no lobes yet.
     pub(super) fn bound_cells(&mut self, line: &mut impl Line) {
         self.lobes.clear();
+        for i in 1..self.cells.len() {
+            let before = self.cells[i - 1];
+            if let Some(within) = before.ridge {
+                let ridge = ridge(line, before.range[1], within);
+                (self.cells[i - 1].range[1], self.cells[i].range[0]) = (ridge, ridge);
+            }
+        }
         for cell in self.cells.iter_mut() {
             cell.bounds = cell.range.map(|u| line.place(u).y);
         }
@@ -75,8 +102,8 @@ impl StripSolver {
         let left = (1.0 - used * depth / cell.deepest[1]).clamp(0.05, 0.999_999);
         let places = cell::places(probes, level, cell, left, &mut overlap);
         cell.near = [
-            places[0].clamp(cell.range[0], cell.deepest[0]),
-            places[1].clamp(cell.deepest[0], cell.range[1]),
+            places[0].min(cell.deepest[0]).max(cell.range[0]),
+            places[1].max(cell.deepest[0]).min(cell.range[1]),
         ];
         cell.edges = cell.near.map(|u| line.place(u).y);
         cell.start_level = left * cell.deepest[1];

@@ -18,6 +18,8 @@ mod changes;
 mod closures;
 mod faint_ridges;
 mod fixed;
+mod fixed_layout;
+mod fixed_lobes;
 mod influence;
 mod joints;
 mod lobes;
@@ -25,8 +27,11 @@ mod moving;
 mod nodes;
 mod pair_sums;
 mod rule;
+mod shoulders;
 mod solver;
 mod system;
+#[cfg(test)]
+mod two_peaks;
 mod zones;
 
 pub use moving::{MovingLine, MovingPlace, StripFollower};

@@ -18,12 +18,12 @@ pub(super) const MOST_LOBES: usize = 6;
 const MOST_STEPS: u64 = 24;
 const MOST_CHANGES: usize = 16;
 /// Most Newton steps for a problem, with all its starts and sets of lobes: of 20 000 random poses of a wheel those with a solution took up to 72.
-const MOST_STEPS_IN_ALL: u64 = 128;
+pub(super) const MOST_STEPS_IN_ALL: u64 = 128;
 /// Last Newton step, relative: convergence is quadratic, so that what is left is of the order of its square. A longer step is the last one
 /// where the one before it shows that no more than this is left.
 const LAST_STEP: f64 = 1e-7;
 const LONGEST_LAST_STEP: f64 = 1e-4;
-const LEFT_OVER: f64 = 1e-11;
+const LEFT_OVER: f64 = 5e-10;
 /// Least change that a change of one leaves.
 const LEAST_RATE: f64 = 0.3;
 /// Change from which a set of loaded nodes is believed.
@@ -43,6 +43,8 @@ pub(super) const STARTS: [Start; 4] = [
     Start { approach: 1.0, caution: 1.0, met: true },
     Start { approach: 0.45, caution: 0.4, met: false },
 ];
+/// Caution of a start below which lobes on both sides of a shoulder begin apart.
+const AGAIN_APART: f64 = 0.5;
 /// Logarithm of pressure over half length, in units of E*/(2R), beyond which a step has gone astray.
 const MOST_SHAPE: f64 = 4.0;
 /// Share from which a ridge counts.
@@ -90,7 +92,7 @@ pub struct StripSolver {
     /// Share of the Newton step that is taken far from the solution.
     pub(super) caution: f64,
     /// Count of Newton steps at which the present problem is given up.
-    last_step: u64,
+    pub(super) last_step: u64,
     /// Work so far.
     pub work: Work,
 }
@@ -157,13 +159,19 @@ impl StripSolver {
             self.emit(contact_modulus, strips);
             return true;
         }
-        self.work.fixed += 1;
-        if self.solve_fixed(line, (probes, level), contact_modulus, strips) {
-            return true;
+        if !self.solve_fixed(line, (probes, level), contact_modulus, strips) {
+            strips.clear();
+            self.work.failed += 1;
+            return false;
         }
-        strips.clear();
-        self.work.failed += 1;
-        false
+        // Strips that stay where they are show where the lobes are.
+        if self.find_from_fixed(line, (probes, level)) {
+            strips.clear();
+            self.emit(contact_modulus, strips);
+        } else {
+            self.work.fixed += 1;
+        }
+        true
     }
 
     /// Finds a solution for the cells between ridges of more than `least_share`.
@@ -173,7 +181,9 @@ impl StripSolver {
             cell::fill(overlap.0, overlap.1, least_share, &mut self.cells);
             self.caution = start.caution;
             self.begin(line, overlap, *start);
-            (!start.met || self.begin_met()) && self.settle(line, overlap)
+            // Lobes on both sides of a shoulder mostly are one zone.
+            let has_met = start.caution >= AGAIN_APART && self.begin_met(!start.met);
+            (!start.met || has_met) && self.settle(line, overlap)
         })
     }
 
@@ -186,7 +196,7 @@ impl StripSolver {
     }
 
     /// Finds the lobes of all cells from those that have begun.
-    fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
+    pub(super) fn settle(&mut self, line: &mut impl Line, overlap: (&[Probe], f64)) -> bool {
         self.apart.lobe = None;
         self.is_mixed = false;
         for _ in 0..MOST_CHANGES {
@@ -246,7 +256,9 @@ impl StripSolver {
             self.advance(share * caution * damping, scale, settled);
             // A change c leaves about k c².
             let k = (change / (before * before)).max(LEAST_RATE);
-            let near = change < LONGEST_LAST_STEP && k * change * change < LEFT_OVER;
+            // Where k is large it still grows.
+            let left = k * k.max(1.0).powi(2) * change * change;
+            let near = change < LONGEST_LAST_STEP && left < LEFT_OVER;
             before = change;
             if self
                 .lobes
