@@ -205,8 +205,9 @@ pub const STRIPS_JUMP: f64 = 1e-6;
 
 /// Second differences in fine steps of the sweeps of a new and a worn S1002 on 60E1, curved creepage: vertical and lateral force over the load, longitudinal
 /// force and moment about the vertical (times 10 mm) over the friction limit. The aim is none; worst is the new wheel at 5.2 mm and 104.5 µm, where two
-/// zones become one with one contact frame, along whose normal they carry 0.4 % less; without creep forces the vertical force jumps by 3e-6 there.
-pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [1.2e-4, 5.5e-4, 2.4e-3, 4e-3];
+/// zones become one with one contact frame, along whose normal they carry 0.4 % less; without creep forces the vertical force jumps by 3e-6 there. Of the vertical force
+/// it is 2.7e-4 of 1 kN in 4 nm of height, under 0.7 kN, where a second lobe begins and strips of fixed width take over.
+pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [3e-4, 5.5e-4, 2.4e-3, 4e-3];
 
 /// Second differences of the vertical force in fine steps of sweeps in other places, without creep forces, over the load. The aim is none; worst is
 /// a flange root where strips of fixed width take over.
