@@ -159,7 +159,9 @@ impl StripSolver {
         let mut change = f64::INFINITY;
         for _ in 0..most_steps {
             let greatest = self.nodes.pressure.iter().fold(0.0, |a: f64, &b| a.max(b));
-            if greatest.is_nan() || greatest <= 0.0 {
+            // Strips have no width where an overlap has none, centimetres inside a rail.
+            let is_laid = self.nodes.half_length.iter().all(|a| a.is_finite() && *a > 0.0);
+            if !is_laid || greatest.is_nan() || greatest <= 0.0 {
                 return f64::NAN;
             }
             // Rows of loaded strips, and of those that overlap more than they are displaced.

@@ -227,7 +227,9 @@ impl StripSolver {
             self.work.steps += 1;
             let skewed = self.place_nodes(line);
             let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-            if scale.is_nan() || scale <= 0.0 {
+            // Centimetres inside a rail lobes may lose their width.
+            let is_placed = self.nodes.ratio.iter().all(|ratio| ratio.is_finite());
+            if !is_placed || scale <= 0.0 {
                 return false;
             }
             let assembly = Assembly {
@@ -241,7 +243,10 @@ impl StripSolver {
                 scale,
             };
             assembly.assemble(&mut self.matrices);
-            if !assembly.solve(&mut self.matrices) {
+            let unknowns = self.lobes.len() * (self.rule.count() + 2 + self.rule.terms);
+            if !assembly.solve(&mut self.matrices)
+                || !self.matrices.right[..unknowns].iter().all(|step| step.is_finite())
+            {
                 return false;
             }
             let (share, change) = self.step_share(scale);
