@@ -228,7 +228,8 @@ impl StripSolver {
             let skewed = self.place_nodes(line);
             let scale = self.nodes.ratio.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
             // Centimetres inside a rail lobes may lose their width.
-            let is_placed = self.nodes.ratio.iter().all(|ratio| ratio.is_finite());
+            let is_placed = self.nodes.ratio.iter().all(|ratio| ratio.is_finite())
+                && self.nodes.half_length.iter().all(|a| a.is_finite() && *a > 0.0);
             if !is_placed || scale <= 0.0 {
                 return false;
             }
