@@ -6,6 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::curve::{Curve, Knot};
+use crate::math::smooth_step::smooth_step;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
 /// A sine wave, amplitude · cos(2π c/wavelength + phase).
@@ -92,7 +93,7 @@ impl Flat {
             let depth = 0.5 * (start * start - t * t) + rise(1.0);
             return [-rate * depth, rate * t, rate];
         }
-        let step = 1.0 - share * share * (3.0 - 2.0 * share);
+        let step = 1.0 - smooth_step(share);
         let bend = step - 6.0 * t * share * (1.0 - share) / corner;
         [-rate * (rise(1.0) - rise(share)), rate * t * step, rate * bend]
     }

@@ -9,4 +9,5 @@ pub mod quadrature;
 pub mod real;
 pub mod room;
 pub mod root;
+pub mod smooth_step;
 pub mod spline;

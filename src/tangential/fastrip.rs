@@ -34,6 +34,7 @@ use super::rigid_slip::{Growth, RigidSlip};
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::math::smooth_step::smooth_step;
 
 /// Normalised spin of a strip from which on FASTSIM takes over [-].
 const SPIN_FROM: f64 = 0.85;
@@ -191,7 +192,7 @@ impl<T: Real> StripTheory<T> {
             spin,
             slip_length: slip / (1.0 - poisson_ratio),
             slip_integral: T::from(0.0),
-            fastsim_share: fading * fading * (-(fading * 2.0) + 3.0),
+            fastsim_share: smooth_step(fading),
         }
     }
 

@@ -18,6 +18,7 @@ use super::equivalent_ellipse::LoadedPart;
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
 use crate::math::real::Real;
+use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone};
 
 /// Depth of a waist from which on a zone is one.
@@ -132,7 +133,7 @@ impl<T: Real> Waist<T> {
         }
         let [depth, least, lower] = best?;
         let x = -(depth / WHOLE) + 1.0;
-        let share = x * x * (-(x * 2.0) + 3.0);
+        let share = smooth_step(x);
         // Its middle: strips by how far they are below a quarter of the way up, between strips that are above.
         let level = least + (lower - least) * 0.25;
         let first = range.clone().find(|&j| load(j) >= level)?;
@@ -160,7 +161,7 @@ impl<T: Real> Waist<T> {
     #[must_use]
     pub fn left(&self, y: T) -> T {
         let x = ((self.y - y) / self.blend + 0.5).within(0.0, 1.0);
-        x * x * (-(x * 2.0) + 3.0)
+        smooth_step(x)
     }
 }
 

@@ -8,10 +8,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Line;
 use super::cell::{Cell, TERMS};
-use super::joints::smooth;
 use super::nodes::Lobe;
 use super::rule::legendre;
 use super::solver::{LEAST_SHARE, MOST_LOBES, StripSolver};
+use crate::math::smooth_step::smooth_step;
 
 /// Share from which a ridge parts lobes for good.
 const CLEAR_SHARE: f64 = 0.08;
@@ -21,7 +21,7 @@ const LEAST_WIDTH: f64 = 0.02;
 
 /// How much of a solution with a ridge of the given share counts, beside that without.
 pub(super) fn weight(share: f64) -> f64 {
-    smooth(((share - LEAST_SHARE) / (CLEAR_SHARE - LEAST_SHARE)).clamp(0.0, 1.0))
+    smooth_step(((share - LEAST_SHARE) / (CLEAR_SHARE - LEAST_SHARE)).clamp(0.0, 1.0))
 }
 
 /// A lobe of the solution without the ridge.

@@ -9,6 +9,7 @@ use super::cell::{Cell, Joint};
 use super::nodes::Lobe;
 use super::solver::{STARTS, Start, StripSolver};
 use crate::geometry::separation::Probe;
+use crate::math::smooth_step::smooth_step;
 
 /// How lobes that turned out to be apart begin again.
 const AGAIN: Start = STARTS[1];
@@ -20,11 +21,6 @@ const APART: f64 = 0.15;
 const UNLOADED: f64 = 0.06;
 /// Least width of a lobe with a joint, share of both.
 const LEAST_WIDTH: f64 = 0.02;
-
-/// From 0 to 1, level at both ends.
-pub(super) fn smooth(way: f64) -> f64 {
-    way * way * (3.0 - 2.0 * way)
-}
 
 /// Strips of two lobes apart, while the same are solved with a joint.
 #[derive(Clone, Debug, Default)]
@@ -107,7 +103,7 @@ impl StripSolver {
                     continue;
                 }
                 if gap > JOINED {
-                    self.keep(number - 1, smooth((gap - JOINED) / (APART - JOINED)));
+                    self.keep(number - 1, smooth_step((gap - JOINED) / (APART - JOINED)));
                 }
                 self.cells[left].joint = Joint::Stays;
                 self.join(number - 1);
@@ -266,17 +262,6 @@ mod tests {
     /// Second difference of a load over the load.
     fn bend(loads: &[f64]) -> f64 {
         (loads[2] - 2.0 * loads[1] + loads[0]).abs() / loads[1]
-    }
-
-    #[test]
-    fn weights_are_level_at_both_ends() {
-        assert_relative_eq!(smooth(0.0), 0.0);
-        assert_relative_eq!(smooth(1.0), 1.0);
-        for way in [0.1, 0.3, 0.5, 0.9] {
-            assert_relative_eq!(smooth(way) + smooth(1.0 - way), 1.0, epsilon = 1e-15);
-        }
-        let step = 1e-4;
-        assert!(smooth(step) < 4.0 * step * step && 1.0 - smooth(1.0 - step) < 4.0 * step * step);
     }
 
     #[test]
