@@ -163,3 +163,69 @@ fn the_corrected_force_is_smooth_where_length_and_width_are_equal() {
     let [below, at, above] = [0.2995, 0.3, 0.3005].map(slope);
     assert_relative_eq!(at, 0.5 * (below + above), max_relative = 1e-3);
 }
+
+/// An outline that folds, as that of a yawed wheel with a groove worn into its flank: behind the edge of the groove it turns `back` [m], over
+/// `gap` [m] of its parameter, and comes forward again. Only what lies outside of the crossing is loaded.
+struct Folded {
+    gap: f64,
+    back: f64,
+}
+
+/// Relative curvatures to the left and to the right of the contact point [1/m], and where the first one ends and the second one begins to be outside [m].
+const FOLDED_CURVATURES: [f64; 2] = [250.0, 10.0];
+const FIRST_BRANCH: f64 = 5.5e-4;
+const CROSSING: f64 = 4.5e-4;
+
+impl Separation for Folded {
+    fn at(&mut self, u: f64) -> SeparationPoint {
+        let parabola = |y: f64| 0.5 * FOLDED_CURVATURES[usize::from(y > 0.0)] * y * y;
+        let fold = (u - FIRST_BRANCH) / self.gap;
+        let (y, dy, f) = if fold < 0.0 {
+            (u, 1.0, parabola(u))
+        } else if fold < 1.0 {
+            (FIRST_BRANCH - self.back * fold, 0.15, f64::INFINITY)
+        } else {
+            let y = u - self.gap - self.back;
+            (y, 1.0, if y > CROSSING { parabola(y) } else { 1e-4 })
+        };
+        SeparationPoint { y, dy, f, x: 0.0 }
+    }
+}
+
+#[test]
+fn the_force_on_an_outline_that_folds_is_bounded_by_what_the_size_of_the_contact_carries() {
+    let steel = Material { young_modulus: 2.1e11, poisson_ratio: 0.3 };
+    let contact_modulus = MaterialPair::new(steel, steel).contact_modulus;
+    let rule = GaussLegendre::new(12);
+    let (mut worst, mut least) = (0f64, f64::INFINITY);
+    for model in [NormalModel::PiotrowskiKik, NormalModel::PiotrowskiKikCorrected] {
+        for i in 0..=60 {
+            for j in 0..=30 {
+                let (gap, back) = (5e-4 * f64::from(i) / 60.0 + 1e-6, 6e-4 * f64::from(j) / 30.0);
+                let mut folded = Folded { gap, back };
+                let end = FIRST_BRANCH + gap + back + 1.5e-3;
+                let probes = [-2e-3, 0.0, end].map(|u| Probe { u, f: folded.at(u).f });
+                let problem = NormalProblem {
+                    approach: 8e-6,
+                    radius: 0.95,
+                    contact_modulus,
+                    contact_u: 0.0,
+                    lateral_curvature: FOLDED_CURVATURES[1],
+                    rule: &rule,
+                    elements: [1; 2],
+                };
+                let mut strips = Strips::with_capacity(1, rule.nodes.len());
+                let fit = ShapeFit::Hertz;
+                let left_out =
+                    normal::solve(model, 0.55, fit, &problem, &mut folded, &probes, &mut strips);
+                assert_eq!(left_out, 0, "{model:?}, fold of {gap} back by {back}");
+                let furthest = strips.half_length.iter().zip(strips.y.iter());
+                let furthest = furthest.map(|(a, y)| a.hypot(*y)).fold(0.0, f64::max);
+                let most = std::f64::consts::PI * contact_modulus * problem.approach * furthest;
+                (worst, least) = (worst.max(strips.load() / most), least.min(strips.load() / most));
+            }
+        }
+    }
+    println!("force over its bound: {least} to {worst}");
+    assert!(worst <= 1.0 && least > 0.0, "{least} to {worst}");
+}

@@ -11,6 +11,17 @@
 //! I2 = ∬ sqrt((x_l² - x²) / (x² + y²)) dx dy = ∫ 2 s (K(m) - E(m)) dy, s² = x_l² + y², m = x_l²/s²
 //! ```
 //!
+//! **The integral I2.** Its integrand has a logarithmic singularity at y = 0. The strips are the nodes of a Gauss-Legendre rule in the parameter u of
+//! the contact line, and what that rule makes of the same singularity in u, for which there is a closed form, is taken off: the two meet
+//! at the contact point u_c, and away from it the sum stays one over strips, whatever the outline does there. So it holds where the
+//! outline of a yawed wheel folds, y(u) turns back and widths do not add up to a distance of edges. As each strip gives at least
+//!
+//! ```text
+//! ∫ sqrt((x_l² - x²)/(x² + y²)) dx ≥ π x_l²/(2 s)   and hence   N ≤ π E* δ max(s)
+//! ```
+//!
+//! the sum is not let below that where an outline is kinked between two strips.
+//!
 //! All zones with g > 0 belong to one half-space and to the one contact point at which the displacement meets the
 //! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel. With a
 //! [`ShapeFit`] the area gets the ratio of length to width of a Hertzian ellipse before its pressure is found.
@@ -18,7 +29,7 @@
 use multiversion::multiversion;
 
 use super::shape_correction::{self, ShapeFit};
-use super::zones::for_each_zone;
+use super::zones::{Edge, for_each_zone};
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::separation::{FrameSeparation, Probe, SeparationPoint};
 use crate::math::dual::Dual;
@@ -43,6 +54,8 @@ pub fn solve<T: Influence>(
     let mut left_out = 0;
     // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
     let mut load_integral = T::from(0.0);
+    let mut logarithm_error = T::from(0.0);
+    let contact_dy = separation.point(problem.contact_u).dy;
     for_each_zone(separation, probes, depth, |separation, edge| {
         let count = problem.rule.nodes.len();
         if !strips.has_room_for(count) {
@@ -77,28 +90,23 @@ pub fn solve<T: Influence>(
             if depth - lowest.f > deepest {
                 deepest = depth - separation.minimum(lowest);
             }
-            deepest = deepest.min(depth);
         }
         let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
-        let [left, right] = edges(&zone, strips, problem.rule);
-        strips.zones.push(Zone { width: right - left, ..zone });
+        let least = longest * LEAST_DISTANCE / contact_dy;
+        logarithm_error += T::logarithm_error(problem.rule, &edge, problem.contact_u, least);
+        // Where the outline folds, edges may lie in the wrong order; what turns back is not loaded.
+        let loaded = (first..first + count).filter(|&j| strips.half_length[j] > 0.0);
+        let width = loaded.map(|j| strips.width[j]).sum();
+        strips.zones.push(Zone { width, ..zone });
     });
+    let uncorrected = longest;
     if let Some(fit) = shape {
         longest *= shape_correction::apply(fit, longest * 2.0, problem.rule, separation, strips);
     }
-    let mut displacement_integral = T::from(0.0);
-    for zone in strips.zones.iter() {
-        let range = zone.first..zone.first + zone.count;
-        displacement_integral += T::regular_influence(
-            &strips.half_length[range.clone()],
-            &strips.y[range.clone()],
-            &strips.width[range],
-            longest,
-        );
-        let [left, right] = edges(zone, strips, problem.rule);
-        displacement_integral += singular_influence(left, right, longest);
-    }
+    let [sum, least] = T::influence(&strips.half_length, &strips.y, &strips.width, longest);
+    // The singularity is -L ln(y²) dy; a correction of the shape leaves the product of its length and width.
+    let displacement_integral = (sum + uncorrected * contact_dy * logarithm_error).max(least);
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
         problem.approach * (std::f64::consts::PI * problem.contact_modulus) / displacement_integral
@@ -128,62 +136,122 @@ pub(super) fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLeg
     })
 }
 
-/// Sum over strips of width times the integrand of I2, 2 s (K - E), plus `longest`·ln(y²/longest²): what is left is smooth enough
-/// for Gauss-Legendre.
+/// Sum over strips of width times the integrand of I2, 2 s (K - E), and of the least that it can be.
 ///
 /// The order of the sums is fixed by [`LANES`].
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn regular_influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> T {
+fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> [T; 2] {
     let scale = T::from(1.0) / (longest * longest);
     let term = |half_length: T, y: T, width: T| {
-        // The logarithm is kept finite; at y = 0 its two occurrences cancel.
-        let y_squared = (y * y * scale).at_least(1e-24);
-        let sum = half_length * half_length * scale + y_squared;
-        let (regular, logarithmic) = first_minus_second_split(y_squared / sum);
-        let (log_y, log_sum) = (y_squared.normal_ln(), sum.normal_ln());
-        width * longest * (sum.sqrt() * 2.0 * (regular - (log_y - log_sum) * logarithmic) + log_y)
+        let y_squared = (y * y * scale).at_least(LEAST_DISTANCE * LEAST_DISTANCE);
+        let a_squared = half_length * half_length * scale;
+        let sum = a_squared + y_squared;
+        let complement = y_squared / sum;
+        let (regular, logarithmic) = first_minus_second_split(complement);
+        let s = sum.sqrt();
+        let width = width * longest;
+        [
+            width * s * 2.0 * (regular - complement.normal_ln() * logarithmic),
+            width * a_squared * std::f64::consts::FRAC_PI_2 / s,
+        ]
     };
-    let mut sums = [T::from(0.0); LANES];
+    let mut sums = [[T::from(0.0); LANES]; 2];
     let blocks = half_lengths.chunks_exact(LANES);
     let rest = half_lengths.len() - blocks.remainder().len();
     for ((a, y), w) in blocks.zip(ys.chunks_exact(LANES)).zip(widths.chunks_exact(LANES)) {
         for lane in 0..LANES {
-            sums[lane] += term(a[lane], y[lane], w[lane]);
+            let [own, least] = term(a[lane], y[lane], w[lane]);
+            sums[0][lane] += own;
+            sums[1][lane] += least;
         }
     }
     for j in rest..half_lengths.len() {
-        sums[j - rest] += term(half_lengths[j], ys[j], widths[j]);
+        let [own, least] = term(half_lengths[j], ys[j], widths[j]);
+        sums[0][j - rest] += own;
+        sums[1][j - rest] += least;
     }
-    sums.iter().copied().sum()
+    sums.map(|lanes| lanes.iter().copied().sum())
+}
+
+/// What the rule makes of ∫ ln((u - u_c)²) du over a zone, less the integral; nodes are no nearer to u_c than `least` [m].
+// As above.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn logarithm_error<T: Real>(
+    rule: &GaussLegendre,
+    edge: &Edge<T>,
+    contact_u: T,
+    least: T,
+) -> T {
+    let (middle, half) = ((edge.left + edge.right) * 0.5, (edge.right - edge.left) * 0.5);
+    // In units of half the zone, which the error is proportional to.
+    let (contact, least) = ((contact_u - middle) / half, least / half);
+    let least_squared = least * least;
+    let term = |node: f64, weight: f64| {
+        let away = contact - node;
+        (away * away).max(least_squared).normal_ln() * weight
+    };
+    let mut sums = [T::from(0.0); LANES];
+    let blocks = rule.nodes.chunks_exact(LANES);
+    let rest = rule.nodes.len() - blocks.remainder().len();
+    for (nodes, weights) in blocks.zip(rule.weights.chunks_exact(LANES)) {
+        for lane in 0..LANES {
+            sums[lane] += term(nodes[lane], weights[lane]);
+        }
+    }
+    for j in rest..rule.nodes.len() {
+        sums[j - rest] += term(rule.nodes[j], rule.weights[j]);
+    }
+    let antiderivative = |t: T| {
+        let size = t.abs();
+        if size > 0.0 { t * 2.0 * (size.ln() - 1.0) } else { T::from(0.0) }
+    };
+    let exact = antiderivative(-contact + 1.0) - antiderivative(-contact - 1.0);
+    half * (sums.iter().copied().sum::<T>() - exact)
 }
 
 /// Numbers over which the influence of strips is summed.
 pub trait Influence: Real {
-    /// See `regular_influence`.
-    fn regular_influence(
-        half_lengths: &[Self],
-        ys: &[Self],
-        widths: &[Self],
-        longest: Self,
+    /// See `influence`.
+    fn influence(half_lengths: &[Self], ys: &[Self], widths: &[Self], longest: Self) -> [Self; 2] {
+        influence(half_lengths, ys, widths, longest)
+    }
+
+    /// See `logarithm_error`.
+    fn logarithm_error(
+        rule: &GaussLegendre,
+        edge: &Edge<Self>,
+        contact_u: Self,
+        least: Self,
     ) -> Self {
-        regular_influence(half_lengths, ys, widths, longest)
+        logarithm_error(rule, edge, contact_u, least)
     }
 }
 
 impl<const N: usize> Influence for Dual<N> {}
 
 impl Influence for f64 {
-    fn regular_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
+    fn influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {
         fast_influence(half_lengths, ys, widths, longest)
+    }
+
+    fn logarithm_error(rule: &GaussLegendre, edge: &Edge, contact_u: f64, least: f64) -> f64 {
+        fast_logarithm_error(rule, edge, contact_u, least)
     }
 }
 
 /// Compiled for several instruction sets, the widest one chosen at run time; all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> f64 {
-    regular_influence(half_lengths, ys, widths, longest)
+fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {
+    influence(half_lengths, ys, widths, longest)
+}
+
+/// As above.
+#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
+fn fast_logarithm_error(rule: &GaussLegendre, edge: &Edge, contact_u: f64, least: f64) -> f64 {
+    logarithm_error(rule, edge, contact_u, least)
 }
 
 /// Strips whose separation is looked up at once.
@@ -192,11 +260,5 @@ const POINTS: usize = 32;
 /// Strips whose influence is summed at once.
 const LANES: usize = 8;
 
-/// -longest · ∫ ln(y²/longest²) dy from `left` to `right`: what [`regular_influence`] has taken out.
-fn singular_influence<T: Real>(left: T, right: T, longest: T) -> T {
-    let antiderivative = |y: T| {
-        let t = y.abs() / longest;
-        if t > 0.0 { y * 2.0 * (t.ln() - 1.0) } else { T::from(0.0) }
-    };
-    -longest * (antiderivative(right) - antiderivative(left))
-}
+/// Distance of a strip from the contact point, over the longest strip, below which it counts as this: both logarithms stay finite [-].
+pub(super) const LEAST_DISTANCE: f64 = 1e-12;

@@ -15,6 +15,7 @@
 
 use std::f64::consts::PI;
 
+use super::piotrowski_kik::{LEAST_DISTANCE, logarithm_error};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::line_separation::{Lifting, LineSeparation};
@@ -85,9 +86,10 @@ impl UnevenStrips {
         // From the place of the contact line; that of a yawed wheel is another one for every strip, for which it is made up as in the
         // model of even bodies.
         let first_touch = separation.at(problem.contact_u).x - separation.centre(problem.contact_u);
+        let contact_dy = separation.at(problem.contact_u).dy;
         let mut left_out = 0;
         // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
-        let mut sums = Sums { longest, ..Sums::default() };
+        let mut sums = Sums::default();
         for_each_zone(separation, probes, depth, |separation, edge| {
             let count = problem.rule.nodes.len();
             self.stretches.clear();
@@ -111,7 +113,10 @@ impl UnevenStrips {
                 let overlap = Overlap::new(lifting, centre, depth - at.f, at.x);
                 left_out += self.add_strip(&across, &overlap, centre + first_touch, &mut sums);
             }
-            sums.displacement += singular_influence(ends, longest);
+            let nearest = longest * LEAST_DISTANCE / contact_dy;
+            sums.displacement += longest
+                * contact_dy
+                * logarithm_error(problem.rule, &edge, problem.contact_u, nearest);
             let deepest = probes
                 .iter()
                 .filter(|p| p.u > edge.left && p.u < edge.right)
@@ -122,8 +127,9 @@ impl UnevenStrips {
             });
             left_out += self.add_zones(ends, count, peak.as_ref(), strips);
         });
-        let scale = if sums.displacement > 0.0 && sums.load > 0.0 {
-            PI * problem.contact_modulus * problem.approach / sums.displacement
+        let displacement = sums.displacement.max(sums.least);
+        let scale = if displacement > 0.0 && sums.load > 0.0 {
+            PI * problem.contact_modulus * problem.approach / displacement
         } else {
             left_out += strips.zones.len();
             0.0
@@ -200,11 +206,11 @@ impl UnevenStrips {
             }
             sums.load += across.width * stretch.load;
             sums.displacement += across.width * influence;
+            let furthest = ends.map(|end| (end - first_touch).abs());
+            let furthest = furthest[0].max(furthest[1]).hypot(across.y);
+            sums.least += across.width * stretch.load / furthest;
             stretches.push(stretch);
         });
-        // What `singular_influence` adds again.
-        let scaled = (across.y / sums.longest).powi(2).max(1e-24);
-        sums.displacement += across.width * sums.longest * scaled.ln();
         left_out
     }
 
@@ -293,7 +299,8 @@ struct Across {
 struct Sums {
     load: f64,
     displacement: f64,
-    longest: f64,
+    /// The least that the displacement can be: of the same over the greatest distance from first touch.
+    least: f64,
     /// Of the slopes of rail and wheel, weighted as the load.
     slopes: [f64; 2],
 }
@@ -330,18 +337,9 @@ impl<'a> Overlap<'a> {
 
 /// ∫ sqrt(a² - t²)/sqrt(t² + y²) dt from -a to a = 2 s (K - E), s² = a² + y² [m].
 fn ellipse_influence(half_length: f64, y: f64) -> f64 {
-    let y_squared = (y * y).max(1e-24 * half_length * half_length);
+    let y_squared = (y * y).max((LEAST_DISTANCE * half_length).powi(2));
     let sum = half_length * half_length + y_squared;
     let complement = y_squared / sum;
     let (regular, logarithmic) = first_minus_second_split(complement);
     2.0 * sum.sqrt() * (regular - complement.ln() * logarithmic)
-}
-
-/// -longest · ∫ ln(y²/longest²) dy between both ends.
-fn singular_influence([left, right]: [f64; 2], longest: f64) -> f64 {
-    let antiderivative = |y: f64| {
-        let t = y.abs() / longest;
-        if t > 0.0 { 2.0 * y * (t.ln() - 1.0) } else { 0.0 }
-    };
-    -longest * (antiderivative(right) - antiderivative(left))
 }

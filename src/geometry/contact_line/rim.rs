@@ -60,20 +60,21 @@ impl<'a, T: Real> ContactLine<'a, T> {
         let beyond = |s: f64| self.beyond(s, lead, level);
         // The rounding is on the side of the larger radii.
         let step = RIM_STEP.copysign(p.first[1].value());
-        let (mut above, mut below) = (s.value(), s.value());
-        let mut beyond_below = beyond(s.value());
-        while beyond_below < 0.0 && below > start - RIM_STEP && below < end + RIM_STEP {
-            above = below;
+        // Searches may ask for a place beyond the ends of the profile.
+        let from = s.value().clamp(start, end);
+        let (mut above, mut below) = ((from, beyond(from)), from);
+        let mut reached = above;
+        while reached.1 < 0.0 && below > start - RIM_STEP && below < end + RIM_STEP {
+            above = reached;
             below += step;
-            beyond_below = beyond(below.clamp(start, end));
+            let within = below.clamp(start, end);
+            reached = (within, beyond(within));
         }
-        let below = below.clamp(start, end);
-        let edge_s = if beyond_below > 0.0 && (above - below).abs() > 0.0 {
-            let found =
-                bracketed((above, beyond(above)), (below, beyond_below), RIM_BRACKET, beyond);
+        let edge_s = if reached.1 > 0.0 && (above.0 - reached.0).abs() > 0.0 {
+            let found = bracketed(above, reached, RIM_BRACKET, beyond);
             self.moving_edge(found, height)
         } else {
-            below.into()
+            reached.0.into()
         };
         let edge = self.profile.at(edge_s);
         let radius = radius_of(&edge);
