@@ -138,3 +138,28 @@ fn a_location_that_is_no_file_is_a_warning() {
         assert_eq!(host.last().contains("is not a file: URI"), warned, "{}", host.last());
     }
 }
+
+#[test]
+fn a_load_that_the_rails_do_not_carry_is_told_with_its_numbers_once() {
+    let host = Host::instantiate(&Arguments::default());
+    host.set_integer("vertical.mode", 2);
+    host.initialize();
+    let evaluate = |y: f64| {
+        assert_eq!(host.set_reals(&[("wheel.y", y), ("wheel.load", 5e4)]), Status::Ok);
+        host.get_real("vertical.load_carried")
+    };
+    let said = || host.messages.lock().unwrap().len();
+    assert!((evaluate(0.75) - 5e4).abs() < 1.0);
+    assert_eq!(said(), 0);
+    for _ in 0..3 {
+        assert_eq!(evaluate(0.3).to_bits(), 0f64.to_bits());
+        assert_eq!(evaluate(0.31).to_bits(), 0f64.to_bits());
+    }
+    assert_eq!(said(), 1, "{}", host.last());
+    for words in ["wheel.load = 50000 N", "carry 0 N", "vertical.load_carried"] {
+        assert!(host.last().contains(words), "{}", host.last());
+    }
+    assert!(evaluate(0.751) > 4.9e4);
+    evaluate(0.3);
+    assert_eq!(said(), 2);
+}

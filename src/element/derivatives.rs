@@ -12,6 +12,7 @@ use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
 use super::output::REPORTED_PATCHES;
 use super::parameters::{NormalModel, Side, VerticalMode};
+use super::vertical_load::is_carried;
 use crate::error::ContactError;
 use crate::math::dual::Dual;
 use crate::tangential::TangentialModel;
@@ -33,8 +34,6 @@ pub(super) struct DerivativeMemory {
 /// Places of height and load among the inputs.
 const HEIGHT: usize = 2;
 const LOAD: usize = 26;
-/// Difference of the vertical force from the load, share of it and force [N], up to which the load counts as carried.
-const CARRIED: [f64; 2] = [1e-6, 1e-3];
 
 impl Element {
     /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates of the inputs: with the Jacobian J of the outputs,
@@ -245,8 +244,7 @@ impl Element {
         if load <= 0.0 {
             return Ok((input, Height::Touching));
         }
-        let missing = -output.wheel.force[2] - load;
-        if missing.abs() > CARRIED[0] * load + CARRIED[1] {
+        if !is_carried(load, -output.wheel.force[2]) {
             return Err("the rails carry wheel.load at no height near");
         }
         Ok((input, Height::Loaded))
@@ -267,6 +265,7 @@ impl Element {
             }
         }
         output.wheel_z = input.wheel.position[2];
+        output.load_carried = T::from(0.0) - output.wheel.force[2];
         let patches = &mut models.patches;
         patches.sort_unstable_by(|a, b| b.normal_force.value().total_cmp(&a.normal_force.value()));
         for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {

@@ -203,6 +203,7 @@ impl Element {
             VerticalMode::Load => self.carry_load(&mut input, output),
         };
         output.wheel_z = input.wheel.position[2];
+        output.load_carried = 0.0 - output.wheel.force[2];
         let patches = &mut self.models.patches;
         patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
         for (slot, patch) in output.patches.iter_mut().zip(patches.iter()).take(REPORTED_PATCHES) {

@@ -18,7 +18,7 @@ pub mod stiffness;
 mod strip_contact;
 pub mod subject;
 mod uneven;
-mod vertical_load;
+pub(crate) mod vertical_load;
 mod wear_sums;
 pub mod work_pairs;
 mod worn_profiles;

@@ -78,6 +78,8 @@ pub struct Output<T = f64> {
     pub rails: [Wrench<T>; RAILS],
     /// Height of the wheel marker: the one found if the load is given, else that of the input [m].
     pub wheel_z: T,
+    /// Vertical force that all rails together carry, down: the load, where that is given and the rails can carry it [N].
+    pub load_carried: T,
     /// Number of loaded zones found.
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
@@ -98,10 +100,10 @@ impl<T: Real> Output<T> {
     /// Back to nothing, in place: most of it are patches.
     #[inline]
     pub(crate) fn clear(&mut self) {
-        let Self { wheel, rails, wheel_z, patch_count, fallback_count, .. } = self;
+        let Self { wheel, rails, wheel_z, load_carried, patch_count, fallback_count, .. } = self;
         *wheel = Wrench::default();
         *rails = [Wrench::default(); RAILS];
-        *wheel_z = T::default();
+        (*wheel_z, *load_carried) = (T::default(), T::default());
         (*patch_count, *fallback_count) = (0, 0);
         let Self { wear_number, frictional_power, patches, wheel_wear, rail_wear, .. } = self;
         (*wear_number, *frictional_power) = (T::default(), T::default());
@@ -117,6 +119,7 @@ impl<T: Real> Output<T> {
             wheel: self.wheel.each(&mut turn),
             rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
             wheel_z: turn(self.wheel_z),
+            load_carried: turn(self.load_carried),
             wear_number: turn(self.wear_number),
             frictional_power: turn(self.frictional_power),
             patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),

@@ -81,6 +81,9 @@ pub trait Subject: Clone + Debug {
     /// How often a solver fell back to a simpler model, as reported.
     fn fallback_count(output: &Self::Output) -> i32;
 
+    /// Load of element number `k` where loads are given, and what its rails carry [N].
+    fn load_and_carried(k: usize, input: &Self::Input, output: &Self::Output) -> [f64; 2];
+
     /// Forces on all bodies beside the velocities at which they do work.
     fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
 
@@ -147,6 +150,10 @@ impl Subject for Element {
 
     fn fallback_count(output: &Output) -> i32 {
         output.fallback_count
+    }
+
+    fn load_and_carried(_: usize, input: &Input, output: &Output) -> [f64; 2] {
+        [input.wheel_load, output.load_carried]
     }
 
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {

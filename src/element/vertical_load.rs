@@ -9,7 +9,8 @@
 //! | load of 0 or below: a lifted wheel | first touch, as for ever smaller loads | none | no |
 //! | wheel beside all rails | that of the input | none | if there is a load |
 //! | more load than the rails carry down to 40 mm below the first touch | that of the greatest force met | that force | yes |
-//! | the force jumps past the load, as Piotrowski-Kik's does where contacts merge | the jump's | that on the carrying side | yes |
+//! | the force jumps past the load to at most twice of it, as Piotrowski-Kik's does where contacts merge | the jump's | that on the carrying side | yes |
+//! | the force jumps further, as where the wheel comes down inside the side of a rail | the jump's | that on the other side | yes |
 //!
 //! Going down from where nothing touches in steps that double up to 2 mm, the first height that carries the load ends the bracket; the root in it is
 //! found by guesses from force ~ penetration^(3/2) and then by bracketed secants in force^(2/3), which is nearly straight. Both are
@@ -32,8 +33,15 @@ const MOST_STEPS: usize = 27;
 const GUESSES: usize = 4;
 /// Difference from the load, as a share of it, that ends the search.
 const ACCURACY: f64 = 1e-11;
-/// Difference that counts as a fallback: share of the load and force [N].
+/// Difference from the load from which on it counts as not carried: share of the load and force [N].
 const MISSED: [f64; 2] = [1e-6, 1e-3];
+/// Greatest force at a jump, over the load: those of models are less than half of the force, beyond it the geometry jumps.
+const MOST_FORCE: f64 = 2.0;
+
+/// Whether rails that carry `carried` carry the `load` of a wheel [N]; a lifted wheel has none.
+pub(crate) fn is_carried(load: f64, carried: f64) -> bool {
+    (carried - load.max(0.0)).abs() <= MISSED[0] * load.max(0.0) + MISSED[1]
+}
 
 /// One height and the vertical force that the rails carry there.
 #[derive(Clone, Copy, Debug)]
@@ -85,18 +93,19 @@ impl Element {
 impl Search<'_> {
     /// Searches from the height `clear`; returns the number of fallbacks, or nothing where no rail carries anything.
     fn run(&mut self, clear: f64) -> Option<u64> {
-        let [above, mut found] = self.bracket(clear);
-        if above.force < self.load && found.force >= self.load {
-            found = self.refine(above, found);
+        let mut ends = self.bracket(clear);
+        if ends[0].force < self.load && ends[1].force >= self.load {
+            ends = self.refine(ends);
         }
-        if found.force <= 0.0 {
+        let most = MOST_FORCE * self.load + MISSED[1];
+        if ends.iter().all(|end| end.force <= 0.0) {
             return None;
         }
+        let found = ends.into_iter().rev().find(|end| end.force <= most)?;
         if self.input.wheel.position[2].to_bits() != found.z.to_bits() {
-            found = self.at(found.z);
+            self.at(found.z);
         }
-        let is_missed = (found.force - self.load).abs() > MISSED[0] * self.load + MISSED[1];
-        Some(self.left_out + u64::from(is_missed))
+        Some(self.left_out + u64::from(!is_carried(self.load, found.force)))
     }
 
     fn at(&mut self, z: f64) -> Trial {
@@ -137,10 +146,10 @@ impl Search<'_> {
         [above, best]
     }
 
-    /// The height between `above`, which does not carry the load, and `below`, which does.
-    fn refine(&mut self, mut above: Trial, mut below: Trial) -> Trial {
+    /// The heights next to that of the load between one that does not carry it and one that does; the second one carries it.
+    fn refine(&mut self, [mut above, mut below]: [Trial; 2]) -> [Trial; 2] {
         if self.is_met(below) {
-            return below;
+            return [above, below];
         }
         let mut last = below;
         for _ in 0..GUESSES {
@@ -148,7 +157,7 @@ impl Search<'_> {
             let Some(z) = guess else { break };
             last = self.at(z);
             if self.is_met(last) {
-                return last;
+                return [above, last];
             }
             if last.force >= self.load { below = last } else { above = last }
         }
@@ -164,10 +173,12 @@ impl Search<'_> {
             let is_met = self.is_met(trial);
             if is_met || (trial.force >= load && trial.z < below.z) {
                 below = trial;
+            } else if trial.force < load && trial.z > above.z {
+                above = trial;
             }
             if is_met { 0.0 } else { straight(trial.force) }
         });
-        below
+        [above, below]
     }
 
     /// The height at which the contact of the heaviest patch would carry the whole load if force grew as penetration^(3/2), after

@@ -10,7 +10,8 @@ use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
 use super::types::{Status, ValueReference};
-use crate::element::parameters::WearModel;
+use crate::element::parameters::{VerticalMode, WearModel};
+use crate::element::vertical_load::is_carried;
 use crate::error::ContactError;
 use crate::io::save_profile;
 use crate::variables::{Described, ValuesOf};
@@ -78,6 +79,8 @@ pub struct Instance<S: Described> {
     pub(super) last_step: Option<LastStep>,
     /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
     pub(super) rates: Option<Box<ValuesOf<S>>>,
+    /// Whether the rails did not carry a given load when the outputs were evaluated last, which is said once.
+    pub(super) load_is_missed: bool,
     /// Texts handed out by the last `fmi2GetString`.
     pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -102,6 +105,7 @@ impl<S: Described> Instance<S> {
             slopes_at: None,
             last_step: None,
             rates: None,
+            load_is_missed: false,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -204,7 +208,7 @@ impl<S: Described> Instance<S> {
         // On other profiles.
         self.slopes_at = None;
         self.outputs_stale = false;
-        Ok(self.fallback_status(fallbacks, logger))
+        Ok(self.warnings(fallbacks, logger))
     }
 
     /// Ends the run: writes the worn profiles that the parameters ask for.
@@ -287,21 +291,47 @@ impl<S: Described> Instance<S> {
         let fallbacks = S::fallback_count(&self.values.output);
         element.evaluate_all(&self.values.input, &mut self.values.output)?;
         self.outputs_stale = false;
-        Ok(self.fallback_status(fallbacks, logger))
+        Ok(self.warnings(fallbacks, logger))
     }
 
-    /// A warning if there are more fallbacks than `before`.
-    fn fallback_status(&self, before: i32, logger: &Logger) -> Status {
+    /// A warning if there are more fallbacks than `before`: a load that is not carried, or a simpler model.
+    fn warnings(&mut self, before: i32, logger: &Logger) -> Status {
         let count = S::fallback_count(&self.values.output);
+        let missed = self.report_loads(logger);
         if count == before {
             return Status::Ok;
         }
-        if logger.takes(Category::Warning) {
-            let message =
-                format!("a solver fell back to a simpler model: fallback_count = {count}");
+        if count.saturating_sub(before) > missed && logger.takes(Category::Warning) {
+            let message = format!(
+                "a contact found no room, or a solver fell back to a simpler model: fallback_count = {count}"
+            );
             logger.log(Status::Warning, Category::Warning, &message);
         }
         Status::Warning
+    }
+
+    /// The number of given loads that the rails do not carry; the first time they are told.
+    fn report_loads(&mut self, logger: &Logger) -> i32 {
+        let ValuesOf { parameters, input, output, .. } = &self.values;
+        let all = S::parameters_of_elements(parameters).iter().zip(S::PREFIXES).enumerate();
+        let given = all.filter(|(_, (own, _))| own.vertical_mode == VerticalMode::Load);
+        let mut missed = 0;
+        for (k, (_, prefix)) in given {
+            let [load, carried] = S::load_and_carried(k, input, output);
+            if is_carried(load, carried) {
+                continue;
+            }
+            missed += 1;
+            if !self.load_is_missed && logger.takes(Category::Warning) {
+                let message = format!(
+                    "{prefix}wheel.load = {load} N, but the rails carry {carried:.0} N where the wheel is: {prefix}vertical.load_carried says how \
+                     much; this is said once until they carry it again"
+                );
+                logger.log(Status::Warning, Category::Warning, &message);
+            }
+        }
+        self.load_is_missed = missed > 0;
+        missed
     }
 }
 

@@ -258,6 +258,10 @@ impl Subject for Wheelset {
         output.fallback_count
     }
 
+    fn load_and_carried(k: usize, input: &Input, output: &Output) -> [f64; 2] {
+        [input.sides[k].wheel_load, output.sides[k].load_carried]
+    }
+
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
         let sides = input.sides.iter().zip(&output.sides);
         let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));

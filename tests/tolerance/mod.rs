@@ -156,6 +156,9 @@ pub const POWER_FED: f64 = 0.0;
 /// Vertical force on the rails against the given load, as a share of it, and the last digit of the height times the stiffness [N].
 pub const CARRIED_LOAD: [f64; 2] = [1e-10, 1e-6];
 
+/// Difference from the given load that counts as not carried, as the element tells it: share of the load and force [N].
+pub const MISSED_LOAD: [f64; 2] = [1e-6, 1e-3];
+
 /// Second differences of the height under a given load over lateral steps of 1 µm [m]: what the curvature of the profiles leaves.
 pub const HEIGHT_ROUGHNESS: f64 = 1e-11;
 
