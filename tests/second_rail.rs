@@ -7,7 +7,10 @@ use common::random::Random;
 use common::vectors::{add, assert_close, cross};
 use common::wheel::{element, evaluate, mirrored, pressed, rail_marker, random_input, rolling};
 use wheelrail::element::parameters::Side;
-use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::element::{Element, Input, Output, Parameters, StartWarning};
+use wheelrail::geometry::placed_rail::PlacedRail;
+use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::io::load_profile;
 
 /// Half the width of a 60E1 head, and how far its side leans out below the top edge [m].
 const HALF_HEAD: f64 = 0.036;
@@ -204,4 +207,51 @@ fn a_left_wheel_at_its_check_rail_is_the_mirror_image() {
         assert_close(l.force, [fx, -fy, fz], 0.0, "force");
         assert_close(l.moment, [-mx, my, -mz], 0.0, "moment");
     }
+}
+
+#[test]
+fn the_default_check_rail_leaves_a_flangeway_of_41_mm_and_a_centred_wheel_alone() {
+    for side in [Side::Right, Side::Left] {
+        let mut parameters = Parameters { side, ..Parameters::default() };
+        parameters.rails[1].enabled = true;
+        let mut start = rolling(0.0, 0.0);
+        if side == Side::Left {
+            start = mirrored(&start);
+            parameters.second_rail.position[0] *= -1.0;
+        }
+        let mut element = Element::new(&parameters, &start, &[]).unwrap();
+        assert_eq!(element.start_warnings(), []);
+        let standing = pressed(&mut element, &start, 1e-4);
+        let output = evaluate(&mut element, &standing);
+        assert_eq!((output.patch_count, output.patches[0].rail), (1, 1));
+    }
+    // From the gauge face to the widest place of the check rail.
+    let parameters = Parameters::default();
+    let profile = load_profile("rail", "60E1", ProfileKind::Rail, 0.0, &[]).unwrap();
+    let rail =
+        PlacedRail::at_marker(&profile.curve, parameters.rails[1].inclination, [0.0; 2], true);
+    let (curve, count) = (rail.curve(), 10_000);
+    let along = |i: i32| f64::from(i) / f64::from(count) * (curve.end() - curve.start());
+    let widest = (0..=count).map(|i| curve.at(curve.start() + along(i)).point[0]);
+    let face = parameters.second_rail.position[0] + widest.fold(f64::MIN, f64::max);
+    let flangeway = 0.5 * parameters.gauge - face;
+    assert!((flangeway - 0.041).abs() < 5e-4, "{flangeway}");
+}
+
+#[test]
+fn a_check_rail_in_the_way_of_a_wheel_that_starts_is_told() {
+    let mut parameters = Parameters::default();
+    parameters.rails[1].enabled = true;
+    parameters.second_rail.position[0] = 0.64;
+    let hindered = element(&parameters);
+    let warnings = hindered.start_warnings();
+    assert!(matches!(warnings[0], StartWarning::FarFromFirstTouch { .. }), "{warnings:?}");
+    assert!(matches!(warnings[1], StartWarning::InRail2 { overlap } if overlap > 2e-3));
+    let words = warnings[1].message("right.");
+    assert!(
+        words.contains("overlaps right.rail[2] by")
+            && words.contains("move right.rail[2].position.y")
+    );
+    // A tongue that carries the wheel from above is no hindrance.
+    assert_eq!(element(&with_tongue(-1e-3)).start_warnings(), []);
 }

@@ -8,6 +8,7 @@ use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{RAILS, RailPlace, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
+use super::start::StartWarning;
 use super::uneven::deviations;
 use super::wear_sums::WearSums;
 use super::{Input, Output, Parameters};
@@ -46,6 +47,7 @@ pub struct Element {
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
+    pub(super) start_warnings: Vec<StartWarning>,
     pub(super) fallbacks: u64,
     pub(super) work: Work,
     /// Memory for derivatives, once they have been asked for.
@@ -135,11 +137,14 @@ impl Element {
             models,
             rails: contacts,
             nominal_wheel_z: start.wheel.position[2],
+            start_warnings: Vec::new(),
             fallbacks: 0,
             work: Work::default(),
             memory: None,
         };
-        element.nominal_wheel_z = element.touching_height(start);
+        let touching = element.touch(start);
+        element.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
+        element.look_at_start(start, touching);
         Ok(element)
     }
 
@@ -245,27 +250,33 @@ impl Element {
 
     /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.
     pub(super) fn first_touch(&mut self, input: &Input) -> Option<f64> {
-        let highest = (self.rails.iter().enumerate())
-            .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
-            .fold(f64::INFINITY, f64::min);
-        let mut touches = |z: f64| {
-            let mut at = *input;
-            at.wheel.position[2] = z;
-            (self.rails.iter_mut().enumerate())
-                .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
-                .any(|touches| touches)
-        };
-        // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
-        let height = |step: usize| highest + step as f64 * DESCENT_STEP;
-        let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
-        let step = found.filter(|_| highest.is_finite())?;
-        let (mut clear, mut touching) = (height(step - 1), height(step));
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (clear + touching);
-            if touches(middle) { touching = middle } else { clear = middle }
-        }
-        Some(touching)
+        first_touch(&mut self.rails, input)
     }
+}
+
+/// The marker height at which a wheel coming down from above first touches one of the first `rails`, for the input of a right side; nothing
+/// where it stands beside them [m].
+pub(super) fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> {
+    let highest = (rails.iter().enumerate())
+        .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
+        .fold(f64::INFINITY, f64::min);
+    let mut touches = |z: f64| {
+        let mut at = *input;
+        at.wheel.position[2] = z;
+        (rails.iter_mut().enumerate())
+            .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
+            .any(|touches| touches)
+    };
+    // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
+    let height = |step: usize| highest + step as f64 * DESCENT_STEP;
+    let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
+    let step = found.filter(|_| highest.is_finite())?;
+    let (mut clear, mut touching) = (height(step - 1), height(step));
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (clear + touching);
+        if touches(middle) { touching = middle } else { clear = middle }
+    }
+    Some(touching)
 }
 
 /// Rail number `k` where the parameters put it: the first one by gauge, the second one by the place of its marker.

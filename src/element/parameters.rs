@@ -163,7 +163,7 @@ impl Default for Parameters {
                 corrugation: Corrugation::default(),
                 worn_file: String::new(),
             }),
-            second_rail: RailPlace { position: [0.64, 0.0], mirrored: true },
+            second_rail: RailPlace { position: [0.633, 0.0], mirrored: true },
             rail_young_modulus: 2.1e11,
             rail_poisson_ratio: 0.28,
             gauge: 1.435,

@@ -312,7 +312,7 @@ mod tests {
         let mut instance = Instance::<S>::new(Purpose::CoSimulation, Vec::new());
         instance.setup_experiment(0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
-        instance.exit_initialization().unwrap();
+        instance.exit_initialization(&Logger::silent()).unwrap();
         instance.step(0.5, 0.25, &Logger::silent()).unwrap();
         let key = instance.save(std::ptr::null_mut()).unwrap();
         instance.saved(key).unwrap().clone()

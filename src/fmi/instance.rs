@@ -148,14 +148,23 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
-    /// Makes the element from the parameters; if one of them is at fault, the mode is not left.
-    pub fn exit_initialization(&mut self) -> Result<(), FmiError> {
+    /// Makes the element from the parameters; if one of them is at fault, the mode is not left. What is odd about the place in which
+    /// a wheel starts is a warning.
+    pub fn exit_initialization(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         self.prepare_element(true)?;
         self.state = match self.purpose {
             Purpose::ModelExchange => State::EventMode,
             Purpose::CoSimulation => State::Stepping,
         };
-        Ok(())
+        let mut status = Status::Ok;
+        let elements = self.element.iter().flat_map(|subject| subject.elements());
+        for (prefix, element) in S::PREFIXES.iter().zip(elements) {
+            for warning in element.start_warnings() {
+                status = Status::Warning;
+                logger.log(status, Category::Warning, &warning.message(prefix));
+            }
+        }
+        Ok(status)
     }
 
     /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.

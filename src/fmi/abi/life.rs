@@ -109,9 +109,9 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     guard(component, Call::EXIT_INITIALIZATION, |instance, logger| {
-        on_instance!(instance, |i| i.exit_initialization())?;
+        let status = on_instance!(instance, |i| i.exit_initialization(logger))?;
         logger.log(Status::Ok, Category::Events, "initialized");
-        Ok(Status::Ok)
+        Ok(status)
     })
 }
 

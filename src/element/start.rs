@@ -1,0 +1,118 @@
+//! What is odd about the place in which a wheel starts: nothing that is refused, but a host should hear of it before it wonders at the forces.
+
+use super::evaluate::{Element, first_touch};
+use super::input::Input;
+use super::parameters::{Side, VerticalMode};
+
+/// Height above first touch from which on a wheel counts as far from its rails [m]: more than any bounce.
+const FAR_ABOVE: f64 = 0.01;
+/// Depth below first touch from which on a wheel counts as inside its rails [m]: it would press with a hundred times its load.
+const INSIDE: f64 = 2e-3;
+/// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries the wheel is no hindrance [rad].
+const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Something odd about the place in which a wheel starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StartWarning {
+    /// It stands beside all rails, at this y, or is on the other side of the track.
+    BesideTheRails {
+        /// Lateral position of the wheel marker [m].
+        y: f64,
+        /// Side of the track that the parameters name.
+        side: Side,
+    },
+    /// It hangs far above the height of first touch, or is deep inside the rails.
+    FarFromFirstTouch {
+        /// Height of the wheel marker [m].
+        z: f64,
+        /// Height at which the wheel would just touch [m].
+        nominal: f64,
+    },
+    /// Where it stands on rail 1 it overlaps rail 2 from the side.
+    InRail2 {
+        /// By how much [m].
+        overlap: f64,
+    },
+}
+
+impl StartWarning {
+    /// The words for it; `prefix` stands before the names of variables of this wheel in a wheelset.
+    #[must_use]
+    pub fn message(&self, prefix: &str) -> String {
+        let of = |name: &str| {
+            if prefix.is_empty() { format!("wheel.{name}") } else { format!("wheelset.{name}") }
+        };
+        match *self {
+            Self::BesideTheRails { y, side } => {
+                let (side, sign) = match side {
+                    Side::Right => ("right", "positive"),
+                    Side::Left => ("left", "negative"),
+                };
+                format!(
+                    "the wheel on the {side} side starts beside its rails, with its marker at y = {y} m: it carries nothing there; on this side y \
+                     is {sign}, about half the gauge: set {}",
+                    of("y")
+                )
+            }
+            Self::FarFromFirstTouch { z, nominal } => {
+                let (mm, place) =
+                    (1e3 * (z - nominal).abs(), if z < nominal { "above" } else { "below" });
+                let what =
+                    if z < nominal { "it hangs in the air" } else { "it is inside the rail" };
+                format!(
+                    "the wheel starts with its marker at z = {z} m, {mm:.1} mm {place} {prefix}nominal.wheel_z = {nominal:.6} m, where it would \
+                     just touch: {what}; set {} from that height",
+                    of("z")
+                )
+            }
+            Self::InRail2 { overlap } => format!(
+                "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move {prefix}rail[2].position.y",
+                1e3 * overlap
+            ),
+        }
+    }
+}
+
+impl Element {
+    /// What is odd about the place in which the wheel starts.
+    #[must_use]
+    pub fn start_warnings(&self) -> &[StartWarning] {
+        &self.start_warnings
+    }
+
+    /// Looks at the place of `start`; `touching` is the height of first touch, if there is one.
+    pub(super) fn look_at_start(&mut self, start: &Input, touching: Option<f64>) {
+        let z = start.wheel.position[2];
+        let mut found = Vec::new();
+        if self.rails.iter().all(Option::is_none) {
+            return;
+        }
+        match touching {
+            None => {
+                let (y, side) = (start.wheel.position[1], self.side);
+                found.push(StartWarning::BesideTheRails { y, side });
+            }
+            Some(nominal) => {
+                let far = nominal - z > FAR_ABOVE || z - nominal > INSIDE;
+                if far && self.vertical_mode == VerticalMode::Penetration {
+                    found.push(StartWarning::FarFromFirstTouch { z, nominal });
+                }
+            }
+        }
+        found
+            .extend(self.overlap_of_rail_2(start).map(|overlap| StartWarning::InRail2 { overlap }));
+        self.start_warnings = found;
+    }
+
+    /// How far rail 2 reaches into the wheel from the side where it just touches rail 1.
+    fn overlap_of_rail_2(&mut self, start: &Input) -> Option<f64> {
+        let mut at = if self.side == Side::Left { start.mirrored() } else { *start };
+        let (first, second) = self.rails.split_at_mut(1);
+        let second = second[0].as_mut()?;
+        at.wheel.position[2] = first_touch(first, &at)?;
+        second.search_contacts(1, &at);
+        let contacts = second.search.contacts.iter();
+        let from_the_side = contacts.filter(|contact| contact.angle().abs() > FROM_THE_SIDE);
+        from_the_side.map(|contact| contact.penetration).max_by(f64::total_cmp)
+    }
+}
