@@ -37,8 +37,12 @@ fn main() {
         },
     ];
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("variables.rs"), code::generate(&targets))
-        .unwrap_or_else(|e| panic!("cannot write variables.rs to {}: {e}", out.display()));
+    for (name, text) in
+        [("variables.rs", code::generate(&targets)), ("ranges.rs", code::ranges(&wheel))]
+    {
+        fs::write(out.join(name), text)
+            .unwrap_or_else(|e| panic!("cannot write {name} to {}: {e}", out.display()));
+    }
     #[cfg(feature = "package")]
     if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
         package::pack(&[&wheel, &wheelset]);

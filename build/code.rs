@@ -52,6 +52,31 @@ pub fn generate(targets: &[Target]) -> String {
     code
 }
 
+/// The text of `ranges.rs`, included by `src/element/ranges.rs`: the numbers among the parameters of a wheel and what is admitted of them.
+pub fn ranges(declaration: &Declaration) -> String {
+    let mut rows = String::new();
+    let mut count = 0;
+    for v in &declaration.variables {
+        let value = match v.kind {
+            Kind::Real(_) => v.field.clone(),
+            Kind::Integer(_) => format!("{} as f64", v.field),
+            _ => continue,
+        };
+        if v.causality != Causality::Parameter || !v.field.starts_with("parameters.") {
+            continue;
+        }
+        let (least, most) = (v.min.unwrap_or(f64::MIN), v.max.unwrap_or(f64::MAX));
+        let [least, most] = [least, most].map(number);
+        let allowed = allowed(declaration, v);
+        line(&mut rows, &format!("({:?}, {value}, [{least}, {most}], {allowed:?}),", v.name));
+        count += 1;
+    }
+    format!(
+        "/// Name, value, range and what is admitted in words.\n\
+         fn ranges(parameters: &Parameters) -> [(&'static str, f64, [f64; 2], &'static str); {count}] {{ [{rows}] }}\n"
+    )
+}
+
 fn line(out: &mut String, text: &str) {
     writeln!(out, "{text}").expect("writing to a string cannot fail");
 }

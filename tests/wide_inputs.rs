@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::variables::{Causality, Described, Kind, VARIABLES, Values, Variable};
 
 /// A number of any size and sign, small ones as likely as large ones.
 fn any_size() -> impl Strategy<Value = f64> {
@@ -183,4 +184,66 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
             check(&mut shared.borrow_mut(), &input)?;
         });
     }
+}
+
+/// The parameters that are numbers, each with the least and greatest value that it admits.
+fn parameter_ranges() -> impl Iterator<Item = (&'static Variable, [f64; 2])> {
+    let parameters = VARIABLES.iter().filter(|v| v.causality == Causality::Parameter);
+    let numbers = parameters.filter(|v| v.kind == Kind::Real);
+    numbers.map(|v| (v, [v.min.unwrap_or(f64::MIN), v.max.unwrap_or(f64::MAX)]))
+}
+
+/// The default parameters with one number set, whatever it is.
+fn with_parameter(variable: &Variable, value: f64) -> Parameters {
+    let mut values = Values::default();
+    *Element::real_slot(&mut values, variable.reference).unwrap() = value;
+    values.parameters
+}
+
+#[test]
+fn parameters_beyond_their_ranges_are_refused_by_name_in_the_crate_too() {
+    for (variable, [least, most]) in parameter_ranges() {
+        let mut beyond = vec![f64::NAN, f64::INFINITY];
+        beyond.extend(variable.max.map(|_| most + 1e-3 * most.abs().max(1e-3)));
+        beyond.extend(variable.max.map(|_| f64::MAX));
+        beyond.extend(variable.min.map(|_| least - 1e-3 * least.abs().max(1e-3)));
+        for value in beyond {
+            let refusal = with_parameter(variable, value).check().unwrap_err().to_string();
+            let words = format!("{} = {value}", variable.name);
+            assert!(refusal.starts_with(&words) && refusal.contains(variable.allowed), "{refusal}");
+        }
+    }
+}
+
+#[test]
+fn at_the_ends_of_the_ranges_of_parameters_forces_are_numbers() {
+    use wheelrail::element::parameters::NormalModel;
+    let mut refused = Vec::new();
+    for (variable, ends) in parameter_ranges() {
+        for end in ends {
+            for normal_model in [NormalModel::PiotrowskiKik, NormalModel::Strips] {
+                let parameters = Parameters { normal_model, ..with_parameter(variable, end) };
+                let mut input = Input::default();
+                // Together with others it may be refused.
+                let Ok(mut element) = Element::new(&parameters, &input, &[]) else {
+                    refused.push(variable.name);
+                    continue;
+                };
+                input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
+                input.wheel.velocity = [20.0, 0.1, 0.01];
+                input.wheel.pitch_rate = -20.2 / 0.46;
+                let mut output = Output::default();
+                element.evaluate(&input, &mut output).unwrap();
+                let wrenches = [output.wheel, output.rails[0]];
+                let numbers = wrenches.iter().flat_map(|w| w.force.iter().chain(&w.moment));
+                let numbers = numbers.chain([&output.frictional_power, &output.wear_number]);
+                assert!(numbers.copied().all(f64::is_finite), "{} = {end}", variable.name);
+            }
+        }
+    }
+    refused.dedup();
+    println!(
+        "refused at an end of the range, with the other parameters as they start: {refused:?}"
+    );
+    assert!(refused.len() < 20, "{refused:?}");
 }

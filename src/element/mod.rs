@@ -14,6 +14,7 @@ pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+mod ranges;
 mod start;
 mod stiffness;
 mod strip_contact;

@@ -1,5 +1,6 @@
 //! What is fixed once an element is initialised.
 
+use super::ranges;
 pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
 pub use crate::geometry::waviness::FlatShape;
@@ -190,76 +191,12 @@ impl Default for Parameters {
 }
 
 impl Parameters {
-    /// Whether every number is in its admitted range.
+    /// Whether every number is in its declared range, and goes with the others.
     ///
     /// # Errors
     /// The first parameter at fault, by its FMU name.
     pub fn check(&self) -> Result<(), ContactError> {
-        let positive = "a finite number greater than 0";
-        let not_negative = "a finite number, at least 0";
-        let counts = "4 to 200";
-        let require = |name: String, value: f64, fits: bool, allowed: &'static str| {
-            if value.is_finite() && fits {
-                Ok(())
-            } else {
-                Err(ContactError::bad_value(name, value, allowed))
-            }
-        };
-        let numbers = [
-            ("wheel.nominal_radius", self.wheel.nominal_radius, positive),
-            ("wheel.young_modulus", self.wheel.young_modulus, positive),
-            ("rail.young_modulus", self.rail_young_modulus, positive),
-            ("track.gauge", self.gauge, positive),
-            ("track.gauge_depth", self.gauge_depth, positive),
-            ("creepage.minimum_speed", self.minimum_speed, positive),
-            ("rail.shear_yield", self.shear_yield, positive),
-            ("profile.smoothing", self.profile_smoothing, not_negative),
-            ("normal.damping", self.damping, not_negative),
-        ];
-        for (name, value, allowed) in numbers {
-            let fits = if allowed == positive { value > 0.0 } else { value >= 0.0 };
-            require(name.into(), value, fits, allowed)?;
-        }
-        for (name, value) in [
-            ("wheel.poisson_ratio", self.wheel.poisson_ratio),
-            ("rail.poisson_ratio", self.rail_poisson_ratio),
-        ] {
-            require(name.into(), value, (0.0..=0.5).contains(&value), "0 to 0.5")?;
-        }
-        for (k, rail) in self.rails.iter().enumerate() {
-            let fits = rail.inclination.abs() <= 0.5;
-            let name = format!("rail[{}].inclination", k + 1);
-            require(name, rail.inclination, fits, "a tangent from -0.5 to 0.5, 1:40 is 0.025")?;
-        }
-        for (axis, value) in ["y", "z"].iter().zip(self.second_rail.position) {
-            let name = format!("rail[2].position.{axis}");
-            require(name, value, value.abs() <= 3.0, "a place in metres, -3 to 3")?;
-        }
-        let epsilon = self.virtual_penetration;
-        let fits = epsilon > 0.0 && epsilon < 1.0;
-        require("normal.virtual_penetration".into(), epsilon, fits, "greater than 0, less than 1")?;
-        for (name, value) in [
-            ("normal.strips", self.strips),
-            ("normal.elements_along", self.normal_elements[0]),
-            ("normal.elements_across", self.normal_elements[1]),
-            ("tangential.elements_along", self.elements_along),
-        ] {
-            require(name.into(), value as f64, (4..=200).contains(&value), counts)?;
-        }
-        let law = &self.friction_law;
-        for (name, value) in
-            [("falling.share", law.falling_share), ("reduction.share", law.reduction_share)]
-        {
-            require(format!("friction.{name}"), value, (0.0..=1.0).contains(&value), "0 to 1")?;
-        }
-        for (name, value) in
-            [("falling.decay", law.falling_decay), ("reduction.decay", law.reduction_decay)]
-        {
-            require(format!("friction.{name}"), value, value >= 0.0, not_negative)?;
-        }
-        let (value, allowed) = (law.reduction, "0.001 to 1");
-        let fits = (1e-3..=1.0).contains(&value);
-        require("friction.reduction.initial".into(), value, fits, allowed)?;
+        ranges::check(self)?;
         self.check_deviations()?;
         self.check_wear()
     }

@@ -260,7 +260,7 @@ fn creep_forces_depend_on_the_ratio_of_speeds_alone() {
         parameters in models(), input in motion(), depth in depth(), factor in 0.1..10.0f64,
     )| {
         // A floor of the reference speed is a speed of its own.
-        let parameters = Parameters { damping: 0.0, minimum_speed: 1e-9, ..parameters };
+        let parameters = Parameters { damping: 0.0, minimum_speed: 1e-6, ..parameters };
         let input = pressed(&made, &parameters, &input, depth);
         if input.wheel.velocity[0].abs() + input.wheel.pitch_rate.abs() < 1e-3 {
             return Ok(());
