@@ -141,9 +141,9 @@ fn a_location_that_is_no_file_is_a_warning() {
 
 #[test]
 fn a_load_that_the_rails_do_not_carry_is_told_with_its_numbers_once() {
-    let host = Host::instantiate(&Arguments::default());
-    host.set_integer("vertical.mode", 2);
-    host.initialize();
+    let host = Host::initializing();
+    assert_eq!(host.set_integer("vertical.mode", 2), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok);
     let evaluate = |y: f64| {
         assert_eq!(host.set_reals(&[("wheel.y", y), ("wheel.load", 5e4)]), Status::Ok);
         host.get_real("vertical.load_carried")
@@ -162,4 +162,37 @@ fn a_load_that_the_rails_do_not_carry_is_told_with_its_numbers_once() {
     assert!(evaluate(0.751) > 4.9e4);
     evaluate(0.3);
     assert_eq!(said(), 2);
+}
+
+/// Status and message with which a unit starts that has these starting values.
+fn started(reals: &[(&str, f64)], left: bool) -> (Status, String) {
+    let host = Host::initializing();
+    if left {
+        assert_eq!(host.set_integer("side", 2), Status::Ok);
+    }
+    assert_eq!(host.set_reals(reals), Status::Ok);
+    let status = fmi2ExitInitializationMode(host.component);
+    let said = host.messages.lock().unwrap().len();
+    assert_eq!(said, usize::from(status == Status::Warning), "{}", host.last());
+    (status, if said > 0 { host.last() } else { String::new() })
+}
+
+#[test]
+fn a_wheel_that_starts_inside_far_above_or_beside_its_rails_is_told_how_far() {
+    assert_eq!(started(&[], false).0, Status::Ok);
+    for (reals, left, words) in [
+        (&[("wheel.nominal_radius", 0.42)][..], false, "40.2 mm above nominal.wheel_z"),
+        (&[("wheel.nominal_radius", 0.5)], false, "39.8 mm below nominal.wheel_z"),
+        (&[("wheel.z", -0.44)], false, "it is inside the rail; set wheel.z"),
+        (
+            &[],
+            true,
+            "the wheel on the left side starts beside its rails, with its marker at y = 0.75 m",
+        ),
+        (&[("wheel.y", 0.2)], false, "set wheel.y"),
+    ] {
+        let (status, message) = started(reals, left);
+        assert_eq!(status, Status::Warning, "{words}");
+        assert!(message.contains(words), "{message}");
+    }
 }

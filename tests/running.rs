@@ -216,3 +216,73 @@ fn damping_knows_how_fast_the_penetration_grows() {
     }
     assert!(judged > 150 && flanges > 20, "{judged}, {flanges}");
 }
+
+/// Wheels that yaw and roll on the flange and on the tread, by every normal model, pressed until they carry tens of kilonewtons.
+fn for_each_frictionless(mut each: impl FnMut(&mut Element, &Parameters, &Input, NormalModel)) {
+    use NormalModel::{BoundaryElement, Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
+    for normal_model in [Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips, BoundaryElement] {
+        let parameters = Parameters {
+            normal_model,
+            normal_elements: [16, 16],
+            damping: 0.0,
+            ..Parameters::default()
+        };
+        let mut element = element(&parameters);
+        for yaw in [5e-3, -5e-3, 0.025, -0.025] {
+            for shift in [0.0, 5e-3, 7.5e-3] {
+                for roll in [0.0, 4e-3, -0.02] {
+                    let mut input = rolling(shift, 20.0);
+                    (input.wheel.yaw, input.wheel.roll, input.friction) = (yaw, roll, 0.0);
+                    let input = pressed(&mut element, &input, 1.5e-4);
+                    each(&mut element, &parameters, &input, normal_model);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_normal_force_has_no_moment_about_the_axle() {
+    let mut greatest_angle = 0f64;
+    for_each_frictionless(|element, parameters, input, model| {
+        let output = evaluate(element, input);
+        let force: f64 = output.patches.iter().map(|patch| patch.normal_force).sum();
+        assert!(force > 1e3, "{input:?}");
+        greatest_angle =
+            output.patches.iter().fold(greatest_angle, |a, p| a.max(p.contact_angle.abs()));
+        let (sin_roll, cos_roll) = input.wheel.roll.sin_cos();
+        let (sin_yaw, cos_yaw) = input.wheel.yaw.sin_cos();
+        let moment = dot(output.wheel.moment, [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll]);
+        let bound = 1e-9 * force * parameters.wheel.nominal_radius;
+        assert!(moment.abs() <= bound, "{model:?}: {moment} N m of {force} N at {input:?}");
+    });
+    assert!(greatest_angle.to_degrees() > 65.0, "{greatest_angle}");
+}
+
+#[test]
+fn a_frictionless_wheel_takes_as_much_power_as_its_contact_gives_back() {
+    // Steady rolling feeds nothing; a motion that presses the bodies together stores what the normal forces take by the way along them.
+    for_each_frictionless(|element, _, input, model| {
+        let mut input = *input;
+        for (sideways, down) in [(0.0, 0.0), (0.03, -0.02)] {
+            (input.wheel.velocity[1], input.wheel.velocity[2]) = (sideways, down);
+            let output = evaluate(element, &input);
+            let wheel = &input.wheel;
+            let (sin_roll, cos_roll) = wheel.roll.sin_cos();
+            let (sin_yaw, cos_yaw) = wheel.yaw.sin_cos();
+            let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
+            let turning = axle.map(|part| part * wheel.pitch_rate);
+            let power = dot(output.wheel.force, wheel.velocity) + dot(output.wheel.moment, turning);
+            let patches = output.patches.iter().filter(|patch| patch.rail > 0);
+            let (mut closing, mut scale) = (0.0, 0.0);
+            for patch in patches {
+                let (sine, cosine) = patch.contact_angle.sin_cos();
+                closing += patch.normal_force * (cosine * down - sine * sideways);
+                scale += patch.normal_force * 20.0;
+            }
+            let error = (power + closing).abs();
+            assert!(error <= 1e-9 * scale, "{model:?}: {power} W, {closing} W at {input:?}");
+            assert!(output.frictional_power.abs() <= 0.0);
+        }
+    });
+}
