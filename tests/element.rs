@@ -54,7 +54,7 @@ fn assert_opposite_wrenches(parameters: &Parameters) {
 }
 
 #[test]
-fn the_wrench_is_the_sum_of_the_patches_at_their_positions() {
+fn the_wrench_is_the_sum_of_the_patches_with_normal_forces_on_lines_through_the_axle() {
     let mut element = element(&Parameters::default());
     let mut random = Random::new(4);
     for _ in 0..300 {
@@ -65,14 +65,19 @@ fn the_wrench_is_the_sum_of_the_patches_at_their_positions() {
             let (sine, cosine) = patch.contact_angle.sin_cos();
             let [along, across] = patch.creep_force;
             let normal = [0.0, -sine, cosine];
-            let on_wheel = [
-                along,
-                across * cosine - patch.normal_force * normal[1],
-                across * sine - patch.normal_force * normal[2],
-            ];
+            let creep = [along, across * cosine, across * sine];
+            let pressing = normal.map(|n| -n * patch.normal_force);
             let arm = [0, 1, 2].map(|i| patch.position[i] - input.wheel.position[i]);
-            force = add(force, on_wheel);
-            moment = add(moment, cross(arm, on_wheel));
+            let wheel = &input.wheel;
+            let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) =
+                (wheel.roll.sin_cos(), wheel.yaw.sin_cos());
+            let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
+            // Moved along x until (arm, normal, axle) lie in a plane.
+            let volume = dot(arm, cross(normal, axle));
+            let mut on_line = arm;
+            on_line[0] -= volume / cross(normal, axle)[0];
+            force = add(force, add(creep, pressing));
+            moment = add(moment, add(cross(arm, creep), cross(on_line, pressing)));
             moment = add(moment, normal.map(|n| n * patch.spin_moment));
         }
         let size = dot(force, force).sqrt();
@@ -285,5 +290,49 @@ fn assert_mirrored_runs(parameters: &Parameters) {
         let allowed = tolerance::MIRRORED * dot([fx, fy, fz], [fx, fy, fz]).sqrt();
         assert_close(back.wheel.force, [-fx, fy, fz], allowed, "force");
         assert_close(back.wheel.moment, [mx, -my, -mz], allowed, "moment");
+    }
+}
+
+#[test]
+fn the_force_grows_as_deep_as_the_outlines_go_and_a_wheel_that_is_deeper_is_told_from_a_lifted_one()
+{
+    use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
+    for normal_model in [Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips] {
+        for y in [0.745, 0.75, 0.757] {
+            let mut element = element(&Parameters { normal_model, ..Parameters::default() });
+            let mut input = Input { friction: 0.0, ..Input::default() };
+            input.wheel.position[1] = y;
+            let touching = element.touching_height(&input);
+            let what = |depth: f64| format!("{normal_model:?} at y = {y} m, {depth} m deep");
+            let mut before = 0.0;
+            for step in 1..=100 {
+                let depth = 1e-3 * f64::from(step);
+                input.wheel.position[2] = touching + depth;
+                let output = evaluate(&mut element, &input);
+                if let Some(sunk) = element.sunk() {
+                    // Two thirds of the head.
+                    assert!(depth > 0.02 && (sunk - depth).abs() < 0.01, "{}", what(depth));
+                    assert!(output.patch_count == 0 && output.wheel.force == [0.0; 3]);
+                } else {
+                    // Models that take turns differ by some per cent.
+                    let force = -output.wheel.force[2];
+                    assert!(force > 0.9 * before, "{}: {force} after {before}", what(depth));
+                    assert!(output.patch_count > 0);
+                    before = force;
+                }
+            }
+            assert!(before > 1e8 && element.sunk().is_some());
+            input.wheel.position[2] = touching - 1e-3;
+            evaluate(&mut element, &input);
+            assert_eq!(element.sunk(), None);
+        }
+    }
+    // Beside the gauge face a wheel is not inside, however low it hangs.
+    let mut element = element(&Parameters::default());
+    let mut input = Input::default();
+    for (y, z) in [(0.645, -0.40), (0.645, -0.45), (0.63, -0.44), (0.88, -0.40)] {
+        (input.wheel.position[1], input.wheel.position[2]) = (y, z);
+        evaluate(&mut element, &input);
+        assert_eq!(element.sunk(), None, "{y} {z}");
     }
 }

@@ -196,3 +196,23 @@ fn a_wheel_that_starts_inside_far_above_or_beside_its_rails_is_told_how_far() {
         assert!(message.contains(words), "{message}");
     }
 }
+
+#[test]
+fn a_wheel_that_sinks_into_its_rail_is_told_from_a_lifted_one_once() {
+    let host = Host::stepping();
+    let said = || host.messages.lock().unwrap().len();
+    let force = |z: f64| {
+        assert_eq!(host.set_reals(&[("wheel.z", z)]), Status::Ok);
+        host.get_real("wheel.force.z")
+    };
+    assert!(force(-0.4598) < 0.0 && force(-0.444) < -1e8);
+    assert_eq!(said(), 0);
+    for z in [-0.42, -0.41, -0.3] {
+        assert!(force(z).abs() <= 0.0);
+        assert_eq!(host.get_integer("patch_count"), 0);
+    }
+    assert_eq!(said(), 1, "{}", host.last());
+    for words in ["39.8 mm below the top of its rail", "not lifted", "nominal.wheel_z"] {
+        assert!(host.last().contains(words), "{}", host.last());
+    }
+}

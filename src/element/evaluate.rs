@@ -50,6 +50,8 @@ pub struct Element {
     pub(super) start_warnings: Vec<StartWarning>,
     pub(super) fallbacks: u64,
     pub(super) work: Work,
+    /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force [m].
+    sunk: Option<f64>,
     /// Memory for derivatives, once they have been asked for.
     pub(super) memory: Option<Box<DerivativeMemory>>,
 }
@@ -140,6 +142,7 @@ impl Element {
             start_warnings: Vec::new(),
             fallbacks: 0,
             work: Work::default(),
+            sunk: None,
             memory: None,
         };
         let touching = element.touch(start);
@@ -165,6 +168,13 @@ impl Element {
     #[must_use]
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks
+    }
+
+    /// How deep the wheel of the last evaluation was below the top of a rail, where that was too deep for the outlines to tell a force: the
+    /// rail then carries nothing, which is no lifted wheel [m].
+    #[must_use]
+    pub fn sunk(&self) -> Option<f64> {
+        self.sunk
     }
 
     /// Goes back to an earlier count of [`fallbacks`](Self::fallbacks).
@@ -227,10 +237,18 @@ impl Element {
     pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
         output.clear();
         self.models.patches.clear();
+        self.sunk = None;
         let mut left_out = 0;
         for (k, rail) in self.rails.iter_mut().enumerate() {
             if let Some(rail) = rail {
-                left_out += rail.evaluate(k, input, &mut self.models, output, &mut self.work);
+                left_out += rail.evaluate(
+                    k,
+                    input,
+                    &mut self.models,
+                    output,
+                    &mut self.work,
+                    &mut self.sunk,
+                );
             }
         }
         left_out

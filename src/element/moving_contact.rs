@@ -6,7 +6,7 @@ use super::input::Input;
 use super::models::Models;
 use super::number::ElementNumber;
 use super::output::Output;
-use super::rail_contact::RailContact;
+use super::rail_contact::{MOST_STRIP_DEPTH, RailContact};
 use super::rail_frame::RailFrame;
 use super::strip_contact;
 use crate::geometry::contact_line::ContactLine;
@@ -72,6 +72,11 @@ impl RailContact {
     ) -> Result<(), Kink> {
         if !self.search_contacts(k, &input.value()) {
             return Ok(());
+        }
+        if self.search.contacts.iter().any(|contact| contact.penetration > MOST_STRIP_DEPTH)
+            && found.strip_solver.is_some()
+        {
+            return Err(NO_STRIPS);
         }
         let fixed = found.strip_solver.as_ref().map_or(0, |solver| solver.work.fixed);
         let Self { rail, search, probes, .. } = self;

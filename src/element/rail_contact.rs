@@ -39,6 +39,14 @@ pub struct RailContact {
     deviations: Option<Longitudinal>,
 }
 
+/// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which on one without a force is [m].
+const DEEP: f64 = 5e-3;
+/// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its underside is as near as its top.
+const MOST_DEPTH: f64 = 2.5e-2;
+/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, the half-space around each strip is cut by the other
+/// sides of the rail, and the strips of a virtual penetration carry on.
+pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
+
 /// Most stretches of a contact line that are searched apart from each other.
 const MOST_RANGES: usize = 32;
 
@@ -174,8 +182,49 @@ impl RailContact {
     }
 
     /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a
-    /// simpler model.
+    /// simpler model. A wheel that is so deep in the rail that the outlines tell no force is one of them, and `sunk` is then how deep it is [m].
     pub fn evaluate(
+        &mut self,
+        k: usize,
+        input: &Input,
+        models: &mut Models,
+        output: &mut Output,
+        work: &mut Work,
+        sunk: &mut Option<f64>,
+    ) -> u64 {
+        let before = (self.search.evaluations, self.search.left_out);
+        if !self.search_contacts(k, input) {
+            work.lifted += 1;
+            return 0;
+        }
+        work.searches += 1;
+        work.distances += self.search.evaluations - before.0;
+        let left_out = self.search.left_out - before.1;
+        let contacts = &self.search.contacts;
+        // Deep, from below, or with nothing to touch where bounds do not rule it out.
+        let looks_sunk = contacts.is_empty()
+            || contacts.iter().any(|c| c.penetration > DEEP || c.tangent[0] < 0.0);
+        let depth = if looks_sunk { self.depth(k, input) } else { 0.0 };
+        let patches = models.patches.len();
+        let mut fallbacks = 0;
+        if depth <= MOST_DEPTH {
+            fallbacks = self.add_forces(k, input, models, output, work);
+        }
+        if depth > DEEP && models.patches.len() == patches {
+            *sunk = Some(sunk.map_or(depth, |deepest| deepest.max(depth)));
+            return 1;
+        }
+        left_out + fallbacks
+    }
+
+    /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it is not [m].
+    fn depth(&self, k: usize, input: &Input) -> f64 {
+        let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        self.clearance.sunk(&pose).unwrap_or(0.0)
+    }
+
+    /// Adds the forces of the contacts found; returns how many zones found no room or fell back to a simpler model.
+    fn add_forces(
         &mut self,
         k: usize,
         input: &Input,
@@ -184,19 +233,10 @@ impl RailContact {
         work: &mut Work,
     ) -> u64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        let pose = frame.pose(&input.wheel);
-        self.find_ranges(input, &pose);
-        if self.ranges.is_empty() {
-            work.lifted += 1;
-            return 0;
-        }
-        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let line =
+            ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref());
-        let before = (self.search.evaluations, self.search.left_out);
-        self.search.search(&line, &self.rail, &self.ranges);
-        work.searches += 1;
-        work.distances += self.search.evaluations - before.0;
-        let mut left_out = self.search.left_out - before.1;
+        let mut left_out = 0;
         let forces = |contact, slopes, damped_with| ContactForces {
             k,
             input,
@@ -207,7 +247,10 @@ impl RailContact {
             slopes,
             damped_with,
         };
-        if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
+        let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
+        if models.strip_solver.is_some() && is_deep {
+            left_out += 1;
+        } else if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
             let fixed = |m: &Models| m.strip_solver.as_ref().map_or(0, |s| s.work.fixed);
             let before = fixed(models);
             let solved =

@@ -79,8 +79,9 @@ pub struct Instance<S: Described> {
     pub(super) last_step: Option<LastStep>,
     /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
     pub(super) rates: Option<Box<ValuesOf<S>>>,
-    /// Whether the rails did not carry a given load when the outputs were evaluated last, which is said once.
+    /// Whether the rails did not carry a given load, or a wheel was too deep in them, when the outputs were evaluated last: each is said once.
     pub(super) load_is_missed: bool,
+    pub(super) wheel_is_sunk: bool,
     /// Texts handed out by the last `fmi2GetString`.
     pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -106,6 +107,7 @@ impl<S: Described> Instance<S> {
             last_step: None,
             rates: None,
             load_is_missed: false,
+            wheel_is_sunk: false,
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -306,7 +308,7 @@ impl<S: Described> Instance<S> {
     /// A warning if there are more fallbacks than `before`: a load that is not carried, or a simpler model.
     fn warnings(&mut self, before: i32, logger: &Logger) -> Status {
         let count = S::fallback_count(&self.values.output);
-        let missed = self.report_loads(logger);
+        let missed = self.report_loads(logger) + self.report_sunk(logger);
         if count == before {
             return Status::Ok;
         }
@@ -317,6 +319,27 @@ impl<S: Described> Instance<S> {
             logger.log(Status::Warning, Category::Warning, &message);
         }
         Status::Warning
+    }
+
+    /// The number of wheels that are too deep in their rails for a force; the first time they are told.
+    fn report_sunk(&mut self, logger: &Logger) -> i32 {
+        let elements = self.element.iter().flat_map(|subject| subject.elements());
+        let mut sunk = 0;
+        for (prefix, depth) in
+            S::PREFIXES.iter().zip(elements).filter_map(|(p, e)| Some((p, e.sunk()?)))
+        {
+            sunk += 1;
+            if !self.wheel_is_sunk && logger.takes(Category::Warning) {
+                let message = format!(
+                    "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
+                     lifted; see {prefix}nominal.wheel_z for where it would just touch; this is said once until it is out again",
+                    1e3 * depth
+                );
+                logger.log(Status::Warning, Category::Warning, &message);
+            }
+        }
+        self.wheel_is_sunk = sunk > 0;
+        sunk
     }
 
     /// The number of given loads that the rails do not carry; the first time they are told.

@@ -20,6 +20,10 @@ const MARGIN: f64 = 5e-6;
 const LEVELS: usize = 9;
 /// Cells of the wheel that are looked at together before any of them is looked at alone.
 const BLOCK: usize = 16;
+/// How wide the rail has to be to either side of a place of a wheel that counts as inside, and the spacing of such places, in places and cells:
+/// 8 mm in all.
+const SURROUNDING: isize = 2;
+const SPACING: isize = 4;
 /// Cells beyond either end of the rail that any level can reach.
 const PADDING: usize = 1 << (LEVELS - 1);
 
@@ -173,6 +177,29 @@ impl Clearance {
             }
         }
         ranges.extend(open);
+    }
+
+    /// How deep the wheel at `pose` lies below the top of the rail where the rail is wide around it, whatever the outlines look like
+    /// below [m]; nothing where it does not. Roll and yaw count as none: it is a measure of wheels that are inside.
+    #[must_use]
+    pub fn sunk(&self, pose: &WheelPose) -> Option<f64> {
+        let y = pose.marker[1] - self.nominal_radius * pose.roll.sin();
+        let offset = ((y + self.wheel_start - self.rail_start) / CELL).floor();
+        if offset.abs() > 1e6 {
+            return None;
+        }
+        let low = pose.marker[2] + self.nominal_radius;
+        let tops = &self.tops[0];
+        let depth = |cell: usize| {
+            let middle = cell as isize + offset as isize;
+            // Beside the rail there is no top: a flange beside the gauge face is not inside.
+            let top = (-SURROUNDING..=SURROUNDING)
+                .map(|k| usize::try_from(middle + k * SPACING).ok().and_then(|i| tops.get(i)))
+                .try_fold(f64::NEG_INFINITY, |lowest, top| Some(lowest.max(*top?)))?;
+            let depth = low + self.lows[cell] - top;
+            (depth > 0.0).then_some(depth)
+        };
+        (0..self.lows.len()).step_by(SPACING as usize).filter_map(depth).max_by(f64::total_cmp)
     }
 
     /// Whether no cell of a block of the wheel can touch, by the lowest of them and the highest place of the rail that any can reach.

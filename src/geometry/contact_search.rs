@@ -32,6 +32,11 @@ const BIN: f64 = 4e-3;
 const MOST_HOLLOW: f64 = 0.5;
 /// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved than the profile.
 const STEP_SHARE: f64 = 0.9;
+/// Depth from which on the nearest point of the rail is looked for all around it [m]: wheels that are loaded stay far above, and gauge corners are
+/// rounded by twice as much.
+const DEEP: f64 = 5e-3;
+/// Distance along the rail over which its nearest point moves within one step only where it goes over to another side [m].
+const OTHER_SIDE: f64 = 1e-2;
 /// Patches are split where neighbouring normals differ by more [rad].
 const MOST_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 /// Last Newton step towards a nearest point while searching, and where a minimum is pinned down; what is then left is about its
@@ -221,7 +226,14 @@ impl ContactSearch {
     ) -> Sample {
         self.evaluations += 1;
         let at = line.at(u);
-        let nearest = rail.nearest(at.point, guess, tolerance);
+        let mut nearest = rail.nearest(at.point, guess, tolerance);
+        if nearest.distance < -DEEP {
+            // So deep inside, the guess may hold on to a side that is no longer the nearest one.
+            let anywhere = rail.nearest(at.point, rail.coarse_nearest(at.point), tolerance);
+            if anywhere.distance < 0.0 && anywhere.distance > nearest.distance {
+                nearest = anywhere;
+            }
+        }
         let away = if nearest.beyond_end {
             let to = [at.point[0] - nearest.point[0], at.point[1] - nearest.point[1]];
             let length = nearest.distance.max(f64::MIN_POSITIVE);
@@ -265,7 +277,14 @@ impl ContactSearch {
         }
         if dips || (from.slope > 0.0 && to.slope < 0.0) {
             let extremum = self.extremum(line, rail, from, to);
-            self.record(extremum, if dips { Kind::Minimum } else { Kind::Maximum });
+            // Where the nearest point goes over to another side of the rail the depth has an edge, but nothing touches there.
+            let goes_over = (to.rail_s - from.rail_s).abs() > OTHER_SIDE;
+            let kind = match (dips, goes_over) {
+                (true, true) => Kind::Step,
+                (true, false) => Kind::Minimum,
+                (false, _) => Kind::Maximum,
+            };
+            self.record(extremum, kind);
         }
         self.record(*to, Kind::Step);
         if to.distance > 0.0 {
