@@ -47,7 +47,7 @@ pub struct Element {
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],
     nominal_wheel_z: f64,
-    pub(super) start_warnings: Vec<StartWarning>,
+    pub(super) start_warning: Option<StartWarning>,
     pub(super) fallbacks: u64,
     pub(super) work: Work,
     /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force [m].
@@ -139,7 +139,7 @@ impl Element {
             models,
             rails: contacts,
             nominal_wheel_z: start.wheel.position[2],
-            start_warnings: Vec::new(),
+            start_warning: None,
             fallbacks: 0,
             work: Work::default(),
             sunk: None,

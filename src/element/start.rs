@@ -74,34 +74,27 @@ impl StartWarning {
 }
 
 impl Element {
-    /// What is odd about the place in which the wheel starts.
+    /// What is odd about the place in which the wheel starts, if anything is.
     #[must_use]
-    pub fn start_warnings(&self) -> &[StartWarning] {
-        &self.start_warnings
+    pub fn start_warning(&self) -> Option<StartWarning> {
+        self.start_warning
     }
 
     /// Looks at the place of `start`; `touching` is the height of first touch, if there is one.
     pub(super) fn look_at_start(&mut self, start: &Input, touching: Option<f64>) {
-        let z = start.wheel.position[2];
-        let mut found = Vec::new();
         if self.rails.iter().all(Option::is_none) {
             return;
         }
-        match touching {
-            None => {
-                let (y, side) = (start.wheel.position[1], self.side);
-                found.push(StartWarning::BesideTheRails { y, side });
-            }
-            Some(nominal) => {
-                let far = nominal - z > FAR_ABOVE || z - nominal > INSIDE;
-                if far && self.vertical_mode == VerticalMode::Penetration {
-                    found.push(StartWarning::FarFromFirstTouch { z, nominal });
-                }
-            }
-        }
-        found
-            .extend(self.overlap_of_rail_2(start).map(|overlap| StartWarning::InRail2 { overlap }));
-        self.start_warnings = found;
+        let [_, y, z] = start.wheel.position;
+        let is_far = |nominal: f64| nominal - z > FAR_ABOVE || z - nominal > INSIDE;
+        // What is told is the cause: a rail in the way also changes the height of first touch.
+        self.start_warning = match (self.overlap_of_rail_2(start), touching) {
+            (Some(overlap), _) => Some(StartWarning::InRail2 { overlap }),
+            (None, None) => Some(StartWarning::BesideTheRails { y, side: self.side }),
+            (None, Some(nominal)) => (is_far(nominal)
+                && self.vertical_mode == VerticalMode::Penetration)
+                .then_some(StartWarning::FarFromFirstTouch { z, nominal }),
+        };
     }
 
     /// How far rail 2 reaches into the wheel from the side where it just touches rail 1.

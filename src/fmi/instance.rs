@@ -161,7 +161,7 @@ impl<S: Described> Instance<S> {
         let mut status = Status::Ok;
         let elements = self.element.iter().flat_map(|subject| subject.elements());
         for (prefix, element) in S::PREFIXES.iter().zip(elements) {
-            for warning in element.start_warnings() {
+            if let Some(warning) = element.start_warning() {
                 status = Status::Warning;
                 logger.log(status, Category::Warning, &warning.message(prefix));
             }

@@ -118,6 +118,43 @@ fn variables() {
     compare("Variables", &said.collect::<Vec<_>>());
 }
 
+/// What is warned of in an instance that starts with the settings `start` and then gets `later` ones.
+fn warned(start: &[&str], later: &[&str]) -> String {
+    let host = Host::initializing();
+    let set = |settings: &[&str]| {
+        for setting in settings {
+            let (name, value) = setting.split_once(" = ").unwrap();
+            let status = match find(name).unwrap().kind {
+                Kind::Boolean => host.set_boolean(name, value == "1"),
+                _ => set(&host, name, value),
+            };
+            assert_eq!(status, Status::Ok, "{}", host.last());
+        }
+    };
+    set(start);
+    let mut status = fmi2ExitInitializationMode(host.component);
+    if !later.is_empty() {
+        assert_eq!(status, Status::Ok, "{}", host.last());
+        set(later);
+        status = Status::Warning;
+        assert!(host.get_reals(&["wheel.force.z"]).is_ok());
+    }
+    assert_eq!(status, Status::Warning);
+    let messages = host.messages.lock().unwrap().clone();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert_eq!(messages[0].category, "logStatusWarning");
+    host.last()
+}
+
+#[test]
+fn warnings() {
+    let said = rows("Warnings").into_iter().map(|row| {
+        let message = warned(&code(&row[0]), &code(&row[1]));
+        (row, message)
+    });
+    compare("Warnings", &said.collect::<Vec<_>>());
+}
+
 #[test]
 fn every_real_variable_refuses_what_is_out_of_its_range() {
     let host = Host::initializing();
