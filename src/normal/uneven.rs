@@ -85,8 +85,10 @@ impl UnevenStrips {
         let longest = (2.0 * lifting.radius / lifting.share * depth).sqrt();
         // From the place of the contact line; that of a yawed wheel is another one for every strip, for which it is made up as in the
         // model of even bodies.
-        let first_touch = separation.at(problem.contact_u).x - separation.centre(problem.contact_u);
-        let contact_dy = separation.at(problem.contact_u).dy;
+        let contact = separation.at(problem.contact_u);
+        let first_touch = contact.x - separation.centre(problem.contact_u);
+        // A lift is along the height and not along the normal: the place of y = 0 is beside that of first touch.
+        let middle_u = problem.contact_u - contact.y / contact.dy;
         let mut left_out = 0;
         // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
         let mut sums = Sums::default();
@@ -113,10 +115,9 @@ impl UnevenStrips {
                 let overlap = Overlap::new(lifting, centre, depth - at.f, at.x);
                 left_out += self.add_strip(&across, &overlap, centre + first_touch, &mut sums);
             }
-            let nearest = longest * LEAST_DISTANCE / contact_dy;
-            sums.displacement += longest
-                * contact_dy
-                * logarithm_error(problem.rule, &edge, problem.contact_u, nearest);
+            let nearest = longest * LEAST_DISTANCE / contact.dy;
+            sums.displacement +=
+                longest * contact.dy * logarithm_error(problem.rule, &edge, middle_u, nearest);
             let deepest = probes
                 .iter()
                 .filter(|p| p.u > edge.left && p.u < edge.right)
