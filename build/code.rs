@@ -65,8 +65,8 @@ pub fn ranges(declaration: &Declaration) -> String {
         if v.causality != Causality::Parameter || !v.field.starts_with("parameters.") {
             continue;
         }
-        let (least, most) = (v.min.unwrap_or(f64::MIN), v.max.unwrap_or(f64::MAX));
-        let [least, most] = [least, most].map(number);
+        let least = v.min.map_or("f64::MIN".into(), number);
+        let most = v.max.map_or("f64::MAX".into(), number);
         let allowed = allowed(declaration, v);
         line(&mut rows, &format!("({:?}, {value}, [{least}, {most}], {allowed:?}),", v.name));
         count += 1;

@@ -11,6 +11,7 @@ use super::slots::Slots;
 use super::snapshot::Snapshot;
 use super::types::{Status, ValueReference};
 use crate::element::parameters::{VerticalMode, WearModel};
+use crate::element::subject::Subject;
 use crate::element::vertical_load::is_carried;
 use crate::error::ContactError;
 use crate::io::save_profile;
@@ -53,6 +54,15 @@ pub struct Experiment {
     pub stop: Option<f64>,
 }
 
+/// What is said once, until all is well again.
+#[derive(Clone, Copy, Debug, Default)]
+struct Told {
+    /// The rails do not carry a given load.
+    load_is_missed: bool,
+    /// A wheel is too deep in a rail.
+    wheel_is_sunk: bool,
+}
+
 /// An instance of one unit.
 #[derive(Debug)]
 pub struct Instance<S: Described> {
@@ -79,9 +89,8 @@ pub struct Instance<S: Described> {
     pub(super) last_step: Option<LastStep>,
     /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
     pub(super) rates: Option<Box<ValuesOf<S>>>,
-    /// Whether the rails did not carry a given load, or a wheel was too deep in them, when the outputs were evaluated last: each is said once.
-    pub(super) load_is_missed: bool,
-    pub(super) wheel_is_sunk: bool,
+    /// What the host was told of the outputs evaluated last.
+    told: Told,
     /// Texts handed out by the last `fmi2GetString`.
     pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -106,8 +115,7 @@ impl<S: Described> Instance<S> {
             slopes_at: None,
             last_step: None,
             rates: None,
-            load_is_missed: false,
-            wheel_is_sunk: false,
+            told: Told::default(),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -159,7 +167,7 @@ impl<S: Described> Instance<S> {
             Purpose::CoSimulation => State::Stepping,
         };
         let mut status = Status::Ok;
-        let elements = self.element.iter().flat_map(|subject| subject.elements());
+        let elements = self.element.iter().flat_map(Subject::elements);
         for (prefix, element) in S::PREFIXES.iter().zip(elements) {
             if let Some(warning) = element.start_warning() {
                 status = Status::Warning;
@@ -323,13 +331,13 @@ impl<S: Described> Instance<S> {
 
     /// The number of wheels that are too deep in their rails for a force; the first time they are told.
     fn report_sunk(&mut self, logger: &Logger) -> i32 {
-        let elements = self.element.iter().flat_map(|subject| subject.elements());
+        let elements = self.element.iter().flat_map(Subject::elements);
         let mut sunk = 0;
         for (prefix, depth) in
             S::PREFIXES.iter().zip(elements).filter_map(|(p, e)| Some((p, e.sunk()?)))
         {
             sunk += 1;
-            if !self.wheel_is_sunk && logger.takes(Category::Warning) {
+            if !self.told.wheel_is_sunk && logger.takes(Category::Warning) {
                 let message = format!(
                     "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
                      lifted; see {prefix}nominal.wheel_z for where it would just touch; this is said once until it is out again",
@@ -338,7 +346,7 @@ impl<S: Described> Instance<S> {
                 logger.log(Status::Warning, Category::Warning, &message);
             }
         }
-        self.wheel_is_sunk = sunk > 0;
+        self.told.wheel_is_sunk = sunk > 0;
         sunk
     }
 
@@ -354,7 +362,7 @@ impl<S: Described> Instance<S> {
                 continue;
             }
             missed += 1;
-            if !self.load_is_missed && logger.takes(Category::Warning) {
+            if !self.told.load_is_missed && logger.takes(Category::Warning) {
                 let message = format!(
                     "{prefix}wheel.load = {load} N, but the rails carry {carried:.0} N where the wheel is: {prefix}vertical.load_carried says how \
                      much; this is said once until they carry it again"
@@ -362,7 +370,7 @@ impl<S: Described> Instance<S> {
                 logger.log(Status::Warning, Category::Warning, &message);
             }
         }
-        self.load_is_missed = missed > 0;
+        self.told.load_is_missed = missed > 0;
         missed
     }
 }

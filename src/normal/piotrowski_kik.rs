@@ -86,10 +86,10 @@ pub fn solve<T: Influence>(
         }
         // The strips straddle the deepest place: its depth is exact where the separation was probed.
         let inside = probes.iter().filter(|p| edge.left < p.u && edge.right > p.u);
-        if let Some(lowest) = inside.min_by(|a, b| a.f.total_cmp(&b.f)) {
-            if depth - lowest.f > deepest {
-                deepest = depth - separation.minimum(lowest);
-            }
+        if let Some(lowest) = inside.min_by(|a, b| a.f.total_cmp(&b.f))
+            && depth - lowest.f > deepest
+        {
+            deepest = depth - separation.minimum(lowest);
         }
         let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
