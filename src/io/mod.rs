@@ -9,3 +9,4 @@ mod two_column;
 
 pub use deviation_file::{Deviations, load_deviations};
 pub use profile_file::{load_profile, save_profile};
+pub use table::number;

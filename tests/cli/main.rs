@@ -161,6 +161,37 @@ fn a_reader_that_has_had_enough_is_no_error() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+#[test]
+fn no_result_goes_where_something_is_read() {
+    let (folder, path) = written("wheel.y,wheel.z\n0.75,-0.4597\n0.751,-0.4597\n");
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (planar, shape) = (file("planar.csv"), file("f.csv"));
+    std::fs::write(&planar, "separation,radius_mm,approach_mm\nf.csv,460,0.05\n").unwrap();
+    std::fs::write(&shape, parabola()).unwrap();
+    let read = [&path, &planar, &shape].map(|path| std::fs::read(path).unwrap());
+    let new = file("new.csv");
+    for arguments in [
+        &["evaluate", &path, "-o", &path][..],
+        &["patch", &planar, "-o", &planar],
+        &["patch", &planar, "-o", &shape],
+        &["compare", &path, "-o", &path],
+        &["compare", &path, "--summary", &path],
+        &["compare", &planar, "-o", &shape],
+        &["sweep", &path, "-o", &path],
+        &["sweep", &path, "--history", &path],
+        &["plot", &planar, "--fields", &shape],
+        &["plot", "--worn-wheel", &shape, "--fields", &shape],
+        &["conicity", "--wheel-profile", &shape, "-o", &shape],
+    ] {
+        let message = failure(arguments);
+        assert!(message.contains("this command reads it"), "{arguments:?}: {message}");
+    }
+    let message = failure(&["sweep", &path, "-o", &new, "--history", &new]);
+    assert!(message.contains("another result goes there"), "{message}");
+    assert_eq!([&path, &planar, &shape].map(|path| std::fs::read(path).unwrap()), read);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
+}
+
 fn parabola() -> String {
     let points =
         (-60..=60).map(|i| 0.25 * f64::from(i)).map(|y| format!("{y},{}\n", y * y / 600.0));

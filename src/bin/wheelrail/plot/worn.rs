@@ -47,12 +47,12 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
         let deepest = depth.iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
         let area: f64 = depth.iter().map(|p| p.depth * p.length).sum();
         if let Some(deepest) = deepest {
-            println!(
-                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm",
+            output::say(&format!(
+                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm\n",
                 1e6 * area,
                 1e3 * deepest.depth,
                 1e3 * deepest.point[0]
-            );
+            ))?;
         }
         bodies.push(body(kind, [unworn, worn_name], [&before, &after], &depth));
         tables.push((kind, depth));
@@ -61,10 +61,9 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
         write(path, &tables)?;
     }
     wear::draw(request.figure, &bodies)?;
-    for path in std::iter::once(request.figure).chain(request.fields) {
-        println!("{}", path.display());
-    }
-    Ok(())
+    std::iter::once(request.figure)
+        .chain(request.fields)
+        .try_for_each(|path| output::say(&format!("{}\n", path.display())))
 }
 
 fn body(
@@ -94,7 +93,7 @@ fn points(profile: &Profile) -> Vec<(f64, f64)> {
 }
 
 fn write(path: &Path, tables: &[(ProfileKind, Vec<DepthPoint>)]) -> Result<()> {
-    let mut table = output::table(Some(path))?;
+    let table = output::table(Some(path))?;
     table.write_record(["body", "y_mm", "z_mm", "depth_mm"])?;
     for (kind, depth) in tables {
         for DepthPoint { point: [y, z], depth, .. } in depth {
@@ -102,5 +101,5 @@ fn write(path: &Path, tables: &[(ProfileKind, Vec<DepthPoint>)]) -> Result<()> {
             table.write_record([kind.to_string(), number(*y), number(*z), number(*depth)])?;
         }
     }
-    Ok(table.flush()?)
+    table.finish()
 }
