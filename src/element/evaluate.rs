@@ -247,21 +247,41 @@ impl Element {
         let highest = (self.rails.iter().enumerate())
             .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
             .fold(f64::INFINITY, f64::min);
-        let mut touches = |z: f64| {
+        if !highest.is_finite() {
+            return None;
+        }
+        let mut lift = |z: f64| {
             let mut at = *input;
             at.wheel.position[2] = z;
             (self.rails.iter_mut().enumerate())
-                .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
-                .any(|touches| touches)
+                .filter_map(|(k, rail)| rail.as_mut()?.lift(k, &at))
+                .reduce(f64::max)
         };
         // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
         let height = |step: usize| highest + step as f64 * DESCENT_STEP;
-        let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
-        let step = found.filter(|_| highest.is_finite())?;
+        let (step, mut to_lift) =
+            (1..=MOST_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
         let (mut clear, mut touching) = (height(step - 1), height(step));
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (clear + touching);
-            if touches(middle) { touching = middle } else { clear = middle }
+        // Down to neighbouring numbers.
+        for trial in 1..=MOST_TRIALS {
+            let guess = touching - to_lift;
+            let aside = LOOK_BESIDE * (touching - clear);
+            // The farther end is brought to just beyond the guess.
+            let beside =
+                if guess - clear > touching - guess { guess - aside } else { guess + aside };
+            let is_inside = |z: f64| z > clear && z < touching;
+            let z = if trial % BISECT_EVERY != 0 && is_inside(beside) {
+                beside
+            } else {
+                0.5 * (clear + touching)
+            };
+            if !is_inside(z) {
+                break;
+            }
+            match lift(z) {
+                Some(found) => (touching, to_lift) = (z, found),
+                None => clear = z,
+            }
         }
         Some(touching)
     }
@@ -294,5 +314,9 @@ fn placed(
 const DESCENT_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MOST_DESCENT_STEPS: usize = 750;
-/// From the step of the descent to rounding.
-const BISECTIONS: usize = 45;
+/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known to.
+const LOOK_BESIDE: f64 = 1.0 / 256.0;
+/// Every so many trials the middle is taken, should the guesses be none.
+const BISECT_EVERY: usize = 4;
+/// From the step of the descent to rounding it takes 45 bisections; a dozen trials are the rule.
+const MOST_TRIALS: usize = BISECT_EVERY * 45;

@@ -39,6 +39,8 @@ pub struct RailContact {
     deviations: Option<Longitudinal>,
 }
 
+/// Least cosine of a contact angle for a guess of how far penetration goes with height.
+const STEEPEST: f64 = 0.05;
 /// Most stretches of a contact line that are searched apart from each other.
 const MOST_RANGES: usize = 32;
 
@@ -98,9 +100,15 @@ impl RailContact {
         self.rail.put_curve(rail);
     }
 
-    /// Whether any contact appears for `input` (right side) with rail number `k`.
-    pub fn touches(&mut self, k: usize, input: &Input) -> bool {
-        self.search_contacts(k, input) && !self.search.contacts.is_empty()
+    /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no contact is left, by their penetrations
+    /// and angles as they are; nothing where there is no contact [m].
+    pub fn lift(&mut self, k: usize, input: &Input) -> Option<f64> {
+        if !self.search_contacts(k, input) {
+            return None;
+        }
+        let contacts = self.search.contacts.iter();
+        let lifts = contacts.map(|contact| contact.penetration / contact.normal()[1].max(STEEPEST));
+        lifts.reduce(f64::max)
     }
 
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds show that there are none.

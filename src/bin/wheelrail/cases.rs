@@ -267,17 +267,12 @@ impl Lines {
 
 /// The cells of one line. Where commas do not part them, numbers with a decimal comma get a point.
 fn cells(line: &str, delimiter: u8) -> Result<StringRecord> {
-    if line.matches('"').count() % 2 == 1 {
-        bail!("a quotation mark is not closed");
-    }
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .delimiter(delimiter)
-        .trim(Trim::All)
-        .buffer_capacity(line.len())
-        .from_reader(line.as_bytes());
-    let mut cells = StringRecord::with_capacity(line.len(), 16);
-    reader.read_record(&mut cells)?;
+    let cells = match line.matches('"').count() {
+        // A reader for each line would take longer than what is computed for it.
+        0 => line.split(char::from(delimiter)).map(str::trim).collect(),
+        marks if marks % 2 == 1 => bail!("a quotation mark is not closed"),
+        _ => quoted_cells(line, delimiter)?,
+    };
     if delimiter == b',' || !line.contains(',') {
         return Ok(cells);
     }
@@ -286,6 +281,15 @@ fn cells(line: &str, delimiter: u8) -> Result<StringRecord> {
         if number(&point).is_some() { point } else { cell.into() }
     };
     Ok(cells.iter().map(with_point).collect())
+}
+
+/// The cells of one line of which some stand between quotation marks.
+fn quoted_cells(line: &str, delimiter: u8) -> Result<StringRecord> {
+    let mut builder = ReaderBuilder::new();
+    builder.has_headers(false).delimiter(delimiter).trim(Trim::All).buffer_capacity(line.len());
+    let mut cells = StringRecord::new();
+    builder.from_reader(line.as_bytes()).read_record(&mut cells)?;
+    Ok(cells)
 }
 
 #[cfg(test)]
