@@ -22,9 +22,10 @@ use crate::output;
 /// given by the names of their items, profile files relative to CASES. The result has one row for each case and one
 /// column for every output and calculated parameter. Lines that begin with # are comments.
 ///
-/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too. Rows are evaluated on all cores
-/// and written in their order as they are done. A file gets its name when it is complete: what is done of it before, when the run is
-/// stopped or a row is refused, stays in FILE.partial.
+/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too. Rows are evaluated on all
+/// cores, or as many threads as the environment variable RAYON_NUM_THREADS says, and written in their order as they are
+/// done. A file gets its name when it is complete: what is done of it before, when the run is stopped or a row is refused,
+/// stays in FILE.partial.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]

@@ -34,6 +34,8 @@ struct Lines {
 
 /// The tables in files that are not finished.
 static UNDER_WAY: Mutex<Vec<Weak<Mutex<Lines>>>> = Mutex::new(Vec::new());
+/// Whether interrupts are waited for.
+static HANDLER: Once = Once::new();
 
 impl Table {
     /// A table in the file `path`, or on standard output without one.
@@ -52,7 +54,6 @@ impl Table {
         }));
         if is_kept {
             under_way().push(Arc::downgrade(&lines));
-            static HANDLER: Once = Once::new();
             // Where the interrupt is ignored, as under nohup, it stays so. Without a handler the file stays too, only nothing is said.
             HANDLER.call_once(|| drop(ctrlc::try_set_handler(leave)));
         }
@@ -115,13 +116,12 @@ impl Table {
 
 impl Lines {
     fn flush(&mut self) -> Result<()> {
-        match &mut self.draft {
-            Some(draft) => draft.write(&self.held_back)?,
-            None => {
-                let mut out = io::stdout().lock();
-                let written = out.write_all(&self.held_back).and_then(|()| out.flush());
-                written.context("cannot write standard output")?;
-            }
+        if let Some(draft) = &mut self.draft {
+            draft.write(&self.held_back)?;
+        } else {
+            let mut out = io::stdout().lock();
+            let written = out.write_all(&self.held_back).and_then(|()| out.flush());
+            written.context("cannot write standard output")?;
         }
         self.held_back.clear();
         self.written_count += std::mem::take(&mut self.held_back_count);
