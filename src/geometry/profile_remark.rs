@@ -86,15 +86,16 @@ impl fmt::Display for ProfileRemark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Smoothing { file, noise, wavelength, is_too_noisy } => {
-                let micrometres = 1e6 * noise;
+                let (size, unit) =
+                    if *noise < 1e-7 { (1e9 * noise, "nm") } else { (1e6 * noise, "um") };
                 if *wavelength > 0.0 {
                     let mm = 1e3 * wavelength;
                     write!(
                         f,
-                        "{file}: noise of {micrometres:.2} um found, smoothed with a wavelength of {mm:.2} mm"
+                        "{file}: noise of {size:.2} {unit} found, smoothed with a wavelength of {mm:.2} mm"
                     )?;
                 } else {
-                    write!(f, "{file}: noise of {micrometres:.3} um found, no smoothing needed")?;
+                    write!(f, "{file}: noise of {size:.2} {unit} found, no smoothing needed")?;
                 }
                 if *is_too_noisy {
                     write!(
