@@ -91,12 +91,11 @@ const CURVATURE_PASSED: f64 = 0.2973;
 /// Distance of two numbers that differ in the last digit that nine of ten of the coordinates have, in their unit; 0 where there are more than
 /// ten decimals.
 #[must_use]
-pub(crate) fn last_digit(coordinates: impl Iterator<Item = f64> + Clone) -> f64 {
-    let count = coordinates.clone().count();
+pub(crate) fn last_digit(coordinates: &[f64]) -> f64 {
     let has = |decimals: i32| {
         let is_whole = |x: f64| (x - x.round()).abs() < 1e-4;
         let scale = 10f64.powi(decimals);
-        10 * coordinates.clone().filter(|x| is_whole(x * scale)).count() >= 9 * count
+        10 * coordinates.iter().filter(|&x| is_whole(x * scale)).count() >= 9 * coordinates.len()
     };
     (0..=10).find(|&decimals| has(decimals)).map_or(0.0, |decimals| 10f64.powi(-decimals))
 }
@@ -201,12 +200,8 @@ mod tests {
     #[test]
     fn digits_are_counted() {
         let exact = 1e-12;
-        approx::assert_relative_eq!(
-            last_digit([1.25, 0.5, -3.75].into_iter()),
-            0.01,
-            epsilon = exact
-        );
-        approx::assert_relative_eq!(last_digit([50.0, -7.0].into_iter()), 1.0, epsilon = exact);
-        assert!(last_digit([0.123_456_789_012_3].into_iter()) <= 0.0);
+        approx::assert_relative_eq!(last_digit(&[1.25, 0.5, -3.75]), 0.01, epsilon = exact);
+        approx::assert_relative_eq!(last_digit(&[50.0, -7.0]), 1.0, epsilon = exact);
+        assert!(last_digit(&[0.123_456_789_012_3]) <= 0.0);
     }
 }

@@ -83,7 +83,7 @@ pub(crate) fn read(
     for line in &all[start..] {
         found.read(*line)?;
     }
-    let (last_digit, remarks) = (last_digit(found.coordinates()), found.remarks(0));
+    let (last_digit, remarks) = (last_digit(&found.coordinates()), found.remarks(0));
     let mut points = found.points;
     if let Some(count) = header.count.filter(|&count| count > points.len()) {
         return Err(ProfileError::Truncated {

@@ -70,8 +70,8 @@ impl<'a> PointLines<'a> {
     }
 
     /// All coordinates, in the unit of the file.
-    pub(crate) fn coordinates(&self) -> impl Iterator<Item = f64> + Clone {
-        self.points.iter().flat_map(|p| p.point)
+    pub(crate) fn coordinates(&self) -> Vec<f64> {
+        self.points.iter().flat_map(|p| p.point).collect()
     }
 }
 

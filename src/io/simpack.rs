@@ -129,7 +129,7 @@ pub(crate) fn read(
             return Err(ProfileError::UnknownFormat { file: file.into(), line: last, what });
         }
     }
-    let last_digit = last_digit(found.coordinates()) / entries.units_per_metre;
+    let last_digit = last_digit(&found.coordinates()) / entries.units_per_metre;
     let remarks = found.remarks(0);
     Ok(ProfilePoints {
         file: file.into(),

@@ -63,7 +63,7 @@ pub(crate) fn read(file: &str, content: &str) -> Result<ProfilePoints, ProfileEr
     }
     let unit = stated.unit.unwrap_or(MM);
     let factor = stated.mirror.map(|mirror| if mirror == Some(true) { -unit } else { unit });
-    let (last_digit, remarks) = (unit * last_digit(found.coordinates()), found.remarks(HEADINGS));
+    let (last_digit, remarks) = (unit * last_digit(&found.coordinates()), found.remarks(HEADINGS));
     let mut points = found.points;
     for p in &mut points {
         p.point = [factor[0] * p.point[0], factor[1] * p.point[1]];
