@@ -72,10 +72,12 @@ fn curvature_errors(found: &Profile, name: &str, kind: ProfileKind) -> [f64; 3] 
 
 /// Greatest pressure at each shift [Pa].
 fn pressures(wheel: &Profile, rail: &Profile) -> Vec<f64> {
-    let mut parameters = Parameters::default();
-    parameters.normal_model = NormalModel::Strips;
-    parameters.vertical_mode = VerticalMode::Load;
-    parameters.strips = 15;
+    let parameters = Parameters {
+        normal_model: NormalModel::Strips,
+        vertical_mode: VerticalMode::Load,
+        strips: 15,
+        ..Parameters::default()
+    };
     let mut input = Input { wheel_load: LOAD, ..Input::default() };
     let rails = [Some(rail.clone()), None];
     let mut element = Element::with_profiles(&parameters, &input, wheel, &rails).unwrap();
