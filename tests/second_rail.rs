@@ -17,7 +17,7 @@ fn with_check_rail() -> Parameters {
     let mut parameters = Parameters::default();
     parameters.rails[1].enabled = true;
     parameters.rails[1].inclination = 0.0;
-    parameters.second_rail.position = [0.7175 - 0.042 - HALF_HEAD, -0.03];
+    parameters.rails[1].position = [0.7175 - 0.042 - HALF_HEAD, -0.03];
     parameters
 }
 
@@ -26,8 +26,8 @@ fn with_tongue(lower: f64) -> Parameters {
     let mut parameters = Parameters::default();
     let [_, y, z] = rail_marker(&parameters);
     parameters.rails[1].enabled = true;
-    parameters.second_rail.position = [y, z + lower];
-    parameters.second_rail.mirrored = false;
+    parameters.rails[1].position = [y, z + lower];
+    parameters.rails[1].mirrored = false;
     parameters
 }
 
@@ -177,7 +177,7 @@ fn a_second_rail_out_of_reach_changes_nothing_and_costs_a_bound() {
     let mut parameters = with_check_rail();
     let mut random = Random::new(5);
     let mut alone = element(&Parameters::default());
-    parameters.second_rail.position[1] = 0.2;
+    parameters.rails[1].position[1] = 0.2;
     let mut beside = element(&parameters);
     for _ in 0..40 {
         let input = random_input(&mut alone, &mut random);
@@ -192,7 +192,7 @@ fn a_second_rail_out_of_reach_changes_nothing_and_costs_a_bound() {
 fn a_left_wheel_at_its_check_rail_is_the_mirror_image() {
     let right = with_check_rail();
     let mut left = Parameters { side: Side::Left, ..right.clone() };
-    left.second_rail.position[0] *= -1.0;
+    left.rails[1].position[0] *= -1.0;
     let (mut right, mut left) = (element(&right), element(&left));
     let mut input = rolling(0.0, 20.0);
     input.wheel.yaw = 4e-3;

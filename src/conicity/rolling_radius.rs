@@ -58,10 +58,9 @@ impl TrackedWheelset {
         let half_distance = 0.5 * running_circles;
         let wheel = |side: Side| {
             let parameters = Parameters {
-                side,
                 vertical_mode: VerticalMode::Penetration,
                 tangential_model: TangentialModel::None,
-                ..parameters.clone()
+                ..parameters.on_side(side)
             };
             Element::new(&parameters, &standing(side, half_distance, 0.0), profile_folders)
         };

@@ -6,14 +6,14 @@ use super::derivatives::DerivativeMemory;
 use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, RailPlace, Side, VerticalMode, WearModel};
+use super::parameters::{Placement, RAILS, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
 use super::uneven::deviations;
 use super::wear_sums::WearSums;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::io::load_profile;
 
 /// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
@@ -48,6 +48,8 @@ pub struct Element {
     nominal_wheel_z: f64,
     pub(super) fallbacks: u64,
     pub(super) work: Work,
+    /// What was found and mended in the files of the profiles, with the parameter that names each.
+    remarks: Vec<(String, ProfileRemark)>,
     /// Memory for derivatives, once they have been asked for.
     pub(super) memory: Option<Box<DerivativeMemory>>,
 }
@@ -116,6 +118,17 @@ impl Element {
             let name = &profile.name;
             contacts[k] = Some(RailContact::new(wheel, name, parameters, placed, deviations));
         }
+        let named = std::iter::once(("wheel.profile".to_owned(), wheel)).chain(
+            rails
+                .iter()
+                .enumerate()
+                .filter_map(|(k, rail)| Some((format!("rail[{}].profile", k + 1), rail.as_ref()?))),
+        );
+        let remarks = named
+            .flat_map(|(name, profile)| {
+                profile.remarks.iter().map(move |r| (name.clone(), r.clone()))
+            })
+            .collect();
         let mut models = Models::new(parameters);
         if parameters.wear.model != WearModel::Off {
             let curve = |k: usize| contacts[k].as_ref().map(RailContact::rail_curve);
@@ -137,6 +150,7 @@ impl Element {
             nominal_wheel_z: start.wheel.position[2],
             fallbacks: 0,
             work: Work::default(),
+            remarks,
             memory: None,
         };
         element.nominal_wheel_z = element.touching_height(start);
@@ -148,6 +162,12 @@ impl Element {
     #[must_use]
     pub fn nominal_wheel_z(&self) -> f64 {
         self.nominal_wheel_z
+    }
+
+    /// What was found and mended in the files of the profiles, with the parameter that names each file.
+    #[must_use]
+    pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
+        &self.remarks
     }
 
     /// Work done and skipped so far.
@@ -287,27 +307,33 @@ impl Element {
     }
 }
 
-/// Rail number `k` where the parameters put it: the first one by gauge, the second one by the place of its marker.
+/// Rail number `k` where the parameters put it.
 fn placed(
     k: usize,
     profile: &Profile,
     parameters: &Parameters,
 ) -> Result<PlacedRail, ContactError> {
-    let (curve, inclination) = (&profile.curve, parameters.rails[k].inclination);
-    if k > 0 {
-        let RailPlace { position: [y, z], mirrored } = parameters.second_rail;
-        let y = if parameters.side == Side::Left { -y } else { y };
-        return Ok(PlacedRail::at_marker(curve, inclination, [y, z], mirrored));
+    let rail = &parameters.rails[k];
+    let (curve, inclination, mirrored) = (&profile.curve, rail.inclination, rail.mirrored);
+    let [y, z] = rail.position;
+    let place = [if parameters.side == Side::Left { -y } else { y }, z];
+    match rail.placement {
+        Placement::Position => Ok(PlacedRail::at_marker(curve, inclination, place, mirrored)),
+        Placement::Origin => Ok(PlacedRail::at_origin(curve, inclination, place, mirrored)),
+        Placement::Gauge => {
+            let (gauge, depth) = (parameters.gauge, parameters.gauge_depth);
+            PlacedRail::by_gauge(curve, inclination, gauge, depth, mirrored).map_err(|_| {
+                ContactError::Profile {
+                    name: format!("rail[{}].profile", k + 1),
+                    problem: ProfileError::NoGaugeFace {
+                        name: profile.name.clone(),
+                        depth_mm: 1e3 * depth,
+                        placement: format!("rail[{}].placement", k + 1),
+                    },
+                }
+            })
+        }
     }
-    PlacedRail::by_gauge(curve, inclination, parameters.gauge, parameters.gauge_depth).map_err(
-        |_| ContactError::Profile {
-            name: format!("rail[{}].profile", k + 1),
-            problem: ProfileError::NoGaugeFace {
-                name: profile.name.clone(),
-                depth_mm: 1e3 * parameters.gauge_depth,
-            },
-        },
-    )
 }
 
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].

@@ -84,6 +84,7 @@ impl RailContact {
             name: self.rail_name.clone(),
             kind: ProfileKind::Rail,
             curve: self.rail.unplaced(curve.unwrap_or(self.rail.curve())),
+            remarks: Vec::new(),
         }
     }
 

@@ -154,6 +154,21 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
+    /// Tells the host what was found in the files of the profiles: what was mended as warnings, the rest as events.
+    pub fn tell_profiles(&self, logger: &Logger) {
+        let Some(element) = &self.element else { return };
+        for (prefix, element) in S::PREFIXES.iter().zip(element.elements()) {
+            for (parameter, remark) in element.profile_remarks() {
+                let (status, category) = if remark.is_warning() {
+                    (Status::Warning, Category::Warning)
+                } else {
+                    (Status::Ok, Category::Events)
+                };
+                logger.log(status, category, &format!("{prefix}{parameter}: {remark}"));
+            }
+        }
+    }
+
     /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.
     ///
     /// A host that counts in floating point may start its last step just before the stop time and end

@@ -2,6 +2,7 @@
 
 mod deviation_file;
 mod miniprof;
+mod point_lines;
 mod profile_file;
 mod simpack;
 mod table;

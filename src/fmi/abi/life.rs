@@ -110,6 +110,7 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     guard(component, Call::EXIT_INITIALIZATION, |instance, logger| {
         on_instance!(instance, |i| i.exit_initialization())?;
+        on_instance!(instance, |i| i.tell_profiles(logger));
         logger.log(Status::Ok, Category::Events, "initialized");
         Ok(Status::Ok)
     })
