@@ -8,7 +8,7 @@ use crate::geometry::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profile_points::ProfilePoints;
 use crate::geometry::standard_profiles::{built_in, built_in_names};
-use crate::io::{miniprof, simpack, two_column};
+use crate::io::{miniprof, simpack, two_column, write_whole};
 
 /// Largest file that is read [bytes]; a million points stay below it.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -52,13 +52,14 @@ pub fn load_profile(
 }
 
 /// Writes a profile as a file of two columns that [`load_profile`] reads back as it is: no smoothing is applied to it.
+/// What had that name before stays until the new one is complete.
 ///
 /// * `parameter`: FMU name of the parameter that names the file, for messages.
 ///
 /// # Errors
 /// [`ContactError::Profile`] with the file and what the operating system says.
 pub fn save_profile(parameter: &str, path: &Path, profile: &Profile) -> Result<(), ContactError> {
-    fs::write(path, two_column::text(profile)).map_err(|e| ContactError::Profile {
+    write_whole(path, two_column::text(profile).as_bytes()).map_err(|e| ContactError::Profile {
         name: parameter.into(),
         problem: ProfileError::Unwritable {
             file: path.display().to_string(),
@@ -288,6 +289,25 @@ mod tests {
                 _ = points.into_profile(kind, wavelength);
             }
         }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_saved_profile_takes_the_place_of_the_old_one_as_a_whole() {
+        let folder = TempDir::new().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("worn.txt"), "older").unwrap();
+        // A second name of the same file tells whether it was written into.
+        fs::hard_link(path("worn.txt"), path("kept.txt")).unwrap();
+        let rail = built_in("60E1", RAIL).unwrap().unwrap();
+        save_profile("wear.rail[1].file", &path("worn.txt"), &rail).unwrap();
+        assert_eq!(fs::read_to_string(path("kept.txt")).unwrap(), "older");
+        let name = path("worn.txt");
+        let read = load_profile("rail[1].profile", name.to_str().unwrap(), RAIL, 0.0, &[]).unwrap();
+        assert_relative_eq!(read.bounds().y[1], rail.bounds().y[1], epsilon = 1e-6);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+        let error = save_profile("wear.rail[1].file", folder.path(), &rail).unwrap_err();
+        assert!(error.to_string().starts_with("wear.rail[1].file: "), "{error}");
     }
 
     #[test]

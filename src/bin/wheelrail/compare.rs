@@ -16,6 +16,7 @@ use crate::args::TableFiles;
 use crate::cases::{Cases, Header};
 use crate::figures::errors::{self, Line};
 use crate::patch::{PlanarCases, timed};
+use crate::remarks::{Found, Remarks};
 use crate::{batch, evaluate, figures, output};
 
 use summary::Summary;
@@ -183,7 +184,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .collect();
     let mut written = 0;
     let mut lines: Vec<Line> = Vec::new();
-    let mut done = |compared: Compared| -> Result<()> {
+    let mut remarks = Remarks::default();
+    let mut done = |(compared, found): (Compared, Found)| -> Result<()> {
+        progress.suspend(|| remarks.tell(&found));
         if written == 0 {
             table.write_record(header.columns().chain(COLUMNS))?;
         }
@@ -206,11 +209,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             planar.cases.iter().map(Ok),
             cores,
             || (),
-            |(), case| compare_planar(&planar.planar(case)).context(case.place.clone()),
+            |(), case| {
+                let compared = compare_planar(&planar.planar(case));
+                Ok((compared.with_context(|| case.place.clone())?, Found::new()))
+            },
             &mut done,
         )
     } else {
-        let all = evaluate::read_values(&cases)?;
+        let all = evaluate::read_values(&cases, &outputs)?;
         let parameters = all.iter().map(|(_, values)| &values.parameters);
         models = parameters.map(|p| figures::models(p.normal_model, p.tangential_model)).collect();
         let folder = header.folder();

@@ -13,7 +13,9 @@ use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
 use crate::args::TableFiles;
 use crate::batch;
 use crate::cases::{CaseReader, Cases, Header, Row};
+use crate::named_files::NamedFiles;
 use crate::output;
+use crate::remarks::{Found, Remarks};
 
 /// Evaluate the contact element for every row of a table
 ///
@@ -44,28 +46,34 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let (cases, path) = (arguments.files.cases.as_path(), arguments.files.output.as_deref());
     output::check_names([cases], [path])?;
     // A wrong cell is told at once; what is no file on disk can be read only once.
-    let count = if cases.is_file() { Some(check(cases)?) } else { None };
+    let count = if cases.is_file() { Some(check(cases, path)?) } else { None };
     let reader = CaseReader::open(cases)?;
     let columns = variables(reader.header())?;
     let computed: Vec<&Variable> = VARIABLES
         .iter()
         .filter(|v| matches!(v.causality, Causality::Output | Causality::CalculatedParameter))
         .collect();
+    let files = NamedFiles::new(reader.header().folder(), &[path]);
     let folder = reader.header().folder();
     let table = output::table(path)?;
     let progress = output::progress(count, path)?;
     let mut header_due = true;
+    let mut remarks = Remarks::default();
     let result = batch::in_order(
         reader,
         batch::all_cores(),
-        || Evaluator::new(folder.clone()),
-        |evaluator, row| {
+        || (Evaluator::new(folder.clone()), files.clone()),
+        |(evaluator, files), row| {
             let mut values = Values::default();
             set(&mut values, &columns, &row)?;
-            evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
-            line(&values, &computed)
+            files.check(&values.parameters).with_context(|| row.place())?;
+            let found = evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
+            Ok((line(&values, &computed)?, found))
         },
-        |line| {
+        |(line, found)| {
+            if !found.is_empty() {
+                progress.suspend(|| remarks.tell(&found));
+            }
             // Only now, so that a table that cannot be evaluated leaves nothing but its error.
             if std::mem::take(&mut header_due) {
                 table.write_record(computed.iter().map(|v| v.name))?;
@@ -80,11 +88,20 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 /// Reads the whole table for what is unknown or refused; gives the number of its rows.
-fn check(path: &Path) -> Result<usize> {
-    let mut reader = CaseReader::open(path)?;
+fn check(path: &Path, result: Option<&Path>) -> Result<usize> {
+    let reader = CaseReader::open(path)?;
     let columns = variables(reader.header())?;
+    let mut files = NamedFiles::new(reader.header().folder(), &[result]);
+    // What a row leaves out was looked at with the row that gave it.
     let mut values = Values::default();
-    reader.try_fold(0, |count, row| set(&mut values, &columns, &row?).map(|()| count + 1))
+    let mut count = 0;
+    for row in reader {
+        let row = row?;
+        set(&mut values, &columns, &row)?;
+        files.check(&values.parameters).with_context(|| row.place())?;
+        count += 1;
+    }
+    Ok(count)
 }
 
 /// The computed values of a row as a line of the result: numbers, which need no quotation marks.
@@ -100,15 +117,20 @@ fn line(values: &Values, computed: &[&Variable]) -> Result<String> {
     Ok(line)
 }
 
-/// The rows of a table with the variables they set.
+/// The rows of a table with the variables they set; none names a file that is one of `results`.
 ///
 /// # Errors
 /// With row and column: an unknown name, a value that is refused.
-pub fn read_values(cases: &Cases) -> Result<Vec<(&Row, Values)>> {
+pub fn read_values<'a>(
+    cases: &'a Cases,
+    results: &[Option<&Path>],
+) -> Result<Vec<(&'a Row, Values)>> {
     let columns = variables(cases.header())?;
+    let mut files = NamedFiles::new(cases.header().folder(), results);
     let rows = cases.rows().iter().map(|row| {
         let mut values = Values::default();
         set(&mut values, &columns, row)?;
+        files.check(&values.parameters).with_context(|| row.place())?;
         Ok((row, values))
     });
     rows.collect()
@@ -176,32 +198,35 @@ impl Evaluator {
         Self { folder, elements: Vec::new() }
     }
 
-    fn evaluate(&mut self, values: &mut Values) -> Result<(), ContactError> {
+    /// Evaluates a row; gives what was found in files of profiles that had to be read for it.
+    fn evaluate(&mut self, values: &mut Values) -> Result<Found, ContactError> {
         let Values { parameters, input, output, .. } = values;
-        let element = self.element(parameters, input)?;
+        let (element, found) = self.element(parameters, input)?;
         // Every row is a start of its own.
         element.set_fallbacks(0);
         element.evaluate(input, output)?;
         values.nominal = element.touching_height(input);
-        Ok(())
+        Ok(found)
     }
 
-    /// The element with these parameters.
+    /// The element with these parameters, and what was found in the files of profiles if it had to be made.
     fn element(
         &mut self,
         parameters: &Parameters,
         input: &Input,
-    ) -> Result<&mut Element, ContactError> {
+    ) -> Result<(&mut Element, Found), ContactError> {
+        let mut found = Found::new();
         if let Some(k) = self.elements.iter().position(|made| made.0 == *parameters) {
             self.elements[..=k].rotate_right(1);
         } else {
             let element = Element::new(parameters, input, std::slice::from_ref(&self.folder))?;
+            found = element.profile_remarks().to_vec();
             self.elements.truncate(MOST_ELEMENTS - 1);
             if is_slow(parameters) {
                 self.elements.retain(|made| !is_slow(&made.0));
             }
             self.elements.insert(0, Box::new((parameters.clone(), element)));
         }
-        Ok(&mut self.elements[0].1)
+        Ok((&mut self.elements[0].1, found))
     }
 }

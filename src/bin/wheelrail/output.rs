@@ -1,7 +1,6 @@
 //! Where results go: files that get their names only when they are complete, tables on standard output, and the progress of long
 //! inputs.
 
-mod draft;
 mod table;
 
 use std::io::{self, IsTerminal, Write};
@@ -10,8 +9,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use draft::Draft;
 pub use table::Table;
+use wheelrail::io::write_whole;
 
 /// A table in the file `path`, or on standard output without one.
 ///
@@ -26,9 +25,11 @@ pub fn table(path: Option<&Path>) -> Result<Table> {
 /// # Errors
 /// If it cannot be written; what had that name stays then.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
-    let mut draft = Draft::new(path)?;
-    draft.write(content)?;
-    draft.finish()
+    write_whole(path, content).with_context(|| cannot_write(path))
+}
+
+fn cannot_write(path: &Path) -> String {
+    format!("cannot write {}", path.display())
 }
 
 /// Writes a text to standard output.
@@ -111,6 +112,14 @@ mod tests {
         let null = Path::new("/dev/null");
         assert!(check([null, null]).is_ok());
         assert!(check_names([cases.as_path()], [None]).is_ok());
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = format!("{:#}", write(folder.path(), b"").unwrap_err());
+        let wanted = format!("cannot write {}: ", folder.path().display());
+        assert!(error.starts_with(&wanted), "{error}");
     }
 
     #[test]

@@ -16,6 +16,7 @@ use crate::cases::Cases;
 use crate::figures::contact::{Figure, Side};
 use crate::figures::models;
 use crate::patch::PlanarCases;
+use crate::remarks::Remarks;
 use crate::{evaluate, output};
 
 /// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
@@ -101,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let title = case.separation.display().to_string();
         draw(arguments, &planar.planar(case), title, Vec::new(), 0, false)
     } else {
-        let all = evaluate::read_values(&cases)?;
+        let all = evaluate::read_values(&cases, &outputs)?;
         let (row, values) = &all[arguments.row - 1];
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;
@@ -129,6 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatContact>, usize)> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
+    Remarks::default().tell(element.profile_remarks());
     let mut at = *input;
     if parameters.vertical_mode == VerticalMode::Load {
         let mut found = Output::default();

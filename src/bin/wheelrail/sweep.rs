@@ -14,6 +14,7 @@ use crate::args::{TableFiles, assignment};
 use crate::cases::Cases;
 use crate::evaluate::read_values;
 use crate::output;
+use crate::remarks::Remarks;
 
 use path::Path;
 use results::{Results, Swept};
@@ -58,7 +59,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let outputs = [destination, arguments.history.as_deref(), arguments.figure.as_deref()];
     output::check_names([path.as_path()], outputs)?;
     let cases = Cases::read(path)?;
-    let corners: Vec<Values> = read_values(&cases)?.into_iter().map(|(_, values)| values).collect();
+    let corners: Vec<Values> =
+        read_values(&cases, &outputs)?.into_iter().map(|(_, values)| values).collect();
     if corners.len() < 2 {
         bail!("{}: a path has at least two rows", arguments.files.cases.display());
     }
@@ -78,9 +80,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let count = (variants[0].corners.len() - 1) * steps;
     let progress = output::progress(Some(count * variants.len()), destination)?;
     let mut swept = Vec::new();
+    let mut remarks = Remarks::default();
     for Variant { name, corners } in variants {
         let (values, outputs) = (corners[0].clone(), outputs.clone());
         let element = Element::new(&values.parameters, &values.input, &[cases.header().folder()])?;
+        progress.suspend(|| remarks.tell(element.profile_remarks()));
         let mut path = Path { element, corners, values, outputs };
         let mut history = Vec::with_capacity(count + 1);
         for step in 0..=count {

@@ -7,7 +7,9 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, anyhow};
 
-use super::draft::Draft;
+use wheelrail::io::Draft;
+
+use super::cannot_write;
 
 /// Lines are held back until there are that many bytes of them …
 const MOST_HELD_BACK: usize = 1 << 16;
@@ -43,7 +45,8 @@ impl Table {
     /// # Errors
     /// If the file cannot be made.
     pub fn new(path: Option<&Path>) -> Result<Self> {
-        let draft = path.map(Draft::new).transpose()?;
+        let new = |path: &Path| Draft::new(path).with_context(|| cannot_write(path));
+        let draft = path.map(new).transpose()?;
         let is_kept = draft.as_ref().is_some_and(Draft::can_be_kept);
         let lines = Arc::new(Mutex::new(Lines {
             draft,
@@ -96,7 +99,9 @@ impl Table {
         let _under_way = under_way();
         let mut lines = self.lines();
         lines.flush()?;
-        lines.draft.take().map_or(Ok(()), Draft::finish)
+        let Some(draft) = lines.draft.take() else { return Ok(()) };
+        let path = draft.path().to_owned();
+        draft.finish().with_context(|| cannot_write(&path))
     }
 
     /// Finishes the table if its rows were written without an error. Else the rows before the error are kept.
@@ -117,7 +122,7 @@ impl Table {
 impl Lines {
     fn flush(&mut self) -> Result<()> {
         if let Some(draft) = &mut self.draft {
-            draft.write(&self.held_back)?;
+            draft.write(&self.held_back).with_context(|| cannot_write(draft.path()))?;
         } else {
             let mut out = io::stdout().lock();
             let written = out.write_all(&self.held_back).and_then(|()| out.flush());

@@ -9,6 +9,7 @@ use wheelrail::wear::depth::{DepthPoint, wear_depth};
 
 use crate::figures::wear::{self, WornBody};
 use crate::output;
+use crate::remarks::Remarks;
 
 /// The worn profiles asked for, and what they are compared with.
 pub struct Request<'a> {
@@ -29,15 +30,21 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
     let folders = [PathBuf::from(".")];
     let mut bodies = Vec::new();
     let mut tables = Vec::new();
+    let mut remarks = Remarks::default();
     for (worn, unworn, kind, option) in [
         (request.wheel, request.unworn_wheel, ProfileKind::Wheel, "worn-wheel"),
         (request.rail, request.unworn_rail, ProfileKind::Rail, "worn-rail"),
     ] {
         let Some(worn_name) = worn else { continue };
-        let load = |option: &str, name: &str| {
-            load_profile(&format!("--{option}"), name, kind, request.smoothing, &folders)
+        let mut load = |option: &str, name: &str| -> Result<Profile> {
+            let option = format!("--{option}");
+            let profile = load_profile(&option, name, kind, request.smoothing, &folders)?;
+            let named = profile.remarks.iter().map(|remark| (option.clone(), remark.clone()));
+            remarks.tell(&named.collect::<Vec<_>>());
+            Ok(profile)
         };
-        let (before, after) = (load("unworn", unworn)?, load(option, worn_name)?);
+        let before = load(&option.replacen("worn", "unworn", 1), unworn)?;
+        let after = load(option, worn_name)?;
         let depth = wear_depth(&before, &after);
         if depth.is_empty() {
             bail!(

@@ -4,13 +4,12 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
 use tempfile::{Builder, NamedTempFile};
 
-/// A file under way. Dropped before it is finished it leaves nothing behind.
+/// A file under way. Dropped before it is finished it leaves nothing behind, and what had its name stays.
 #[derive(Debug)]
 pub struct Draft {
-    /// The name that was asked for, for messages.
+    /// The name that was asked for.
     asked: PathBuf,
     target: Target,
 }
@@ -28,22 +27,21 @@ impl Draft {
     ///
     /// # Errors
     /// If a file of that name cannot be written, or none beside it.
-    pub fn new(path: &Path) -> Result<Self> {
-        let context = || format!("cannot write {}", path.display());
+    pub fn new(path: &Path) -> io::Result<Self> {
         // A link stays and what it leads to is replaced.
         let full = path.canonicalize().unwrap_or_else(|_| path.into());
         let existing = match OpenOptions::new().write(true).open(&full) {
             Ok(file) => Some(file),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return Err(error).with_context(context),
+            Err(error) => return Err(error),
         };
-        let about = existing.as_ref().map(File::metadata).transpose().with_context(context)?;
+        let about = existing.as_ref().map(File::metadata).transpose()?;
         let target = match (existing, about) {
             (Some(file), Some(about)) if !about.is_file() => Target::Direct(file),
             (_, about) => {
-                let file = beside(&full).with_context(context)?;
+                let file = beside(&full)?;
                 if let Some(about) = about {
-                    fs::set_permissions(file.path(), about.permissions()).with_context(context)?;
+                    fs::set_permissions(file.path(), about.permissions())?;
                 }
                 Target::Beside(file, 0, full)
             }
@@ -55,8 +53,8 @@ impl Draft {
     ///
     /// # Errors
     /// If it cannot be written; a file is then as it was before.
-    pub fn write(&mut self, content: &[u8]) -> Result<()> {
-        let written = match &mut self.target {
+    pub fn write(&mut self, content: &[u8]) -> io::Result<()> {
+        match &mut self.target {
             Target::Beside(file, length, _) => match file.write_all(content) {
                 Ok(()) => {
                     *length += content.len() as u64;
@@ -66,23 +64,28 @@ impl Draft {
                 Err(error) => file.as_file().set_len(*length).and(Err(error)),
             },
             Target::Direct(file) => file.write_all(content),
-        };
-        written.with_context(|| format!("cannot write {}", self.asked.display()))
+        }
     }
 
     /// Gives the file its name.
     ///
     /// # Errors
     /// If it cannot be renamed.
-    pub fn finish(self) -> Result<()> {
+    pub fn finish(self) -> io::Result<()> {
         if let Target::Beside(file, _, full) = self.target {
-            let renamed = file.persist(full).map_err(|error| error.error);
-            renamed.with_context(|| format!("cannot write {}", self.asked.display()))?;
+            file.persist(full)?;
         }
         Ok(())
     }
 
+    /// The name that was asked for.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.asked
+    }
+
     /// Whether there is a file that can be kept before it is complete.
+    #[must_use]
     pub fn can_be_kept(&self) -> bool {
         matches!(self.target, Target::Beside(..))
     }
@@ -101,6 +104,16 @@ impl Draft {
         file.persist(part(&full))?;
         Ok(part(&self.asked))
     }
+}
+
+/// Writes the file `path` as a whole: what had that name before stays until the new one is complete.
+///
+/// # Errors
+/// If it cannot be written; what had that name stays then.
+pub fn write(path: &Path, content: &[u8]) -> io::Result<()> {
+    let mut draft = Draft::new(path)?;
+    draft.write(content)?;
+    draft.finish()
 }
 
 /// A file beside `path` that is removed when it is dropped; if the program is killed it stays, under a name that tells what it is.
@@ -163,14 +176,13 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_written_is_refused_with_its_name_and_stays() {
+    fn what_cannot_be_written_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         for (path, words) in [
             (folder.path().to_owned(), "directory"),
             (folder.path().join("none").join("result.csv"), "(os error 2)"),
         ] {
-            let error = format!("{:#}", Draft::new(&path).unwrap_err());
-            assert!(error.contains(&path.display().to_string()), "{error}");
+            let error = Draft::new(&path).unwrap_err().to_string();
             assert!(error.contains(words) && !error.contains("partial"), "{error}");
         }
     }
