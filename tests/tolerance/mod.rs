@@ -391,3 +391,6 @@ pub const DEFAULT_COUNTS: [[f64; 2]; 4] = [[5e-4, 4e-3], [6e-4, 3e-3], [5e-4, 5e
 /// Greatest pressure on profiles read from exact points over that on the profiles themselves [%]: the target for the worst case of the strip
 /// model, 6 %, is not to be spent on reading.
 pub const EXACT_POINTS_PRESSURE: f64 = 2.0;
+
+/// Motion under weight against the mechanism of rigid profiles: the overlap is that share of the radii.
+pub const GRAVITY: f64 = 1e-4;

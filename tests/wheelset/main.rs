@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod derivatives;
+mod gravity;
 mod rigid_body;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
