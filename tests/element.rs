@@ -336,3 +336,19 @@ fn the_force_grows_as_deep_as_the_outlines_go_and_a_wheel_that_is_deeper_is_told
         assert_eq!(element.sunk(), None, "{y} {z}");
     }
 }
+
+#[test]
+fn the_height_of_first_touch_is_known_to_the_last_digit() {
+    let mut element = element(&Parameters::default());
+    let mut random = Random::new(11);
+    for _ in 0..100 {
+        let mut input = random_input(&mut element, &mut random);
+        let touching = element.touching_height(&input);
+        let mut contacts = |z: f64| {
+            input.wheel.position[2] = z;
+            element.flat_contacts(&input).unwrap().len()
+        };
+        assert!(contacts(touching) > 0, "{input:?}");
+        assert_eq!(contacts(touching.next_down()), 0, "{input:?}");
+    }
+}

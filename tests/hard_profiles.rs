@@ -12,7 +12,7 @@ use std::fs;
 use common::random::Random;
 use common::{median_and_worst, write_report};
 use tempfile::TempDir;
-use wheelrail::element::parameters::NormalModel;
+use wheelrail::element::parameters::{AUTOMATIC_SMOOTHING, NormalModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::load_profile;
@@ -239,9 +239,9 @@ fn report(every: usize, models: &[NormalModel], name: &str) {
     );
     for pair in pairs() {
         let folder = tempfile::tempdir().unwrap();
-        for smoothing in [0.0, 0.004] {
+        for smoothing in [0.0, 0.004, AUTOMATIC_SMOOTHING] {
             let is_named = [&pair.wheel, &pair.rail].iter().all(|b| matches!(b, Body::Named(_)));
-            if is_named && smoothing > 0.0 {
+            if is_named && smoothing.abs() > 0.0 {
                 continue;
             }
             for &model in models {

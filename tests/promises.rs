@@ -119,7 +119,7 @@ fn a_wrong_parameter_is_refused_by_name_and_value() {
         ("rail[1].inclination", "40", |p| p.rails[0].inclination = 40.0),
         ("track.gauge", "0", |p| p.gauge = 0.0),
         ("track.gauge_depth", "-0.014", |p| p.gauge_depth = -0.014),
-        ("profile.smoothing", "-1", |p| p.profile_smoothing = -1.0),
+        ("profile.smoothing", "-2", |p| p.profile_smoothing = -2.0),
         ("normal.virtual_penetration", "1", |p| p.virtual_penetration = 1.0),
         ("normal.strips", "3", |p| p.strips = 3),
         ("normal.damping", "-1", |p| p.damping = -1.0),

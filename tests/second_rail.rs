@@ -20,7 +20,7 @@ fn with_check_rail() -> Parameters {
     let mut parameters = Parameters::default();
     parameters.rails[1].enabled = true;
     parameters.rails[1].inclination = 0.0;
-    parameters.second_rail.position = [0.7175 - 0.042 - HALF_HEAD, -0.03];
+    parameters.rails[1].position = [0.7175 - 0.042 - HALF_HEAD, -0.03];
     parameters
 }
 
@@ -29,8 +29,8 @@ fn with_tongue(lower: f64) -> Parameters {
     let mut parameters = Parameters::default();
     let [_, y, z] = rail_marker(&parameters);
     parameters.rails[1].enabled = true;
-    parameters.second_rail.position = [y, z + lower];
-    parameters.second_rail.mirrored = false;
+    parameters.rails[1].position = [y, z + lower];
+    parameters.rails[1].mirrored = false;
     parameters
 }
 
@@ -180,7 +180,7 @@ fn a_second_rail_out_of_reach_changes_nothing_and_costs_a_bound() {
     let mut parameters = with_check_rail();
     let mut random = Random::new(5);
     let mut alone = element(&Parameters::default());
-    parameters.second_rail.position[1] = 0.2;
+    parameters.rails[1].position[1] = 0.2;
     let mut beside = element(&parameters);
     for _ in 0..40 {
         let input = random_input(&mut alone, &mut random);
@@ -195,7 +195,7 @@ fn a_second_rail_out_of_reach_changes_nothing_and_costs_a_bound() {
 fn a_left_wheel_at_its_check_rail_is_the_mirror_image() {
     let right = with_check_rail();
     let mut left = Parameters { side: Side::Left, ..right.clone() };
-    left.second_rail.position[0] *= -1.0;
+    left.rails[1].position[0] *= -1.0;
     let (mut right, mut left) = (element(&right), element(&left));
     let mut input = rolling(0.0, 20.0);
     input.wheel.yaw = 4e-3;
@@ -217,7 +217,7 @@ fn the_default_check_rail_leaves_a_flangeway_of_41_mm_and_a_centred_wheel_alone(
         let mut start = rolling(0.0, 0.0);
         if side == Side::Left {
             start = mirrored(&start);
-            parameters.second_rail.position[0] *= -1.0;
+            parameters.rails[1].position[0] *= -1.0;
         }
         let mut element = Element::new(&parameters, &start, &[]).unwrap();
         assert_eq!(element.start_warning(), None);
@@ -233,7 +233,7 @@ fn the_default_check_rail_leaves_a_flangeway_of_41_mm_and_a_centred_wheel_alone(
     let (curve, count) = (rail.curve(), 10_000);
     let along = |i: i32| f64::from(i) / f64::from(count) * (curve.end() - curve.start());
     let widest = (0..=count).map(|i| curve.at(curve.start() + along(i)).point[0]);
-    let face = parameters.second_rail.position[0] + widest.fold(f64::MIN, f64::max);
+    let face = parameters.rails[1].position[0] + widest.fold(f64::MIN, f64::max);
     let flangeway = 0.5 * parameters.gauge - face;
     assert!((flangeway - 0.041).abs() < 5e-4, "{flangeway}");
 }
@@ -242,7 +242,7 @@ fn the_default_check_rail_leaves_a_flangeway_of_41_mm_and_a_centred_wheel_alone(
 fn a_check_rail_in_the_way_of_a_wheel_that_starts_is_told() {
     let mut parameters = Parameters::default();
     parameters.rails[1].enabled = true;
-    parameters.second_rail.position[0] = 0.64;
+    parameters.rails[1].position[0] = 0.64;
     let hindered = element(&parameters);
     let warning = hindered.start_warning().unwrap();
     assert!(matches!(warning, StartWarning::InRail2 { overlap } if overlap > 2e-3), "{warning:?}");

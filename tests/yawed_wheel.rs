@@ -19,7 +19,7 @@ fn s1002() -> Curve {
 
 fn rail_60e1() -> PlacedRail {
     let rail = load_profile("rail", "60E1", ProfileKind::Rail, 0.0, &[]).unwrap();
-    PlacedRail::by_gauge(&rail.curve, 0.025, 1.435, 0.014).unwrap()
+    PlacedRail::by_gauge(&rail.curve, 0.025, 1.435, 0.014, false).unwrap()
 }
 
 /// A point of a wheel that is yawed but not rolled: profile parameter `s`, angle `angle` ahead of down; marker at the origin.

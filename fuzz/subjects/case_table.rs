@@ -14,7 +14,7 @@ pub fn check(data: &[u8]) {
     let path = folder.path().join("cases.csv");
     fs::write(&path, data).expect("a file");
     let Ok(cases) = Cases::read(&path) else { return };
-    for row in cases.rows().take(4) {
+    for row in cases.rows().iter().take(4) {
         let mut values = Values::default();
         for (_, name, text) in row.cells() {
             let before = values.clone();

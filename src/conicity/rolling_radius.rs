@@ -4,6 +4,7 @@ use super::RollingRadiusDifference;
 use crate::element::parameters::{Side, TangentialModel, VerticalMode};
 use crate::element::{Element, Input, Output, Parameters};
 use crate::error::ContactError;
+use crate::geometry::profile::ProfileRemark;
 use std::path::PathBuf;
 
 /// Depth below first touch at which the contact is looked at: deep enough to be found, too little to move it [m].
@@ -58,14 +59,19 @@ impl TrackedWheelset {
         let half_distance = 0.5 * running_circles;
         let wheel = |side: Side| {
             let parameters = Parameters {
-                side,
                 vertical_mode: VerticalMode::Penetration,
                 tangential_model: TangentialModel::None,
-                ..parameters.clone()
+                ..parameters.on_side(side)
             };
             Element::new(&parameters, &standing(side, half_distance, 0.0), profile_folders)
         };
         Ok(Self { wheels: [wheel(Side::Right)?, wheel(Side::Left)?], half_distance })
+    }
+
+    /// What was found and mended in the files of the profiles, which both wheels share, with the parameter that names each file.
+    #[must_use]
+    pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
+        self.wheels[0].profile_remarks()
     }
 
     /// The rolling radii when the wheelset is displaced to the right by `displacement` [m]; nothing where a wheel stands beside its

@@ -6,7 +6,7 @@ use super::derivatives::DerivativeMemory;
 use super::flattened::FlatContact;
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
-use super::parameters::{RAILS, RailPlace, Side, VerticalMode, WearModel};
+use super::parameters::{Placement, RAILS, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
 use super::start::StartWarning;
 use super::uneven::deviations;
@@ -14,7 +14,7 @@ use super::wear_sums::WearSums;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::io::load_profile;
 
 /// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
@@ -52,6 +52,8 @@ pub struct Element {
     pub(super) work: Work,
     /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force [m].
     sunk: Option<f64>,
+    /// What was found and mended in the files of the profiles, with the parameter that names each.
+    remarks: Vec<(String, ProfileRemark)>,
     /// Memory for derivatives, once they have been asked for.
     pub(super) memory: Option<Box<DerivativeMemory>>,
 }
@@ -120,6 +122,17 @@ impl Element {
             let name = &profile.name;
             contacts[k] = Some(RailContact::new(wheel, name, parameters, placed, deviations));
         }
+        let named = std::iter::once(("wheel.profile".to_owned(), wheel)).chain(
+            rails
+                .iter()
+                .enumerate()
+                .filter_map(|(k, rail)| Some((format!("rail[{}].profile", k + 1), rail.as_ref()?))),
+        );
+        let remarks = named
+            .flat_map(|(name, profile)| {
+                profile.remarks.iter().map(move |r| (name.clone(), r.clone()))
+            })
+            .collect();
         let mut models = Models::new(parameters);
         if parameters.wear.model != WearModel::Off {
             let curve = |k: usize| contacts[k].as_ref().map(RailContact::rail_curve);
@@ -143,6 +156,7 @@ impl Element {
             fallbacks: 0,
             work: Work::default(),
             sunk: None,
+            remarks,
             memory: None,
         };
         let touching = element.touch(start);
@@ -156,6 +170,12 @@ impl Element {
     #[must_use]
     pub fn nominal_wheel_z(&self) -> f64 {
         self.nominal_wheel_z
+    }
+
+    /// What was found and mended in the files of the profiles, with the parameter that names each file.
+    #[must_use]
+    pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
+        &self.remarks
     }
 
     /// Work done and skipped so far.
@@ -278,51 +298,80 @@ pub(super) fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> O
     let highest = (rails.iter().enumerate())
         .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
         .fold(f64::INFINITY, f64::min);
-    let mut touches = |z: f64| {
+    if !highest.is_finite() {
+        return None;
+    }
+    let mut lift = |z: f64| {
         let mut at = *input;
         at.wheel.position[2] = z;
         (rails.iter_mut().enumerate())
-            .filter_map(|(k, rail)| Some(rail.as_mut()?.touches(k, &at)))
-            .any(|touches| touches)
+            .filter_map(|(k, rail)| rail.as_mut()?.lift(k, &at))
+            .reduce(f64::max)
     };
     // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
     let height = |step: usize| highest + step as f64 * DESCENT_STEP;
-    let found = (1..=MOST_DESCENT_STEPS).find(|&step| touches(height(step)));
-    let step = found.filter(|_| highest.is_finite())?;
+    let (step, mut to_lift) =
+        (1..=MOST_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
     let (mut clear, mut touching) = (height(step - 1), height(step));
-    for _ in 0..BISECTIONS {
-        let middle = 0.5 * (clear + touching);
-        if touches(middle) { touching = middle } else { clear = middle }
+    // Down to neighbouring numbers.
+    for trial in 1..=MOST_TRIALS {
+        let guess = touching - to_lift;
+        let aside = LOOK_BESIDE * (touching - clear);
+        // The farther end is brought to just beyond the guess.
+        let beside = if guess - clear > touching - guess { guess - aside } else { guess + aside };
+        let is_inside = |z: f64| z > clear && z < touching;
+        let z = if trial % BISECT_EVERY != 0 && is_inside(beside) {
+            beside
+        } else {
+            0.5 * (clear + touching)
+        };
+        if !is_inside(z) {
+            break;
+        }
+        match lift(z) {
+            Some(found) => (touching, to_lift) = (z, found),
+            None => clear = z,
+        }
     }
     Some(touching)
 }
 
-/// Rail number `k` where the parameters put it: the first one by gauge, the second one by the place of its marker.
+/// Rail number `k` where the parameters put it.
 fn placed(
     k: usize,
     profile: &Profile,
     parameters: &Parameters,
 ) -> Result<PlacedRail, ContactError> {
-    let (curve, inclination) = (&profile.curve, parameters.rails[k].inclination);
-    if k > 0 {
-        let RailPlace { position: [y, z], mirrored } = parameters.second_rail;
-        let y = if parameters.side == Side::Left { -y } else { y };
-        return Ok(PlacedRail::at_marker(curve, inclination, [y, z], mirrored));
+    let rail = &parameters.rails[k];
+    let (curve, inclination, mirrored) = (&profile.curve, rail.inclination, rail.mirrored);
+    let [y, z] = rail.position;
+    let place = [if parameters.side == Side::Left { -y } else { y }, z];
+    match rail.placement {
+        Placement::Position => Ok(PlacedRail::at_marker(curve, inclination, place, mirrored)),
+        Placement::Origin => Ok(PlacedRail::at_origin(curve, inclination, place, mirrored)),
+        Placement::Gauge => {
+            let (gauge, depth) = (parameters.gauge, parameters.gauge_depth);
+            PlacedRail::by_gauge(curve, inclination, gauge, depth, mirrored).map_err(|_| {
+                ContactError::Profile {
+                    name: format!("rail[{}].profile", k + 1),
+                    problem: ProfileError::NoGaugeFace {
+                        name: profile.name.clone(),
+                        depth_mm: 1e3 * depth,
+                        placement: format!("rail[{}].placement", k + 1),
+                    },
+                }
+            })
+        }
     }
-    PlacedRail::by_gauge(curve, inclination, parameters.gauge, parameters.gauge_depth).map_err(
-        |_| ContactError::Profile {
-            name: format!("rail[{}].profile", k + 1),
-            problem: ProfileError::NoGaugeFace {
-                name: profile.name.clone(),
-                depth_mm: 1e3 * parameters.gauge_depth,
-            },
-        },
-    )
 }
 
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].
 const DESCENT_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MOST_DESCENT_STEPS: usize = 750;
-/// From the step of the descent to rounding.
-const BISECTIONS: usize = 45;
+/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known to.
+const LOOK_BESIDE: f64 = 1.0 / 256.0;
+/// Every so many trials the middle is taken, should the guesses be none.
+const BISECT_EVERY: usize = 4;
+/// From the step of the descent to rounding it takes 45 bisections; a dozen trials are the rule.
+const MOST_TRIALS: usize = BISECT_EVERY * 45;

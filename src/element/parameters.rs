@@ -3,6 +3,7 @@
 use super::ranges;
 pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
+pub use crate::geometry::point_noise::AUTOMATIC_SMOOTHING;
 pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
@@ -61,6 +62,18 @@ pub struct WheelParameters {
     pub worn_file: String,
 }
 
+/// What says where a rail stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Placement {
+    /// The gauge: its gauge face is half the gauge from the track centre, its highest point in the plane of the rail tops.
+    #[default]
+    Gauge,
+    /// The position of its marker, the highest point of its inclined head.
+    Position,
+    /// The position of the origin of its profile.
+    Origin,
+}
+
 /// One rail: profile and how it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RailParameters {
@@ -70,20 +83,17 @@ pub struct RailParameters {
     pub enabled: bool,
     /// Inclination of the profile towards the track centre, as a tangent: 1:40 is 0.025 [-].
     pub inclination: f64,
+    /// What says where it stands.
+    pub placement: Placement,
+    /// Its place in design position, unless it is placed by gauge: y (negative for a left wheel, as that of the wheel) and z in the
+    /// track frame [m].
+    pub position: [f64; 2],
+    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on the field side.
+    pub mirrored: bool,
     /// Corrugation.
     pub corrugation: Corrugation,
     /// File for the worn profile at the end of a run of the FMU; empty for none.
     pub worn_file: String,
-}
-
-/// Where a rail stands that the gauge rule does not place: a check rail, a switch tongue.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RailPlace {
-    /// Its marker, the highest point of its inclined head, in design position: y (negative for a left wheel, as that of the wheel)
-    /// and z in the track frame [m].
-    pub position: [f64; 2],
-    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on the field side.
-    pub mirrored: bool,
 }
 
 /// Everything fixed over a run; one field for each FMU parameter of design section 3.
@@ -95,8 +105,6 @@ pub struct Parameters {
     pub wheel: WheelParameters,
     /// The rails, `rail[1]` first.
     pub rails: [RailParameters; RAILS],
-    /// Place of `rail[2]`; `rail[1]` is placed by gauge.
-    pub second_rail: RailPlace,
     /// Young's modulus of the rails, > 0 [Pa].
     pub rail_young_modulus: f64,
     /// Poisson's ratio of the rails, 0 to 0.5 [-].
@@ -105,7 +113,8 @@ pub struct Parameters {
     pub gauge: f64,
     /// Depth below the rail top at which the gauge is measured, > 0 [m].
     pub gauge_depth: f64,
-    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates [m].
+    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates, and a negative
+    /// number (-1) leaves the choice to the noise of each file's points [m].
     pub profile_smoothing: f64,
     /// What is given of the vertical motion.
     pub vertical_mode: VerticalMode,
@@ -144,6 +153,21 @@ pub struct Parameters {
 /// Number of rails an element can carry.
 pub const RAILS: usize = 2;
 
+impl Default for RailParameters {
+    fn default() -> Self {
+        Self {
+            profile: "60E1".into(),
+            enabled: true,
+            inclination: 0.025,
+            placement: Placement::Gauge,
+            position: [0.75, 0.0],
+            mirrored: false,
+            corrugation: Corrugation::default(),
+            worn_file: String::new(),
+        }
+    }
+}
+
 impl Default for Parameters {
     fn default() -> Self {
         Self {
@@ -157,19 +181,22 @@ impl Default for Parameters {
                 flat: WheelFlat::default(),
                 worn_file: String::new(),
             },
-            rails: [true, false].map(|enabled| RailParameters {
-                profile: "60E1".into(),
-                enabled,
-                inclination: 0.025,
-                corrugation: Corrugation::default(),
-                worn_file: String::new(),
-            }),
-            second_rail: RailPlace { position: [0.633, 0.0], mirrored: true },
+            rails: [
+                RailParameters::default(),
+                // A check rail.
+                RailParameters {
+                    enabled: false,
+                    placement: Placement::Position,
+                    position: [0.633, 0.0],
+                    mirrored: true,
+                    ..RailParameters::default()
+                },
+            ],
             rail_young_modulus: 2.1e11,
             rail_poisson_ratio: 0.28,
             gauge: 1.435,
             gauge_depth: 0.014,
-            profile_smoothing: 0.004,
+            profile_smoothing: AUTOMATIC_SMOOTHING,
             vertical_mode: VerticalMode::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
@@ -191,6 +218,17 @@ impl Default for Parameters {
 }
 
 impl Parameters {
+    /// The same for a wheel of the given side; places of rails become those of that side.
+    #[must_use]
+    pub fn on_side(&self, side: Side) -> Self {
+        let sign = if side == Side::Left { -1.0 } else { 1.0 };
+        let mut parameters = Self { side, ..self.clone() };
+        for rail in &mut parameters.rails {
+            rail.position[0] = sign * rail.position[0].abs();
+        }
+        parameters
+    }
+
     /// Whether every number is in its declared range, and goes with the others.
     ///
     /// # Errors

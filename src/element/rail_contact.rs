@@ -46,7 +46,8 @@ const MOST_DEPTH: f64 = 2.5e-2;
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, the half-space around each strip is cut by the other
 /// sides of the rail, and the strips of a virtual penetration carry on.
 pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
-
+/// Least cosine of a contact angle for a guess of how far penetration goes with height.
+const STEEPEST: f64 = 0.05;
 /// Most stretches of a contact line that are searched apart from each other.
 const MOST_RANGES: usize = 32;
 
@@ -90,6 +91,7 @@ impl RailContact {
             name: self.rail_name.clone(),
             kind: ProfileKind::Rail,
             curve: self.rail.unplaced(curve.unwrap_or(self.rail.curve())),
+            remarks: Vec::new(),
         }
     }
 
@@ -106,9 +108,15 @@ impl RailContact {
         self.rail.put_curve(rail);
     }
 
-    /// Whether any contact appears for `input` (right side) with rail number `k`.
-    pub fn touches(&mut self, k: usize, input: &Input) -> bool {
-        self.search_contacts(k, input) && !self.search.contacts.is_empty()
+    /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no contact is left, by their penetrations
+    /// and angles as they are; nothing where there is no contact [m].
+    pub fn lift(&mut self, k: usize, input: &Input) -> Option<f64> {
+        if !self.search_contacts(k, input) {
+            return None;
+        }
+        let contacts = self.search.contacts.iter();
+        let lifts = contacts.map(|contact| contact.penetration / contact.normal()[1].max(STEEPEST));
+        lifts.reduce(f64::max)
     }
 
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds show that there are none.

@@ -162,6 +162,7 @@ impl<S: Described> Instance<S> {
     /// a wheel starts is a warning.
     pub fn exit_initialization(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         self.prepare_element(true)?;
+        self.tell_profiles(logger);
         self.state = match self.purpose {
             Purpose::ModelExchange => State::EventMode,
             Purpose::CoSimulation => State::Stepping,
@@ -175,6 +176,21 @@ impl<S: Described> Instance<S> {
             }
         }
         Ok(status)
+    }
+
+    /// Tells the host what was found in the files of the profiles: what was mended as warnings, the rest as events.
+    fn tell_profiles(&self, logger: &Logger) {
+        let Some(element) = &self.element else { return };
+        for (prefix, element) in S::PREFIXES.iter().zip(element.elements()) {
+            for (parameter, remark) in element.profile_remarks() {
+                let (status, category) = if remark.is_warning() {
+                    (Status::Warning, Category::Warning)
+                } else {
+                    (Status::Ok, Category::Events)
+                };
+                logger.log(status, category, &format!("{prefix}{parameter}: {remark}"));
+            }
+        }
     }
 
     /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.

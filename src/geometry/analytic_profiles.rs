@@ -59,7 +59,7 @@ pub(crate) fn analytic(name: &str, kind: ProfileKind) -> Result<Option<Profile>,
         (ProfileKind::Rail, "arc", _) => arc_rail(admitted(RADII, RADIUS_ALLOWED)?),
         _ => return Ok(None),
     };
-    Ok(Some(Profile { name: name.into(), kind, curve }))
+    Ok(Some(Profile { name: name.into(), kind, curve, remarks: Vec::new() }))
 }
 
 fn cone(tangent: f64) -> Curve {

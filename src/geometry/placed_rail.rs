@@ -49,7 +49,8 @@ pub struct GaugeFaceMissing;
 
 impl PlacedRail {
     /// Places the right rail with profile `curve`: leaned by `inclination` (the tangent, 1:40 is 0.025) towards the
-    /// track centre, highest point at z = 0, gauge face `gauge_depth` below it at y = `gauge`/2 [m].
+    /// track centre, then `mirrored` left to right where asked for, highest point at z = 0, gauge face `gauge_depth` below it at
+    /// y = `gauge`/2 [m].
     ///
     /// # Errors
     /// When the profile has no gauge face at that depth.
@@ -58,8 +59,9 @@ impl PlacedRail {
         inclination: f64,
         gauge: f64,
         gauge_depth: f64,
+        mirrored: bool,
     ) -> Result<Self, GaugeFaceMissing> {
-        let rail = Self::at_marker(curve, inclination, [0.0; 2], false);
+        let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
         let gauge_face = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
         Ok(Self { marker: [0.5 * gauge - gauge_face, 0.0], ..rail })
     }
@@ -95,6 +97,15 @@ impl PlacedRail {
         let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve));
         let hand = if mirrored { -1.0 } else { 1.0 };
         Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse }
+    }
+
+    /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is inclined, at `origin` (y, z) [m]: for profiles
+    /// that stand where they are in a frame of their own, and for those without a highest point of the head.
+    #[must_use]
+    pub fn at_origin(curve: &Curve, inclination: f64, origin: [f64; 2], mirrored: bool) -> Self {
+        let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
+        let [y, z] = rail.top;
+        Self { marker: [origin[0] + rail.hand * y, origin[1] + z], ..rail }
     }
 
     /// The curve in the frame of the rail marker [m].

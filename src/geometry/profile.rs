@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::geometry::curve::Curve;
 pub use crate::geometry::profile_error::ProfileError;
+pub use crate::geometry::profile_remark::ProfileRemark;
 
 /// Of which body a profile is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +35,8 @@ pub struct Profile {
     pub kind: ProfileKind,
     /// The curve in the profile frame [m].
     pub curve: Curve,
+    /// What was found and mended in its file.
+    pub remarks: Vec<ProfileRemark>,
 }
 
 /// Smallest rectangle along the axes of the profile frame that holds a profile.
@@ -109,8 +112,12 @@ mod tests {
     #[test]
     fn bounds_reach_the_turning_points_between_knots() {
         let section = arc([0.0, 0.3], 0.3, -1.9, -1.1);
-        let profile =
-            Profile { name: "arc".into(), kind: ProfileKind::Rail, curve: curve_of(&[section]) };
+        let profile = Profile {
+            name: "arc".into(),
+            kind: ProfileKind::Rail,
+            curve: curve_of(&[section]),
+            remarks: Vec::new(),
+        };
         let bounds = profile.bounds();
         assert_relative_eq!(bounds.z[0], 0.0, epsilon = 1e-11);
         assert_relative_eq!(bounds.z[1], 0.3 - 0.3 * 1.1f64.sin(), epsilon = 1e-11);

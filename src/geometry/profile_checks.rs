@@ -7,16 +7,22 @@ use crate::geometry::profile_points::{FilePoint, ProfilePoints};
 const FEWEST_POINTS: usize = 8;
 /// Admitted diagonal of a profile [m].
 const EXTENT: [f64; 2] = [0.010, 1.0];
+/// Diagonal that a profile in another unit than stated must have [m].
+const LIKELY_EXTENT: [f64; 2] = [0.02, 0.5];
 /// A flange rises at least this much over the running circle, and nothing else does [m].
 const FLANGE_RISE: f64 = 0.008;
 /// A rim face is closer to the end of a profile than this; a flange reaches further [m].
 const RIM_FACE: f64 = 0.010;
 /// A head that lies lower than its sides by more than this on average stands on its head [m].
 const HEAD_SAG: f64 = 1e-4;
+/// Depth below the top at which a gauge face is recognised [m].
+const GAUGE_DEPTH: f64 = 0.014;
 /// The direction reverses where it turns by more than 120°.
 const COSINE_OF_REVERSAL: f64 = -0.5;
 /// Reversals over less than this share of the wavelength are noise, which smoothing removes.
 const NOISE_SHARE: f64 = 0.05;
+/// Largest share of the points that may be stray.
+const STRAY_SHARE: f64 = 0.02;
 /// Smallest distance over which a reversal is looked for [m].
 const SMALLEST_STEP: f64 = 1e-6;
 /// Number of steps across a profile at which crossings are looked for.
@@ -38,9 +44,18 @@ pub(crate) fn enough(profile: &ProfilePoints) -> Result<(), ProfileError> {
     })
 }
 
-pub(crate) fn size(profile: &ProfilePoints) -> Result<(), ProfileError> {
+/// Whether the points scaled by `factor` have the size of a profile for sure.
+pub(crate) fn is_likely(profile: &ProfilePoints, factor: f64) -> bool {
+    (LIKELY_EXTENT[0]..=LIKELY_EXTENT[1]).contains(&(factor * extent(profile)))
+}
+
+fn extent(profile: &ProfilePoints) -> f64 {
     let [y, z] = [0, 1].map(|i| range(&profile.points, i));
-    let extent = (y[1] - y[0]).hypot(z[1] - z[0]);
+    (y[1] - y[0]).hypot(z[1] - z[0])
+}
+
+pub(crate) fn size(profile: &ProfilePoints) -> Result<(), ProfileError> {
+    let extent = extent(profile);
     if (EXTENT[0]..=EXTENT[1]).contains(&extent) {
         return Ok(());
     }
@@ -52,17 +67,31 @@ pub(crate) fn size(profile: &ProfilePoints) -> Result<(), ProfileError> {
     })
 }
 
-/// Whether z points down, and on a wheel whether y = 0 is on it and the flange at negative y.
+/// The axis along which a profile lies the wrong way round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Mirror {
+    /// 0 for y, 1 for z.
+    pub axis: usize,
+    /// A line that shows it.
+    pub line: usize,
+    /// What shows it.
+    pub what: &'static str,
+}
+
+/// What is to be mirrored so that z points down, and on a wheel the flange is at negative y; refused is a wheel on which y = 0 is not.
 ///
 /// The points run from the flange (gauge) to the field side.
-pub(crate) fn orientation(profile: &ProfilePoints, kind: ProfileKind) -> Result<(), ProfileError> {
+pub(crate) fn orientation(
+    profile: &ProfilePoints,
+    kind: ProfileKind,
+) -> Result<Option<Mirror>, ProfileError> {
     match kind {
         ProfileKind::Wheel => wheel_orientation(profile),
-        ProfileKind::Rail => rail_orientation(profile),
+        ProfileKind::Rail => Ok(rail_orientation(profile)),
     }
 }
 
-fn wheel_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
+fn wheel_orientation(profile: &ProfilePoints) -> Result<Option<Mirror>, ProfileError> {
     let file = || profile.file.clone();
     let points = &profile.points;
     let y = range(points, 0);
@@ -79,27 +108,21 @@ fn wheel_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
     let leaves = |p: &&FilePoint| (p.point[1] - height).abs() > FLANGE_RISE;
     let on_flange_side = points[..centre].iter().rev().find(leaves);
     let on_field_side = points[centre..].iter().find(leaves);
-    match (on_flange_side, on_field_side) {
-        (Some(p), _) if p.point[1] < height && p.point[0] > y[0] + RIM_FACE => {
-            Err(ProfileError::ZUp {
-                file: file(),
-                line: p.line,
-                what: "the flange goes to negative z, and z is positive down",
-                remedy: profile.remedies.mirror_z,
-            })
-        }
-        (flange, Some(p)) if p.point[1] > height && flange.is_none_or(|f| f.point[1] < height) => {
-            Err(ProfileError::FlangeOnFieldSide {
-                file: file(),
-                line: p.line,
-                remedy: profile.remedies.mirror_y,
-            })
-        }
-        _ => Ok(()),
+    let is_up = |p: &FilePoint| p.point[1] < height;
+    // A rim face bends away too, but only at the end; a roller bends away on both sides.
+    let flange_up = on_flange_side
+        .filter(|p| is_up(p) && p.point[0] > y[0] + RIM_FACE)
+        .filter(|_| !on_field_side.is_some_and(is_up));
+    if let Some(p) = flange_up {
+        let what = "the flange goes to negative z, and z is positive down";
+        return Ok(Some(Mirror { axis: 1, line: p.line, what }));
     }
+    let beyond = on_field_side.filter(|p| !is_up(p) && on_flange_side.is_none_or(is_up));
+    let what = "the flange is at positive y, which is the field side";
+    Ok(beyond.map(|p| Mirror { axis: 0, line: p.line, what }))
 }
 
-fn rail_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
+fn rail_orientation(profile: &ProfilePoints) -> Option<Mirror> {
     let points = &profile.points;
     let (first, last) = (points[0].point, points[points.len() - 1].point);
     let slope = (last[1] - first[1]) / (last[0] - first[0]).max(f64::MIN_POSITIVE);
@@ -110,33 +133,33 @@ fn rail_orientation(profile: &ProfilePoints) -> Result<(), ProfileError> {
         .windows(2)
         .map(|p| 0.5 * (over(&p[0]) + over(&p[1])) * (p[1].point[0] - p[0].point[0]))
         .sum();
-    if area >= -HEAD_SAG * (last[0] - first[0]) {
-        return Ok(());
-    }
-    Err(ProfileError::ZUp {
-        file: profile.file.clone(),
-        line: points[points.len() / 2].line,
-        what: "the head lies below its sides, and z is positive down",
-        remedy: profile.remedies.mirror_z,
-    })
+    let what = "the head lies below its sides, and z is positive down";
+    let line = points[points.len() / 2].line;
+    (area < -HEAD_SAG * (last[0] - first[0])).then_some(Mirror { axis: 1, line, what })
+}
+
+/// Whether only the side at positive y of a rail goes down as deep as a gauge face does.
+pub(crate) fn gauge_side_is_positive(profile: &ProfilePoints) -> bool {
+    let points = profile.points.iter().map(|p| p.point);
+    let Some(top) = points.clone().min_by(|a, b| a[1].total_cmp(&b[1])) else { return false };
+    let is_deep = |side: f64| {
+        points.clone().any(|p| p[1] > top[1] + GAUGE_DEPTH && (p[0] - top[0]) * side > 0.0)
+    };
+    is_deep(1.0) && !is_deep(-1.0)
 }
 
 /// Whether the points follow the profile: no reversals beyond what smoothing at `wavelength` [m]
 /// removes, and no crossing.
 pub(crate) fn order(profile: &ProfilePoints, wavelength: f64) -> Result<(), ProfileError> {
-    let thinned = thin(&profile.points, SMALLEST_STEP.max(NOISE_SHARE * wavelength));
-    for triple in thinned.windows(3) {
-        let [a, b, c] = [0, 1, 2].map(|i| triple[i].point);
-        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-        let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
-        if u[0] * v[0] + u[1] * v[1] < COSINE_OF_REVERSAL * lengths {
-            return Err(ProfileError::DoublesBack {
-                file: profile.file.clone(),
-                line: triple[1].line,
-                y_mm: rounded_mm(b[0]),
-                z_mm: rounded_mm(b[1]),
-            });
-        }
+    let thinned = thin(&profile.points, reversal_step(wavelength));
+    if let Some(at) = thinned.windows(3).position(reverses) {
+        let back = thinned[at + 1];
+        return Err(ProfileError::DoublesBack {
+            file: profile.file.clone(),
+            line: back.line,
+            y_mm: rounded_mm(back.point[0]),
+            z_mm: rounded_mm(back.point[1]),
+        });
     }
     let [y, z] = [0, 1].map(|i| range(&thinned, i));
     let step = (y[1] - y[0]).hypot(z[1] - z[0]) / CROSSING_STEPS;
@@ -149,6 +172,44 @@ pub(crate) fn order(profile: &ProfilePoints, wavelength: f64) -> Result<(), Prof
         });
     }
     Ok(())
+}
+
+/// Distance below which reversals are noise that smoothing at `wavelength` removes [m].
+fn reversal_step(wavelength: f64) -> f64 {
+    SMALLEST_STEP.max(NOISE_SHARE * wavelength)
+}
+
+/// Whether the direction reverses at the middle one of three points.
+fn reverses(triple: &[FilePoint]) -> bool {
+    let [a, b, c] = [0, 1, 2].map(|i| triple[i].point);
+    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+    let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
+    u[0] * v[0] + u[1] * v[1] < COSINE_OF_REVERSAL * lengths
+}
+
+/// Lines of the points without which the rest does not double back; none where that takes too many of them.
+///
+/// At a reversal one of two points is astray: the one at which the direction turns, or the next. Left out is the one without
+/// which the points about it turn least.
+pub(crate) fn strays(points: &[FilePoint], wavelength: f64) -> Vec<usize> {
+    let mut left = thin(points, reversal_step(wavelength));
+    let most = ((STRAY_SHARE * left.len() as f64) as usize).max(1);
+    let mut strays = Vec::new();
+    while let Some(at) = left.windows(3).position(reverses) {
+        if strays.len() == most {
+            return Vec::new();
+        }
+        let reversals_without = |k: usize| {
+            let about = &left[k.saturating_sub(3)..(k + 4).min(left.len())];
+            let rest: Vec<FilePoint> =
+                about.iter().filter(|p| p.line != left[k].line).copied().collect();
+            rest.windows(3).filter(|triple| reverses(triple)).count()
+        };
+        let fewer = reversals_without(at + 2) < reversals_without(at + 1);
+        strays.push(left.remove(if fewer { at + 2 } else { at + 1 }).line);
+    }
+    strays.sort_unstable();
+    strays
 }
 
 /// The first point, and those at least `distance` from the one kept before.
@@ -206,6 +267,7 @@ fn rounded_mm(length: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::profile::ProfileRemark;
     use crate::geometry::profile_points::tests::{points_of, sampled};
 
     const WHEEL: ProfileKind = ProfileKind::Wheel;
@@ -217,7 +279,7 @@ mod tests {
 
     #[test]
     fn wrong_units_are_named_with_the_extent_and_the_remedy() {
-        for factor in [1e-3, 1.0 / 25.4, 25.4, 1e3] {
+        for factor in [1e-2, 1.0 / 25.4, 25.4] {
             let points: Vec<_> =
                 sampled("60E1", RAIL, 1e-3).iter().map(|p| p.map(|x| x * factor)).collect();
             let error = refused(&points, RAIL, 0.0);
@@ -227,19 +289,59 @@ mod tests {
     }
 
     #[test]
-    fn points_out_of_order_are_refused_at_their_line() {
-        let mut points = sampled("60E1", RAIL, 1e-3);
-        points.swap(60, 63);
-        let error = refused(&points, RAIL, 2e-3);
-        assert!(
-            matches!(error, ProfileError::DoublesBack { line: 60..=64, .. }),
-            "{error} {error:?}"
-        );
-        assert!(error.to_string().contains("put the points in order"), "{error}");
+    fn metres_for_millimetres_and_the_other_way_round_are_mended_and_said() {
+        let exact = points_of(&sampled("60E1", RAIL, 1e-3)).into_profile(RAIL, 0.0).unwrap();
+        for (factor, unit) in [(1e-3, "metres"), (1e3, "millimetres")] {
+            let points: Vec<_> =
+                sampled("60E1", RAIL, 1e-3).iter().map(|p| p.map(|x| x * factor)).collect();
+            let mended = points_of(&points).into_profile(RAIL, 0.0).unwrap();
+            approx::assert_relative_eq!(mended.bounds().z[1], exact.bounds().z[1], epsilon = 1e-12);
+            let text = mended.remarks[0].to_string();
+            assert!(mended.remarks[0].is_warning(), "{text}");
+            assert!(
+                text.contains(&format!("read in {unit}")) && text.contains("do units"),
+                "{text}"
+            );
+            let stated = ProfilePoints { unit_is_stated: true, ..points_of(&points) };
+            let error = stated.into_profile(RAIL, 0.0).unwrap_err();
+            assert!(matches!(error, ProfileError::WrongUnits { .. }), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_few_stray_points_are_left_out_and_named() {
+        let clean = sampled("60E1", RAIL, 1e-3);
+        let expected = points_of(&clean).into_profile(RAIL, 0.0).unwrap();
+        let mut exchanged = clean.clone();
+        exchanged.swap(60, 63);
+        let mut aside = clean.clone();
+        aside.insert(60, [clean[60][0] - 2.3e-3, clean[60][1] + 4e-4]);
+        for points in [exchanged, aside] {
+            let mended = points_of(&points).into_profile(RAIL, 0.0).unwrap();
+            let ProfileRemark::PointsLeftOut { lines, .. } = &mended.remarks[0] else {
+                panic!("{:?}", mended.remarks);
+            };
+            assert!(lines.len() <= 2 && lines.iter().all(|l| (60..=65).contains(l)), "{lines:?}");
+            assert!(mended.remarks[0].to_string().contains(&lines[0].to_string()));
+            for i in 0..100 {
+                let s = mended.curve.end() * f64::from(i) / 100.0;
+                approx::assert_relative_eq!(
+                    mended.curve.at(s).point[1],
+                    expected.curve.at(s).point[1],
+                    epsilon = 2e-6
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn points_in_no_order_are_refused() {
         // Sorted by y, the undercut sides run to and fro.
         let mut sorted = sampled("60E1", RAIL, 1e-3);
         sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        assert!(matches!(refused(&sorted, RAIL, 2e-3), ProfileError::DoublesBack { .. }));
+        let error = refused(&sorted, RAIL, 2e-3);
+        assert!(matches!(error, ProfileError::DoublesBack { .. }), "{error}");
+        assert!(error.to_string().contains("put the points in order"), "{error}");
     }
 
     #[test]
@@ -275,22 +377,46 @@ mod tests {
     }
 
     #[test]
-    fn profiles_that_stand_on_their_head_are_refused() {
-        for (name, kind) in [("S1002", WHEEL), ("60E1", RAIL), ("arc:0.3", RAIL)] {
-            let up: Vec<_> = sampled(name, kind, 5e-4).iter().map(|p| [p[0], -p[1]]).collect();
-            let error = refused(&up, kind, 0.0);
-            assert!(matches!(error, ProfileError::ZUp { .. }), "{error}");
-            assert!(error.to_string().contains("z seems to point up"), "{error}");
-            assert!(error.to_string().contains("do mirror z"), "{error}");
+    fn profiles_that_stand_on_their_head_or_are_the_wrong_way_round_are_mirrored() {
+        for (name, kind, mirror) in [
+            ("S1002", WHEEL, [1.0, -1.0]),
+            ("60E1", RAIL, [1.0, -1.0]),
+            ("arc:0.3", RAIL, [1.0, -1.0]),
+            ("S1002", WHEEL, [-1.0, 1.0]),
+        ] {
+            let clean = sampled(name, kind, 5e-4);
+            let turned: Vec<_> =
+                clean.iter().map(|p| [mirror[0] * p[0], mirror[1] * p[1]]).collect();
+            let mended = points_of(&turned).into_profile(kind, 0.0).unwrap();
+            let expected = points_of(&clean).into_profile(kind, 0.0).unwrap();
+            assert_eq!(mended.bounds(), expected.bounds(), "{name}");
+            let text = mended.remarks[0].to_string();
+            assert!(mended.remarks[0].is_warning() && mended.remarks.len() == 1, "{text}");
+            let axis = if mirror[0] < 0.0 { "y" } else { "z" };
+            assert!(text.contains(&format!("mirrored in {axis}")), "{text}");
+            assert!(text.contains(&format!("do mirror {axis}")), "{text}");
         }
     }
 
     #[test]
-    fn a_flange_on_the_field_side_is_refused() {
-        let points: Vec<_> = sampled("S1002", WHEEL, 5e-4).iter().map(|p| [-p[0], p[1]]).collect();
-        let error = refused(&points, WHEEL, 0.0);
-        assert!(matches!(error, ProfileError::FlangeOnFieldSide { .. }), "{error}");
-        assert!(error.to_string().contains("do mirror y"), "{error}");
+    fn a_groove_is_taken_as_it_stands_where_the_direction_is_stated() {
+        let groove: Vec<_> = sampled("arc:0.3", RAIL, 5e-4).iter().map(|p| [p[0], -p[1]]).collect();
+        let stated = ProfilePoints { direction_is_stated: true, ..points_of(&groove) };
+        let profile = stated.into_profile(RAIL, 0.0).unwrap();
+        assert!(profile.bounds().z[0] < -1e-3);
+        let text = profile.remarks[0].to_string();
+        assert!(text.contains("taken as it stands") && text.contains("do mirror z"), "{text}");
+    }
+
+    #[test]
+    fn a_roller_that_bends_away_on_both_sides_is_a_wheel() {
+        let roller: Vec<[f64; 2]> = (-490..=490)
+            .map(|i| 1e-4 * f64::from(i))
+            .map(|y| [y, (0.05f64.powi(2) - y * y).sqrt() - 0.05])
+            .collect();
+        let profile = points_of(&roller).into_profile(WHEEL, 0.0).unwrap();
+        assert!(profile.remarks.is_empty(), "{:?}", profile.remarks);
+        approx::assert_relative_eq!(profile.bounds().z[1], 0.0, epsilon = 1e-9);
     }
 
     #[test]

@@ -184,30 +184,6 @@ pub enum ProfileError {
         /// The line after which the later stretch lies.
         other_line: usize,
     },
-    /// A profile that stands on its head.
-    #[error("{file}:{line}: z seems to point up: {what}; mirror it: {remedy}")]
-    ZUp {
-        /// The file.
-        file: String,
-        /// A line that shows it.
-        line: usize,
-        /// What shows it.
-        what: &'static str,
-        /// How to mirror in this format.
-        remedy: &'static str,
-    },
-    /// A wheel whose flange is on the field side.
-    #[error(
-        "{file}:{line}: the flange is at positive y, which is the field side; mirror the profile in y: {remedy}"
-    )]
-    FlangeOnFieldSide {
-        /// The file.
-        file: String,
-        /// A line on the flange.
-        line: usize,
-        /// How to mirror in this format.
-        remedy: &'static str,
-    },
     /// A wheel profile that does not reach its running circle.
     #[error(
         "{file}:{line}: the wheel does not reach its running circle, y = 0: it spans y = {from_mm} to {to_mm} mm; \
@@ -226,12 +202,14 @@ pub enum ProfileError {
     /// A rail whose gauge cannot be measured.
     #[error(
         "\"{name}\" has no gauge face {depth_mm} mm below its top; give a profile that reaches down there on its gauge side \
-         (negative y), or a smaller track.gauge_depth"
+         (negative y), a smaller track.gauge_depth, or {placement} = position or origin"
     )]
     NoGaugeFace {
         /// Name of the profile.
         name: String,
         /// Depth below the top at which the gauge is measured [mm].
         depth_mm: f64,
+        /// The parameter that says where the rail stands.
+        placement: String,
     },
 }

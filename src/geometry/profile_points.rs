@@ -1,7 +1,13 @@
-//! From the points of a file to a profile: placed, checked, smoothed.
+//! From the points of a file to a profile: mended, placed, checked, smoothed.
+//!
+//! What is mended stands in the profile's remarks.
+//!
+//! **Unit.** Points that have the size of a profile only if they are metres instead of millimetres, or the other way round, are read so.
 //!
 //! **Order and side.** Points are reversed if they run from the field side to the flange (gauge)
-//! side.
+//! side. A wheel whose flange goes up or is on the field side is mirrored, and so is a rail whose head lies below its sides, unless its
+//! format says which way z points. Of a `MiniProf` rail the gauge side is the one that goes deeper. Points at which the profile doubles back are
+//! left out if they are few.
 //!
 //! **Origin.** A wheel whose points all have y > -5 mm is measured from its flange back, as
 //! `MiniProf` does and some SIMPACK files do: its running circle is 70 mm from y = 0, and z is
@@ -15,11 +21,13 @@
 //! points. L = 0 passes through every point. Lines and arcs stay where they are; a step Δκ of the
 //! curvature is spread over about L and the profile moves there by 0.16 Δκ (L/2π)². With L = 2 mm
 //! that is 1.3 µm on S1002 (flank to flange root, Δκ = 77 1/m), 1.0 µm at the gauge corner of 60E1
-//! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head.
+//! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head. Unless it is given, L follows from the noise of the points
+//! ([`point_noise`](crate::geometry::point_noise)).
 
 use crate::geometry::curve::{Curve, Knot};
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
-use crate::geometry::profile_checks;
+use crate::geometry::point_noise::{LONGEST_CHOSEN, chosen_wavelength, noise};
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
+use crate::geometry::profile_checks::{self, Mirror};
 use crate::math::spline::{penalty_of_wavelength, smoothing_spline};
 
 /// Points closer than this to the one before are dropped [m]: no measurement resolves them.
@@ -58,16 +66,24 @@ pub(crate) struct ProfilePoints {
     pub file: String,
     /// The points in the order of the file.
     pub points: Vec<FilePoint>,
-    /// Whether a rail is to get its origin at its highest point.
-    pub rail_origin_on_top: bool,
+    /// Distance of two numbers that differ in their last digit [m]; 0 where there are too many digits to tell.
+    pub last_digit: f64,
+    /// Whether the file says in which unit it is.
+    pub unit_is_stated: bool,
+    /// Whether the format or the file says which way z points.
+    pub direction_is_stated: bool,
+    /// Whether a rail is as an instrument sees it: its gauge side the one that goes deeper, its origin to be at its highest point.
+    pub is_measured_rail: bool,
     /// Wavelength of the smoothing that the file itself asks for [m].
     pub smoothing: Option<f64>,
     /// Advice in the terms of the format.
     pub remedies: Remedies,
+    /// What the reader has mended.
+    pub remarks: Vec<ProfileRemark>,
 }
 
 impl ProfilePoints {
-    /// The profile through the points, smoothed at `wavelength` [m], ≥ 0.
+    /// The profile through the points, smoothed at `wavelength` [m], or as their noise asks if that is negative.
     pub(crate) fn into_profile(
         mut self,
         kind: ProfileKind,
@@ -75,32 +91,34 @@ impl ProfilePoints {
     ) -> Result<Profile, ProfileError> {
         let wavelength = self.smoothing.unwrap_or(wavelength);
         profile_checks::enough(&self)?;
-        profile_checks::size(&self)?;
-        let last = self.points.len() - 1;
-        if self.points[0].point[0] > self.points[last].point[0] {
-            self.points.reverse();
-        }
+        self.mend_unit()?;
+        self.run_from_flange();
         let from_flange_back = kind == ProfileKind::Wheel
             && self.points.iter().all(|p| p.point[0] > FLANGE_BACK_TOLERANCE);
         if from_flange_back {
             self.points.iter_mut().for_each(|p| p.point[0] -= RUNNING_CIRCLE);
         }
-        profile_checks::orientation(&self, kind)?;
+        self.mend_orientation(kind)?;
+        self.merge(MERGE_DISTANCE);
+        profile_checks::enough(&self)?;
+        let wavelength = if wavelength < 0.0 { self.choose_wavelength() } else { wavelength };
         self.merge(MERGE_DISTANCE.max(MERGE_SHARE * wavelength));
+        self.leave_out_strays(wavelength);
         profile_checks::enough(&self)?;
         profile_checks::order(&self, wavelength)?;
 
-        let points: Vec<[f64; 2]> = self.points.iter().map(|p| p.point).collect();
+        let points = self.places();
         let mut knots = smooth(&points, wavelength);
         let profile = |knots: &[Knot]| Profile {
             name: self.file.clone(),
             kind,
             curve: Curve::through(knots),
+            remarks: self.remarks.clone(),
         };
         let raw = profile(&knots);
         let origin = if from_flange_back {
             [0.0, height_at_running_circle(&raw.curve)]
-        } else if kind == ProfileKind::Rail && self.rail_origin_on_top {
+        } else if kind == ProfileKind::Rail && self.is_measured_rail {
             raw.curve.at(raw.highest()).point
         } else {
             return Ok(raw);
@@ -109,6 +127,87 @@ impl ProfilePoints {
             knot.point = [knot.point[0] - origin[0], knot.point[1] - origin[1]];
         }
         Ok(profile(&knots))
+    }
+
+    fn places(&self) -> Vec<[f64; 2]> {
+        self.points.iter().map(|p| p.point).collect()
+    }
+
+    /// Reads the points in the unit in which they have the size of a profile.
+    fn mend_unit(&mut self) -> Result<(), ProfileError> {
+        if profile_checks::size(self).is_ok() || self.unit_is_stated {
+            return profile_checks::size(self);
+        }
+        let guess = [("metres", 1e3), ("millimetres", 1e-3)]
+            .into_iter()
+            .find(|&(_, factor)| profile_checks::is_likely(self, factor));
+        if let Some((unit, factor)) = guess {
+            self.points.iter_mut().for_each(|p| p.point = p.point.map(|x| x * factor));
+            self.last_digit *= factor;
+            let (file, remedy) = (self.file.clone(), self.remedies.units);
+            self.remarks.push(ProfileRemark::Unit { file, unit, remedy });
+        }
+        profile_checks::size(self)
+    }
+
+    /// Turns points in z, then in y, until they lie as a profile does.
+    fn mend_orientation(&mut self, kind: ProfileKind) -> Result<(), ProfileError> {
+        if let Some(Mirror { line, what, .. }) =
+            profile_checks::orientation(self, kind)?.filter(|mirror| mirror.axis == 1)
+        {
+            let (file, remedy) = (self.file.clone(), self.remedies.mirror_z);
+            if self.direction_is_stated {
+                if kind == ProfileKind::Rail {
+                    self.remarks.push(ProfileRemark::Groove { file, line, remedy });
+                }
+            } else {
+                self.points.iter_mut().for_each(|p| p.point[1] = -p.point[1]);
+                self.remarks.push(ProfileRemark::MirroredZ { file, line, what, remedy });
+            }
+        }
+        let mirrored = profile_checks::orientation(self, kind)?.filter(|mirror| mirror.axis == 0);
+        if let Some(Mirror { line, .. }) = mirrored {
+            let (file, remedy) = (self.file.clone(), self.remedies.mirror_y);
+            self.remarks.push(ProfileRemark::MirroredY { file, line, remedy });
+        }
+        let other_side = kind == ProfileKind::Rail
+            && self.is_measured_rail
+            && profile_checks::gauge_side_is_positive(self);
+        if mirrored.is_some() || other_side {
+            self.points.iter_mut().for_each(|p| p.point[0] = -p.point[0]);
+            self.run_from_flange();
+        }
+        Ok(())
+    }
+
+    /// Reverses points that run from the field side to the flange (gauge) side.
+    fn run_from_flange(&mut self) {
+        let last = self.points.len() - 1;
+        if self.points[0].point[0] > self.points[last].point[0] {
+            self.points.reverse();
+        }
+    }
+
+    /// The wavelength that the noise of the points asks for [m].
+    fn choose_wavelength(&mut self) -> f64 {
+        let points = self.places();
+        let noise = noise(&points, self.last_digit);
+        let spacing = points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]));
+        let needed = chosen_wavelength(spacing, noise);
+        let wavelength = needed.min(LONGEST_CHOSEN);
+        let (file, is_too_noisy) = (self.file.clone(), needed > wavelength);
+        self.remarks.push(ProfileRemark::Smoothing { file, noise, wavelength, is_too_noisy });
+        wavelength
+    }
+
+    /// Leaves out points at which the profile doubles back, if few of them set it right.
+    fn leave_out_strays(&mut self, wavelength: f64) {
+        let strays = profile_checks::strays(&self.points, wavelength);
+        if !strays.is_empty() {
+            self.points.retain(|p| !strays.contains(&p.line));
+            let file = self.file.clone();
+            self.remarks.push(ProfileRemark::PointsLeftOut { file, lines: strays });
+        }
     }
 
     /// Drops points closer than `distance` to the one kept before.
@@ -196,10 +295,28 @@ pub(crate) mod tests {
         ProfilePoints {
             file: "file.txt".into(),
             points: (1..).zip(points).map(|(line, &point)| FilePoint { point, line }).collect(),
-            rail_origin_on_top: false,
+            last_digit: 0.0,
+            unit_is_stated: false,
+            direction_is_stated: false,
+            is_measured_rail: false,
             smoothing: None,
             remedies: REMEDIES,
+            remarks: Vec::new(),
         }
+    }
+
+    /// Points moved across and along by nearly normal noise of a standard deviation [m].
+    pub(crate) fn with_noise(points: &[[f64; 2]], size: f64, seed: u64) -> Vec<[f64; 2]> {
+        let mut state = seed;
+        let mut even = || {
+            // Knuth's linear congruential generator (MMIX), its upper half.
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 32) as f64 / f64::from(u32::MAX) - 0.5
+        };
+        // Twelve even numbers have the variance 1.
+        points.iter().map(|p| p.map(|x| x + size * (0..12).map(|_| even()).sum::<f64>())).collect()
     }
 
     /// Points of a built-in profile, `distance` apart [m].
@@ -334,7 +451,7 @@ pub(crate) mod tests {
         let as_it_stands = points_of(&shifted).into_profile(ProfileKind::Rail, 0.0).unwrap();
         assert_relative_eq!(as_it_stands.bounds().z[0], 0.02, epsilon = 1e-9);
         let mut asked = points_of(&shifted);
-        asked.rail_origin_on_top = true;
+        asked.is_measured_rail = true;
         let moved = asked.into_profile(ProfileKind::Rail, 0.0).unwrap();
         assert_relative_eq!(moved.bounds().z[0], 0.0, epsilon = 1e-12);
         assert_relative_eq!(moved.bounds().y[1], 0.037_052_3, epsilon = 1e-4);

@@ -48,7 +48,7 @@ impl Profile {
         side_depth: f64,
     ) -> Self {
         let curve = head(arcs, corner_radius, SideEnd::Depth(side_depth));
-        Self { name: name.into(), kind: ProfileKind::Rail, curve }
+        Self { name: name.into(), kind: ProfileKind::Rail, curve, remarks: Vec::new() }
     }
 }
 

@@ -36,7 +36,9 @@ pub fn built_in(name: &str, kind: ProfileKind) -> Result<Option<Profile>, Profil
         _ => None,
     };
     match found {
-        Some((of, curve)) if of == kind => Ok(Some(Profile { name: name.into(), kind, curve })),
+        Some((of, curve)) if of == kind => {
+            Ok(Some(Profile { name: name.into(), kind, curve, remarks: Vec::new() }))
+        }
         Some(_) => {
             Err(ProfileError::OtherBody { name: name.into(), kind, built_in: built_in_names(kind) })
         }

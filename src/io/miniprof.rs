@@ -12,13 +12,17 @@
 //! outwards from the axle, so that the flange tip is at about +28 mm and our z is their Y. In a
 //! rail file Y points up and the measured gauge face is at positive X: both are mirrored. If only
 //! one side of a rail reaches 14 mm below its top, that side is taken for the gauge side, whatever
-//! its sign.
+//! its sign. A rail with Y down, as rollers of test rigs are found, is turned up.
+//!
+//! Among the points what follows `#`, `!`, `%` or `"` is a comment.
 //!
 //! **Origin**: wheels are moved to their running circle, 70 mm from the flange back, and rails to
 //! their highest point.
 
+use crate::geometry::point_noise::last_digit;
 use crate::geometry::profile::{ProfileError, ProfileKind};
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
+use crate::io::point_lines::PointLines;
 use crate::io::table::{Line, lines, numbers};
 
 const REMEDIES: Remedies = Remedies {
@@ -34,8 +38,6 @@ const INCH: f64 = 0.0254;
 const MM: f64 = 1e-3;
 /// Widest profile taken to be in inches if the header does not say, in units of the file.
 const WIDEST_IN_INCHES: f64 = 10.0;
-/// Depth below the top at which a gauge face is recognised [m].
-const GAUGE_DEPTH: f64 = 0.014;
 
 /// Whether a text looks like a `MiniProf` file.
 pub(crate) fn is_recognised(content: &str) -> bool {
@@ -77,11 +79,12 @@ pub(crate) fn read(
     let header = read_header(file, &all[..start])?;
 
     let pick = header.columns.unwrap_or([0, 1]);
-    let mut points = Vec::new();
-    for line in all[start..].iter().filter(|l| !l.text.is_empty()) {
-        let point = line.point(file, pick, 2..=usize::MAX, EXPECTED)?;
-        points.push(FilePoint { point, line: line.number });
+    let mut found = PointLines::new(file, pick, 2..=usize::MAX, EXPECTED);
+    for line in &all[start..] {
+        found.read(*line)?;
     }
+    let (last_digit, remarks) = (last_digit(&found.coordinates()), found.remarks(0));
+    let mut points = found.points;
     if let Some(count) = header.count.filter(|&count| count > points.len()) {
         return Err(ProfileError::Truncated {
             file: file.into(),
@@ -94,17 +97,16 @@ pub(crate) fn read(
     for p in &mut points {
         p.point = p.point.map(|x| x * unit * sign);
     }
-    if kind == ProfileKind::Rail && gauge_side_is_positive(&points) {
-        for p in &mut points {
-            p.point[0] = -p.point[0];
-        }
-    }
     Ok(ProfilePoints {
         file: file.into(),
         points,
-        rail_origin_on_top: true,
+        last_digit: last_digit * unit,
+        unit_is_stated: header.unit.is_some(),
+        direction_is_stated: false,
+        is_measured_rail: kind == ProfileKind::Rail,
         smoothing: None,
         remedies: REMEDIES,
+        remarks,
     })
 }
 
@@ -173,19 +175,6 @@ fn unit_from_extent(points: &[FilePoint]) -> f64 {
         values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
     };
     if extent(0).hypot(extent(1)) < WIDEST_IN_INCHES { INCH } else { MM }
-}
-
-/// Whether the gauge side is at positive y, of a rail that has been turned upright by half a turn.
-fn gauge_side_is_positive(points: &[FilePoint]) -> bool {
-    let Some(top) = points.iter().map(|p| p.point).min_by(|a, b| a[1].total_cmp(&b[1])) else {
-        return false;
-    };
-    let deep = |side: f64| {
-        points
-            .iter()
-            .any(|p| p.point[1] > top[1] + GAUGE_DEPTH && (p.point[0] - top[0]) * side > 0.0)
-    };
-    deep(1.0) && !deep(-1.0)
 }
 
 #[cfg(test)]

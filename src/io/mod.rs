@@ -1,11 +1,15 @@
 //! Files: the only place that reads and writes them, and the only one with millimetres in it.
 
 mod deviation_file;
+mod draft;
 mod miniprof;
+mod point_lines;
 mod profile_file;
 mod simpack;
 mod table;
 mod two_column;
 
 pub use deviation_file::{Deviations, load_deviations};
+pub use draft::{Draft, write as write_whole};
 pub use profile_file::{load_profile, save_profile};
+pub use table::number;

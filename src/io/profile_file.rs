@@ -4,16 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::ContactError;
+use crate::geometry::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profile_points::ProfilePoints;
 use crate::geometry::standard_profiles::{built_in, built_in_names};
-use crate::io::{miniprof, simpack, two_column};
+use crate::io::{miniprof, simpack, two_column, write_whole};
 
 /// Largest file that is read [bytes]; a million points stay below it.
 const LARGEST_FILE: u64 = 64 << 20;
-
-/// Longest wavelength of the smoothing [m]: beyond it nothing of a flange is left.
-const LONGEST_WAVELENGTH: f64 = 0.05;
 
 /// The profile that a parameter names: a built-in or analytic one, else a file.
 ///
@@ -21,12 +19,12 @@ const LONGEST_WAVELENGTH: f64 = 0.05;
 /// * `name`: a built-in name ([`built_in_names`]), an absolute path, or a relative one, which is
 ///   looked for in `folders` in their order.
 /// * `smoothing` [m], 0 to 0.05: wavelength at which a wave along the profile keeps half its
-///   amplitude. Only profiles from files are smoothed; 0 passes through every point. What 4 mm, the start
-///   value of the parameter, do: a wave of 2 mm keeps 6 %, one of 8 mm 94 %; lines and arcs stay; where the
-///   curvature steps by Δκ the profile moves by 0.16 Δκ (L/2π)², on S1002 0.3 µm on the tread and 6 µm on
-///   the flange. That much is needed by points rounded to 0.01 mm and 0.25 mm apart: their curvature errs by
-///   226 1/m (root mean square) unsmoothed, by 7 with 2 mm and by 0.5 with 4 mm, where a rail head of
-///   300 mm has 3.3. Exact points want 0.
+///   amplitude; a negative number (-1, the start value of the parameter) leaves it to the noise of the points, 0 passes through
+///   every point. Only profiles from files are smoothed. What 4 mm do: a wave of 2 mm keeps 6 %, one of 8 mm 94 %; lines and arcs
+///   stay; where the curvature steps by Δκ the profile moves by 0.16 Δκ (L/2π)², on S1002 0.3 µm on the tread and 6 µm on
+///   the flange.
+///
+/// What was found in the file and mended stands in [`Profile::remarks`].
 ///
 /// The format follows from the extension: SIMPACK `.prw` and `.prr`, `MiniProf` `.whl` and `.ban`;
 /// the content decides for others and where it is evidently another format, and what is neither is
@@ -42,9 +40,8 @@ pub fn load_profile(
     smoothing: f64,
     folders: &[PathBuf],
 ) -> Result<Profile, ContactError> {
-    if !(0.0..=LONGEST_WAVELENGTH).contains(&smoothing) {
-        let allowed = "a wavelength from 0 (no smoothing) to 0.05 m";
-        return Err(ContactError::bad_value("profile.smoothing", smoothing, allowed));
+    if !ADMITTED_SMOOTHING.contains(&smoothing) {
+        return Err(ContactError::bad_value("profile.smoothing", smoothing, SMOOTHING_ALLOWED));
     }
     let profile = match built_in(name, kind) {
         Ok(Some(profile)) => Ok(profile),
@@ -55,13 +52,14 @@ pub fn load_profile(
 }
 
 /// Writes a profile as a file of two columns that [`load_profile`] reads back as it is: no smoothing is applied to it.
+/// What had that name before stays until the new one is complete.
 ///
 /// * `parameter`: FMU name of the parameter that names the file, for messages.
 ///
 /// # Errors
 /// [`ContactError::Profile`] with the file and what the operating system says.
 pub fn save_profile(parameter: &str, path: &Path, profile: &Profile) -> Result<(), ContactError> {
-    fs::write(path, two_column::text(profile)).map_err(|e| ContactError::Profile {
+    write_whole(path, two_column::text(profile).as_bytes()).map_err(|e| ContactError::Profile {
         name: parameter.into(),
         problem: ProfileError::Unwritable {
             file: path.display().to_string(),
@@ -264,7 +262,7 @@ mod tests {
                 ("prr", format!("spline.begin\nunits.len.f=1000\npoint.begin\n{body}\npoint.end")),
             ];
             for (extension, text) in texts {
-                for smoothing in [0.0, wavelength] {
+                for smoothing in [0.0, -1.0, wavelength] {
                     if let Ok(points) = read("a", extension, text.as_bytes(), RAIL) {
                         _ = points.into_profile(RAIL, smoothing);
                     }
@@ -287,9 +285,29 @@ mod tests {
                 .collect();
             for kind in [RAIL, ProfileKind::Wheel] {
                 let points = crate::geometry::profile_points::tests::points_of(&points);
+                _ = points.clone().into_profile(kind, -1.0);
                 _ = points.into_profile(kind, wavelength);
             }
         }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_saved_profile_takes_the_place_of_the_old_one_as_a_whole() {
+        let folder = TempDir::new().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("worn.txt"), "older").unwrap();
+        // A second name of the same file tells whether it was written into.
+        fs::hard_link(path("worn.txt"), path("kept.txt")).unwrap();
+        let rail = built_in("60E1", RAIL).unwrap().unwrap();
+        save_profile("wear.rail[1].file", &path("worn.txt"), &rail).unwrap();
+        assert_eq!(fs::read_to_string(path("kept.txt")).unwrap(), "older");
+        let name = path("worn.txt");
+        let read = load_profile("rail[1].profile", name.to_str().unwrap(), RAIL, 0.0, &[]).unwrap();
+        assert_relative_eq!(read.bounds().y[1], rail.bounds().y[1], epsilon = 1e-6);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+        let error = save_profile("wear.rail[1].file", folder.path(), &rail).unwrap_err();
+        assert!(error.to_string().starts_with("wear.rail[1].file: "), "{error}");
     }
 
     #[test]
@@ -302,7 +320,7 @@ mod tests {
 
     #[test]
     fn smoothing_must_be_a_wavelength() {
-        for smoothing in [-1e-3, 2.0, f64::NAN, f64::INFINITY] {
+        for smoothing in [-2.0, 2.0, f64::NAN, f64::INFINITY] {
             let error = load_profile("rail[1].profile", "60E1", RAIL, smoothing, &[]).unwrap_err();
             assert!(error.to_string().starts_with("profile.smoothing ="), "{error}");
         }

@@ -1,7 +1,7 @@
 //! SIMPACK profile files (.prw wheel, .prr rail).
 //!
 //! `key = value` entries in the blocks `header` and `spline`, and points between `point.begin` and
-//! `point.end`; what follows `!` outside quotes is a comment. The entries are applied in the order
+//! `point.end`; what follows `!` outside quotes is a comment, among the points also what follows `#`, `%` or `"`. The entries are applied in the order
 //! of their numbers in the files:
 //!
 //! 1. `point.dist.min`: a point closer to the one before is dropped
@@ -15,10 +15,12 @@
 //!
 //! `type` in the header (0 rail, 1 wheel) must be that of the body. `approx.smooth` and the weights
 //! of a third column are not used: smoothing is set by its wavelength. The frame is ours: y to the
-//! field side and z down for the right side.
+//! field side and z down for the right side. So a rail that is lower in its middle than at its sides is a groove and stays one.
 
+use crate::geometry::point_noise::last_digit;
 use crate::geometry::profile::{ProfileError, ProfileKind};
 use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
+use crate::io::point_lines::PointLines;
 use crate::io::table::{Line, lines, number};
 
 const REMEDIES: Remedies = Remedies {
@@ -77,7 +79,7 @@ pub(crate) fn read(
     kind: ProfileKind,
 ) -> Result<ProfilePoints, ProfileError> {
     let mut entries = Entries::default();
-    let mut points = Vec::new();
+    let mut found = PointLines::new(file, [0, 1], 2..=3, EXPECTED);
     let mut block = Block::Outside;
     let mut last = 1;
     for mut line in lines(content) {
@@ -101,8 +103,7 @@ pub(crate) fn read(
             (_, "point.begin") => Block::Points,
             (Block::Points, "point.end") => Block::Done,
             (Block::Points, _) => {
-                let point = line.point(file, [0, 1], 2..=3, EXPECTED)?;
-                points.push(FilePoint { point, line: line.number });
+                found.read(line)?;
                 block
             }
             (Block::Header, text) => {
@@ -128,13 +129,18 @@ pub(crate) fn read(
             return Err(ProfileError::UnknownFormat { file: file.into(), line: last, what });
         }
     }
-    let points = entries.apply(points);
+    let last_digit = last_digit(&found.coordinates()) / entries.units_per_metre;
+    let remarks = found.remarks(0);
     Ok(ProfilePoints {
         file: file.into(),
-        points,
-        rail_origin_on_top: false,
+        points: entries.apply(found.points),
+        last_digit,
+        unit_is_stated: false,
+        direction_is_stated: kind == ProfileKind::Rail,
+        is_measured_rail: false,
         smoothing: None,
         remedies: REMEDIES,
+        remarks,
     })
 }
 
@@ -327,11 +333,22 @@ mod tests {
     }
 
     #[test]
-    fn missing_factor_for_millimetres_says_which_entry_to_set() {
+    fn missing_factor_for_millimetres_is_mended_and_says_which_entry_to_set() {
         let read = read("a.prw", &file(1, "", |p| p.map(|x| x * 1e3)), WHEEL).unwrap();
-        let error = read.into_profile(WHEEL, 0.0).unwrap_err();
-        assert!(matches!(error, ProfileError::WrongUnits { line: 10, .. }), "{error}");
-        assert!(error.to_string().contains("units.len.f"), "{error}");
+        let profile = read.into_profile(WHEEL, 0.0).unwrap();
+        assert_relative_eq!(profile.bounds().z[1], 0.028, epsilon = 1e-6);
+        let text = profile.remarks[0].to_string();
+        assert!(text.contains("read in millimetres") && text.contains("units.len.f"), "{text}");
+    }
+
+    #[test]
+    fn comments_and_headings_among_the_points_are_passed_over() {
+        let whole = file(1, "comment = 'flange \"A\" 100 %'", |p| p);
+        let begin = "  point.begin\n";
+        let more = format!("{begin}% 1 2\n\"1 2\n y z\n 271\n");
+        let read = read("a.prw", &whole.replacen(begin, &more, 1), WHEEL).unwrap();
+        assert_eq!(read.remarks.len(), 2, "{:?}", read.remarks);
+        assert_eq!(read.points.len(), super::read("a.prw", &whole, WHEEL).unwrap().points.len());
     }
 
     #[test]

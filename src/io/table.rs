@@ -34,8 +34,9 @@ pub(crate) fn numbers(text: &str) -> Option<Vec<f64>> {
     numbers.filter(|numbers| !numbers.is_empty())
 }
 
-/// A number, with the exponents of Fortran admitted too.
-pub(crate) fn number(text: &str) -> Option<f64> {
+/// The number that a text is, with the exponents of Fortran admitted too: 1.5D-3 is 1.5e-3.
+#[must_use]
+pub fn number(text: &str) -> Option<f64> {
     text.parse().or_else(|_| text.replace(['d', 'D'], "e").parse()).ok()
 }
 

@@ -149,7 +149,9 @@ impl Unit {
     pub fn find(&self, name: &str) -> Result<&'static Variable, UnknownVariable> {
         self.variables.iter().find(|v| v.name == name).ok_or_else(|| {
             let names = self.variables.iter().map(|v| v.name);
-            let nearest = names.min_by_key(|n| text::distance(name, n));
+            // No two names differ by capitals alone.
+            let small = name.to_lowercase();
+            let nearest = names.min_by_key(|n| text::distance(&small, n));
             UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
         })
     }
@@ -161,7 +163,7 @@ impl Unit {
 pub struct UnknownVariable {
     /// The name asked for.
     pub name: String,
-    /// The name of a variable that differs least from it.
+    /// The name of a variable that differs least from it, whether letters are large or small.
     pub nearest: &'static str,
 }
 
@@ -252,6 +254,11 @@ mod tests {
     fn an_unknown_name_is_answered_with_the_nearest_one() {
         let error = find("wheel.forcez").unwrap_err();
         assert_eq!(error.nearest, "wheel.force.z");
+        for (name, nearest) in
+            [("Wheel.Y", "wheel.y"), ("WHEEL.LOAD", "wheel.load"), ("WheelYaw", "wheel.yaw")]
+        {
+            assert_eq!(find(name).unwrap_err().nearest, nearest);
+        }
         assert!(find("patch[9].area").unwrap_err().nearest.ends_with("].area"));
         assert_eq!(WHEELSET.find("left.wheel.profil").unwrap_err().nearest, "left.wheel.profile");
     }

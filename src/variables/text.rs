@@ -1,8 +1,11 @@
 //! Variables as text, for files and messages.
 
+use std::fmt;
+
 use super::values::{Described, bad_text};
 use super::{Kind, Value, ValuesOf, Variable};
 use crate::error::ContactError;
+use crate::io::number;
 
 impl<S: Described> ValuesOf<S> {
     /// Sets an input or a parameter from text: numbers in SI, `true` or `false`, items by name.
@@ -12,7 +15,7 @@ impl<S: Described> ValuesOf<S> {
     pub fn set_from_text(&mut self, variable: &Variable, text: &str) -> Result<(), ContactError> {
         let text = text.trim();
         let value = match variable.kind {
-            Kind::Real => text.parse().ok().map(Value::Real),
+            Kind::Real => number(text).map(Value::Real),
             Kind::Integer => text.parse().ok().map(Value::Integer),
             Kind::Boolean => text.parse().ok().map(Value::Boolean),
             Kind::Text => Some(Value::Text(text)),
@@ -29,15 +32,27 @@ impl<S: Described> ValuesOf<S> {
     /// The value of a variable as text that [`ValuesOf::set_from_text`] reads back to the same bits.
     #[must_use]
     pub fn text_of(&self, variable: &Variable) -> String {
+        let mut text = String::new();
+        // A String takes everything.
+        let _ = self.write_text(variable, &mut text);
+        text
+    }
+
+    /// Writes what [`text_of`](Self::text_of) gives.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_text(&self, variable: &Variable, out: &mut impl fmt::Write) -> fmt::Result {
         match (self.get(variable), variable.kind) {
-            (Value::Integer(value), Kind::Enumeration(e)) => {
-                e.item(value).map_or_else(|| value.to_string(), |i| i.name.into())
-            }
+            (Value::Integer(value), Kind::Enumeration(e)) => match e.item(value) {
+                Some(item) => out.write_str(item.name),
+                None => write!(out, "{value}"),
+            },
             // The shortest digits that give the same number; exponents where they are shorter.
-            (Value::Real(value), _) => format!("{value:?}"),
-            (Value::Integer(value), _) => value.to_string(),
-            (Value::Boolean(value), _) => value.to_string(),
-            (Value::Text(value), _) => value.into(),
+            (Value::Real(value), _) => write!(out, "{value:?}"),
+            (Value::Integer(value), _) => write!(out, "{value}"),
+            (Value::Boolean(value), _) => write!(out, "{value}"),
+            (Value::Text(value), _) => out.write_str(value),
         }
     }
 }
@@ -72,6 +87,15 @@ mod tests {
             copy.set_from_text(v, &values.text_of(v)).unwrap();
         }
         assert_eq!(copy, values);
+    }
+
+    #[test]
+    fn numbers_are_read_as_fortran_writes_them() {
+        let mut values = Values::default();
+        for text in ["1.5D-3", "0.15d-02", "1.5E-3", " 1.5e-3 "] {
+            values.set_from_text(find("wheel.yaw").unwrap(), text).unwrap();
+            assert_eq!(values.input.wheel.yaw.to_bits(), 1.5e-3_f64.to_bits(), "{text}");
+        }
     }
 
     #[test]

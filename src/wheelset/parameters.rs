@@ -24,16 +24,10 @@ impl Default for Parameters {
 }
 
 impl Parameters {
-    /// The same for both sides, flange backs 1.36 m apart. A second rail gets its mirror image, wherever `one` is.
+    /// The same for both sides, flange backs 1.36 m apart. Rails placed by position get their mirror images, wherever `one` is.
     #[must_use]
     pub fn of_both(one: &element::Parameters) -> Self {
-        let place = |side: Side, sign: f64| {
-            let mut parameters = element::Parameters { side, ..one.clone() };
-            let y = &mut parameters.second_rail.position[0];
-            *y = sign * y.abs();
-            parameters
-        };
-        let sides = [place(Side::Right, 1.0), place(Side::Left, -1.0)];
+        let sides = [Side::Right, Side::Left].map(|side| one.on_side(side));
         Self { flange_back_distance: 1.36, sides }
     }
 

@@ -90,3 +90,155 @@ fn evaluate_carries_a_given_load_with_the_models_it_is_asked_for() {
         assert!((2e-5..2e-4).contains(&depth), "{depth}");
     }
 }
+
+/// Poses of touching, flanging and lifted wheels, with parameters that change from row to row.
+fn poses(count: usize) -> Vec<String> {
+    let models = ["piotrowski_kik", "strips", "hertz"];
+    let pose = |i: usize| {
+        // The same places every time, as evenly spread as those of a Weyl sequence.
+        let even = |step: f64| (step * (i + 1) as f64).fract() - 0.5;
+        let (y, z, yaw) =
+            (0.75 + 0.016 * even(0.819), -0.4598 + 4e-4 * even(0.671), 0.01 * even(0.549));
+        format!(
+            "{},{},{y:.6},{z:.6},{yaw:.5},20,-43.5",
+            models[i % 3],
+            ["right", "left"][i / 3 % 2]
+        )
+    };
+    (0..count).map(pose).collect()
+}
+
+const POSES: &str = "normal.model,side,wheel.y,wheel.z,wheel.yaw,wheel.vx,wheel.pitch_rate\n";
+
+/// Lines of the result on so many threads, without the header.
+fn evaluated(rows: &[String], threads: &str) -> Vec<String> {
+    let (_folder, path) = written(&format!("{POSES}{}\n", rows.join("\n")));
+    let output = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+        .args(["evaluate", &path])
+        .env("RAYON_NUM_THREADS", threads)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap().lines().skip(1).map(Into::into).collect()
+}
+
+#[test]
+fn evaluate_gives_the_same_bits_on_any_number_of_threads_and_in_any_order() {
+    let rows = poses(120);
+    let one = evaluated(&rows, "1");
+    assert_eq!(one.len(), rows.len());
+    assert_eq!(evaluated(&rows, "3"), one);
+    // Each row with rows of other parameters before it.
+    let shuffled: Vec<String> =
+        (0..rows.len()).map(|i| rows[i * 77 % rows.len()].clone()).collect();
+    let found = evaluated(&shuffled, "2");
+    for (i, line) in found.iter().enumerate() {
+        assert_eq!(*line, one[i * 77 % rows.len()], "{}", shuffled[i]);
+    }
+}
+
+#[test]
+fn evaluate_counts_the_fallbacks_of_each_row_by_itself() {
+    // A load that nothing can carry is one.
+    let (_folder, path) = written("vertical.mode,wheel.load\nload,1e12\nload,5e4\nload,1e12\n");
+    let rows = success(&["evaluate", &path]);
+    let counts: Vec<&str> = rows.iter().map(|row| row["fallback_count"].as_str()).collect();
+    assert_eq!(counts, ["1", "0", "1"]);
+}
+
+#[test]
+fn evaluate_reads_decimal_commas_and_exponents_of_fortran() {
+    let plain = written("wheel.y,wheel.z,wheel.yaw\n0.7512,-0.4597,0.0015\n");
+    let wanted = wheelrail(&["evaluate", &plain.1]).stdout;
+    assert!(!wanted.is_empty());
+    for text in [
+        "wheel.y;wheel.z;wheel.yaw\n0,7512;-0,4597;1,5E-3\n",
+        "wheel.y\twheel.z\twheel.yaw\r\n0,7512\t-0,4597\t0,0015\r\n",
+        "wheel.y;wheel.z;wheel.yaw\n0.7512;-0.4597;1.5e-3\n",
+        "wheel.y,wheel.z,wheel.yaw\n7.512D-1,-0.4597d0,1.5D-3\n",
+    ] {
+        let (_folder, path) = written(text);
+        assert_eq!(wheelrail(&["evaluate", &path]).stdout, wanted, "{text}");
+    }
+}
+
+#[test]
+fn evaluate_leaves_an_older_result_alone_unless_all_goes_well() {
+    let (folder, path) = written("wheel.z,rail[1].profile\n-0.46,60E1\n-0.46,60E1\n-0.46,no.prr\n");
+    let result = folder.path().join("result.csv");
+    let to = result.to_str().unwrap();
+    std::fs::write(&result, "older\n").unwrap();
+    // Refused when its turn comes: the rows before it are kept beside.
+    let message = failure(&["evaluate", &path, "-o", to]);
+    let part = folder.path().join("result.csv.partial");
+    let kept = format!("the first 2 rows are in {}", part.display());
+    assert!(message.contains("row 3 (line 4)") && message.contains(&kept), "{message}");
+    assert_eq!(std::fs::read_to_string(&result).unwrap(), "older\n");
+    assert_eq!(table(&std::fs::read(&part).unwrap()).len(), 2);
+    std::fs::remove_file(part).unwrap();
+    // Refused as it stands.
+    std::fs::write(&path, "wheel.z\n-0.46\nup\n").unwrap();
+    assert!(failure(&["evaluate", &path, "-o", to]).contains("\"up\""));
+    assert!(failure(&["evaluate", &path, "-o", &path]).contains("this command reads it"));
+    assert_eq!(std::fs::read_to_string(&result).unwrap(), "older\n");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), "wheel.z\n-0.46\nup\n");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+    std::fs::write(&path, "wheel.z\n-0.46\n").unwrap();
+    assert!(wheelrail(&["evaluate", &path, "-o", to]).status.success());
+    assert_eq!(table(&std::fs::read(&result).unwrap()).len(), 1);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn evaluate_names_the_file_that_cannot_be_written() {
+    let (_folder, path) = written("wheel.z\n-0.46\n");
+    let message = failure(&["evaluate", &path, "-o", "/dev/full"]);
+    assert!(message.contains("cannot write /dev/full: No space left"), "{message}");
+    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+        .args(["evaluate", &path])
+        .stdout(full)
+        .output()
+        .unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("cannot write standard output: No space left"), "{message}");
+}
+
+#[cfg(unix)]
+#[test]
+fn evaluate_keeps_whole_rows_when_it_is_interrupted() {
+    let (folder, path) = written(&format!("wheel.z\n{}", "-0.4597\n".repeat(20_000)));
+    let result = folder.path().join("result.csv");
+    std::fs::write(&result, "older\n").unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+        .args(["evaluate", &path, "-o", result.to_str().unwrap()])
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Until some rows are written.
+    let under_way = || {
+        let files = std::fs::read_dir(folder.path()).unwrap().map(Result::unwrap);
+        let mut parts =
+            files.filter(|file| file.path().extension().is_some_and(|e| e == "partial"));
+        parts.any(|part| part.metadata().is_ok_and(|about| about.len() > 100_000))
+    };
+    while !under_way() {
+        assert!(child.try_wait().unwrap().is_none(), "done too soon");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let message = String::from_utf8(output.stderr).unwrap();
+    let part = folder.path().join("result.csv.partial");
+    let kept = std::fs::read_to_string(&part).unwrap();
+    assert!(kept.ends_with('\n'));
+    let rows = table(kept.as_bytes()).len();
+    assert!(rows > 10);
+    let said = format!("stopped: the first {rows} rows are in {}", part.display());
+    assert!(message.contains(&said), "{message}");
+    assert_eq!(std::fs::read_to_string(&result).unwrap(), "older\n");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
+}

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
+use wheelrail::geometry::profile::ProfileKind;
 
 fn wheelrail(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_wheelrail")).args(arguments).output().unwrap()
@@ -161,10 +162,90 @@ fn a_reader_that_has_had_enough_is_no_error() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+#[test]
+fn no_result_goes_where_something_is_read() {
+    let (folder, path) = written("wheel.y,wheel.z\n0.75,-0.4597\n0.751,-0.4597\n");
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (planar, shape) = (file("planar.csv"), file("f.csv"));
+    let (profiled, cone) = (file("profiled.csv"), file("cone.txt"));
+    std::fs::write(&profiled, "wheel.y,wheel.profile\n0.75,S1002\n0.75,cone.txt\n").unwrap();
+    std::fs::write(&cone, lines(-60..=60, " ", |y| -0.05 * y)).unwrap();
+    std::fs::write(&planar, "separation,radius_mm,approach_mm\nf.csv,460,0.05\n").unwrap();
+    std::fs::write(&shape, parabola()).unwrap();
+    let all = [&path, &planar, &shape, &profiled, &cone];
+    let read = all.map(|path| std::fs::read(path).unwrap());
+    let new = file("new.csv");
+    for arguments in [
+        &["evaluate", &path, "-o", &path][..],
+        &["patch", &planar, "-o", &planar],
+        &["patch", &planar, "-o", &shape],
+        &["compare", &path, "-o", &path],
+        &["compare", &path, "--summary", &path],
+        &["compare", &planar, "-o", &shape],
+        &["evaluate", &profiled, "-o", &cone],
+        &["compare", &profiled, "-o", &cone],
+        &["compare", &profiled, "--summary", &cone],
+        &["sweep", &profiled, "--history", &cone],
+        &["plot", &profiled, "--fields", &cone],
+        &["sweep", &path, "-o", &path],
+        &["sweep", &path, "--history", &path],
+        &["plot", &planar, "--fields", &shape],
+        &["plot", "--worn-wheel", &shape, "--fields", &shape],
+        &["conicity", "--wheel-profile", &shape, "-o", &shape],
+    ] {
+        let message = failure(arguments);
+        assert!(message.contains("this command reads it"), "{arguments:?}: {message}");
+    }
+    let message = failure(&["sweep", &path, "-o", &new, "--history", &new]);
+    assert!(message.contains("another result goes there"), "{message}");
+    let message = failure(&["evaluate", &profiled, "-o", &cone]);
+    assert!(message.contains("profiled.csv, row 2 (line 3): "), "{message}");
+    assert_eq!(all.map(|path| std::fs::read(path).unwrap()), read);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 5);
+}
+
 fn parabola() -> String {
     let points =
         (-60..=60).map(|i| 0.25 * f64::from(i)).map(|y| format!("{y},{}\n", y * y / 600.0));
     format!("y_mm,f_mm\n{}", points.collect::<String>())
+}
+
+#[test]
+fn what_was_mended_in_a_profile_is_told_once_on_standard_error() {
+    let columns = "wheel.profile,wheel.y,vertical.mode,wheel.load,normal.elements_along,normal.elements_across\n";
+    let row = |y: f64| format!("up.txt,{y},load,50000,10,10\n");
+    let (folder, path) = written(&format!("{columns}{}{}", row(0.75), row(0.7505)));
+    let profile =
+        wheelrail::io::load_profile("file", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    let file = folder.path().join("up.txt");
+    wheelrail::io::save_profile("file", &file, &profile).unwrap();
+    // With z up, as measuring devices draw it.
+    let up: String = std::fs::read_to_string(&file)
+        .unwrap()
+        .lines()
+        .filter_map(|line| line.split_once([',', ' ']))
+        .filter_map(|(y, z)| Some(format!("{y} {}\n", -z.trim().parse::<f64>().ok()?)))
+        .collect();
+    std::fs::write(&file, up).unwrap();
+    let file = file.to_str().unwrap();
+    let figure = folder.path().join("figure.svg");
+    let figure = figure.to_str().unwrap();
+    for arguments in [
+        &["evaluate", &path][..],
+        &["compare", &path],
+        &["sweep", &path, "--steps", "4", "--vary", "normal.model=hertz,piotrowski_kik"],
+        &["plot", &path, "-o", figure],
+        &["plot", "--worn-wheel", file, "--unworn-wheel", file, "-o", figure],
+        &["conicity", "--wheel-profile", file, "--range=1e-3", "--step=1e-3"],
+    ] {
+        let output = wheelrail(arguments);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{told}");
+        let warnings: Vec<&str> = told.lines().filter(|l| l.starts_with("warning: ")).collect();
+        assert_eq!(warnings.len(), 1, "{arguments:?}: {told}");
+        assert!(warnings[0].contains("up.txt:"), "{told}");
+        assert!(warnings[0].contains("mirrored in z"), "{told}");
+    }
 }
 
 #[test]

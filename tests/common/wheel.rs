@@ -79,6 +79,7 @@ pub fn rail_marker(parameters: &Parameters) -> [f64; 3] {
         rail.inclination,
         parameters.gauge,
         parameters.gauge_depth,
+        false,
     );
     let [y, z] = placed.unwrap().marker;
     [0.0, y, z]

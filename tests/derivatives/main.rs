@@ -107,7 +107,7 @@ fn of_several_patches_and_two_rails() {
     parameters.rails[1].enabled = true;
     parameters.rails[1].inclination = 0.0;
     // A second head under the outer part of the tread.
-    parameters.second_rail.position = [0.81, 0.0];
+    parameters.rails[1].position = [0.81, 0.0];
     let mut element = element(&parameters);
     let mut inputs = Vec::new();
     let mut patches = [0; 2];

@@ -18,15 +18,12 @@ fn described(words: &str) -> String {
         points.iter().map(|p| change(*p)).collect()
     };
     let points = match words {
-        "60E1 in metres" => changed(&rail, |p| p.map(|x| 1e-3 * x)),
-        "60E1 with z up" => changed(&rail, |[y, z]| [y, -z]),
-        "S1002 with z up" => changed(&wheel, |[y, z]| [y, -z]),
-        "S1002 with its flange on the field side" => changed(&wheel, |[y, z]| [-y, z]),
+        "60E1 in inches" => changed(&rail, |p| p.map(|x| x / 25.4)),
         "S1002 a metre off its running circle" => changed(&wheel, |[y, z]| [y - 1000.0, z]),
         "60E1 without its sides" => rail.into_iter().filter(|[_, z]| *z < 8.0).collect(),
-        "60E1 with two points exchanged" => {
+        "60E1 sorted by y" => {
             let mut points = rail;
-            points.swap(150, 155);
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
             points
         }
         "S1002 with a loop" => {

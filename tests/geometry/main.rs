@@ -54,7 +54,7 @@ impl Pair {
             &[Some(rail.clone()), None],
         )
         .unwrap();
-        let placed = PlacedRail::by_gauge(&rail.curve, inclination, 1.435, 0.014).unwrap();
+        let placed = PlacedRail::by_gauge(&rail.curve, inclination, 1.435, 0.014, false).unwrap();
         Self {
             name: format!("{wheel_name} on {rail_name}"),
             element,

@@ -390,3 +390,10 @@ pub const HARD_FALLBACKS: f64 = 0.01;
 /// The default 12 strips and 20 elements against 120 of both, Piotrowski-Kik and FASTSIM, 500 random poses: normal force, area, greatest pressure and
 /// force on the wheel, 95 % and worst. The models themselves are off by 3, 20, 20 and 4 %.
 pub const DEFAULT_COUNTS: [[f64; 2]; 4] = [[5e-4, 4e-3], [6e-4, 3e-3], [5e-4, 5e-3], [4e-3, 6e-3]];
+
+/// Greatest pressure on profiles read from exact points over that on the profiles themselves [%]: the target for the worst case of the strip
+/// model, 6 %, is not to be spent on reading.
+pub const EXACT_POINTS_PRESSURE: f64 = 2.0;
+
+/// Motion under weight against the mechanism of rigid profiles: the overlap is that share of the radii.
+pub const GRAVITY: f64 = 1e-4;

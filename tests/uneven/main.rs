@@ -87,7 +87,7 @@ fn the_depth_is_that_of_the_real_surfaces() {
     let mut random = Random::new(72);
     let curve = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap().curve;
     let rail = load_profile("rail", "60E1", ProfileKind::Rail, 0.0, &[]).unwrap();
-    let rail = PlacedRail::by_gauge(&rail.curve, 0.025, 1.435, 0.014).unwrap();
+    let rail = PlacedRail::by_gauge(&rail.curve, 0.025, 1.435, 0.014, false).unwrap();
     let radius = 0.46;
     let amplitude = 5e-5;
     let mut parameters = corrugated(amplitude, 0.03);

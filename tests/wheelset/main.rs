@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod derivatives;
+mod gravity;
 mod rigid_body;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
@@ -177,7 +178,7 @@ fn a_check_rail_stands_in_mirror_image_on_the_left() {
     let mut one = element::Parameters::default();
     one.rails[1].enabled = true;
     let parameters = Parameters::of_both(&one);
-    let places = [0, 1].map(|k| parameters.sides[k].second_rail.position[0]);
+    let places = [0, 1].map(|k| parameters.sides[k].rails[1].position[0]);
     assert!((places[0] + places[1]).abs() <= 0.0 && places[0] > 0.0);
     // Pushed to the right, the flange back of the left wheel meets its check rail and pushes it along.
     let mut wheelset = wheelset(&parameters);

@@ -3,19 +3,20 @@
 mod summary;
 mod wheel;
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::io::number;
 use wheelrail::planar::PlanarCase;
 use wheelrail::variables::find;
 
 use crate::args::TableFiles;
-use crate::cases::Cases;
+use crate::cases::{Cases, Header};
 use crate::figures::errors::{self, Line};
 use crate::patch::{PlanarCases, timed};
+use crate::remarks::{Found, Remarks};
 use crate::{batch, evaluate, figures, output};
 
 use summary::Summary;
@@ -167,56 +168,70 @@ impl Compared {
 /// # Errors
 /// With row and column: what is unknown, missing or refused. Rows before it are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let cases = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();
-    let mut table = output::table(path)?;
-    let progress = output::progress(cases.len(), path)?;
+    let outputs = [path, arguments.summary.as_deref(), arguments.figure.as_deref()];
+    output::check_names([arguments.files.cases.as_path()], outputs)?;
+    let cases = Cases::read(&arguments.files.cases)?;
+    let table = output::table(path)?;
+    let progress = output::progress(Some(cases.rows().len()), path)?;
+    let header = cases.header();
     let mut summary = Summary::default();
     // The columns of the table come first, so that a row says what it is.
-    let inputs: Vec<Vec<String>> = (cases.rows())
-        .map(|row| (0..cases.columns().count()).map(|c| row.cell(c).unwrap_or("").into()).collect())
+    let inputs: Vec<Vec<String>> = (cases.rows().iter())
+        .map(|row| {
+            (0..header.columns().count()).map(|c| row.cell(c).unwrap_or("").into()).collect()
+        })
         .collect();
     let mut written = 0;
     let mut lines: Vec<Line> = Vec::new();
-    let mut done = |compared: Compared| -> Result<()> {
+    let mut remarks = Remarks::default();
+    let mut done = |(compared, found): (Compared, Found)| -> Result<()> {
+        progress.suspend(|| remarks.tell(&found));
         if written == 0 {
-            table.write_record(cases.columns().chain(COLUMNS))?;
+            table.write_record(header.columns().chain(COLUMNS))?;
         }
         let cells = compared.cells();
         table.write_record(inputs[written].iter().chain(&cells))?;
-        add_to_lines(&mut lines, &cases, &inputs[written], &compared);
+        add_to_lines(&mut lines, header, &inputs[written], &compared);
         written += 1;
         summary.add(&compared);
         progress.inc(1);
         Ok(())
     };
     let mut models: Vec<String>;
-    if cases.column("separation").is_some() {
+    let cores = batch::all_cores();
+    let result = if cases.column("separation").is_some() {
         let planar = PlanarCases::read(&cases)?;
+        output::check_names(planar.separation_files(), outputs)?;
         let all = planar.cases.iter().map(|case| planar.planar(case));
         models = all.map(|c| figures::models(c.normal_model, c.tangential_model)).collect();
         batch::in_order(
-            &planar.cases,
-            true,
-            |case| compare_planar(&planar.planar(case)).context(case.place.clone()),
-            |_, compared| done(compared),
-        )?;
+            planar.cases.iter().map(Ok),
+            cores,
+            || (),
+            |(), case| {
+                let compared = compare_planar(&planar.planar(case));
+                Ok((compared.with_context(|| case.place.clone())?, Found::new()))
+            },
+            &mut done,
+        )
     } else {
-        let all = evaluate::read_values(&cases)?;
+        let all = evaluate::read_values(&cases, &outputs)?;
         let parameters = all.iter().map(|(_, values)| &values.parameters);
         models = parameters.map(|p| figures::models(p.normal_model, p.tangential_model)).collect();
-        let folder = cases.folder();
+        let folder = header.folder();
         batch::in_order(
-            &all,
-            true,
-            |(row, values)| {
+            all.iter().map(Ok),
+            cores,
+            || (),
+            |(), (row, values)| {
                 wheel::compare(values, &folder).map_err(|error| evaluate::placed(error, row))
             },
-            |_, compared| done(compared),
-        )?;
-    }
+            &mut done,
+        )
+    };
     progress.finish_and_clear();
-    table.flush()?;
+    table.complete(result)?;
     if let Some(path) = &arguments.summary {
         summary.write(output::table(Some(path))?)?;
     }
@@ -224,7 +239,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         models.sort_unstable();
         models.dedup();
         let models = if let [one] = models.as_slice() { one } else { "fast models" };
-        let first = cases.columns().next().unwrap_or_default();
+        let first = header.columns().next().unwrap_or_default();
         let abscissa = match unit(first) {
             "" => first.to_owned(),
             unit => format!("{first} [{unit}]"),
@@ -233,11 +248,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let text = summary.text();
     if path.is_some() {
-        print!("{text}");
-    } else {
-        eprint!("{text}");
+        return output::say(&text);
     }
-    Ok(std::io::stdout().flush()?)
+    eprint!("{text}");
+    Ok(())
 }
 
 /// The unit of the variable of a column; those of planar tables have it in their names.
@@ -246,9 +260,9 @@ fn unit(column: &str) -> &'static str {
 }
 
 /// Adds a case to the line of its second column, at the value of its first.
-fn add_to_lines(lines: &mut Vec<Line>, cases: &Cases, inputs: &[String], compared: &Compared) {
-    let Some(at) = inputs.first().and_then(|text| text.parse::<f64>().ok()) else { return };
-    let name = match (cases.columns().nth(1), inputs.get(1)) {
+fn add_to_lines(lines: &mut Vec<Line>, header: &Header, inputs: &[String], compared: &Compared) {
+    let Some(at) = inputs.first().and_then(|text| number(text)) else { return };
+    let name = match (header.columns().nth(1), inputs.get(1)) {
         (Some(column), Some(value)) => {
             format!("{column} {value} {}", unit(column)).trim_end().into()
         }

@@ -1,7 +1,6 @@
 //! `wheelrail conicity`: rolling radius difference and equivalent conicity of a wheelset.
 
-use std::io::{Write, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -9,6 +8,7 @@ use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset
 use wheelrail::variables::{Causality, Values, find};
 
 use crate::args::ContactOptions;
+use crate::remarks::Remarks;
 use crate::{figures, output};
 
 /// Columns of the table.
@@ -65,9 +65,13 @@ const REFERENCE_AMPLITUDE: f64 = 3e-3;
 /// If an option or profile is not admitted, no position has contact on both sides, or nothing can be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
+    let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];
+    let outputs = [arguments.output.as_deref(), arguments.figure.as_deref()];
+    output::check_names(profiles.map(Path::new), outputs)?;
     let values = values(arguments)?;
     let here = [PathBuf::from(".")];
     let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
+    Remarks::default().tell(wheelset.profile_remarks());
     let radii = wheelset.sweep(arguments.range, arguments.step);
     let Some(difference) = RollingRadiusDifference::of(&radii) else {
         bail!("the wheels stand beside the rails: check track.gauge and --running-circles");
@@ -75,12 +79,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let conicity = |amplitude: f64| {
         (amplitude > 0.5 * arguments.step).then(|| difference.equivalent_conicity(amplitude))?
     };
-    let mut table = output::table(arguments.output.as_deref())?;
+    let table = output::table(arguments.output.as_deref())?;
     table.write_record(COLUMNS)?;
     for one in &radii {
         table.write_record(cells(one, conicity(one.displacement)))?;
     }
-    table.flush()?;
+    table.finish()?;
     if let Some(path) = &arguments.figure {
         let contact = &arguments.contact;
         let curve: Vec<[f64; 2]> = radii
@@ -91,11 +95,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         figures::conicity::draw(path, &title, difference.points(), &curve)?;
     }
     if arguments.output.is_some() {
-        let mut out = stdout().lock();
-        match difference.equivalent_conicity(REFERENCE_AMPLITUDE) {
-            Some(found) => writeln!(out, "Equivalent conicity at 3 mm: {found:.4}")?,
-            None => writeln!(out, "Equivalent conicity at 3 mm: beyond the range")?,
-        }
+        let found = difference.equivalent_conicity(REFERENCE_AMPLITUDE);
+        let found = found.map_or("beyond the range".into(), |found| format!("{found:.4}"));
+        output::say(&format!("Equivalent conicity at 3 mm: {found}\n"))?;
     }
     Ok(())
 }

@@ -1,38 +1,135 @@
-//! Where tables of results go, and the progress of long inputs.
+//! Where results go: files that get their names only when they are complete, tables on standard output, and the progress of long
+//! inputs.
 
-use std::fs::File;
+mod table;
+
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A writer of a table to the file `path`, or to standard output without one.
+pub use table::Table;
+use wheelrail::io::write_whole;
+
+/// A table in the file `path`, or on standard output without one.
 ///
 /// # Errors
 /// If the file cannot be made.
-pub fn table(path: Option<&Path>) -> Result<csv::Writer<Box<dyn Write>>> {
-    let target: Box<dyn Write> = match path {
-        Some(path) => {
-            let file =
-                File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
-            Box::new(file)
-        }
-        None => Box::new(io::stdout().lock()),
-    };
-    Ok(csv::Writer::from_writer(target))
+pub fn table(path: Option<&Path>) -> Result<Table> {
+    Table::new(path)
 }
 
-/// A bar for `rows` cases on standard error; hidden where the rows themselves go to the terminal.
+/// Writes the file `path`: what had that name before stays until the new one is complete.
 ///
 /// # Errors
-/// Never: the template is fixed.
-pub fn progress(rows: usize, path: Option<&Path>) -> Result<ProgressBar> {
+/// If it cannot be written; what had that name stays then.
+pub fn write(path: &Path, content: &[u8]) -> Result<()> {
+    write_whole(path, content).with_context(|| cannot_write(path))
+}
+
+fn cannot_write(path: &Path) -> String {
+    format!("cannot write {}", path.display())
+}
+
+/// Writes a text to standard output.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn say(text: &str) -> Result<()> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.context("cannot write standard output")
+}
+
+/// Checks that no result has the name of what the same command reads, or of another result.
+///
+/// # Errors
+/// The name at fault.
+pub fn check_names<'a>(
+    inputs: impl IntoIterator<Item = &'a Path>,
+    outputs: impl IntoIterator<Item = Option<&'a Path>>,
+) -> Result<()> {
+    let inputs: Vec<PathBuf> = inputs.into_iter().filter_map(identity).collect();
+    let mut taken = Vec::new();
+    for output in outputs.into_iter().flatten() {
+        let Some(file) = identity(output) else { continue };
+        let shown = output.display();
+        if inputs.contains(&file) {
+            bail!("cannot write {shown}: this command reads it; give the result another name");
+        }
+        if taken.contains(&file) {
+            bail!("cannot write {shown}: another result goes there; give each a name of its own");
+        }
+        taken.push(file);
+    }
+    Ok(())
+}
+
+/// The one full name of a file, whether it exists yet or not; devices, pipes and folders have none.
+fn identity(path: &Path) -> Option<PathBuf> {
+    if let Ok(full) = path.canonicalize() {
+        return full.is_file().then_some(full);
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new(".")).canonicalize().ok()?;
+    Some(folder.join(path.file_name()?))
+}
+
+/// A bar for `rows` cases on standard error, or without their number a count; hidden where the rows themselves go to the terminal.
+///
+/// # Errors
+/// Never: the templates are fixed.
+pub fn progress(rows: Option<usize>, path: Option<&Path>) -> Result<ProgressBar> {
     if path.is_none() && io::stdout().is_terminal() {
         return Ok(ProgressBar::hidden());
     }
+    let Some(rows) = rows else {
+        let style = ProgressStyle::with_template("{pos} cases, {elapsed} elapsed")?;
+        return Ok(ProgressBar::no_length().with_style(style));
+    };
     let style = ProgressStyle::with_template(
         "{bar:40.blue} {pos} of {len} cases, {elapsed} elapsed, {eta} to go",
     )?;
     Ok(ProgressBar::new(rows as u64).with_style(style))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_do_not_go_where_something_is_read_or_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let (cases, new) = (path("cases.csv"), path("new.csv"));
+        std::fs::write(&cases, "a\n1\n").unwrap();
+        let same = folder.path().join(".").join("cases.csv");
+        let check = |outputs: [&Path; 2]| check_names([cases.as_path()], outputs.map(Some));
+        assert!(check([&new, &path("other.csv")]).is_ok());
+        assert!(check([&new, &same]).unwrap_err().to_string().contains("reads it"));
+        assert!(check([&new, &new]).unwrap_err().to_string().contains("another result"));
+        let null = Path::new("/dev/null");
+        assert!(check([null, null]).is_ok());
+        assert!(check_names([cases.as_path()], [None]).is_ok());
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = format!("{:#}", write(folder.path(), b"").unwrap_err());
+        let wanted = format!("cannot write {}: ", folder.path().display());
+        assert!(error.starts_with(&wanted), "{error}");
+    }
+
+    #[test]
+    fn a_file_is_replaced_as_a_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("figure.svg");
+        for content in ["first", "second"] {
+            write(&path, content.as_bytes()).unwrap();
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), content);
+        }
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
 }

@@ -4,7 +4,7 @@ mod columns;
 mod separation;
 
 use std::collections::HashMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, Result};
@@ -74,16 +74,20 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let cases = Cases::read(&arguments.files.cases)?;
     let path = arguments.files.output.as_deref();
-    let mut table = output::table(path)?;
-    let mut header_due = true;
-    let progress = output::progress(cases.len(), path)?;
     let planar = PlanarCases::read(&cases)?;
+    let cases = arguments.files.cases.as_path();
+    output::check_names(planar.separation_files().chain([cases]), [path])?;
+    let table = output::table(path)?;
+    let mut header_due = true;
+    let progress = output::progress(Some(planar.cases.len()), path)?;
+    // Times of fast models are those of a machine that does nothing else.
     let slow = planar.cases.iter().any(Case::is_slow);
-    batch::in_order(
-        &planar.cases,
-        slow,
-        |case| timed(&planar.planar(case), case.is_slow()).context(case.place.clone()),
-        |_, (result, time)| {
+    let result = batch::in_order(
+        planar.cases.iter().map(Ok),
+        if slow { batch::all_cores() } else { 1 },
+        || (),
+        |(), case| timed(&planar.planar(case), case.is_slow()).context(case.place.clone()),
+        |(result, time)| {
             // Only now, so that a table that cannot be solved leaves nothing but its error.
             if std::mem::take(&mut header_due) {
                 table.write_record(RESULTS)?;
@@ -92,9 +96,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             progress.inc(1);
             Ok(())
         },
-    )?;
+    );
     progress.finish_and_clear();
-    Ok(table.flush()?)
+    table.complete(result)
 }
 
 /// All cases of a table with their separations.
@@ -113,7 +117,7 @@ impl PlanarCases {
         columns::check(cases)?;
         let mut all = Self { cases: Vec::new(), separations: HashMap::new() };
         for row in cases.rows() {
-            let case = Case::read(cases, &row)?;
+            let case = Case::read(cases, row)?;
             if !all.separations.contains_key(&case.separation) {
                 let points = separation::read(&case.separation)
                     .with_context(|| row.cell_place(case.separation_column))?;
@@ -122,6 +126,11 @@ impl PlanarCases {
             all.cases.push(case);
         }
         Ok(all)
+    }
+
+    /// The files of the separations.
+    pub fn separation_files(&self) -> impl Iterator<Item = &Path> {
+        self.separations.keys().map(PathBuf::as_path)
     }
 
     /// A case with the points of its separation.

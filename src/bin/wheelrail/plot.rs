@@ -16,6 +16,7 @@ use crate::cases::Cases;
 use crate::figures::contact::{Figure, Side};
 use crate::figures::models;
 use crate::patch::PlanarCases;
+use crate::remarks::Remarks;
 use crate::{evaluate, output};
 
 /// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
@@ -74,6 +75,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.output.extension().is_none_or(|end| !end.eq_ignore_ascii_case("svg")) {
         bail!("{}: figures are SVG; write a name that ends in .svg", arguments.output.display());
     }
+    let read = [&arguments.worn_wheel, &arguments.worn_rail].into_iter().flatten().map(Path::new);
+    let read = read.chain([&arguments.unworn_wheel, &arguments.unworn_rail].map(Path::new));
+    let read = read.chain(arguments.cases.as_deref());
+    let outputs = [Some(arguments.output.as_path()), arguments.fields.as_deref()];
+    output::check_names(read, outputs)?;
     let Some(path) = &arguments.cases else {
         return worn::draw(&worn::Request {
             wheel: arguments.worn_wheel.as_deref(),
@@ -86,19 +92,20 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         });
     };
     let cases = Cases::read(path)?;
-    if arguments.row == 0 || arguments.row > cases.len() {
-        bail!("--row {}: {} has rows 1 to {}", arguments.row, path.display(), cases.len());
+    if arguments.row == 0 || arguments.row > cases.rows().len() {
+        bail!("--row {}: {} has rows 1 to {}", arguments.row, path.display(), cases.rows().len());
     }
     if cases.column("separation").is_some() {
         let planar = PlanarCases::read(&cases)?;
+        output::check_names(planar.separation_files(), outputs)?;
         let case = &planar.cases[arguments.row - 1];
         let title = case.separation.display().to_string();
         draw(arguments, &planar.planar(case), title, Vec::new(), 0, false)
     } else {
-        let all = evaluate::read_values(&cases)?;
+        let all = evaluate::read_values(&cases, &outputs)?;
         let (row, values) = &all[arguments.row - 1];
-        let (contacts, index) =
-            contacts(values, &cases.folder(), arguments.contact).with_context(|| row.place())?;
+        let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
+            .with_context(|| row.place())?;
         let contact = &contacts[index];
         let title = format!(
             "{} on {}, contact angle {:.2} degrees",
@@ -123,6 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatContact>, usize)> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
+    Remarks::default().tell(element.profile_remarks());
     let mut at = *input;
     if parameters.vertical_mode == VerticalMode::Load {
         let mut found = Output::default();
@@ -180,14 +188,13 @@ fn draw(
     }
     let figure = Figure { title, friction: case.friction, contacts, drawn, sides };
     figure.draw(&arguments.output)?;
-    for path in std::iter::once(&arguments.output).chain(&arguments.fields) {
-        println!("{}", path.display());
-    }
-    Ok(())
+    std::iter::once(&arguments.output)
+        .chain(&arguments.fields)
+        .try_for_each(|path| output::say(&format!("{}\n", path.display())))
 }
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
-    let mut table = output::table(Some(path))?;
+    let table = output::table(Some(path))?;
     table.write_record([
         "models",
         "zone",
@@ -207,7 +214,7 @@ fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {
             }
         }
     }
-    Ok(table.flush()?)
+    table.finish()
 }
 
 fn field_row(

@@ -14,6 +14,7 @@ use crate::args::{TableFiles, assignment};
 use crate::cases::Cases;
 use crate::evaluate::read_values;
 use crate::output;
+use crate::remarks::Remarks;
 
 use path::Path;
 use results::{Results, Swept};
@@ -53,8 +54,13 @@ pub struct Arguments {
 /// # Errors
 /// With row and column what evaluate refuses; a path of fewer than two rows; files that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let cases = Cases::read(&arguments.files.cases)?;
-    let corners: Vec<Values> = read_values(&cases)?.into_iter().map(|(_, values)| values).collect();
+    let path = &arguments.files.cases;
+    let destination = arguments.files.output.as_deref();
+    let outputs = [destination, arguments.history.as_deref(), arguments.figure.as_deref()];
+    output::check_names([path.as_path()], outputs)?;
+    let cases = Cases::read(path)?;
+    let corners: Vec<Values> =
+        read_values(&cases, &outputs)?.into_iter().map(|(_, values)| values).collect();
     if corners.len() < 2 {
         bail!("{}: a path has at least two rows", arguments.files.cases.display());
     }
@@ -72,12 +78,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .collect();
     let steps = arguments.steps as usize;
     let count = (variants[0].corners.len() - 1) * steps;
-    let destination = arguments.files.output.as_deref();
-    let progress = output::progress(count * variants.len(), destination)?;
+    let progress = output::progress(Some(count * variants.len()), destination)?;
     let mut swept = Vec::new();
+    let mut remarks = Remarks::default();
     for Variant { name, corners } in variants {
         let (values, outputs) = (corners[0].clone(), outputs.clone());
-        let element = Element::new(&values.parameters, &values.input, &[cases.folder()])?;
+        let element = Element::new(&values.parameters, &values.input, &[cases.header().folder()])?;
+        progress.suspend(|| remarks.tell(element.profile_remarks()));
         let mut path = Path { element, corners, values, outputs };
         let mut history = Vec::with_capacity(count + 1);
         for step in 0..=count {

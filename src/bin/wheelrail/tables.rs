@@ -1,6 +1,5 @@
 //! `wheelrail tables`: makes the table of creep forces anew, or measures it against the solutions it interpolates.
 
-use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -59,8 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     match (&arguments.output, arguments.check) {
         (Some(path), _) => {
             let nodes = generate(elements)?;
-            fs::write(path, nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
-                .with_context(|| format!("cannot write {}", path.display()))
+            output::write(path, &nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
         }
         (None, Some(states)) => check(arguments, elements, states),
         (None, None) => Ok(()),
@@ -88,7 +86,7 @@ fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
 fn generate(elements: [usize; 2]) -> Result<Nodes> {
     let ellipses: Vec<EllipseNodes> =
         (0..RATIOS).map(|i| EllipseNodes::number(i, elements)).collect();
-    let bar = output::progress(CREEP_NODES, Some("file".as_ref()))?;
+    let bar = output::progress(Some(CREEP_NODES), Some("file".as_ref()))?;
     let creep = (0..CREEP_NODES).into_par_iter().map(|n| {
         let (i, j, k) = (n / (SATURATIONS * RING), n / RING % SATURATIONS + 1, n % RING);
         let node = ellipses[i].creep_node(j, k);
@@ -120,7 +118,7 @@ fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<(
     ensure!(arguments.axis_ratio >= 1.0, "--axis-ratio: at least 1");
     ensure!(states > 0, "--check: at least one state");
     ensure!((0.0..=0.5).contains(&arguments.poisson_ratio), "--poisson-ratio: 0 to 0.5");
-    let bar: ProgressBar = output::progress(states, Some("file".as_ref()))?;
+    let bar: ProgressBar = output::progress(Some(states), Some("file".as_ref()))?;
     let errors = (0..states).into_par_iter().map(|state| {
         let greatest = arguments.axis_ratio.ln().min(LOG_RATIO);
         let log_ratio = greatest * (2.0 * even(state, 0) - 1.0);
@@ -141,14 +139,16 @@ fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<(
     });
     let errors: Vec<[f64; 4]> = errors.collect::<Result<_>>()?;
     bar.finish();
-    println!("quantity,mean,percentile_95,worst");
+    let table = output::table(None)?;
+    table.write_record(["quantity", "mean", "percentile_95", "worst"])?;
     let names = ["force_over_limit", "moment_over_limit_c", "slip_share", "solution_itself"];
     for (k, name) in names.iter().enumerate() {
         let mut column: Vec<f64> = errors.iter().map(|e| e[k]).collect();
         column.sort_by(f64::total_cmp);
         let mean = column.iter().sum::<f64>() / states as f64;
         let at = |share: f64| column[(share * (states - 1) as f64) as usize];
-        println!("{name},{mean:.5},{:.5},{:.5}", at(0.95), at(1.0));
+        let numbers = [mean, at(0.95), at(1.0)].map(|number| format!("{number:.5}"));
+        table.write_record([name.to_string()].into_iter().chain(numbers))?;
     }
-    Ok(())
+    table.finish()
 }

@@ -130,7 +130,7 @@ mod tests {
     fn for_each_contact(depth: f64, mut each: impl FnMut(LineSeparation)) {
         let load = |name, kind| load_profile("profile", name, kind, 0.0, &[]).unwrap().curve;
         let (wheel, rail) = (load("S1002", ProfileKind::Wheel), load("60E1", ProfileKind::Rail));
-        let rail = PlacedRail::by_gauge(&rail, 0.025, 1.435, 0.014).unwrap();
+        let rail = PlacedRail::by_gauge(&rail, 0.025, 1.435, 0.014, false).unwrap();
         let mut search = ContactSearch::new(&wheel);
         let mut contacts = 0;
         for i in 0..60 {

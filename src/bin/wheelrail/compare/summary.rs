@@ -1,11 +1,11 @@
 //! Median, 95 % and worst of a set of errors.
 
 use std::fmt::Write as _;
-use std::io::Write;
 
 use anyhow::Result;
 
 use super::Compared;
+use crate::output::Table;
 
 /// Errors of all cases.
 #[derive(Debug, Default)]
@@ -69,13 +69,13 @@ impl Summary {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write(&self, mut table: csv::Writer<Box<dyn Write>>) -> Result<()> {
+    pub fn write(&self, table: Table) -> Result<()> {
         table.write_record(["quantity", "cases", "median", "p95", "worst"])?;
         for (name, count, values) in self.rows() {
             let values = values.map(|value| format!("{value:.4}"));
             table.write_record([&[name.into(), count.to_string()], &values[..]].concat())?;
         }
-        Ok(table.flush()?)
+        table.finish()
     }
 }
 

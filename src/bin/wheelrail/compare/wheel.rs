@@ -11,6 +11,7 @@ use wheelrail::variables::Values;
 
 use super::{Compared, Solved, reference_tangential};
 use crate::evaluate::is_slow;
+use crate::remarks::Found;
 
 /// Times a case is evaluated by fast models; the median is reported.
 const REPEATS: usize = 5;
@@ -23,10 +24,11 @@ const MOST_HEIGHTS: usize = 30;
 ///
 /// # Errors
 /// The variable at fault, by its FMU name.
-pub fn compare(values: &Values, folder: &PathBuf) -> Result<Compared, ContactError> {
+pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), ContactError> {
     let Values { parameters, input, .. } = values;
     let folders = std::slice::from_ref(folder);
     let mut element = Element::new(parameters, input, folders)?;
+    let found = element.profile_remarks().to_vec();
     let mut own = Output::default();
     element.evaluate(input, &mut own)?;
     let repeats = if is_slow(parameters) { 1 } else { REPEATS };
@@ -60,14 +62,15 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<Compared, ContactErr
     let time = begin.elapsed().as_secs_f64();
     let place = centroid(&exact);
     let (normal, repeats) = (normal(&exact), repeats as i32 + 1);
-    Ok(Compared {
+    let compared = Compared {
         own: Solved {
             fallback: own.fallback_count >= repeats,
             ..solved(&own, place, normal, times[times.len() / 2])
         },
         reference: solved(&exact, place, normal, time),
         friction: input.friction,
-    })
+    };
+    Ok((compared, found))
 }
 
 /// The height at which boundary elements carry the load of `input`, from a height close to it [m].

@@ -18,6 +18,7 @@ use plotters::prelude::*;
 use plotters::style::TextStyle;
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
 
+use crate::output;
 use crate::wheelset::track::Track;
 
 // Colours told apart by colour-blind readers (Okabe and Ito 2008).
@@ -68,7 +69,7 @@ fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()
     // The viewBox keeps the fine coordinates; only the size that is asked for becomes that of the figure.
     let dimensions = |width, height| format!("width=\"{width}\" height=\"{height}\"");
     let svg = svg.replacen(&dimensions(px(size.0), px(size.1)), &dimensions(size.0, size.1), 1);
-    std::fs::write(path, svg).with_context(place)
+    output::write(path, svg.as_bytes())
 }
 
 /// Names of a normal and a tangential model, for titles.

@@ -68,15 +68,22 @@ pub struct Case {
 pub fn check(cases: &Cases) -> Result<()> {
     let known: Vec<&str> =
         OTHER_COLUMNS.into_iter().chain(VARIABLE_COLUMNS.iter().map(|c| c.0)).collect();
-    if let Some(name) = cases.columns().find(|name| !known.contains(name)) {
+    if let Some(name) = cases.header().columns().find(|name| !known.contains(name)) {
         if find(name).is_ok() && cases.column("separation").is_none() {
-            bail!("{}: a table of variables is one for evaluate", cases.column_place(name));
+            bail!(
+                "{}: a table of variables is one for evaluate",
+                cases.header().column_place(name)
+            );
         }
-        bail!("{}: unknown; known columns are {}", cases.column_place(name), known.join(", "));
+        bail!(
+            "{}: unknown; known columns are {}",
+            cases.header().column_place(name),
+            known.join(", ")
+        );
     }
     for name in ["separation", "radius_mm"] {
         if cases.column(name).is_none() {
-            bail!("{}: missing", cases.column_place(name));
+            bail!("{}: missing", cases.header().column_place(name));
         }
     }
     Ok(())
@@ -87,7 +94,7 @@ impl Case {
     ///
     /// # Errors
     /// With row and column, what is missing or refused.
-    pub fn read(cases: &Cases, row: &Row<'_>) -> Result<Self> {
+    pub fn read(cases: &Cases, row: &Row) -> Result<Self> {
         let value = |name: &str| -> Result<Option<f64>> {
             match cases.column(name) {
                 Some(column) if row.cell(column).is_some() => number(row, column).map(Some),
@@ -119,7 +126,7 @@ impl Case {
         ];
         let values = variables(cases, row)?;
         Ok(Self {
-            separation: cases.folder().join(file),
+            separation: cases.header().folder().join(file),
             separation_column,
             place: row.place(),
             radius: 1e-3 * radius,
@@ -146,7 +153,7 @@ impl Case {
 }
 
 /// The element's variables as the row sets them; the range of each is checked there.
-fn variables(cases: &Cases, row: &Row<'_>) -> Result<Values> {
+fn variables(cases: &Cases, row: &Row) -> Result<Values> {
     let mut values = Values::default();
     for (name, variable, scale) in VARIABLE_COLUMNS {
         // Without columns of its own the rail is of the material of the wheel.

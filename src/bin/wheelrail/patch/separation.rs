@@ -21,9 +21,9 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
         })
     };
     let (y, f) = (column("y_mm")?, column("f_mm")?);
-    let mut points: Vec<[f64; 2]> = Vec::with_capacity(table.len());
+    let mut points: Vec<[f64; 2]> = Vec::with_capacity(table.rows().len());
     for row in table.rows() {
-        let point = [1e-3 * number(&row, y)?, 1e-3 * number(&row, f)?];
+        let point = [1e-3 * number(row, y)?, 1e-3 * number(row, f)?];
         if points.last().is_some_and(|last| point[0] <= last[0]) {
             bail!("{}: y must grow from row to row", row.cell_place(y));
         }
@@ -43,10 +43,10 @@ pub fn read(path: &Path) -> Result<Vec<[f64; 2]>> {
 ///
 /// # Errors
 /// With row and column, if there is none.
-pub fn number(row: &Row<'_>, column: usize) -> Result<f64> {
+pub fn number(row: &Row, column: usize) -> Result<f64> {
     let text = row.cell(column).unwrap_or_default();
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
+    match wheelrail::io::number(text) {
+        Some(value) if value.is_finite() => Ok(value),
         _ => bail!("{}: \"{text}\" is not a finite number", row.cell_place(column)),
     }
 }

@@ -9,6 +9,7 @@ use wheelrail::wear::depth::{DepthPoint, wear_depth};
 
 use crate::figures::wear::{self, WornBody};
 use crate::output;
+use crate::remarks::Remarks;
 
 /// The worn profiles asked for, and what they are compared with.
 pub struct Request<'a> {
@@ -29,15 +30,21 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
     let folders = [PathBuf::from(".")];
     let mut bodies = Vec::new();
     let mut tables = Vec::new();
+    let mut remarks = Remarks::default();
     for (worn, unworn, kind, option) in [
         (request.wheel, request.unworn_wheel, ProfileKind::Wheel, "worn-wheel"),
         (request.rail, request.unworn_rail, ProfileKind::Rail, "worn-rail"),
     ] {
         let Some(worn_name) = worn else { continue };
-        let load = |option: &str, name: &str| {
-            load_profile(&format!("--{option}"), name, kind, request.smoothing, &folders)
+        let mut load = |option: &str, name: &str| -> Result<Profile> {
+            let option = format!("--{option}");
+            let profile = load_profile(&option, name, kind, request.smoothing, &folders)?;
+            let named = profile.remarks.iter().map(|remark| (option.clone(), remark.clone()));
+            remarks.tell(&named.collect::<Vec<_>>());
+            Ok(profile)
         };
-        let (before, after) = (load("unworn", unworn)?, load(option, worn_name)?);
+        let before = load(&option.replacen("worn", "unworn", 1), unworn)?;
+        let after = load(option, worn_name)?;
         let depth = wear_depth(&before, &after);
         if depth.is_empty() {
             bail!(
@@ -47,12 +54,12 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
         let deepest = depth.iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
         let area: f64 = depth.iter().map(|p| p.depth * p.length).sum();
         if let Some(deepest) = deepest {
-            println!(
-                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm",
+            output::say(&format!(
+                "{kind}: worn area {:.4} mm2, greatest depth {:.4} mm at y = {:.2} mm\n",
                 1e6 * area,
                 1e3 * deepest.depth,
                 1e3 * deepest.point[0]
-            );
+            ))?;
         }
         bodies.push(body(kind, [unworn, worn_name], [&before, &after], &depth));
         tables.push((kind, depth));
@@ -61,10 +68,9 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
         write(path, &tables)?;
     }
     wear::draw(request.figure, &bodies)?;
-    for path in std::iter::once(request.figure).chain(request.fields) {
-        println!("{}", path.display());
-    }
-    Ok(())
+    std::iter::once(request.figure)
+        .chain(request.fields)
+        .try_for_each(|path| output::say(&format!("{}\n", path.display())))
 }
 
 fn body(
@@ -94,7 +100,7 @@ fn points(profile: &Profile) -> Vec<(f64, f64)> {
 }
 
 fn write(path: &Path, tables: &[(ProfileKind, Vec<DepthPoint>)]) -> Result<()> {
-    let mut table = output::table(Some(path))?;
+    let table = output::table(Some(path))?;
     table.write_record(["body", "y_mm", "z_mm", "depth_mm"])?;
     for (kind, depth) in tables {
         for DepthPoint { point: [y, z], depth, .. } in depth {
@@ -102,5 +108,5 @@ fn write(path: &Path, tables: &[(ProfileKind, Vec<DepthPoint>)]) -> Result<()> {
             table.write_record([kind.to_string(), number(*y), number(*z), number(*depth)])?;
         }
     }
-    Ok(table.flush()?)
+    table.finish()
 }

@@ -146,13 +146,17 @@ impl<'fmu> FmuWheel<'fmu> {
             .collect())
     }
 
-    /// Ends the run and hands out what the unit had to say.
+    /// Hands out what the unit had to say since the last time.
+    pub fn take_messages(&self) -> Vec<String> {
+        self.instance.take_messages()
+    }
+
+    /// Ends the run.
     ///
     /// # Errors
     /// If the unit refuses.
-    pub fn finish(&mut self) -> Result<Vec<String>> {
-        self.instance.terminate()?;
-        Ok(self.instance.take_messages())
+    pub fn finish(&mut self) -> Result<()> {
+        self.instance.terminate()
     }
 }
 

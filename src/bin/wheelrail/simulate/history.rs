@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use wheelrail::element::output::Wrench;
 
 use super::fmu_wheel::Patch;
+use crate::output;
 use crate::wheelset::body::State;
 
 /// Patches of each wheel that get columns of their own, heaviest first.
@@ -33,13 +34,10 @@ pub struct Record {
 /// # Errors
 /// If the file cannot be written.
 pub fn write(path: &Path, records: &[Record]) -> Result<()> {
-    let place = || format!("cannot write {}", path.display());
-    let mut table = csv::Writer::from_path(path).with_context(place)?;
-    table.write_record(header()).with_context(place)?;
-    for record in records {
-        table.write_record(row(record)).with_context(place)?;
-    }
-    table.flush().with_context(place)
+    let table = output::table(Some(path))?;
+    table.write_record(header())?;
+    records.iter().try_for_each(|record| table.write_record(row(record)))?;
+    table.finish()
 }
 
 fn header() -> Vec<String> {

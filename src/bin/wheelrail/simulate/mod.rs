@@ -80,15 +80,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         wheel.start()?;
     }
     out.flush()?;
+    report::messages(&report::of_both(&wheelset.wheels.each_ref().map(FmuWheel::take_messages)));
 
     let run = integrate(&mut wheelset, start, step, arguments)?;
-    let mut messages = Vec::new();
-    for (wheel, side) in wheelset.wheels.iter_mut().zip(history::SIDES) {
-        messages
-            .extend(wheel.finish()?.into_iter().map(|message| format!("{side} wheel: {message}")));
+    for wheel in &mut wheelset.wheels {
+        wheel.finish()?;
     }
+    let messages = wheelset.wheels.each_ref().map(FmuWheel::take_messages);
     let files = write_files(arguments, &run.records)?;
-    report::messages(&messages);
+    report::messages(&report::of_both(&messages));
     report::summary(&mut out, arguments, &run, &files)?;
     Ok(out.flush()?)
 }

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::history::SIDES;
 use super::{Arguments, Record, Run};
 use crate::wheelset::body::State;
 use crate::wheelset::oscillation::oscillation;
@@ -90,6 +91,18 @@ pub fn step(out: &mut impl Write, start: &State, limit: &StepLimit, step: f64) -
         )?;
     }
     Ok(())
+}
+
+/// The messages of both wheels: once what both say, as of a profile that both read, and else with the side.
+pub fn of_both(messages: &[Vec<String>; 2]) -> Vec<String> {
+    let [right, left] = messages;
+    let shared = right.iter().filter(|message| left.contains(message)).cloned();
+    let sides = messages.iter().zip([left, right]).zip(SIDES);
+    let own = sides.flat_map(|((of_side, of_other), side)| {
+        let own = of_side.iter().filter(|message| !of_other.contains(message));
+        own.map(move |message| format!("{side} wheel: {message}"))
+    });
+    shared.chain(own).collect()
 }
 
 /// The first messages of the unit, on standard error.
@@ -192,4 +205,17 @@ fn wheel_maximum(record: &Record, quantity: impl Fn(&super::Patch) -> f64) -> f6
 fn side_maximum(record: &Record) -> f64 {
     let [right, left] = record.wrenches.map(|wrench| wrench.force[1]);
     if right.abs() > left.abs() { right } else { left }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_both_wheels_say_is_told_once() {
+        let said = |messages: &[&str]| messages.iter().map(ToString::to_string).collect();
+        let messages = [said(&["warning: a", "warning: b"]), said(&["warning: c", "warning: a"])];
+        let told = ["warning: a", "right wheel: warning: b", "left wheel: warning: c"];
+        assert_eq!(of_both(&messages), told);
+    }
 }

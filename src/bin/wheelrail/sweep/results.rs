@@ -45,7 +45,7 @@ impl Results<'_> {
     /// # Errors
     /// If it cannot be written.
     pub fn write(&self, destination: Option<&Path>) -> Result<()> {
-        let mut table = output::table(destination)?;
+        let table = output::table(destination)?;
         let columns = ["output", "unit", "largest", "roughness", "jump", "at"];
         table.write_record(self.varied.into_iter().chain(columns))?;
         for Swept { name, found, .. } in &self.swept {
@@ -62,7 +62,7 @@ impl Results<'_> {
                 table.write_record(self.varied.map(|_| name.clone()).into_iter().chain(cells))?;
             }
         }
-        Ok(table.flush()?)
+        table.finish()
     }
 
     /// Writes every step.
@@ -70,7 +70,7 @@ impl Results<'_> {
     /// # Errors
     /// If it cannot be written.
     pub fn write_history(&self, file: &Path) -> Result<()> {
-        let mut table = output::table(Some(file))?;
+        let table = output::table(Some(file))?;
         let names = ["at"].into_iter().chain(self.outputs.iter().map(|v| v.name));
         table.write_record(self.varied.into_iter().chain(names))?;
         for Swept { name, history, .. } in &self.swept {
@@ -80,7 +80,7 @@ impl Results<'_> {
                 table.write_record(self.varied.map(|_| name.clone()).into_iter().chain(cells))?;
             }
         }
-        Ok(table.flush()?)
+        table.finish()
     }
 
     /// Draws forces along the path.
