@@ -159,10 +159,16 @@ impl Element {
             remarks,
             memory: None,
         };
-        let touching = element.touch(start);
-        element.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
-        element.look_at_start(start, touching);
+        element.set_start(start);
         Ok(element)
+    }
+
+    /// Takes `start` as the place in which the wheel starts: [`nominal_wheel_z`](Self::nominal_wheel_z) and
+    /// [`start_warning`](Self::start_warning) are then those of it.
+    pub fn set_start(&mut self, start: &Input) {
+        let touching = self.touch(start);
+        self.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
+        self.look_at_start(start, touching);
     }
 
     /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches; its starting height where

@@ -30,6 +30,6 @@ pub use flattened::FlatContact;
 pub use input::Input;
 pub use output::Output;
 pub use parameters::Parameters;
-pub use start::StartWarning;
+pub use start::{StartWarning, sunk_message};
 pub use wear_sums::WearState;
 pub use worn_profiles::WornBody;

@@ -21,8 +21,15 @@ pub enum StartWarning {
         /// Side of the track that the parameters name.
         side: Side,
     },
-    /// It hangs far above the height of first touch, or is deep inside the rails.
-    FarFromFirstTouch {
+    /// It hangs far above the height of first touch.
+    InTheAir {
+        /// Height of the wheel marker [m].
+        z: f64,
+        /// Height at which the wheel would just touch [m].
+        nominal: f64,
+    },
+    /// It is far below the height of first touch.
+    InsideARail {
         /// Height of the wheel marker [m].
         z: f64,
         /// Height at which the wheel would just touch [m].
@@ -54,11 +61,13 @@ impl StartWarning {
                     of("y")
                 )
             }
-            Self::FarFromFirstTouch { z, nominal } => {
-                let (mm, place) =
-                    (1e3 * (z - nominal).abs(), if z < nominal { "above" } else { "below" });
-                let what =
-                    if z < nominal { "it hangs in the air" } else { "it is inside the rail" };
+            Self::InTheAir { z, nominal } | Self::InsideARail { z, nominal } => {
+                let mm = 1e3 * (z - nominal).abs();
+                let (place, what) = if z < nominal {
+                    ("above", "it hangs in the air")
+                } else {
+                    ("below", "it is inside the rail")
+                };
                 format!(
                     "the wheel starts with its marker at z = {z} m, {mm:.1} mm {place} {prefix}nominal.wheel_z = {nominal:.6} m, where it would \
                      just touch: {what}; set {} from that height",
@@ -71,6 +80,17 @@ impl StartWarning {
             ),
         }
     }
+}
+
+/// The words for a wheel that is `depth` [m] below the top of its rail, as [`Element::sunk`] has it; `prefix` as in
+/// [`StartWarning::message`].
+#[must_use]
+pub fn sunk_message(depth: f64, prefix: &str) -> String {
+    format!(
+        "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
+         lifted; see {prefix}nominal.wheel_z for where it would just touch",
+        1e3 * depth
+    )
 }
 
 impl Element {
@@ -86,14 +106,19 @@ impl Element {
             return;
         }
         let [_, y, z] = start.wheel.position;
-        let is_far = |nominal: f64| nominal - z > FAR_ABOVE || z - nominal > INSIDE;
         // What is told is the cause: a rail in the way also changes the height of first touch.
         self.start_warning = match (self.overlap_of_rail_2(start), touching) {
             (Some(overlap), _) => Some(StartWarning::InRail2 { overlap }),
             (None, None) => Some(StartWarning::BesideTheRails { y, side: self.side }),
-            (None, Some(nominal)) => (is_far(nominal)
-                && self.vertical_mode == VerticalMode::Penetration)
-                .then_some(StartWarning::FarFromFirstTouch { z, nominal }),
+            // Where a load is given the height follows from it.
+            (None, Some(_)) if self.vertical_mode == VerticalMode::Load => None,
+            (None, Some(nominal)) if nominal - z > FAR_ABOVE => {
+                Some(StartWarning::InTheAir { z, nominal })
+            }
+            (None, Some(nominal)) if z - nominal > INSIDE => {
+                Some(StartWarning::InsideARail { z, nominal })
+            }
+            (None, Some(_)) => None,
         };
     }
 

@@ -12,6 +12,7 @@ use super::snapshot::Snapshot;
 use super::types::{Status, ValueReference};
 use crate::element::parameters::{VerticalMode, WearModel};
 use crate::element::subject::Subject;
+use crate::element::sunk_message;
 use crate::element::vertical_load::is_carried;
 use crate::error::ContactError;
 use crate::io::save_profile;
@@ -355,9 +356,8 @@ impl<S: Described> Instance<S> {
             sunk += 1;
             if !self.told.wheel_is_sunk && logger.takes(Category::Warning) {
                 let message = format!(
-                    "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
-                     lifted; see {prefix}nominal.wheel_z for where it would just touch; this is said once until it is out again",
-                    1e3 * depth
+                    "{}; this is said once until it is out again",
+                    sunk_message(depth, prefix)
                 );
                 logger.log(Status::Warning, Category::Warning, &message);
             }

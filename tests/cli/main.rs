@@ -248,6 +248,52 @@ fn what_was_mended_in_a_profile_is_told_once_on_standard_error() {
     }
 }
 
+/// The warnings of a command that succeeds.
+fn warnings(arguments: &[&str]) -> Vec<String> {
+    let output = wheelrail(arguments);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{told}");
+    told.lines().filter(|line| line.starts_with("warning: ")).map(Into::into).collect()
+}
+
+#[test]
+fn each_kind_of_odd_place_is_told_once_with_its_first_row() {
+    let all = "wheel.y,wheel.z\n0.75,-0.4597\n0.75,-0.475\n0.75,-0.476\n0.75,-0.45\n0.75,-0.42\n0.75,-0.41\n-0.75,-0.4597\n";
+    let (_folder, path) = written(all);
+    let told = warnings(&["evaluate", &path]);
+    assert_eq!(told.len(), 4, "{told:?}");
+    for (line, [row, words]) in told.iter().zip([
+        ["row 2 (line 3)", "15.2 mm above nominal.wheel_z = -0.459818 m"],
+        ["row 4 (line 5)", "9.8 mm below nominal.wheel_z = -0.459818 m"],
+        ["row 5 (line 6)", "the wheel is 39.8 mm below the top of its rail"],
+        ["row 7 (line 8)", "beside its rails, with its marker at y = -0.75 m"],
+    ]) {
+        assert!(line.contains(row) && line.contains(words), "{line}");
+    }
+
+    let coarse = "normal.elements_along,normal.elements_across\n";
+    let (folder, path) = written(&format!("wheel.z,{coarse}-0.45,10,10\n-0.41,10,10\n"));
+    let figure = folder.path().join("figure.svg");
+    let figure = figure.to_str().unwrap();
+    for (command, expected) in [
+        (
+            &["compare", &path][..],
+            &["row 1 (line 2): the wheel starts", "row 2 (line 3): the wheel is"][..],
+        ),
+        (&["sweep", &path, "--steps", "40"], &["row 1: the wheel starts", "row 1.4: the wheel is"]),
+        (&["plot", &path, "-o", figure], &["warning: the wheel starts"]),
+    ] {
+        let told = warnings(command);
+        assert_eq!(told.len(), expected.len(), "{command:?}: {told:?}");
+        for (line, words) in told.iter().zip(expected) {
+            assert!(line.contains(words), "{command:?}: {line}");
+        }
+    }
+    // On the rail nothing is odd, nor where a load says how high the wheel is.
+    let (_folder, path) = written("wheel.z,vertical.mode\n-0.4597,penetration\n-0.5,load\n");
+    assert!(warnings(&["evaluate", &path]).is_empty());
+}
+
 #[test]
 fn sweep_tells_a_jump_from_a_slope() {
     // Two convex bodies: nothing to jump. From above the rail to 0.1 mm inside it, and 2 mm aside.

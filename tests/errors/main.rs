@@ -193,6 +193,9 @@ fn command_line() {
             .unwrap();
         assert_eq!(output.status.code(), Some(1), "{row:?}: {output:?}");
         let message = String::from_utf8(output.stderr).unwrap();
+        // Warnings come before.
+        let is_warning = |line: &&str| line.starts_with("warning: ");
+        let message = message.split_inclusive('\n').skip_while(is_warning).collect::<String>();
         let message = message.strip_prefix("error: ").unwrap_or_else(|| panic!("{message}"));
         let message = message.replace("\n  caused by: ", ": ");
         (row, as_cell(&message, folder.path()))

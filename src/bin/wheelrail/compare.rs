@@ -211,7 +211,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             || (),
             |(), case| {
                 let compared = compare_planar(&planar.planar(case));
-                Ok((compared.with_context(|| case.place.clone())?, Found::new()))
+                Ok((compared.with_context(|| case.place.clone())?, Found::default()))
             },
             &mut done,
         )
@@ -225,7 +225,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             cores,
             || (),
             |(), (row, values)| {
-                wheel::compare(values, &folder).map_err(|error| evaluate::placed(error, row))
+                let compared = wheel::compare(values, &folder);
+                let (compared, found) = compared.map_err(|error| evaluate::placed(error, row))?;
+                Ok((compared, found.at(|| row.place())))
             },
             &mut done,
         )

@@ -8,7 +8,7 @@ use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset
 use wheelrail::variables::{Causality, Values, find};
 
 use crate::args::ContactOptions;
-use crate::remarks::Remarks;
+use crate::remarks::{Found, Remarks};
 use crate::{figures, output};
 
 /// Columns of the table.
@@ -71,7 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let values = values(arguments)?;
     let here = [PathBuf::from(".")];
     let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
-    Remarks::default().tell(wheelset.profile_remarks());
+    Remarks::default().tell(&Found::default().with_profiles(wheelset.profile_remarks().to_vec()));
     let radii = wheelset.sweep(arguments.range, arguments.step);
     let Some(difference) = RollingRadiusDifference::of(&radii) else {
         bail!("the wheels stand beside the rails: check track.gauge and --running-circles");

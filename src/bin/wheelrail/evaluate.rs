@@ -15,7 +15,7 @@ use crate::batch;
 use crate::cases::{CaseReader, Cases, Header, Row};
 use crate::named_files::NamedFiles;
 use crate::output;
-use crate::remarks::{Found, Remarks};
+use crate::remarks::{Found, ProfileRemarks, Remarks};
 
 /// Evaluate the contact element for every row of a table
 ///
@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             set(&mut values, &columns, &row)?;
             files.check(&values.parameters).with_context(|| row.place())?;
             let found = evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
-            Ok((line(&values, &computed)?, found))
+            Ok((line(&values, &computed)?, found.at(|| row.place())))
         },
         |(line, found)| {
             if !found.is_empty() {
@@ -198,15 +198,16 @@ impl Evaluator {
         Self { folder, elements: Vec::new() }
     }
 
-    /// Evaluates a row; gives what was found in files of profiles that had to be read for it.
+    /// Evaluates a row; gives what is odd about its place, and what was found in files of profiles that had to be read for it.
     fn evaluate(&mut self, values: &mut Values) -> Result<Found, ContactError> {
         let Values { parameters, input, output, .. } = values;
-        let (element, found) = self.element(parameters, input)?;
+        let (element, profiles) = self.element(parameters, input)?;
         // Every row is a start of its own.
         element.set_fallbacks(0);
+        element.set_start(input);
         element.evaluate(input, output)?;
-        values.nominal = element.touching_height(input);
-        Ok(found)
+        values.nominal = element.nominal_wheel_z();
+        Ok(Found::about_places(element).with_profiles(profiles))
     }
 
     /// The element with these parameters, and what was found in the files of profiles if it had to be made.
@@ -214,8 +215,8 @@ impl Evaluator {
         &mut self,
         parameters: &Parameters,
         input: &Input,
-    ) -> Result<(&mut Element, Found), ContactError> {
-        let mut found = Found::new();
+    ) -> Result<(&mut Element, ProfileRemarks), ContactError> {
+        let mut found = ProfileRemarks::new();
         if let Some(k) = self.elements.iter().position(|made| made.0 == *parameters) {
             self.elements[..=k].rotate_right(1);
         } else {

@@ -16,7 +16,7 @@ use crate::cases::Cases;
 use crate::figures::contact::{Figure, Side};
 use crate::figures::models;
 use crate::patch::PlanarCases;
-use crate::remarks::Remarks;
+use crate::remarks::{Found, Remarks};
 use crate::{evaluate, output};
 
 /// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
@@ -130,13 +130,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatContact>, usize)> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
-    Remarks::default().tell(element.profile_remarks());
+    let mut output = Output::default();
+    element.evaluate(input, &mut output)?;
+    Remarks::default().tell(&Found::all(&element));
     let mut at = *input;
-    if parameters.vertical_mode == VerticalMode::Load {
-        let mut found = Output::default();
-        element.evaluate(input, &mut found)?;
-        at.wheel.position[2] = found.wheel_z;
-    }
+    at.wheel.position[2] = output.wheel_z;
     let contacts = element.flat_contacts(&at)?;
     let mut order: Vec<usize> = (0..contacts.len()).collect();
     order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));

@@ -14,7 +14,7 @@ use crate::args::{TableFiles, assignment};
 use crate::cases::Cases;
 use crate::evaluate::read_values;
 use crate::output;
-use crate::remarks::Remarks;
+use crate::remarks::{Found, Remarks};
 
 use path::Path;
 use results::{Results, Swept};
@@ -84,11 +84,17 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for Variant { name, corners } in variants {
         let (values, outputs) = (corners[0].clone(), outputs.clone());
         let element = Element::new(&values.parameters, &values.input, &[cases.header().folder()])?;
-        progress.suspend(|| remarks.tell(element.profile_remarks()));
+        progress.suspend(|| remarks.tell(&Found::all(&element).at(|| "row 1".into())));
         let mut path = Path { element, corners, values, outputs };
         let mut history = Vec::with_capacity(count + 1);
         for step in 0..=count {
             history.push(path.at(step as f64 / steps as f64)?);
+            // Rows count from 1.
+            let row = || format!("row {}", (steps + step) as f64 / steps as f64);
+            let found = Found::about_depth(&path.element).at(row);
+            if !found.is_empty() {
+                progress.suspend(|| remarks.tell(&found));
+            }
             progress.inc(1);
         }
         let mut found = Vec::new();

@@ -28,9 +28,9 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let Values { parameters, input, .. } = values;
     let folders = std::slice::from_ref(folder);
     let mut element = Element::new(parameters, input, folders)?;
-    let found = element.profile_remarks().to_vec();
     let mut own = Output::default();
     element.evaluate(input, &mut own)?;
+    let found = Found::all(&element);
     let repeats = if is_slow(parameters) { 1 } else { REPEATS };
     let mut times = Vec::new();
     for _ in 0..repeats {

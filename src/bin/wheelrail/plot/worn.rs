@@ -9,7 +9,7 @@ use wheelrail::wear::depth::{DepthPoint, wear_depth};
 
 use crate::figures::wear::{self, WornBody};
 use crate::output;
-use crate::remarks::Remarks;
+use crate::remarks::{Found, Remarks};
 
 /// The worn profiles asked for, and what they are compared with.
 pub struct Request<'a> {
@@ -40,7 +40,7 @@ pub fn draw(request: &Request<'_>) -> Result<()> {
             let option = format!("--{option}");
             let profile = load_profile(&option, name, kind, request.smoothing, &folders)?;
             let named = profile.remarks.iter().map(|remark| (option.clone(), remark.clone()));
-            remarks.tell(&named.collect::<Vec<_>>());
+            remarks.tell(&Found::default().with_profiles(named.collect()));
             Ok(profile)
         };
         let before = load(&option.replacen("worn", "unworn", 1), unworn)?;

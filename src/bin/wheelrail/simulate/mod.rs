@@ -82,7 +82,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     out.flush()?;
     report::messages(&report::of_both(&wheelset.wheels.each_ref().map(FmuWheel::take_messages)));
 
-    let run = integrate(&mut wheelset, start, step, arguments)?;
+    let run = integrate(&mut wheelset, start, step, arguments);
+    // Of a run that fails, too: they may say why.
+    report::messages(&report::of_both(&wheelset.wheels.each_ref().map(FmuWheel::take_messages)));
+    let run = run?;
     for wheel in &mut wheelset.wheels {
         wheel.finish()?;
     }
