@@ -103,7 +103,7 @@ fn a_wheelset_without_friction_swings_as_the_pendulum_of_its_geometry() {
     let bend = (left[0] - 2.0 * middle[0] + right[0]) / (step * step);
     let turn = (right[1] - left[1]) / (2.0 * step);
     let rigid = -mass * gravity * bend / (mass + inertia * turn * turn);
-    println!("frequency {} Hz, rigid {} Hz", slowest.sqrt() / 6.283_185, rigid.sqrt() / 6.283_185);
+    println!("{} rad/s, rigid {} rad/s", slowest.sqrt(), rigid.sqrt());
     assert_relative_eq!(slowest.sqrt(), rigid.sqrt(), max_relative = tolerance::GRAVITY);
 }
 
