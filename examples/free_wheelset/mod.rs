@@ -32,6 +32,8 @@ pub struct FreeWheelset {
     pub rail_y: f64,
     /// Power turned into heat [W].
     pub power: f64,
+    /// Rolling radius of the right wheel's heaviest patch [m].
+    rolling_radius: f64,
 }
 
 impl FreeWheelset {
@@ -48,12 +50,16 @@ impl FreeWheelset {
             next_roll: 0.0,
             rail_y: 0.0,
             power: 0.0,
+            rolling_radius: 0.0,
         })
     }
 
     /// Free rolling in the middle of the track.
     pub fn start(&mut self) -> Result<State, Box<dyn Error>> {
         let mut state = State::new(0.0, 0.0, 0.0, 0.0, -SPEED / 0.46);
+        self.rate(&state)?;
+        // Nearly without slip: from full sliding, where forces have no slope, steps would go to and fro over the rolling speed.
+        state[4] = -SPEED / self.rolling_radius;
         for _ in 0..200 {
             self.advance(&mut state, 1e-3)?;
             state.fixed_rows_mut::<4>(0).fill(0.0);
@@ -98,6 +104,9 @@ impl FreeWheelset {
             input.rails[0].y = self.rail_y;
             let mut output = Output::default();
             element.evaluate(&input, &mut output)?;
+            if side == Side::Right {
+                self.rolling_radius = output.patches[0].rolling_radius;
+            }
             let [fx, fy, _] = output.wheel.force;
             let [_, my, mz] = output.wheel.moment;
             rate[2] += if self.guided { 0.0 } else { fy / MASS };

@@ -1,6 +1,7 @@
 //! Numbers for rolling contact fatigue of a patch.
 //!
-//! Both are quoted from memory of the literature; dimension and continuity were checked.
+//! Both are experimental: equations and numbers are not checked against the papers they are ascribed to (docs/theory.md, section 14);
+//! dimension and continuity are.
 
 use crate::math::real::Real;
 

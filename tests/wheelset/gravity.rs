@@ -3,7 +3,6 @@
 use super::*;
 use approx::assert_relative_eq;
 use nalgebra::{Matrix3, Vector2};
-use std::f64::consts::TAU;
 use wheelrail::element::Parameters as ElementParameters;
 
 /// Radii of the arcs of wheel and rail, nominal radius of the wheel [m].
@@ -104,7 +103,7 @@ fn a_wheelset_without_friction_swings_as_the_pendulum_of_its_geometry() {
     let bend = (left[0] - 2.0 * middle[0] + right[0]) / (step * step);
     let turn = (right[1] - left[1]) / (2.0 * step);
     let rigid = -mass * gravity * bend / (mass + inertia * turn * turn);
-    println!("frequency {} Hz, rigid {} Hz", slowest.sqrt() / TAU, rigid.sqrt() / TAU);
+    println!("{} rad/s, rigid {} rad/s", slowest.sqrt(), rigid.sqrt());
     assert_relative_eq!(slowest.sqrt(), rigid.sqrt(), max_relative = tolerance::GRAVITY);
 }
 
