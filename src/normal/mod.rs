@@ -9,6 +9,7 @@ pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
 pub mod strips;
+pub mod strips_on_grid;
 pub mod uneven;
 mod zones;
 

@@ -20,7 +20,7 @@ mod faint_ridges;
 mod fixed;
 mod fixed_layout;
 mod fixed_lobes;
-mod influence;
+pub(in crate::normal) mod influence;
 mod joints;
 mod lobes;
 mod moving;
@@ -101,10 +101,10 @@ const MOST_PLACES: usize = 20;
 pub const NEAR: f64 = 1e-8;
 
 /// The separation in one contact frame as a line: all normals are parallel.
-struct FrameLine<'a, S> {
-    separation: &'a mut S,
-    approach: f64,
-    radius: f64,
+pub(in crate::normal) struct FrameLine<'a, S> {
+    pub separation: &'a mut S,
+    pub approach: f64,
+    pub radius: f64,
 }
 
 impl<S: Separation> Line for FrameLine<'_, S> {

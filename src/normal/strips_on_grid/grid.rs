@@ -1,0 +1,292 @@
+//! One grid over all overlaps: nodes, cells between them, and panels that carry the load.
+//!
+//! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, over all intervals in which the undeformed bodies
+//! overlap: this spreads the error of linear interpolation evenly. The ends of the intervals are nodes without load. Nothing else is
+//! known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
+//!
+//! Each cell has two panels of equal width. The load per width is linear in a cell, and a panel has that of its middle, with the half
+//! length that belongs to it.
+
+use super::line::{OverlapLine, Place};
+use super::overlap::End;
+use crate::math::real::Real;
+use crate::math::room::Room;
+
+/// Distance of the places at which the curvature of the overlap is taken, which stay where they are: shorter than the arcs of a profile [m].
+const LATTICE: f64 = 7.5e-4;
+/// Most of their steps.
+const MOST_SAMPLES: usize = 512;
+/// Nodes and weights of Gauss and Legendre with five points.
+const GAUSS: [(f64, f64); 5] = [
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+];
+/// Panels of a cell: where their middles are, share of the cell.
+const MIDDLES: [f64; 2] = [0.25, 0.75];
+/// Depth of a parabola over the mean of its overlap, weighted by the overlap.
+const DEPTH_OVER_MEAN: f64 = 1.25;
+
+/// A node: one unknown load per width.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node<T = f64> {
+    /// Coordinate across [m].
+    pub y: T,
+    pub place: Place<T>,
+    /// Radius of the normal section of the wheel along x [m].
+    pub radius: T,
+    /// Width that its load per width counts with: half of both cells [m].
+    pub width: T,
+    /// Coordinates of the other ends of its cells [m].
+    pub reach: [T; 2],
+    /// The nodes there; nothing where the overlap ends.
+    pub neighbours: [Option<usize>; 2],
+}
+
+/// Half of a cell, which carries load.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Panel<T = f64> {
+    /// Nodes on both sides of its cell; twice the same where the overlap ends on one side.
+    pub nodes: [usize; 2],
+    /// Their shares in its load per width, and in the logarithm of its pressure over half length.
+    pub shares: [f64; 2],
+    pub shape_shares: [f64; 2],
+    /// The node at its end, if there is one.
+    pub touches: Option<usize>,
+    /// Middle and width across [m].
+    pub middle: T,
+    pub width: T,
+    /// Place along the track [m].
+    pub x: T,
+    /// Unit tangent (y, z) across.
+    pub tangent: [T; 2],
+}
+
+/// Nodes and panels of one problem.
+#[derive(Clone, Debug)]
+pub(super) struct Grid<T = f64> {
+    pub nodes: Room<Node<T>>,
+    pub panels: Room<Panel<T>>,
+    /// Depth of the overlap: that of the parabola with the same mean overlap, weighted by itself [m].
+    pub depth: T,
+    /// Integral of the overlap over the coordinate across [m²].
+    pub area: T,
+    /// Mean radius of the normal section of the wheel along x, weighted by the overlap [m].
+    pub radius: T,
+    samples: Room<Sample<T>>,
+}
+
+/// One step between samples of the overlap.
+#[derive(Clone, Copy, Debug)]
+struct Sample<T> {
+    /// Number of the interval of overlap.
+    interval: usize,
+    /// Coordinate across at its beginning, and its width [m].
+    y: T,
+    step: T,
+    /// Parameters of the line at its ends [m].
+    parameters: [f64; 2],
+    /// Square of the curvature of the overlap [1/m²].
+    curvature2: T,
+}
+
+impl<T: Real> Grid<T> {
+    /// Room for `nodes` nodes in `intervals` intervals.
+    pub fn new(nodes: usize, intervals: usize) -> Self {
+        let zero = T::from(0.0);
+        Self {
+            nodes: Room::new(nodes),
+            panels: Room::new(MIDDLES.len() * (nodes + intervals)),
+            depth: zero,
+            area: zero,
+            radius: zero,
+            samples: Room::new(MOST_SAMPLES),
+        }
+    }
+
+    /// Lays `count` nodes over the intervals of overlap between `ends`, of which there is at least one.
+    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]], count: usize) {
+        self.sample(line, ends);
+        let measure = |sample: &Sample<T>, least: T| {
+            sample.step * (sample.curvature2 + least * least).sqrt().sqrt()
+        };
+        let width: T = self.samples.iter().map(|s| s.step).sum();
+        // Where the bodies are parallel there is no curvature to go by.
+        let least = self.depth / (width * width);
+        let total: T = self.samples.iter().map(|s| measure(s, least)).sum();
+        let share = total / (count + 1) as f64;
+        self.nodes.clear();
+        self.panels.clear();
+        let mut passed = T::from(0.0);
+        let mut next = 0;
+        for (interval, pair) in ends.iter().enumerate() {
+            let begin = next;
+            let first = self.nodes.len();
+            while next < self.samples.len() && self.samples[next].interval == interval {
+                let sample = self.samples[next];
+                next += 1;
+                let own = measure(&sample, least);
+                while self.nodes.len() < count {
+                    let ahead = share * (self.nodes.len() + 1) as f64 - passed;
+                    let is_here = ahead < own;
+                    if !is_here {
+                        break;
+                    }
+                    self.push_node(line, &sample, ahead / own);
+                }
+                passed += own;
+            }
+            if begin == next {
+                continue;
+            }
+            let last = self.samples[next - 1];
+            // Rounding may leave the last node beyond all samples.
+            while next == self.samples.len() && self.nodes.len() < count {
+                self.push_node(line, &last, T::from(1.0));
+            }
+            let bounds = [self.samples[begin].y, last.y + last.step];
+            self.link(line, pair, bounds, first);
+        }
+        let weigh = |of: fn(&Node<T>) -> T| -> T {
+            self.nodes.iter().map(|n| n.width * n.place.overlap.at_least(0.0) * of(n)).sum()
+        };
+        let all = weigh(|_| T::from(1.0));
+        self.radius = if all > 0.0 { weigh(|n| n.radius) / all } else { self.nodes[0].radius };
+    }
+
+    /// Takes the curvatures of all intervals, their depth and their area.
+    fn sample(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) {
+        self.samples.clear();
+        let zero = T::from(0.0);
+        let (mut area, mut squares) = (zero, zero);
+        for (interval, pair) in ends.iter().enumerate() {
+            let [left, right] = [pair[0].moving(line), pair[1].moving(line)];
+            let rate = (pair[1].u - pair[0].u) / (pair[1].y - pair[0].y);
+            let parameter = |y: f64| pair[0].u + rate * (y - pair[0].y);
+            let half = (right - left) * 0.5;
+            for (node, weight) in GAUSS {
+                let y = left + half * (node + 1.0);
+                let overlap = line.at(y, parameter(y.value())).overlap;
+                area += half * overlap * weight;
+                squares += half * overlap * overlap * weight;
+            }
+            let (first, last) =
+                ((left.value() / LATTICE).floor(), (right.value() / LATTICE).ceil());
+            let count = (last - first) as usize;
+            // Overlaps at four points of the lattice, around the cell under way.
+            let mut around = [zero; 4];
+            for k in 0..count + 3 {
+                let y = (first + k as f64 - 1.0) * LATTICE;
+                around.rotate_left(1);
+                around[3] = line.at(T::from(y), parameter(y)).overlap;
+                let Some(cell) = k.checked_sub(3).filter(|_| self.has_room()) else { continue };
+                let begin = (first + cell as f64) * LATTICE;
+                let from = if cell == 0 { left } else { T::from(begin) };
+                let to = if cell + 1 == count { right } else { T::from(begin + LATTICE) };
+                let bend = |a: T, b: T, c: T| (a - b * 2.0 + c) / (LATTICE * LATTICE);
+                let [a, b, c, d] = around;
+                let (before, after) = (bend(a, b, c), bend(b, c, d));
+                self.samples.push(Sample {
+                    interval,
+                    y: from,
+                    step: to - from,
+                    parameters: [parameter(from.value()), parameter(to.value())],
+                    curvature2: (before * before + after * after) * 0.5,
+                });
+            }
+        }
+        self.area = area;
+        self.depth = squares / area * DEPTH_OVER_MEAN;
+    }
+
+    fn has_room(&self) -> bool {
+        self.samples.len() < self.samples.capacity()
+    }
+
+    /// Adds the node at a `share` of the way through `sample`.
+    fn push_node(&mut self, line: &mut impl OverlapLine<T>, sample: &Sample<T>, share: T) {
+        let y = sample.y + sample.step * share;
+        let [from, to] = sample.parameters;
+        let place = line.at(y, from + (to - from) * share.value());
+        let radius = line.section_radius(place.u);
+        let (width, reach) = (T::from(0.0), [y; 2]);
+        self.nodes.push(Node { y, place, radius, width, reach, neighbours: [None; 2] });
+    }
+
+    /// Links the nodes from number `first` on, which are those of the interval between `ends` at coordinates `bounds`, by cells.
+    fn link(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        ends: &[End; 2],
+        bounds: [T; 2],
+        first: usize,
+    ) {
+        let last = self.nodes.len();
+        if first == last {
+            return;
+        }
+        let outer = [0, 1].map(|side| line.at(bounds[side], ends[side].u));
+        for right in first..=last {
+            let nodes =
+                [right.checked_sub(1).filter(|&k| k >= first), Some(right).filter(|&k| k < last)];
+            let at = [0, 1].map(|side| nodes[side].map_or(bounds[side], |k| self.nodes[k].y));
+            let places =
+                [0, 1].map(|side| nodes[side].map_or(outer[side], |k| self.nodes[k].place));
+            let width = at[1] - at[0];
+            for side in [0, 1] {
+                let Some(k) = nodes[side] else { continue };
+                self.nodes[k].width += width * 0.5;
+                self.nodes[k].reach[1 - side] = at[1 - side];
+                self.nodes[k].neighbours[1 - side] = nodes[1 - side];
+            }
+            for (half, t) in MIDDLES.into_iter().enumerate() {
+                let shares = [1.0 - t, t];
+                let is_node = nodes.map(|node| f64::from(u8::from(node.is_some())));
+                let between = |a: T, b: T| a + (b - a) * t;
+                let tangent = [0, 1].map(|i| between(places[0].tangent[i], places[1].tangent[i]));
+                let known = nodes[0].or(nodes[1]).unwrap_or(first);
+                self.panels.push(Panel {
+                    nodes: [nodes[0].unwrap_or(known), nodes[1].unwrap_or(known)],
+                    shares: [shares[0] * is_node[0], shares[1] * is_node[1]],
+                    // Beyond the last node the ratio stays what it is.
+                    shape_shares: match nodes {
+                        [Some(_), Some(_)] => shares,
+                        _ => is_node,
+                    },
+                    touches: nodes[half],
+                    middle: between(at[0], at[1]),
+                    width: width * 0.5,
+                    x: between(places[0].x, places[1].x),
+                    tangent,
+                });
+            }
+        }
+    }
+}
+
+impl<T: Real> Panel<T> {
+    /// Weighted sum of a quantity of its nodes.
+    pub fn sum<V: Real>(&self, shares: [f64; 2], of: &[V]) -> V {
+        of[self.nodes[0]] * shares[0] + of[self.nodes[1]] * shares[1]
+    }
+
+    /// Its nodes with their shares in its load per width and in χ.
+    pub fn weights(&self) -> [(usize, [f64; 2]); 2] {
+        [0, 1].map(|side| (self.nodes[side], [self.shares[side], self.shape_shares[side]]))
+    }
+
+    /// Distance across from a node at `y` at which all of the panel would have the mean logarithm that it has: the series of
+    /// ½∫_-1^1 ln(1 + r t) dt in the ratio r of half its width to the distance of its middle, which is at most one third.
+    #[inline]
+    pub fn distance(&self, y: T) -> T {
+        let away = (y - self.middle).abs();
+        let r = self.width * 0.5 / away;
+        let r2 = r * r;
+        away * (-(r2 * (r2 * (r2 * SERIES[2] + SERIES[1]) + SERIES[0])) + 1.0)
+    }
+}
+
+/// Coefficients of -(r²/6 + r⁴/20 + r⁶/42) taken as the exponent of e.
+const SERIES: [f64; 3] = [1.0 / 6.0, 13.0 / 360.0, 737.0 / 45_360.0];

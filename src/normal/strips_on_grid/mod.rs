@@ -1,0 +1,127 @@
+//! Strips that all satisfy the contact condition.
+//!
+//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one point, the displacement of the half-space
+//! meets the overlap of the bodies at every node that carries load, and its fall along x, to 0.7 of the half length, that of the wheel. The load per
+//! width l is what is sought: it goes to zero linearly where the contact ends, it determines the displacement far away, and it cannot be
+//! negative. The pressure over the half length, c, varies slowly over a contact region: it is constant on an ellipse.
+//!
+//! ```text
+//! p(x, y) = c(y) sqrt(a(y)² - (x - x_0(y))²),   a² = 2 l/(π c)
+//! l ≥ 0,   u_n - overlap ≥ 0,   l (u_n - overlap) = 0
+//! ```
+//!
+//! All overlaps of a rail are one problem on one grid, without a list of regions or edges: these are read off the solution. The displacement at a
+//! node is taken along its own normal.
+//!
+//! This is the solver that is to take the place of [`strips`](super::strips), with its lobes, joints and ridges; docs/theory.md tells what it
+//! reaches, and what is missing before it can.
+
+mod derivative;
+mod equations;
+mod grid;
+mod line;
+mod newton;
+mod overlap;
+mod shape;
+mod zones;
+
+pub use derivative::GridFollower;
+pub use line::{OverlapLine, Place};
+
+use crate::geometry::separation::{Probe, Separation};
+use crate::math::room::Room;
+use crate::normal::strips::influence::Integrals;
+use crate::normal::strips::{FrameLine, Line};
+use crate::normal::{NormalProblem, Strips};
+use grid::Grid;
+use newton::Newton;
+use overlap::{End, MOST_OVERLAPS};
+use shape::Knots;
+use zones::Loads;
+
+/// Least strips: fewer do not tell the shape of a contact region.
+pub const LEAST_STRIPS: usize = 8;
+
+/// Work of one solver since it was made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Problems solved.
+    pub solved: u64,
+    /// Newton steps.
+    pub steps: u64,
+    /// Greatest number of steps of one problem.
+    pub most_steps: u64,
+    /// Problems whose last step was longer than it should have been.
+    pub unsettled: u64,
+}
+
+/// Solver with its tables and scratch memory; it keeps no result.
+#[derive(Clone, Debug)]
+pub struct GridSolver {
+    integrals: Integrals,
+    knots: Knots,
+    overlaps: Room<[End; 2]>,
+    grid: Grid,
+    newton: Newton,
+    /// Work so far.
+    pub work: Work,
+}
+
+impl GridSolver {
+    /// A solver with `strips` strips for each rail, at least [`LEAST_STRIPS`].
+    #[must_use]
+    pub fn new(strips: usize) -> Self {
+        let strips = strips.max(LEAST_STRIPS);
+        let knots = Knots::new(strips);
+        let grid = Grid::new(strips, MOST_OVERLAPS);
+        let newton = Newton::new(strips, &knots, grid.panels.capacity());
+        Self {
+            integrals: Integrals::new(),
+            knots,
+            overlaps: Room::new(MOST_OVERLAPS),
+            grid,
+            newton,
+            work: Work::default(),
+        }
+    }
+
+    /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
+    ///
+    /// Returns the number of zones that found no room.
+    pub fn solve(
+        &mut self,
+        line: &mut impl Line,
+        probes: &[Probe],
+        level: f64,
+        contact_modulus: f64,
+        strips: &mut Strips,
+    ) -> usize {
+        self.work.solved += 1;
+        overlap::fill(line, probes, level, &mut self.overlaps);
+        if self.overlaps.is_empty() {
+            return 0;
+        }
+        self.grid.lay(line, &self.overlaps, self.knots.nodes());
+        let before = self.newton.steps;
+        let settled = self.newton.solve(&self.grid, &self.integrals, &self.knots);
+        let steps = self.newton.steps - before;
+        self.work.steps += steps;
+        self.work.most_steps = self.work.most_steps.max(steps);
+        self.work.unsettled += u64::from(!settled);
+        let Newton { loads, shapes, .. } = &self.newton;
+        Loads { grid: &self.grid, per_width: loads, shapes }.emit(contact_modulus, strips)
+    }
+}
+
+/// Adds the zones of one contact frame to `strips`; returns the number of those that found no room.
+pub fn solve_in_frame(
+    solver: &mut GridSolver,
+    problem: &NormalProblem,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    strips: &mut Strips,
+) -> usize {
+    let (approach, radius) = (problem.approach, problem.radius);
+    let mut line = FrameLine { separation, approach, radius };
+    solver.solve(&mut line, probes, approach, problem.contact_modulus, strips)
+}
