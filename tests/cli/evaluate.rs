@@ -211,7 +211,12 @@ fn evaluate_keeps_whole_rows_when_it_is_interrupted() {
     let (folder, path) = written(&format!("wheel.z\n{}", "-0.4597\n".repeat(20_000)));
     let result = folder.path().join("result.csv");
     std::fs::write(&result, "older\n").unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_wheelrail"))
+    // Where tests run in the background Ctrl-C is ignored, which programs inherit and respect.
+    let unignored = "import os, signal, sys\n\
+                     signal.signal(signal.SIGINT, signal.SIG_DFL)\n\
+                     os.execv(sys.argv[1], sys.argv[1:])";
+    let mut child = Command::new("python3")
+        .args(["-c", unignored, env!("CARGO_BIN_EXE_wheelrail")])
         .args(["evaluate", &path, "-o", result.to_str().unwrap()])
         .stderr(Stdio::piped())
         .spawn()
@@ -228,8 +233,7 @@ fn evaluate_keeps_whole_rows_when_it_is_interrupted() {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
     let id = child.id().to_string();
-    // Ctrl-C may be ignored where tests run in the background, and is then ignored by the program too.
-    assert!(Command::new("kill").args(["-TERM", &id]).status().unwrap().success());
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130));
     let message = String::from_utf8(output.stderr).unwrap();

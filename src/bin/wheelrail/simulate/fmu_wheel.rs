@@ -23,6 +23,9 @@ const INPUTS: [&str; 14] = [
     "track.s",
 ];
 
+/// Lateral places of rails in the track frame.
+const PLACES: [&str; 2] = ["rail[1].position.y", "rail[2].position.y"];
+
 const WRENCH: [&str; 6] = [
     "wheel.force.x",
     "wheel.force.y",
@@ -80,7 +83,13 @@ impl<'fmu> FmuWheel<'fmu> {
         let mut instance = Instance::new(fmu, &format!("{side} wheel"))?;
         instance.set_text("side", side)?;
         for (name, value) in settings {
-            instance.set_text(name, value)?;
+            // Rails are placed for the right wheel; the left one is its mirror image.
+            match value.parse::<f64>() {
+                Ok(y) if side == "left" && PLACES.contains(&name.as_str()) => {
+                    instance.set_text(name, &(-y).to_string())?;
+                }
+                _ => instance.set_text(name, value)?,
+            }
         }
         let patch_names: Vec<String> = (1..=REPORTED_PATCHES)
             .flat_map(|k| PATCH.map(|name| format!("patch[{k}].{name}")))
