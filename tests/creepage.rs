@@ -45,7 +45,8 @@ fn linear_theory_is_fastsim_with_friction_without_end() {
                     (one.spin_moment - two.spin_moment).abs() <= allowed * arm,
                     "{one:?} {two:?}"
                 );
-                assert!(two.slip_share <= 0.0 && one.slip_share <= 0.0);
+                // Strips at an edge that carry next to nothing slip whatever the friction.
+                assert!(two.slip_share <= tolerance::UNLOADED_SHARE && one.slip_share <= 0.0);
             }
         }
     }

@@ -55,7 +55,9 @@ fn assert_opposite_wrenches(parameters: &Parameters) {
 
 #[test]
 fn the_wrench_is_the_sum_of_the_patches_with_normal_forces_on_lines_through_the_axle() {
-    let mut element = element(&Parameters::default());
+    // Strips of a curved patch have tangents of their own: their creep forces have a part along the normal of the patch.
+    let creepage_model = CreepageModel::Flat;
+    let mut element = element(&Parameters { creepage_model, ..Parameters::default() });
     let mut random = Random::new(4);
     for _ in 0..300 {
         let input = random_input(&mut element, &mut random);

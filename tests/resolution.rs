@@ -6,6 +6,7 @@ mod tolerance;
 use common::quantiles;
 use common::random::Random;
 use common::wheel::{element, evaluate, pressed, rolling};
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
 use wheelrail::element::{Input, Output, Parameters};
 
 /// Strips, and elements along each, that stand for any number.
@@ -25,7 +26,12 @@ fn summary(output: &Output) -> ([f64; 3], [f64; 3]) {
 
 #[test]
 fn default_strips_and_elements_are_enough_for_piotrowski_kik_and_fastsim() {
-    let default = Parameters::default();
+    let default = Parameters {
+        normal_model: NormalModel::PiotrowskiKik,
+        tangential_model: TangentialModel::Fastsim,
+        creepage_model: CreepageModel::Flat,
+        ..Parameters::default()
+    };
     let fine = Parameters { strips: MANY, elements_along: MANY, ..default.clone() };
     let (mut default, mut fine) = (element(&default), element(&fine));
     let mut random = Random::new(17);

@@ -6,7 +6,7 @@ mod tolerance;
 use common::random::Random;
 use common::vectors::{add, assert_close, cross};
 use common::wheel::{element, evaluate, mirrored, pressed, rail_marker, random_input, rolling};
-use wheelrail::element::parameters::Side;
+use wheelrail::element::parameters::{NormalModel, Side};
 use wheelrail::element::{Element, Input, Output, Parameters, StartWarning};
 use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::ProfileKind;
@@ -65,7 +65,9 @@ fn a_check_rail_is_touched_by_the_flange_back_and_pulls_the_wheel_to_the_track_c
 
 #[test]
 fn the_force_of_a_check_rail_has_no_jump_where_the_wheel_runs_straight() {
-    let mut element = element(&with_check_rail());
+    // Strips of a flange back that all but stands along the rail lie decimetres ahead of each other: docs/validation.md.
+    let normal_model = NormalModel::PiotrowskiKik;
+    let mut element = element(&Parameters { normal_model, ..with_check_rail() });
     let mut input = rolling(0.0, 20.0);
     pulled_against(&mut element, &mut input, 20e3);
     let at = |element: &mut Element, yaw: f64| {

@@ -166,7 +166,6 @@ fn jumps_of_the_vertical_force_in_other_places() {
             Parameters {
                 normal_model: NormalModel::Strips,
                 tangential_model: TangentialModel::None,
-                strips: 15,
                 ..Parameters::default()
             },
         );
@@ -202,12 +201,7 @@ fn largest_jumps_of_sweeps() {
             for (normal_model, creepage_model) in MODELS {
                 let mut element = element(
                     wheel,
-                    Parameters {
-                        normal_model,
-                        creepage_model,
-                        strips: 15,
-                        ..Parameters::default()
-                    },
+                    Parameters { normal_model, creepage_model, ..Parameters::default() },
                 );
                 let found = sweep.jumps(&mut element);
                 let (name, shift) = (sweep.name, 1e3 * sweep.shift);

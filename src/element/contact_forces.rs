@@ -55,6 +55,8 @@ struct ZoneRolling<T> {
     speed: RollingSpeed<T>,
     /// Normal force with damping over that without [-].
     load_factor: T,
+    /// How much deeper than the even contact line the wheel is along the normal [m].
+    surface_depth: T,
 }
 
 impl<T: ElementNumber> ContactForces<'_, T> {
@@ -98,7 +100,15 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 rolling_radius,
                 models.minimum_speed,
             );
-            let rolling = ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor };
+            let rolling = ZoneRolling {
+                zone,
+                position,
+                axes,
+                rolling_radius,
+                speed,
+                load_factor,
+                surface_depth: surface.depth,
+            };
             let (slip, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
@@ -164,7 +174,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
     ) -> (Creepage<T>, Option<Tractions<T>>) {
-        let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor } = rolling;
+        let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor, surface_depth } =
+            rolling;
         let wheel = &self.input.wheel;
         let Models { curved_zone, strips, tangential, material, wear, .. } = models;
         let material = &material.fixed();
@@ -181,7 +192,10 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 speed.reference,
             ),
             CreepageModel::Curved => {
-                let place = |u, x| self.surface(u, x);
+                let place = |u, x| {
+                    let [point, tangent] = self.surface(u, x);
+                    [point + axes.normal * *surface_depth, tangent]
+                };
                 curved_zone.place(zone, strips, motion, speed.reference, place)
             }
         };

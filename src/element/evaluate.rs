@@ -32,8 +32,9 @@ pub struct Work {
     pub zones: u64,
     /// Zones marched through by the tangential model.
     pub marches: u64,
-    /// Rails on which the strip model found no edges of its zones and took strips that stay where they are.
-    pub fixed_strips: u64,
+    /// Newton steps of the strip model, and the most of one rail.
+    pub strip_steps: u64,
+    pub most_strip_steps: u64,
 }
 
 /// A wheel and the rails under it, ready to be evaluated.
@@ -187,7 +188,9 @@ impl Element {
     /// Work done and skipped so far.
     #[must_use]
     pub fn work(&self) -> Work {
-        self.work
+        let strips = self.models.strip_solver.as_ref().map(|solver| solver.work);
+        let strips = strips.unwrap_or_default();
+        Work { strip_steps: strips.steps, most_strip_steps: strips.most_steps, ..self.work }
     }
 
     /// Contacts and zones that found no room so far: the only thing an element remembers.

@@ -9,7 +9,7 @@ use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 use crate::math::room::Room;
-use crate::normal::strips::{LEAST_STRIPS, StripFollower, StripSolver};
+use crate::normal::strips_on_grid::{GridFollower, GridSolver, LEAST_STRIPS};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
@@ -47,10 +47,10 @@ pub struct Models<T = f64> {
     /// Loaded zones of the contact under way.
     pub strips: Strips<T>,
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
-    pub strip_solver: Option<StripSolver>,
+    pub strip_solver: Option<GridSolver>,
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
-    pub strip_follower: StripFollower<T>,
+    pub strip_follower: GridFollower<T>,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
@@ -83,7 +83,7 @@ impl Models {
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
-            strip_follower: StripFollower::default(),
+            strip_follower: GridFollower::default(),
             patches: Room::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
@@ -94,9 +94,9 @@ impl Models {
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
         let [wheel, rail] = parameters.materials();
-        // Patches of uneven bodies split along the track too; strips that all meet a wheel's circle are not for them.
+        // Patches of uneven bodies split along the track too.
         let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
-        let is_strips = parameters.normal_model == NormalModel::Strips && !parameters.is_uneven();
+        let is_strips = parameters.normal_model == NormalModel::Strips;
         let strips =
             if is_strips { parameters.strips.max(LEAST_STRIPS) } else { parameters.strips };
         Self {
@@ -117,8 +117,9 @@ impl Models {
             )
             .with_law(parameters.friction_law),
             creepage: parameters.creepage_model,
-            curved_zone: CurvedZone::with_capacity(if is_strips {
-                MOST_ZONES * strips
+            // Strips and stretches of uneven bodies may all be in one zone.
+            curved_zone: CurvedZone::with_capacity(if is_strips || parameters.is_uneven() {
+                zones * strips
             } else {
                 strips
             }),
@@ -128,9 +129,9 @@ impl Models {
             rule: GaussLegendre::new(parameters.strips),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, strips),
-            strip_solver: is_strips.then(|| StripSolver::new(strips)),
+            strip_solver: is_strips.then(|| GridSolver::new(strips)),
             rail_strips: Strips::with_capacity(if is_strips { MOST_ZONES } else { 0 }, strips),
-            strip_follower: StripFollower::default(),
+            strip_follower: GridFollower::default(),
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,

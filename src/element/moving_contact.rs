@@ -10,6 +10,7 @@ use super::rail_contact::{MOST_STRIP_DEPTH, RailContact};
 use super::rail_frame::RailFrame;
 use super::strip_contact;
 use crate::geometry::contact_line::ContactLine;
+use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::moving_separation::MovingSeparation;
 use crate::geometry::placed_rail::PlacedRail;
@@ -25,6 +26,7 @@ pub trait MovingNumber:
     fn follow(
         line: &ContactLine<Self>,
         rail: &PlacedRail,
+        search: &ContactSearch,
         found: &mut Models,
         models: &mut Models<Self>,
     ) -> bool;
@@ -34,25 +36,22 @@ impl<const N: usize> MovingNumber for Dual<N> {
     fn follow(
         line: &ContactLine<Self>,
         rail: &PlacedRail,
+        search: &ContactSearch,
         found: &mut Models,
         models: &mut Models<Self>,
     ) -> bool {
-        strip_contact::follow(line, rail, found, models)
+        strip_contact::follow(line, rail, search, found, models)
     }
 }
 
 /// Why there is no derivative.
 pub type Kink = &'static str;
 
-/// Strips without a solution.
-pub const NO_STRIPS: Kink = "the strips found no solution, and piotrowski_kik took their place";
-
-/// Strips that stay where they are.
-pub const FIXED_STRIPS: Kink = "the strips found no edges of their zones, and stay where they are";
+/// A wheel that is so deep that other strips take the place of those of the model.
+pub const TOO_DEEP: Kink = "the wheel is too deep for the model strips";
 
 /// Strips whose equations have no derivatives.
-pub const UNSETTLED: Kink =
-    "the strips end with a body, or their ends go over from one condition to another";
+pub const UNSETTLED: Kink = "the equations of the strips are singular";
 
 /// A contact that the search has put at the end of a body.
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
@@ -76,9 +75,8 @@ impl RailContact {
         if self.search.contacts.iter().any(|contact| contact.penetration > MOST_STRIP_DEPTH)
             && found.strip_solver.is_some()
         {
-            return Err(NO_STRIPS);
+            return Err(TOO_DEEP);
         }
-        let fixed = found.strip_solver.as_ref().map_or(0, |solver| solver.work.fixed);
         let Self { rail, search, probes, .. } = self;
         let frame = RailFrame::new(rail, &input.rails[k]);
         let radius = self.nominal_radius;
@@ -86,13 +84,8 @@ impl RailContact {
         let line = moving.value();
         let mut work = Work::default();
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
-            if !strip_contact::solve(&line, rail, search, probes, found) {
-                return Err(NO_STRIPS);
-            }
-            if found.strip_solver.as_ref().is_some_and(|solver| solver.work.fixed > fixed) {
-                return Err(FIXED_STRIPS);
-            }
-            if !T::follow(&moving, rail, found, models) {
+            strip_contact::solve(&line, rail, search, probes, found);
+            if !T::follow(&moving, rail, search, found, models) {
                 return Err(UNSETTLED);
             }
             let mut deepest = T::from(0.0);
@@ -102,8 +95,7 @@ impl RailContact {
             }
             let whole = [models.rail_strips.load(), deepest];
             for zone in 0..models.rail_strips.zones.len() {
-                let contact = strip_contact::take_moving_zone(&moving, rail, zone, models);
-                let contact = contact.ok_or(BODY_ENDS)?;
+                let contact = strip_contact::take_moving_zone(&moving, rail, search, zone, models);
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, rail, contact);
                 let forces = ContactForces {

@@ -37,9 +37,9 @@ pub enum CreepageModel {
     /// Longitudinal creepage from the rolling radius only: no lateral creepage, no spin.
     Kinematic,
     /// One triple of creepages for each patch.
-    #[default]
     Flat,
     /// For each strip that of its own place and tangent plane (Piotrowski and Kik 2008, section 4).
+    #[default]
     Curved,
 }
 
@@ -201,7 +201,7 @@ impl Default for Parameters {
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
-            strips: 12,
+            strips: 20,
             normal_elements: [40, 40],
             damping: 1e5,
             creepage_model: CreepageModel::default(),

@@ -43,8 +43,8 @@ pub struct RailContact {
 const DEEP: f64 = 5e-3;
 /// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its underside is as near as its top.
 const MOST_DEPTH: f64 = 2.5e-2;
-/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, the half-space around each strip is cut by the other
-/// sides of the rail, and the strips of a virtual penetration carry on.
+/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, normals of a gauge corner have crossed, and the strips of a
+/// virtual penetration carry on.
 pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
 const STEEPEST: f64 = 0.05;
@@ -258,27 +258,24 @@ impl RailContact {
         let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
         if models.strip_solver.is_some() && is_deep {
             left_out += 1;
-        } else if models.strip_solver.is_some() && !self.search.contacts.is_empty() {
-            let fixed = |m: &Models| m.strip_solver.as_ref().map_or(0, |s| s.work.fixed);
-            let before = fixed(models);
-            let solved =
-                strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models);
-            work.fixed_strips += fixed(models) - before;
-            if solved {
-                let whole = strip_contact::whole(models, &self.search);
-                for zone in 0..models.rail_strips.zones.len() {
-                    let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
-                    let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                    left_out += forces(contact, [0.0; 2], Some(whole)).add(
-                        &mut separation,
-                        models,
-                        output,
-                        work,
-                    );
-                }
-                return left_out;
+        } else if models.strip_solver.is_some() {
+            if self.search.contacts.is_empty() {
+                return 0;
             }
-            left_out += 1;
+            left_out +=
+                strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models)
+                    as u64;
+            let whole = strip_contact::whole(models, &self.search);
+            for zone in 0..models.rail_strips.zones.len() {
+                let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
+                let mut separation = LineSeparation::new(&line, &self.rail, contact);
+                let slopes = separation
+                    .lifting()
+                    .map_or([0.0; 2], |lifting| strip_contact::slopes(lifting.deviations, models));
+                left_out +=
+                    forces(contact, slopes, Some(whole)).add(&mut separation, models, output, work);
+            }
+            return left_out;
         }
         for index in 0..self.search.contacts.len() {
             let contact = self.search.contacts[index];
@@ -341,7 +338,7 @@ fn with<'a>(line: ContactLine<'a>, deviations: Option<&'a Longitudinal>) -> Cont
 
 /// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
 /// ellipse.
-const LEAST_CURVATURE_SHARE: f64 = 0.02;
+pub(super) const LEAST_CURVATURE_SHARE: f64 = 0.02;
 
 /// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose even section has `radius` [m].
 fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {

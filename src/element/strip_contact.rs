@@ -5,15 +5,18 @@
 //! place becomes the deepest, or when overlaps join or part. Each loaded zone then gets its frame from its own load.
 
 use super::models::Models;
+use super::rail_contact::LEAST_CURVATURE_SHARE;
 use crate::geometry::contact::Contact;
-use crate::geometry::contact_line::ContactLine;
+use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
-use crate::geometry::moving_contact::moving_place;
+use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
-use crate::normal::strips::{Line, LinePlace, MovingLine, MovingPlace, NEAR, walk_across};
+use crate::normal::strips_on_grid::{
+    Line, LinePlace, NEAR, OverlapLine, Place, STATION, walk_across,
+};
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -24,11 +27,41 @@ struct LocalLine<'a> {
     rail: &'a PlacedRail,
     /// Parameter of the line and of the rail at the last place, and derivative of the one by the other.
     near: [f64; 3],
+    /// Deepest penetration of all contacts [m].
+    depth: f64,
 }
 
 impl<'a> LocalLine<'a> {
     fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: &Contact) -> Self {
-        Self { line, rail, near: [contact.u, contact.rail_s, 1.0] }
+        Self { line, rail, near: [contact.u, contact.rail_s, 1.0], depth: contact.penetration }
+    }
+
+    /// The line of all contacts of a `search`, of which there is at least one.
+    fn of(line: &'a ContactLine<'a>, rail: &'a PlacedRail, search: &ContactSearch) -> Self {
+        let depth = search.contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
+        Self { depth, ..Self::new(line, rail, &search.contacts[0]) }
+    }
+
+    /// The point of the wheel at parameter `u` that is nearest to the rail along the track, and the derivative of its (y, z).
+    fn point(&self, u: f64) -> (LinePoint, [f64; 2]) {
+        match self.line.deviations() {
+            None => self.line.even_with_derivative(u),
+            Some(deviations) => {
+                let (point, derivative, _) = self.line.lifted_with_derivative(u, deviations);
+                (point, derivative)
+            }
+        }
+    }
+
+    /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's
+    /// radius touches along, to the station at which strips meet them: shorter waves are bridged [m].
+    #[cold]
+    fn uneven_radius(&self, u: f64, deviations: &Longitudinal) -> f64 {
+        let even = self.line.wheel_point(u).section_radius;
+        let (at, _, radius) = self.line.lifted_with_derivative(u, deviations);
+        let reach = STATION * (even * self.depth).sqrt();
+        let share = radius * deviations.mean_curvature(radius, at.x, reach);
+        even / share.max(LEAST_CURVATURE_SHARE)
     }
 }
 
@@ -48,7 +81,7 @@ impl LocalLine<'_> {
             if !(u > start && u < end) {
                 return None;
             }
-            let (at, derivative) = self.line.even_with_derivative(u);
+            let (at, derivative) = self.point(u);
             let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
             let rate = along(derivative);
             if rate < LEAST_RATE {
@@ -84,7 +117,7 @@ impl Line for LocalLine<'_> {
     fn place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
-        let (at, derivative) = self.line.even_with_derivative(u);
+        let (at, derivative) = self.point(u);
         let [near_u, near_s, rate] = self.near;
         // Far from the last place the guess may be anywhere.
         let guess = if (u - near_u).abs() < FAR {
@@ -110,7 +143,10 @@ impl Line for LocalLine<'_> {
     }
 
     fn radius(&mut self, u: f64) -> f64 {
-        self.line.wheel_point(u).section_radius
+        match self.line.deviations() {
+            None => self.line.wheel_point(u).section_radius,
+            Some(deviations) => self.uneven_radius(u, deviations),
+        }
     }
 
     fn across(&mut self, y: f64, guess: f64) -> LinePlace {
@@ -130,14 +166,14 @@ const MOST_CROSSINGS: usize = 6;
 /// Least share of the distance from the centre of curvature of the rail.
 const LEAST_STRAIGHTNESS: f64 = 0.2;
 
-/// Solves for all zones of one rail into `models.rail_strips`; false where no solution was found.
+/// Solves for all zones of one rail into `models.rail_strips`; returns how many found no room.
 pub fn solve(
     line: &ContactLine,
     rail: &PlacedRail,
     search: &ContactSearch,
     probes: &mut Vec<Probe>,
     models: &mut Models,
-) -> bool {
+) -> usize {
     probes.clear();
     for contact in search.contacts.iter() {
         let own = &search.probes[contact.probes[0]..contact.probes[1]];
@@ -151,11 +187,25 @@ pub fn solve(
     }
     let Models { strip_solver, rail_strips, material, .. } = models;
     rail_strips.clear();
-    let mut local = LocalLine::new(line, rail, &search.contacts[0]);
+    let mut local = LocalLine::of(line, rail, search);
     let modulus = material.contact_modulus;
     strip_solver
         .as_mut()
-        .is_some_and(|solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
+        .map_or(0, |solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
+}
+
+/// Slopes of rail and wheel along the track in the zone in `models.strips`, averaged by load [-].
+pub fn slopes(deviations: &Longitudinal, models: &Models) -> [f64; 2] {
+    let strips = &models.strips;
+    let (mut sums, mut load) = ([0.0; 2], 0.0);
+    for (j, x) in strips.x.iter().enumerate() {
+        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+        load += weight;
+        for (sum, slope) in sums.iter_mut().zip(deviations.slopes(*x)) {
+            *sum += weight * slope;
+        }
+    }
+    sums.map(|sum| if load > 0.0 { sum / load } else { 0.0 })
 }
 
 /// Load of all zones and deepest penetration of all contacts [N, m].
@@ -241,78 +291,71 @@ fn zone_in_frame<T: Real>(
     }
 }
 
-/// Overlap along the local normals of a line that moves.
+/// Overlap along the local normals of a line that moves: found by plain numbers, and moved from there.
 struct MovingLocal<'a, T> {
     line: &'a ContactLine<'a, T>,
     rail: &'a PlacedRail,
+    found: LocalLine<'a>,
 }
 
-/// Distance of a found place from where it has to be, from which on it is that of the end of a body [m].
-const AWAY: f64 = 1e-6;
-
-impl<T: Real> MovingLine<T> for MovingLocal<'_, T> {
-    fn across(&mut self, u: f64, y: T) -> Option<MovingPlace<T>> {
+impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
+    fn at(&mut self, y: T, guess: f64) -> Place<T> {
+        let Some((LinePlace { u, .. }, _)) = self.found.on_normal(y.value(), guess) else {
+            // Where a body ends nothing moves.
+            let LinePlace { u, overlap, x, tangent, .. } = self.found.across(y.value(), guess);
+            let tangent = tangent.map(T::from);
+            return Place { u: u.into(), overlap: overlap.into(), x: x.into(), tangent };
+        };
         let on = self.rail.curve().at(y);
         let to = |point: [T; 2]| [point[0] - on.point[0], point[1] - on.point[1]];
         let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
         let (at, derivative) = self.line.even_with_derivative(u.into());
-        let error = along(to(at.point));
-        let rate = along(derivative).value();
-        if error.value().abs() > AWAY || rate.abs() < LEAST_RATE {
-            return None;
-        }
-        let u = T::moving(u, -error / rate);
+        let u = T::moving(u, -along(to(at.point)) / along(derivative).value());
         let at = self.line.even_at(u);
         let slowness =
             T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
         let tangent = on.first.map(|first| first * slowness);
         let to = to(at.point);
-        Some(MovingPlace {
-            u,
-            overlap: to[1] * tangent[0] - to[0] * tangent[1],
-            x: at.x,
-            tangent,
-            radius: self.line.wheel_point(u).section_radius,
-        })
+        let overlap = to[1] * tangent[0] - to[0] * tangent[1];
+        Place { u, overlap, x: at.x, tangent }
     }
 
-    fn ridge(&mut self, u: f64, y: f64) -> Option<T> {
-        moving_place(self.line, self.rail, u, y).map(|[_, s]| s)
+    fn section_radius(&mut self, u: T) -> T {
+        self.line.wheel_point(u).section_radius
     }
 }
 
-/// Zones of one rail with derivatives, into `models.rail_strips`, from the solution in `found`; false where they have none.
+/// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in `found`; false where the equations have none.
 pub fn follow<const N: usize>(
     line: &ContactLine<Dual<N>>,
     rail: &PlacedRail,
+    search: &ContactSearch,
     found: &mut Models,
     models: &mut Models<Dual<N>>,
 ) -> bool {
     let Some(solver) = &mut found.strip_solver else { return false };
-    let mut local = MovingLocal { line, rail };
+    let value = line.value();
+    let found = LocalLine::of(&value, rail, search);
+    let mut local = MovingLocal { line, rail, found };
     let modulus = models.material.contact_modulus;
     let Models { strip_follower, rail_strips, .. } = models;
     rail_strips.clear();
-    strip_follower.follow(solver, &mut local, modulus, &found.rail_strips, rail_strips)
+    strip_follower.follow(solver, &mut local, modulus, rail_strips)
 }
 
-/// As [`take_zone`], with derivatives; nothing where there are none.
+/// As [`take_zone`], with derivatives.
 pub fn take_moving_zone<T: Real>(
     line: &ContactLine<T>,
     rail: &PlacedRail,
+    search: &ContactSearch,
     index: usize,
     models: &mut Models<T>,
-) -> Option<Contact<T>> {
-    let mut local = MovingLocal { line, rail };
-    let mut has_kink = false;
-    let contact = zone_in_frame(index, models, |u, y| {
-        let point = line.even_at(u).point;
-        if let Some(MovingPlace { tangent, overlap, .. }) = local.across(u.value(), y) {
-            (point, tangent, overlap)
-        } else {
-            has_kink = true;
-            (point, [T::from(1.0), T::from(0.0)], T::from(0.0))
-        }
-    });
-    (!has_kink).then_some(contact)
+) -> Contact<T> {
+    let value = line.value();
+    let found = LocalLine::of(&value, rail, search);
+    let mut local = MovingLocal { line, rail, found };
+    zone_in_frame(index, models, |u, y| {
+        let Place { u, tangent, overlap, .. } = local.at(y, u.value());
+        (line.even_at(u).point, tangent, overlap)
+    })
 }

@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use super::parameters::{NormalModel, Parameters};
-use crate::element::parameters::CreepageModel;
 use crate::error::ContactError;
 use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
@@ -121,26 +120,17 @@ impl Parameters {
         if !self.is_uneven() {
             return Ok(());
         }
-        let refuse = |name: &str, value: &str, allowed: &str| {
-            let why = "with wheel.flat, wheel.out_of_round or rail[k].corrugation";
-            Err(ContactError::BadText {
-                name: name.into(),
-                value: value.into(),
-                allowed: format!("{why} it has to be {allowed}"),
-            })
+        let value = match self.normal_model {
+            NormalModel::Hertz | NormalModel::PiotrowskiKik | NormalModel::Strips => return Ok(()),
+            NormalModel::PiotrowskiKikCorrected => "piotrowski_kik_corrected",
+            NormalModel::BoundaryElement => "boundary_element",
         };
-        if !matches!(self.normal_model, NormalModel::Hertz | NormalModel::PiotrowskiKik) {
-            let value = match self.normal_model {
-                NormalModel::Strips => "strips",
-                NormalModel::BoundaryElement => "boundary_element",
-                _ => "piotrowski_kik_corrected",
-            };
-            return refuse("normal.model", value, "hertz or piotrowski_kik");
-        }
-        if self.creepage_model == CreepageModel::Curved {
-            return refuse("creepage.model", "curved", "kinematic or flat");
-        }
-        Ok(())
+        let why = "with wheel.flat, wheel.out_of_round or rail[k].corrugation";
+        Err(ContactError::BadText {
+            name: "normal.model".into(),
+            value: value.into(),
+            allowed: format!("{why} it has to be hertz, piotrowski_kik or strips"),
+        })
     }
 }
 

@@ -80,6 +80,21 @@ enum Kind {
     Maximum,
 }
 
+/// Where the slope may have another sign than at two neighbouring samples, where it has the same: where that of the cubic through both is
+/// farthest from it. A wave of the profile that is shorter than a step shows there.
+fn hidden_turn(from: &Sample, to: &Sample) -> Option<f64> {
+    let (a, b) = (from.slope, to.slope);
+    if a * b <= 0.0 {
+        return None;
+    }
+    let mean = (to.distance - from.distance) / (to.u - from.u);
+    // Slope a + p t + q t², t from 0 to 1.
+    let (p, q) = (6.0 * mean - 4.0 * a - 2.0 * b, 3.0 * (a + b) - 6.0 * mean);
+    let t = -0.5 * p / q;
+    let turns = t > 0.0 && t < 1.0 && a * (a + 0.5 * p * t) < 0.0;
+    turns.then_some(from.u + t * (to.u - from.u))
+}
+
 /// Finds contacts; keeps what it needs from call to call, but no result.
 #[derive(Clone, Debug)]
 pub struct ContactSearch {
@@ -271,6 +286,15 @@ impl ContactSearch {
                 }
             }
             return;
+        }
+        if let Some(u) = hidden_turn(from, to) {
+            let between =
+                self.sample(line, rail, u, from.rail_s + from.rail_rate * (u - from.u), COARSE);
+            if between.slope * from.slope < 0.0 {
+                self.advance(line, rail, from, &between);
+                self.advance(line, rail, &between, to);
+                return;
+            }
         }
         if self.interval.is_empty() {
             self.record(*from, Kind::Step);

@@ -21,6 +21,8 @@ use crate::math::room::Room;
 
 /// Least and greatest distance of samples [m].
 const SPACING: [f64; 2] = [2.5e-4, 4e-3];
+/// Distance over that of samples below which differences are no better than the curvature itself.
+const LEAST_REACH: f64 = 1e-2;
 /// Most samples that are kept for an evaluation.
 const MOST_SAMPLES: usize = 600;
 
@@ -140,6 +142,17 @@ impl Longitudinal {
     pub fn slopes(&self, x: f64) -> [f64; 2] {
         let rail = if self.rail.is_empty() { 0.0 } else { self.rail.at(self.station + x)[1] };
         [rail, self.wheel_deviation(x)[1]]
+    }
+
+    /// Curvature of Q about `x`, from its rise over the distance `reach` to either side; that at `x` itself if `reach` is nothing [1/m].
+    #[must_use]
+    pub fn mean_curvature(&self, radius: f64, x: f64, reach: f64) -> f64 {
+        let even = 1.0 / radius;
+        if reach <= self.spacing * LEAST_REACH {
+            return even - self.nearness(x)[2];
+        }
+        let [here, ahead, behind] = [x, x + reach, x - reach].map(|x| self.nearness(x)[0]);
+        even + (2.0 * here - ahead - behind) / (reach * reach)
     }
 
     /// Whether the rail has deviations.

@@ -8,7 +8,6 @@ pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
 pub mod shape_correction;
-pub mod strips;
 pub mod strips_on_grid;
 pub mod uneven;
 mod zones;
@@ -28,11 +27,11 @@ pub enum NormalModel {
     /// An ellipse at each contact point from the curvatures there.
     Hertz,
     /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
-    #[default]
     PiotrowskiKik,
     /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
     PiotrowskiKikCorrected,
-    /// The contact condition on every strip, coupled through the half-space: see [`strips`].
+    /// The contact condition on every strip, coupled through the half-space: see [`strips_on_grid`].
+    #[default]
     Strips,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,

@@ -13,7 +13,7 @@ use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
-use crate::normal::strips::{LEAST_STRIPS, StripSolver, solve_in_frame};
+use crate::normal::strips_on_grid::{GridSolver, LEAST_STRIPS, solve_in_frame};
 use crate::normal::{self, NormalModel, NormalProblem, Strips};
 use crate::tangential::field::ContactField;
 use crate::tangential::{Creepage, RollingState, Tangential};
@@ -94,7 +94,7 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let mut strips = Strips::with_capacity(MOST_ZONES, case.strips.max(LEAST_STRIPS));
     let mut solver =
-        (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
+        (case.normal_model == NormalModel::Strips).then(|| GridSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
     // `approach` counts from first touch.
     let mut press = |approach: f64| {
@@ -112,14 +112,11 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
             let fit = case.shape_fit;
-            let solved = solver.as_mut().is_some_and(|solver| {
-                solve_in_frame(solver, &problem, &mut line, &probes, &mut strips)
-            });
-            left_out = if solved {
-                0
-            } else {
-                usize::from(solver.is_some())
-                    + normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips)
+            left_out = match &mut solver {
+                Some(solver) => solve_in_frame(solver, &problem, &mut line, &probes, &mut strips),
+                None => {
+                    normal::solve(model, epsilon, fit, &problem, &mut line, &probes, &mut strips)
+                }
             };
             line.probes = probes;
         }

@@ -43,13 +43,13 @@ pub enum TangentialModel {
     /// Full adhesion without bound: the limit of FASTSIM for infinite friction.
     Linear,
     /// Kalker's march through the strips of the true patch.
-    #[default]
     Fastsim,
     /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
     Fastrip,
     /// The force of the ellipse with the same moments of load, from a table of boundary element solutions; no tractions.
     Tables,
     /// FASTSIM on the true patch, its force corrected by what it is wrong by on that ellipse.
+    #[default]
     FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,

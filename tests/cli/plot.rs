@@ -17,7 +17,7 @@ fn plot_draws_a_wheel_and_a_planar_contact() {
     assert!(drawn.matches("<rect").count() > 300);
     let rows = table(&std::fs::read(&fields).unwrap());
     let of = |models: &str| rows.iter().filter(|row| row["models"].starts_with(models)).count();
-    assert!(of("piotrowski_kik") > 80 && of("boundary_element") > 80);
+    assert!(of("strips") > 80 && of("boundary_element") > 80);
     assert!(rows.iter().any(|row| row["state"] == "slip"));
 
     std::fs::write(folder.path().join("f.csv"), parabola()).unwrap();

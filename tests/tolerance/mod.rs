@@ -181,14 +181,6 @@ pub const YAWED_PLACE: f64 = 1e-4;
 /// Curvature along the rail of a yawed wheel against its surface, relative.
 pub const SECTION_CURVATURE: f64 = 4e-3;
 
-/// Strips against CONTACT on 28 planar cases of one region, 31 strips, in per cent: normal force, greatest pressure and area, median and
-/// worst, all below the aims of 0.2 and 1, 0.3 and 1.5, 1 and 2 per cent. Worst in normal force is y5.5 at 150 kN, where two lobes have met (0.52 %); all
-/// others are within 0.25 %.
-pub const STRIPS_PLANAR_PERCENT: [[f64; 2]; 3] = [[0.08, 0.6], [0.05, 0.85], [0.5, 1.0]];
-
-/// The same on the four cases of two regions, worst.
-pub const STRIPS_TWO_REGIONS_PERCENT: [f64; 3] = [0.35, 0.3, 1.6];
-
 /// A wheel at given load against CONTACT (tests/element_normal.rs), just above the measured of all cases and of the part of them; rows strips,
 /// piotrowski_kik, piotrowski_kik_corrected, hertz; columns normal force, greatest pressure, area [-] and place along the profile [mm], median
 /// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 1.8 degrees off at 7 mm and 150 kN,
@@ -200,8 +192,8 @@ pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
 ];
 
-/// Random poses at which the strip model finds no edges of its zones and takes strips that stay where they are, share of all: 2 of 20 000.
-pub const STRIPS_FIXED: f64 = 1.5e-4;
+/// Most Newton steps of the strips wherever a wheel may stand: what bounds the time of an evaluation, half of what the solver allows.
+pub const STRIP_STEPS: u64 = 20;
 
 /// Jump of the normal force over steps of 0.1 µm at swaps of the deepest place, over the force.
 pub const STRIPS_JUMP: f64 = 1e-6;
@@ -215,9 +207,6 @@ pub const STRIPS_SWEEP_JUMPS: [f64; 4] = [3e-4, 5.5e-4, 2.4e-3, 4e-3];
 /// Second differences of the vertical force in fine steps of sweeps in other places, without creep forces, over the load. The aim is none; worst is
 /// a flange root where strips of fixed width take over.
 pub const STRIPS_SWEEP_ELSEWHERE: f64 = 0.048;
-
-/// Strips against Hertz, a/b 0.05 to 20, 21 strips: normal force and greatest pressure.
-pub const STRIPS_HERTZ: f64 = 2e-3;
 
 /// The same code built otherwise, optimized or for another platform, share of the value: sines, roots and logarithms
 /// of another C library differ in the last digit. Greatest difference found: 1.3e-12, between linux64 and win64.
@@ -412,3 +401,13 @@ pub const GRID_STEPS: u64 = 20;
 
 /// Bend of the load of strips on one grid over its rise, per step of 0.1 µm, where two overlaps join: a jump would be of the order of one.
 pub const GRID_BEND: f64 = 0.05;
+
+/// Jumps along random walks: of the force over the load without creep forces, and over the friction limit with them. The aims.
+pub const WALK_JUMPS: [f64; 2] = [1e-4, 1e-3];
+
+/// Largest change of the stiffness from step to step of 0.1 µm in a line of 0.1 mm of a random walk, over the stiffness of the contact, below
+/// which 95 % of the lines stay. The aim.
+pub const WALK_KINKS: f64 = 0.05;
+
+/// Share of a patch's area in strips that carry next to nothing: one of some twenty, and short.
+pub const UNLOADED_SHARE: f64 = 5e-3;

@@ -74,6 +74,24 @@ impl<'a> ContactLine<'a> {
         LinePoint { point, tangent, ..even }
     }
 
+    /// The point at parameter `s` [m] where the bodies are nearest to each other, lowered by the lift, and the derivative of its (y, z); x is
+    /// where they are, and behind it is the radius of the circles of the wheel there [m].
+    #[must_use]
+    pub fn lifted_with_derivative(
+        &self,
+        s: f64,
+        deviations: &Longitudinal,
+    ) -> (LinePoint, [f64; 2], f64) {
+        let (even, derivative) = self.even_with_derivative(s);
+        let radius = self.lifting_radius(s);
+        let lift = deviations.lift(even.x, radius);
+        // The least of a family of functions changes as the one that is least.
+        let rate = (lift.x - even.x) / radius * self.advance(s);
+        let lower = |v: [f64; 2], by: f64| [0, 1].map(|i| v[i] + by * self.down[i]);
+        let point = lower(even.point, lift.height);
+        (LinePoint { x: lift.x, point, ..even }, lower(derivative, rate), radius)
+    }
+
     /// Derivative of the even line's x with respect to its parameter.
     fn advance(&self, s: f64) -> f64 {
         let p = self.profile.at(s);

@@ -74,7 +74,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
             return false;
         }
         self.z.clear();
-        self.z.extend(solver.newton.z.iter().map(|&z| Dual::from(z)));
+        self.z.extend(solver.newton.z[..count].iter().map(|&z| Dual::from(z)));
         self.shape.clear();
         self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use crate::geometry::separation::Probe;
     use crate::math::real::Real;
-    use crate::normal::strips::{Line, LinePlace};
+    use crate::normal::strips_on_grid::{Line, LinePlace};
     use crate::normal::strips_on_grid::{OverlapLine, Place};
     use approx::assert_relative_eq;
 
@@ -177,17 +177,18 @@ mod tests {
     fn derivatives_are_those_of_the_solution() {
         let mut solver = GridSolver::new(20);
         for (depth, tilt) in [(6e-5, 0.0), (3e-5, 1e-3), (1.2e-4, -2e-3), (1.5e-5, 4e-4)] {
-            let sums = |strips: &Strips| -> [f64; 2] {
+            let sums = |strips: &Strips| -> [f64; 4] {
                 let moment: f64 = strips.zones.iter().map(|zone| zone.load * zone.y).sum();
-                [strips.load(), moment]
+                let middle = strips.y.len() / 2;
+                [strips.load(), moment, strips.half_length[middle], strips.u[middle]]
             };
             let step = 1e-8;
-            let difference = |solver: &mut GridSolver, way: [f64; 2]| -> [f64; 2] {
+            let difference = |solver: &mut GridSolver, way: [f64; 2]| -> [f64; 4] {
                 let at = |solver: &mut GridSolver, k: f64| {
                     sums(&solve(solver, depth + k * step * way[0], tilt + k * step * way[1]))
                 };
                 let [a, b] = [at(solver, 1.0), at(solver, -1.0)];
-                [0, 1].map(|i| (a[i] - b[i]) / (2.0 * step))
+                [0, 1, 2, 3].map(|i| (a[i] - b[i]) / (2.0 * step))
             };
             let differences = [[1.0, 0.0], [0.0, 1.0]].map(|way| difference(&mut solver, way));
             let found = solve(&mut solver, depth, tilt);
@@ -197,9 +198,15 @@ mod tests {
             assert!(follower.follow(&mut solver, &mut line, 1.0, &mut strips));
             assert_relative_eq!(strips.load().value, found.load(), max_relative = 1e-12);
             let moment: Dual<2> = strips.zones.iter().map(|zone| zone.load * zone.y).sum();
-            for (k, number) in [strips.load(), moment].into_iter().enumerate() {
-                // Moments are those of loads millimetres away.
-                let scale = [1.0, 5e-3][k] * differences[0][0].abs().max(differences[1][0].abs());
+            let middle = strips.y.len() / 2;
+            let numbers = [strips.load(), moment, strips.half_length[middle], strips.u[middle]];
+            for (k, number) in numbers.into_iter().enumerate() {
+                // Moments are those of loads millimetres away; lengths have slopes of their own.
+                let scale = if k < 2 {
+                    [1.0, 5e-3][k] * differences[0][0].abs().max(differences[1][0].abs())
+                } else {
+                    differences[0][k].abs().max(differences[1][k].abs())
+                };
                 for (slope, difference) in number.slopes.iter().zip(differences) {
                     assert_relative_eq!(*slope, difference[k], epsilon = 1e-4 * scale);
                 }

@@ -17,10 +17,10 @@
 use std::f64::consts::PI;
 
 use super::grid::{Grid, Node, Panel};
+use super::influence::{Integrals, STATION, shifted_at};
 use super::shape::Knots;
 use crate::math::real::Real;
 use crate::normal::hertz;
-use crate::normal::strips::influence::{Integrals, STATION, shifted_at};
 
 /// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: narrower corners take
 /// Newton's method more steps and change nothing else.

@@ -19,6 +19,7 @@
 mod derivative;
 mod equations;
 mod grid;
+mod influence;
 mod line;
 mod newton;
 mod overlap;
@@ -26,14 +27,15 @@ mod shape;
 mod zones;
 
 pub use derivative::GridFollower;
-pub use line::{OverlapLine, Place};
+pub use influence::STATION;
+pub use line::{Line, LinePlace, NEAR, OverlapLine, Place, walk_across};
 
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::normal::strips::influence::Integrals;
-use crate::normal::strips::{FrameLine, Line};
 use crate::normal::{NormalProblem, Strips};
 use grid::Grid;
+use influence::Integrals;
+use line::FrameLine;
 use newton::Newton;
 use overlap::{End, MOST_OVERLAPS};
 use shape::Knots;

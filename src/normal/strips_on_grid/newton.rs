@@ -9,9 +9,9 @@ use multiversion::multiversion;
 
 use super::equations::{Displacement, Fall, Scales, Strip, factor, plus, touching, wanted_fall};
 use super::grid::Grid;
+use super::influence::{Integrals, centred_at, shifted_at};
 use super::shape::Knots;
 use crate::math::linear_system::{room, solve_by_columns, stride};
-use crate::normal::strips::influence::{Integrals, centred_at, shifted_at};
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;

@@ -1,11 +1,11 @@
 //! The intervals of a contact line in which the undeformed bodies overlap.
 
 use super::line::OverlapLine;
+use super::line::{Line, LinePlace};
 use crate::geometry::separation::Probe;
 use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::math::root::bracketed;
-use crate::normal::strips::{Line, LinePlace};
 
 /// One end of an interval of overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]

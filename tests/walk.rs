@@ -1,0 +1,222 @@
+//! Random walks of a wheel on its rail in steps of 0.1 µm: the element as it starts has no jumps, and kinks of its stiffness are small.
+//!
+//! A walk is made of straight lines from random poses in random directions, along which every coordinate of the wheel changes at an even rate.
+//! Where the force bends between neighbouring steps the step is halved towards the larger part of the change, until a slope has become small
+//! or a jump is left.
+
+mod common;
+mod tolerance;
+
+use std::fmt::Write;
+use std::time::Instant;
+
+use common::random::Random;
+use common::wheel::{pressed, rolling};
+use common::{quantiles, write_report};
+use wheelrail::element::parameters::TangentialModel;
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// Step of the wheel's surface [m].
+const STEP: f64 = 1e-7;
+/// Steps of one line.
+const STEPS: usize = 1000;
+/// Halvings of a step, after which 0.1 µm are rounding of a coordinate.
+const HALVINGS: usize = 24;
+/// Share of what is admitted as a jump from which on the bend between two steps is looked into.
+const SUSPICIOUS: f64 = 0.3;
+/// Least load that a jump refers to [N]: less is no force of a wheel on its rail.
+const LEAST_LOAD: f64 = 1e3;
+/// Distance of the surface of a wheel from its marker, and of the ends of the patch from each other, that turn angles into lengths [m].
+const ARMS: [f64; 2] = [0.46, 0.05];
+const FRICTION: f64 = 0.3;
+
+/// Pairs of wheel and rail.
+const PAIRS: [[&str; 2]; 4] =
+    [["S1002", "60E1"], ["S1002", "54E1"], ["S1002_worn.txt", "60E1"], ["S1002", "60E2"]];
+
+/// What is moved along a line, by how much for each unit of it.
+#[derive(Clone, Copy)]
+struct Line {
+    start: Input,
+    y: f64,
+    z: f64,
+    roll: f64,
+    yaw: f64,
+}
+
+impl Line {
+    fn random(element: &mut Element, random: &mut Random) -> Self {
+        let mut input = rolling(random.within(-8e-3, 9e-3), 20.0);
+        let wheel = &mut input.wheel;
+        (wheel.roll, wheel.yaw) = (random.about(4e-3), random.about(0.012));
+        wheel.velocity[0] *= 1.0 + random.about(3e-3);
+        wheel.velocity[1] = random.about(0.05);
+        input.friction = FRICTION;
+        let depth = 10_f64.powf(random.within(-5.0, -3.85));
+        let start = pressed(element, &input, depth);
+        let [y, z, roll, yaw] = [1.0, 0.3, 0.5, 0.5].map(|most| random.about(most));
+        let sum = y.abs() + z.abs() + roll.abs() + yaw.abs();
+        let [y, z, roll, yaw] = [y, z, roll, yaw].map(|share| share / sum);
+        Self { start, y, z, roll: roll / ARMS[0], yaw: yaw / ARMS[1] }
+    }
+
+    fn at(&self, way: f64) -> Input {
+        let mut input = self.start;
+        let wheel = &mut input.wheel;
+        wheel.position[1] += self.y * way;
+        wheel.position[2] += self.z * way;
+        wheel.roll += self.roll * way;
+        wheel.yaw += self.yaw * way;
+        input
+    }
+}
+
+/// What one line has shown.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    /// Largest jump over its scale, and where it is.
+    jump: f64,
+    at: f64,
+    /// Largest change of the stiffness along the line from step to step, over the stiffness of the contact.
+    kink: f64,
+}
+
+/// Largest difference of two forces over `scale`.
+fn difference(a: [f64; 3], b: [f64; 3], scale: f64) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max) / scale
+}
+
+/// Follows a line; jumps are over `share` of the load, and `most` is what is admitted.
+fn follow(
+    element: &mut Element,
+    line: &Line,
+    share: f64,
+    most: f64,
+    times: &mut Vec<f64>,
+) -> Found {
+    let mut output = Output::default();
+    let mut force = |way: f64, times: Option<&mut Vec<f64>>| {
+        let input = line.at(way);
+        let begin = Instant::now();
+        element.evaluate(&input, &mut output).unwrap();
+        if let Some(times) = times {
+            times.push(begin.elapsed().as_secs_f64());
+        }
+        output.wheel.force
+    };
+    let mut last = [[0.0; 3]; 3];
+    let mut found = Found::default();
+    for k in 0..STEPS {
+        let way = STEP * k as f64;
+        last.rotate_left(1);
+        last[2] = force(way, Some(times));
+        if k < 2 {
+            continue;
+        }
+        let load = last[1][2].abs().max(LEAST_LOAD);
+        let scale = share * load;
+        let [a, b, c] = last;
+        let bend = (0..3).map(|i| (a[i] - 2.0 * b[i] + c[i]).abs()).fold(0.0, f64::max);
+        // A contact is as stiff as its load over a few tenths of a millimetre of overlap.
+        found.kink = found.kink.max(bend / (load * STEP / STIFFNESS_LENGTH));
+        if bend < SUSPICIOUS * most * scale {
+            continue;
+        }
+        let (mut from, mut to) = (way - 2.0 * STEP, way);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (from + to);
+            let [a, b, c] = [from, middle, to].map(|way| force(way, None));
+            if difference(a, b, 1.0) > difference(b, c, 1.0) {
+                to = middle;
+            } else {
+                from = middle;
+            }
+        }
+        let jump = difference(force(from, None), force(to, None), scale);
+        if jump > found.jump {
+            (found.jump, found.at) = (jump, from);
+        }
+    }
+    found
+}
+
+/// Load over normal stiffness of a contact [m]: two thirds of an overlap of a tenth of a millimetre.
+const STIFFNESS_LENGTH: f64 = 7e-5;
+
+/// Walks `lines` lines of each pair with the normal force alone and with creep forces.
+fn walk(lines: usize, seed: u64) {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles");
+    let mut report =
+        String::from("wheel,rail,tangential,largest jump,y_mm,z_mm,roll_mrad,yaw_mrad\n");
+    let (mut jumps, mut kinks) = ([0.0_f64; 2], Vec::new());
+    let mut times = Vec::new();
+    for (pair, [wheel, rail]) in PAIRS.into_iter().enumerate() {
+        for (forces, most) in tolerance::WALK_JUMPS.into_iter().enumerate() {
+            let mut parameters = Parameters::default();
+            parameters.wheel.profile = wheel.into();
+            parameters.rails[0].profile = rail.into();
+            if forces == 0 {
+                parameters.tangential_model = TangentialModel::None;
+            }
+            let mut element =
+                Element::new(&parameters, &Input::default(), &[folder.into()]).unwrap();
+            let mut random = Random::new(seed + pair as u64);
+            for _ in 0..lines {
+                let line = Line::random(&mut element, &mut random);
+                let share = [1.0, FRICTION][forces];
+                let found = follow(&mut element, &line, share, most, &mut times);
+                if forces == 0 {
+                    kinks.push(found.kink);
+                }
+                jumps[forces] = jumps[forces].max(found.jump);
+                if found.jump > most {
+                    let wheel_motion = line.at(found.at).wheel;
+                    let [_, y, z] = wheel_motion.position;
+                    writeln!(
+                        report,
+                        "{wheel},{rail},{:?},{:.2e},{},{},{},{}",
+                        parameters.tangential_model,
+                        found.jump,
+                        1e3 * y,
+                        1e3 * z,
+                        1e3 * wheel_motion.roll,
+                        1e3 * wheel_motion.yaw
+                    )
+                    .unwrap();
+                }
+            }
+        }
+    }
+    times.sort_by(f64::total_cmp);
+    let time = |share: f64| 1e6 * times[((times.len() - 1) as f64 * share) as usize];
+    let [_, most_kinks, worst_kink] = quantiles(kinks);
+    let way = STEP * (STEPS * times.len() / STEPS) as f64;
+    writeln!(
+        report,
+        "way {way:.4} m; jumps at most {:.2e} of the load, {:.2e} of the friction limit; kinks of lines of 0.1 mm: 95 % below {most_kinks:.2e}, worst {worst_kink:.2e}; time [us]: median {:.1}, 99.9 % {:.1}, 99.99 % {:.1}, most {:.1}",
+        jumps[0],
+        jumps[1],
+        time(0.5),
+        time(0.999),
+        time(0.9999),
+        time(1.0)
+    )
+    .unwrap();
+    println!("{report}");
+    write_report("walk.csv", &report);
+    for (jump, most) in jumps.into_iter().zip(tolerance::WALK_JUMPS) {
+        assert!(jump <= most, "{report}");
+    }
+    assert!(most_kinks <= tolerance::WALK_KINKS, "{report}");
+}
+
+#[test]
+fn a_short_walk_has_no_jumps() {
+    walk(3, 1);
+}
+
+#[test]
+#[ignore = "a metre of way, ten million evaluations: for a release build"]
+fn a_long_walk_has_no_jumps() {
+    walk(1250, 100);
+}
