@@ -16,9 +16,12 @@
 //! This is the solver that is to take the place of [`strips`](super::strips), with its lobes, joints and ridges; docs/theory.md tells what it
 //! reaches, and what is missing before it can.
 
+mod columns;
 mod derivative;
+mod elimination;
 mod equations;
 mod grid;
+mod influence;
 mod line;
 mod newton;
 mod overlap;
@@ -30,7 +33,6 @@ pub use line::{OverlapLine, Place};
 
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::normal::strips::influence::Integrals;
 use crate::normal::strips::{FrameLine, Line};
 use crate::normal::{NormalProblem, Strips};
 use grid::Grid;
@@ -58,7 +60,6 @@ pub struct Work {
 /// Solver with its tables and scratch memory; it keeps no result.
 #[derive(Clone, Debug)]
 pub struct GridSolver {
-    integrals: Integrals,
     knots: Knots,
     overlaps: Room<[End; 2]>,
     grid: Grid,
@@ -74,9 +75,8 @@ impl GridSolver {
         let strips = strips.max(LEAST_STRIPS);
         let knots = Knots::new(strips);
         let grid = Grid::new(strips, MOST_OVERLAPS);
-        let newton = Newton::new(strips, &knots, grid.panels.capacity());
+        let newton = Newton::new(strips, &knots, grid.cells.capacity());
         Self {
-            integrals: Integrals::new(),
             knots,
             overlaps: Room::new(MOST_OVERLAPS),
             grid,
@@ -103,7 +103,7 @@ impl GridSolver {
         }
         self.grid.lay(line, &self.overlaps, self.knots.nodes());
         let before = self.newton.steps;
-        let settled = self.newton.solve(&self.grid, &self.integrals, &self.knots);
+        let settled = self.newton.solve(&self.grid, &self.knots);
         let steps = self.newton.steps - before;
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
