@@ -147,7 +147,7 @@ pub(super) fn far_pair<T: Real>([x, y, a, b]: [T; 4], cell: &Cell<T>, length: T)
     let factor = (a * c + b * d).at_least(0.0) * cell.width * INFLUENCE;
     let reach = (length * length + away * away * (16.0 / (PI * PI))).sqrt();
     let moment = factor * cell.width * (1.0 / 6.0) / (away * reach);
-    (Pair { along: x - cell.x, across: cell.distance(away.abs()), factor }, moment)
+    (Pair { along: x - cell.x, across: cell.distance(away.abs(), length), factor }, moment)
 }
 
 /// Cosine of the angle between two normals.

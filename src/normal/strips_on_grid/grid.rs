@@ -282,13 +282,15 @@ impl<T: Real> Grid<T> {
 }
 
 impl<T: Real> Cell<T> {
-    /// Distance at which all of it would have the mean logarithm that it has, were its load constant: the series of
-    /// ½∫_-1^1 ln(1 + r t) dt in the ratio r of half its width to the distance `away` of its middle.
+    /// Distance at which all of it would act as it does at the distance `away` of its middle, were its load constant: near a strip of the half length
+    /// `length` with the mean of the logarithm, ½∫_-1^1 ln(1 + r t) dt by its series in the ratio r of half its width to the distance, far from it
+    /// with that of the reciprocal, which has twice the leading term.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn distance(&self, away: T) -> T {
+    pub fn distance(&self, away: T, length: T) -> T {
         let r = self.width * 0.5 / away;
-        let r2 = r * r;
+        let square = away * away;
+        let r2 = r * r * (square / (square + length * length) + 1.0);
         away * (-(r2 * (r2 * (r2 * SERIES[2] + SERIES[1]) + SERIES[0])) + 1.0)
     }
 }

@@ -146,3 +146,82 @@ fn short_ln(x: f64) -> f64 {
     let [a, b, c] = LOGARITHM;
     exponent * std::f64::consts::LN_2 + 2.0 * f * (((s * c + b) * s + a) * s + 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::logarithm;
+    use approx::assert_relative_eq;
+
+    /// D by the midpoint rule in the angle, the singularity taken out.
+    fn integral(xi: f64, sigma: f64) -> f64 {
+        let n = 4000;
+        let s0 = (1.0 - xi * xi).max(0.0).sqrt();
+        let mut sum = 0.0;
+        for i in 0..n {
+            let angle = (f64::from(i) + 0.5) * std::f64::consts::PI / f64::from(n);
+            let (t, s) = (angle.cos(), angle.sin());
+            sum += (s - s0) * s / ((xi - t).powi(2) + sigma * sigma).sqrt();
+        }
+        sum * std::f64::consts::PI / f64::from(n)
+            + s0 * (((1.0 - xi) / sigma).asinh() + ((1.0 + xi) / sigma).asinh())
+    }
+
+    #[test]
+    fn the_centred_influence_is_its_integral() {
+        for sigma in [0.01, 0.1, 0.5, 1.0, 3.0, 10.0] {
+            let at = centred_at(sigma);
+            assert_relative_eq!(at.d, integral(0.0, sigma), max_relative = 3e-5);
+            // d(a D(σ/a))/da
+            let step = 1e-4;
+            let scaled = |a: f64| a * integral(0.0, sigma / a);
+            let difference = (scaled(1.0 + step) - scaled(1.0 - step)) / (2.0 * step);
+            assert_relative_eq!(at.slope, difference, max_relative = 1e-4);
+        }
+    }
+
+    #[test]
+    fn the_fall_along_a_strip_is_within_its_stated_error() {
+        for xi in [0.3, 0.5, STATION, 0.9, 1.1, 1.5, 3.0] {
+            for sigma in [0.03, 0.1, 0.3, 1.0, 3.0] {
+                let exact = integral(0.0, sigma) - integral(xi, sigma);
+                let fall = centred_at(sigma).d - shifted_at(xi, sigma).d;
+                assert_relative_eq!(fall, exact, max_relative = 1e-3, epsilon = 1e-5);
+            }
+        }
+    }
+
+    #[test]
+    fn both_formulas_agree_on_the_middle_of_a_strip() {
+        for sigma in [1e-6, 1e-3, 0.1, 1.0, 30.0] {
+            let (one, other) = (centred_at(sigma), shifted_at(0.0, sigma));
+            assert_relative_eq!(one.d, other.d, max_relative = 1e-12);
+            assert_relative_eq!(one.slope, other.slope, max_relative = 1e-4, epsilon = 1e-5);
+            assert_relative_eq!(other.along, 0.0);
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_influence() {
+        let step = 1e-5;
+        for (xi, sigma) in
+            [(0.0, 0.2), (0.4, 0.05), (-0.7, 0.5), (0.95, 0.1), (1.3, 0.2), (-4.0, 2.0)]
+        {
+            let at = shifted_at(xi, sigma);
+            let difference = |f: &dyn Fn(f64) -> f64| (f(step) - f(-step)) / (2.0 * step);
+            let along = difference(&|h| shifted_at(xi + h, sigma).d);
+            assert_relative_eq!(at.along, along, max_relative = 1e-4, epsilon = 1e-5);
+            // a D(ξ/a, σ/a)
+            let slope = difference(&|h| (1.0 + h) * shifted_at(xi / (1.0 + h), sigma / (1.0 + h)).d);
+            assert_relative_eq!(at.slope, slope, max_relative = 1e-4, epsilon = 1e-5);
+        }
+    }
+
+    #[test]
+    fn the_short_logarithm_is_within_its_stated_error() {
+        for i in -3000..=0 {
+            let x = 10f64.powf(f64::from(i) / 100.0) * 0.999_876;
+            assert!((short_ln(x) - logarithm::ln(x)).abs() < 3e-10, "ln({x})");
+        }
+    }
+}
