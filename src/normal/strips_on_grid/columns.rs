@@ -1,6 +1,6 @@
 //! What sources do to all nodes, by columns: the part of a Newton step that takes the time, as loops that become vector instructions.
 //!
-//! The rows of a column are the nodes, stations first; what is beyond the last node counts for nothing.
+//! The rows of a column are the nodes; what is beyond the last one counts for nothing.
 
 use super::equations::{Displacement, Fall, Pair, Strip, far_pair};
 use super::grid::Cell;
@@ -29,16 +29,15 @@ pub(super) struct Sources {
     /// Displacements, and their derivatives by the logarithm of the half length of the source.
     value: Vec<f64>,
     by_source: Vec<f64>,
-    /// Falls, and their derivatives by the logarithms of the half lengths of the source and of the station.
+    /// Falls, and their derivatives by the logarithms of the half lengths of the source and of the node.
     fall: Vec<f64>,
     fall_by_source: Vec<f64>,
     fall_by_node: Vec<f64>,
     inverses: Vec<f64>,
     column: usize,
-    stations: usize,
 }
 
-/// Displacements of all nodes, and falls at the stations with their derivatives by the logarithms of the half lengths there.
+/// Displacements and falls, with their derivatives by the logarithms of the half lengths of the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     pub displacement: Vec<f64>,
@@ -91,8 +90,8 @@ impl Sums {
 }
 
 impl Sources {
-    /// Room for `count` sources with columns of `column` rows, of which the first `stations` have falls.
-    pub fn new(count: usize, column: usize, stations: usize) -> Self {
+    /// Room for `count` sources with columns of `column` rows.
+    pub fn new(count: usize, column: usize) -> Self {
         let numbers = |value: f64| vec![value; count * column];
         Self {
             along: numbers(0.0),
@@ -105,7 +104,6 @@ impl Sources {
             fall_by_node: numbers(0.0),
             inverses: vec![0.0; column],
             column,
-            stations,
         }
     }
 
@@ -140,22 +138,14 @@ impl Sources {
     /// What source number `c` does with the half length of `strip`, added to `sums`; nothing where it has no load.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn act(
-        &mut self,
-        c: usize,
-        strip: &Strip,
-        rows: &Rows,
-        is_skewed: bool,
-        sums: &mut Sums,
-    ) {
+    pub fn act(&mut self, c: usize, strip: &Strip, rows: &Rows, is_skewed: bool, sums: &mut Sums) {
         let range = c * self.column..(c + 1) * self.column;
         if strip.load > 0.0 {
             self.inverses.fill(1.0 / strip.half_length);
             self.influence(c, rows, is_skewed);
-            let short = range.start..range.start + self.stations;
-            add(strip.load, &self.value[range], &mut sums.displacement);
-            add(strip.load, &self.fall[short.clone()], &mut sums.fall);
-            add(strip.load, &self.fall_by_node[short], &mut sums.fall_by_node);
+            add(strip.load, &self.value[range.clone()], &mut sums.displacement);
+            add(strip.load, &self.fall[range.clone()], &mut sums.fall);
+            add(strip.load, &self.fall_by_node[range], &mut sums.fall_by_node);
         } else {
             for columns in
                 [&mut self.value, &mut self.by_source, &mut self.fall, &mut self.fall_by_source]
@@ -169,7 +159,6 @@ impl Sources {
     #[inline(always)]
     fn influence(&mut self, c: usize, rows: &Rows, is_skewed: bool) {
         let range = c * self.column..(c + 1) * self.column;
-        let short = range.start..range.start + self.stations;
         let along = if is_skewed { &self.along[range.clone()] } else { &[][..] };
         influences(
             [
@@ -179,11 +168,11 @@ impl Sources {
                 &self.inverses,
                 &rows.lengths,
             ],
-            [&mut self.value[range.clone()], &mut self.by_source[range]],
+            [&mut self.value[range.clone()], &mut self.by_source[range.clone()]],
             [
-                &mut self.fall[short.clone()],
-                &mut self.fall_by_source[short.clone()],
-                &mut self.fall_by_node[short],
+                &mut self.fall[range.clone()],
+                &mut self.fall_by_source[range.clone()],
+                &mut self.fall_by_node[range],
             ],
         );
     }
@@ -208,7 +197,6 @@ impl Sources {
             [by_load, by_shape],
         );
         add(1.0, moments, by_load);
-        let (a, b) = (a.start..a.start + self.stations, b.start..b.start + self.stations);
         combine(
             [&self.fall[a.clone()], &self.fall_by_source[a]],
             [&self.fall[b.clone()], &self.fall_by_source[b]],
@@ -261,23 +249,22 @@ impl Beside {
         );
         sources.influence(c, rows, is_skewed);
         let range = c * sources.column..(c + 1) * sources.column;
-        let short = range.start..range.start + sources.stations;
         let [own_load, own_shape, own_fall, own_fall_shape] = own;
         let [by_load, by_shape, by_fall, by_fall_shape] = &mut others[side];
         let strips = [loads.as_slice(), shares, parts];
         split(
-            [&sources.value[range.clone()], &sources.by_source[range]],
+            [&sources.value[range.clone()], &sources.by_source[range.clone()]],
             strips,
             t,
             [&mut sums.displacement, own_load, own_shape, by_load, by_shape],
         );
         split(
-            [&sources.fall[short.clone()], &sources.fall_by_source[short.clone()]],
+            [&sources.fall[range.clone()], &sources.fall_by_source[range.clone()]],
             strips,
             t,
             [&mut sums.fall, own_fall, own_fall_shape, by_fall, by_fall_shape],
         );
-        add_each(loads, &sources.fall_by_node[short], &mut sums.fall_by_node);
+        add_each(loads, &sources.fall_by_node[range], &mut sums.fall_by_node);
     }
 }
 
@@ -300,8 +287,8 @@ fn pairs(
     }
 }
 
-/// Displacements by sources at distances `along`, unless that is empty, and `across`, times `factors`, and their derivatives; and their falls at the
-/// first nodes, of half lengths `lengths`.
+/// Displacements by sources at distances `along`, unless that is empty, and `across`, times `factors`, and their derivatives; and their falls at
+/// nodes of the half lengths `lengths`.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn influences(
@@ -335,7 +322,6 @@ fn influences(
             (out[0][i], out[1][i]) = (factors[i] * own.value, factors[i] * own.by_source);
         }
         [*value, *by_source] = out;
-        let Some(fall) = fall.get_mut(b) else { continue };
         let lengths = lengths[b];
         let mut out = [[0.0; LANES]; 3];
         if let Some(along) = along {
@@ -355,7 +341,7 @@ fn influences(
                 out[2][i] = factors[i] * at.by_node;
             }
         }
-        [*fall, fall_by_source[b], fall_by_node[b]] = out;
+        [fall[b], fall_by_source[b], fall_by_node[b]] = out;
     }
 }
 
@@ -381,8 +367,7 @@ fn combine(
     [[load_a, shape_a], [load_b, shape_b]]: [[f64; 2]; 2],
     [by_load, by_shape]: [&mut [f64]; 2],
 ) {
-    let [value_a, source_a, value_b, source_b] =
-        [value_a, source_a, value_b, source_b].map(blocks);
+    let [value_a, source_a, value_b, source_b] = [value_a, source_a, value_b, source_b].map(blocks);
     let [by_load, by_shape] = [by_load, by_shape].map(blocks_mut);
     for b in 0..value_a.len() {
         let (values, sources) = ([value_a[b], value_b[b]], [source_a[b], source_b[b]]);

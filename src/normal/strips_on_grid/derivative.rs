@@ -64,11 +64,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         let count = solver.knots.nodes();
         let grid = self.grid.get_or_insert_with(|| Grid::new(count, MOST_OVERLAPS));
         grid.lay(line, &solver.overlaps, count);
-        let size = solver.newton.matrix_at(
-            &solver.grid,
-            &solver.knots,
-            &mut self.matrix,
-        );
+        let size = solver.newton.matrix_at(&solver.grid, &solver.knots, &mut self.matrix);
         if !self.factors.of(&self.matrix, size) {
             return false;
         }

@@ -43,8 +43,7 @@ pub(super) fn solve(
             let (one, others) = four.split_at_mut(2 * stride);
             let ((a, b), (c, d)) = (one.split_at_mut(stride), others.split_at_mut(stride));
             let shares = [a[pivot], b[pivot], c[pivot], d[pivot]];
-            let [a, b, c, d] =
-                [a, b, c, d].map(|column| &mut blocks_mut(column)[from..][..count]);
+            let [a, b, c, d] = [a, b, c, d].map(|column| &mut blocks_mut(column)[from..][..count]);
             for i in 0..count {
                 let factors = factors[i];
                 a[i] = less(a[i], shares[0], factors);
@@ -110,7 +109,12 @@ mod tests {
             }
             assert!(solve(&mut matrix, stride, &pivots, &mut vec![0.0; stride]));
             for j in 0..n {
-                assert_relative_eq!(matrix[n * stride + pivots[j]], x(j), max_relative = 1e-12, epsilon = 1e-13);
+                assert_relative_eq!(
+                    matrix[n * stride + pivots[j]],
+                    x(j),
+                    max_relative = 1e-12,
+                    epsilon = 1e-13
+                );
             }
         }
         assert!(!solve(&mut [0.0; 2 * LANES], LANES, &[0], &mut [0.0; LANES]));

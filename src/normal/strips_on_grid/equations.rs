@@ -37,10 +37,8 @@ const LEAST_LENGTH: f64 = 0.02;
 const MOST_RATIO: f64 = 1e4;
 /// Points of a cell beside a node, from the node over the width of the cell, with their weights: exact for 1, t, ln t and t ln t (Ma, Rokhlin and
 /// Wandzura, SIAM Journal on Numerical Analysis 33 (1996) 971).
-pub(super) const RULE: [[f64; 2]; 2] = [
-    [0.088_296_865_1, 0.298_499_890_0],
-    [0.675_186_490_9, 0.701_500_110_0],
-];
+pub(super) const RULE: [[f64; 2]; 2] =
+    [[0.088_296_865_1, 0.298_499_89], [0.675_186_490_9, 0.701_500_11]];
 /// (2/π²).
 pub(super) const INFLUENCE: f64 = 2.0 / (PI * PI);
 
@@ -161,8 +159,7 @@ pub(super) fn near_pair<T: Real>(nodes: &[Node<T>], i: usize, side: usize, k: us
     let node = &nodes[i];
     let [t, weight] = RULE[k];
     let width = (node.reach[side] - node.y).abs();
-    let turn =
-        node.neighbours[side].map_or(T::from(0.0), |j| (cosine(node, &nodes[j]) - 1.0) * t);
+    let turn = node.neighbours[side].map_or(T::from(0.0), |j| (cosine(node, &nodes[j]) - 1.0) * t);
     Pair {
         along: (node.place.x - node.reach_x[side]) * t,
         across: width * t,
@@ -249,14 +246,6 @@ fn influence<T: Real>(
     (Displacement::of(centre, inverse), fall)
 }
 
-/// Nodes for each station.
-pub(super) const WEIGHT: f64 = 2.0;
-
-/// Every second node is a station, where the fall is compared with that of the wheel: there are fewer knots than nodes.
-pub(super) fn is_station(i: usize) -> bool {
-    i % 2 == 1
-}
-
 impl<T: Real> Cell<T> {
     /// Its strip, with the loads per width and 1/c at the nodes.
     pub fn strip(&self, loads: &[T], slenderness: &[T], least_square: T) -> Strip<T> {
@@ -311,17 +300,15 @@ pub(super) fn residuals<T: Real>(
             for (k, [t, _]) in RULE.into_iter().enumerate() {
                 let between = |a: T, b: T| a + (b - a) * t;
                 let [load, slender] = [between(loads[i], load), between(slenderness[i], slender)];
-                add(
-                    &near_pair(nodes, i, side, k),
-                    &Strip::new(load, slender, scales.least_square),
-                );
+                add(&near_pair(nodes, i, side, k), &Strip::new(load, slender, scales.least_square));
             }
         }
-        out[i] = (displacement + moments - node.place.overlap - scales.gap * (loads[i] - z[i])) / grid.depth;
-        if loads[i] > 0.0 && is_station(i) {
+        out[i] = (displacement + moments - node.place.overlap - scales.gap * (loads[i] - z[i]))
+            / grid.depth;
+        if loads[i] > 0.0 {
             let wanted = wanted_fall(&strips[i], node);
             let error = fallen / wanted - 1.0;
-            let weight = node.width * loads[i] / scales.total * WEIGHT;
+            let weight = node.width * loads[i] / scales.total;
             for (k, share) in knots.of(i) {
                 out[n + k] += weight * error * share;
             }

@@ -1,11 +1,11 @@
 //! One grid over all overlaps: nodes, cells between them, and panels that carry the load.
 //!
 //! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, over all intervals in which the undeformed bodies
-//! overlap: this spreads the error of linear interpolation evenly. The ends of the intervals are nodes without load. Nothing else is
+//! overlap: this spreads the error of linear interpolation evenly. Fewer lie where the overlap is too small to carry load. The ends of the intervals are nodes without load. Nothing else is
 //! known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
 //!
-//! The load per width is linear in a cell: each node has a hat of load over its two cells. From afar a hat acts as if all of it were at the distance
-//! of its mean logarithm; the two cells beside a node act on it from the points of a rule for logarithms.
+//! The load per width is linear in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
+//! middles, with the half length that belongs to the load there.
 
 use super::equations::Scales;
 use super::line::{OverlapLine, Place};
@@ -236,7 +236,16 @@ impl<T: Real> Grid<T> {
         let place = line.at(y, from + (to - from) * share.value());
         let radius = line.section_radius(place.u);
         let (width, reach, reach_x) = (T::from(0.0), [y; 2], [place.x; 2]);
-        self.nodes.push(Node { y, place, radius, width, reach, reach_x, cell: 0, neighbours: [None; 2] });
+        self.nodes.push(Node {
+            y,
+            place,
+            radius,
+            width,
+            reach,
+            reach_x,
+            cell: 0,
+            neighbours: [None; 2],
+        });
     }
 
     /// Links the nodes from number `first` on, which are those of the interval between `ends` at coordinates `bounds`, by cells.

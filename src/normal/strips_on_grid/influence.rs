@@ -212,7 +212,8 @@ mod tests {
             let along = difference(&|h| shifted_at(xi + h, sigma).d);
             assert_relative_eq!(at.along, along, max_relative = 1e-4, epsilon = 1e-5);
             // a D(ξ/a, σ/a)
-            let slope = difference(&|h| (1.0 + h) * shifted_at(xi / (1.0 + h), sigma / (1.0 + h)).d);
+            let slope =
+                difference(&|h| (1.0 + h) * shifted_at(xi / (1.0 + h), sigma / (1.0 + h)).d);
             assert_relative_eq!(at.slope, slope, max_relative = 1e-4, epsilon = 1e-5);
         }
     }

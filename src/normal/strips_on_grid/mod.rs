@@ -76,13 +76,7 @@ impl GridSolver {
         let knots = Knots::new(strips);
         let grid = Grid::new(strips, MOST_OVERLAPS);
         let newton = Newton::new(strips, &knots, grid.cells.capacity());
-        Self {
-            knots,
-            overlaps: Room::new(MOST_OVERLAPS),
-            grid,
-            newton,
-            work: Work::default(),
-        }
+        Self { knots, overlaps: Room::new(MOST_OVERLAPS), grid, newton, work: Work::default() }
     }
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.

@@ -7,7 +7,7 @@ use multiversion::multiversion;
 
 use super::columns::{Beside, LANES, Rows, Sources, Sums, add, scale};
 use super::elimination;
-use super::equations::{Pair, RULE, Scales, Strip, WEIGHT, is_station, near_pair, plus, wanted_fall};
+use super::equations::{Pair, RULE, Scales, Strip, near_pair, plus, wanted_fall};
 use super::grid::Grid;
 use super::shape::Knots;
 
@@ -24,7 +24,7 @@ const NEAR: usize = 2 * RULE.len();
 
 /// Unknowns and memory for as many nodes as the solver was made for.
 ///
-/// Rows are nodes, stations first, and behind them the knots.
+/// Rows are nodes, and behind them the knots.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     /// Unknowns: z at the nodes and χ at the knots.
@@ -38,10 +38,6 @@ pub(super) struct Newton {
     strips: Vec<Strip>,
     /// Strips of the cells.
     cells: Vec<Strip>,
-    /// Row of each node, node of each row, and number of stations.
-    row_of: Vec<usize>,
-    nodes: Vec<usize>,
-    stations: usize,
     rows: Rows,
     is_skewed: bool,
     /// The cells, and the points of the rule beside the nodes.
@@ -51,7 +47,7 @@ pub(super) struct Newton {
     sums: Sums,
     /// Displacements by the moments of cells, per load per width of each node, by columns.
     moments: Vec<f64>,
-    /// First of both knots of each station, and what their equations have of its fall: share of load over the fall that is wanted.
+    /// First of both knots of each node, and what their equations have of its fall: share of load over the fall that is wanted.
     falls: Vec<(usize, [f64; 2])>,
     /// Derivatives of displacements by χ of a node, and of falls by its load per width and χ.
     by_shape: Vec<f64>,
@@ -78,13 +74,6 @@ impl Newton {
         let m = knots.count();
         let column = n.next_multiple_of(LANES);
         let stride = column + m.next_multiple_of(LANES);
-        let (stations, others): (Vec<usize>, Vec<usize>) = (0..n).partition(|&i| is_station(i));
-        let nodes = [stations.as_slice(), &others].concat();
-        let mut row_of = vec![0; n];
-        for (row, &node) in nodes.iter().enumerate() {
-            row_of[node] = row;
-        }
-        let station_rows = stations.len().next_multiple_of(LANES);
         let numbers = |count: usize| vec![0.0; count];
         Self {
             z: numbers(n),
@@ -95,20 +84,17 @@ impl Newton {
             slenderness: numbers(n),
             strips: vec![Strip::default(); n],
             cells: vec![Strip::default(); cells],
-            row_of,
-            nodes,
-            stations: stations.len(),
             rows: Rows::new(column),
             is_skewed: false,
-            far: Sources::new(cells, column, station_rows),
-            near: Sources::new(NEAR, column, station_rows),
+            far: Sources::new(cells, column),
+            near: Sources::new(NEAR, column),
             beside: Beside::new(column),
             sums: Sums::new(column),
             moments: numbers(n * column),
-            falls: vec![(0, [0.0; 2]); stations.len()],
+            falls: vec![(0, [0.0; 2]); n],
             by_shape: numbers(column),
-            fall_by_load: numbers(station_rows),
-            fall_by_shape: numbers(station_rows),
+            fall_by_load: numbers(column),
+            fall_by_shape: numbers(column),
             knot_sums: numbers(stride - column),
             penalty: (0..m * m).map(|i| knots.penalty(i / m, i % m)).collect(),
             matrix: numbers((n + m + 1) * stride),
@@ -154,8 +140,7 @@ impl Newton {
     fn measure(&mut self, grid: &Grid, scales: &Scales) {
         let nodes = &grid.nodes;
         self.is_skewed = grid.is_skewed();
-        for (row, &i) in self.nodes.iter().enumerate() {
-            let node = &nodes[i];
+        for (row, node) in nodes.iter().enumerate() {
             let [a, b] = node.place.tangent;
             for (column, value) in self.rows.places.iter_mut().zip([node.place.x, node.y, a, b]) {
                 column[row] = value;
@@ -168,8 +153,8 @@ impl Newton {
             // The points of the rule take the place of cells beside a node.
             for &i in cell.nodes.iter().flatten() {
                 let nothing = Pair { along: 0.0, across: 1.0, factor: 0.0 };
-                self.far.put(c, self.row_of[i], &nothing);
-                moments[self.row_of[i]] = 0.0;
+                self.far.put(c, i, &nothing);
+                moments[i] = 0.0;
             }
             for (end, sign) in cell.nodes.into_iter().zip([-1.0, 1.0]) {
                 let Some(j) = end else { continue };
@@ -177,9 +162,9 @@ impl Newton {
             }
         }
         for slot in 0..NEAR {
-            for (row, &i) in self.nodes.iter().enumerate() {
+            for i in 0..nodes.len() {
                 let pair = near_pair(nodes, i, slot / RULE.len(), slot % RULE.len());
-                self.near.put(slot, row, &pair);
+                self.near.put(slot, i, &pair);
             }
         }
     }
@@ -214,18 +199,14 @@ impl Newton {
     fn linearise(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         self.place(grid, knots, scales);
         let n = grid.nodes.len();
-        for (row, &i) in self.nodes.iter().enumerate() {
+        for (i, node) in grid.nodes.iter().enumerate() {
             let strip = &self.strips[i];
-            self.rows.lengths[row] = strip.half_length;
-            self.rows.loads[row] = strip.load;
-            self.rows.slenderness[row] = self.slenderness[i];
-        }
-        for (fall, &i) in self.falls.iter_mut().zip(&self.nodes) {
-            let (node, strip) = (&grid.nodes[i], &self.strips[i]);
-            let scale =
-                WEIGHT * node.width * strip.load / (scales.total * wanted_fall(strip, node));
+            self.rows.lengths[i] = strip.half_length;
+            self.rows.loads[i] = strip.load;
+            self.rows.slenderness[i] = self.slenderness[i];
+            let scale = node.width * strip.load / (scales.total * wanted_fall(strip, node));
             let [(k, left), (_, right)] = knots.of(i);
-            *fall = (k, [left * scale, right * scale]);
+            self.falls[i] = (k, [left * scale, right * scale]);
         }
         self.sums.clear();
         self.matrix[n * self.stride..].fill(0.0);
@@ -245,7 +226,7 @@ impl Newton {
     fn gather(&mut self, grid: &Grid, knots: &Knots, j: usize) {
         let (long, stride) = (self.column, self.stride);
         let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
-        let column = &mut matrix[self.row_of[j] * stride..][..stride];
+        let column = &mut matrix[j * stride..][..stride];
         column.fill(0.0);
         let first = grid.nodes[j].cell;
         if self.cells[first].load <= 0.0 && self.cells[first + 1].load <= 0.0 {
@@ -293,13 +274,12 @@ impl Newton {
         self.beside.clear();
         for side in [0, 1] {
             let Beside { other_loads, other_slenderness, .. } = &mut self.beside;
-            for (row, &i) in self.nodes.iter().enumerate() {
+            for (i, node) in grid.nodes.iter().enumerate() {
                 // Beyond the last node χ stays what it is.
-                (other_loads[row], other_slenderness[row]) =
-                    match grid.nodes[i].neighbours[side] {
-                        Some(j) => (self.loads[j], self.slenderness[j]),
-                        None => (0.0, self.slenderness[i]),
-                    };
+                (other_loads[i], other_slenderness[i]) = match node.neighbours[side] {
+                    Some(j) => (self.loads[j], self.slenderness[j]),
+                    None => (0.0, self.slenderness[i]),
+                };
             }
             for (k, [t, _]) in RULE.into_iter().enumerate() {
                 let slot = [side * RULE.len() + k, side];
@@ -310,54 +290,49 @@ impl Newton {
         }
         let (matrix, by_knots) = self.matrix.split_at_mut(n * stride);
         let Beside { own, others: [left, right], .. } = &self.beside;
-        for (row, &i) in self.nodes.iter().enumerate() {
-            let fall = self.falls.get(row);
-            let neighbours = grid.nodes[i].neighbours;
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let (first, [a, b]) = self.falls[i];
+            let neighbours = node.neighbours;
             let ends = [(Some(i), own), (neighbours[0], left), (neighbours[1], right)];
             for (j, [by_load, by_shape, fall_by_load, fall_by_shape]) in ends {
                 if let Some(j) = j.filter(|&j| self.slopes[j] > 0.0) {
-                    let column = &mut matrix[self.row_of[j] * stride..][..stride];
-                    column[row] += self.slopes[j] * by_load[row];
-                    if let Some(&(k, [a, b])) = fall {
-                        let value = self.slopes[j] * fall_by_load[row];
-                        column[long + k] += a * value;
-                        column[long + k + 1] += b * value;
-                    }
+                    let column = &mut matrix[j * stride..][..stride];
+                    column[i] += self.slopes[j] * by_load[i];
+                    let value = self.slopes[j] * fall_by_load[i];
+                    column[long + first] += a * value;
+                    column[long + first + 1] += b * value;
                 }
                 for (k, part) in knots.of(j.unwrap_or(i)) {
                     let column = &mut by_knots[k * stride..][..stride];
-                    column[row] += part * by_shape[row];
-                    if let Some(&(k, [a, b])) = fall {
-                        let value = part * fall_by_shape[row];
-                        column[long + k] += a * value;
-                        column[long + k + 1] += b * value;
-                    }
+                    column[i] += part * by_shape[i];
+                    let value = part * fall_by_shape[i];
+                    column[long + first] += a * value;
+                    column[long + first + 1] += b * value;
                 }
             }
         }
     }
 
-    /// Residuals, what the equations of the knots have from the stations' own half lengths and weights, and the gaps.
+    /// Residuals, what the equations of the knots have from the nodes' own half lengths and weights, and the gaps.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn finish(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         let (n, m, long, stride) = (grid.nodes.len(), self.shape.len(), self.column, self.stride);
         let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
-        for (row, &i) in self.nodes[..self.stations].iter().enumerate() {
-            let (node, own) = (&grid.nodes[i], &self.strips[i]);
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let own = &self.strips[i];
             if own.load <= 0.0 {
                 continue;
             }
-            let (fallen, wanted) = (self.sums.fall[row], wanted_fall(own, node));
+            let (fallen, wanted) = (self.sums.fall[i], wanted_fall(own, node));
             let error = fallen / wanted - 1.0;
-            let weight = WEIGHT * node.width / scales.total;
-            let by_length =
-                weight * own.load * (self.sums.fall_by_node[row] - 2.0 * fallen) / wanted;
+            let weight = node.width / scales.total;
+            let by_length = weight * own.load * (self.sums.fall_by_node[i] - 2.0 * fallen) / wanted;
             let by_load = by_length * own.length_by_load + weight * error;
             let by_shape = -(by_length * own.length_by_load * own.load);
             for (k, share) in knots.of(i) {
                 right[long + k] -= weight * own.load * error * share;
-                matrix[row * stride + long + k] += share * by_load * self.slopes[i];
+                matrix[i * stride + long + k] += share * by_load * self.slopes[i];
                 for (other, part) in knots.of(i) {
                     matrix[(n + other) * stride + long + k] += share * part * by_shape;
                 }
@@ -372,11 +347,10 @@ impl Newton {
             }
             self.weights[k] = column[k].abs();
         }
-        for (row, &i) in self.nodes.iter().enumerate() {
-            let (load, slope) = (self.loads[i], self.slopes[i]);
-            let gap = scales.gap * (load - self.z[i]);
-            right[row] = grid.nodes[i].place.overlap + gap - self.sums.displacement[row];
-            matrix[row * stride + row] -= scales.gap * (slope - 1.0);
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let gap = scales.gap * (self.loads[i] - self.z[i]);
+            right[i] = node.place.overlap + gap - self.sums.displacement[i];
+            matrix[i * stride + i] -= scales.gap * (self.slopes[i] - 1.0);
         }
     }
 
@@ -385,13 +359,12 @@ impl Newton {
         let scales = Scales::new(grid);
         self.linearise(grid, knots, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
-        let columns = || self.row_of.iter().copied().chain(n..n + m);
         matrix.clear();
-        for &row in &self.row_of {
-            matrix.extend(columns().map(|j| self.matrix[j * self.stride + row] / grid.depth));
+        for row in 0..n {
+            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row] / grid.depth));
         }
-        for k in 0..m {
-            matrix.extend(columns().map(|j| self.matrix[j * self.stride + self.column + k]));
+        for row in self.column..self.column + m {
+            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row]));
         }
         n + m
     }
@@ -407,10 +380,10 @@ impl Newton {
         let change = &self.matrix[(n + m) * self.stride..];
         let mut greatest = 0.0f64;
         let most = MOST_CHANGE[0] * scales.load;
-        for (&i, change) in self.nodes.iter().zip(change) {
-            self.z[i] += change.clamp(-most, most);
+        for ((z, slope), change) in self.z.iter_mut().zip(&self.slopes).zip(change) {
+            *z += change.clamp(-most, most);
             // Nodes without load have their gap from all the others.
-            if self.slopes[i] > 0.0 {
+            if *slope > 0.0 {
                 greatest = greatest.max(change.abs() / scales.load);
             }
         }
