@@ -64,12 +64,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         let count = solver.knots.nodes();
         let grid = self.grid.get_or_insert_with(|| Grid::new(count, MOST_OVERLAPS));
         grid.lay(line, &solver.overlaps, count);
-        let size = solver.newton.matrix_at(
-            &solver.grid,
-            &solver.integrals,
-            &solver.knots,
-            &mut self.matrix,
-        );
+        let size = solver.newton.matrix_at(&solver.grid, &solver.knots, &mut self.matrix);
         if !self.factors.of(&self.matrix, size) {
             return false;
         }
@@ -79,7 +74,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
-            residuals(grid, &solver.integrals, &solver.knots, z, shape, &mut self.residuals);
+            residuals(grid, &solver.knots, z, shape, &mut self.residuals);
             let mut worst = 0.0f64;
             for direction in 0..N {
                 self.right.clear();

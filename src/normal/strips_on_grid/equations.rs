@@ -8,23 +8,26 @@
 //! ```
 //!
 //! so that the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map: Robinson, Mathematics of Operations Research 17
-//! (1992) 691). A panel with the load per width l, the half length a, a² = 2 l/(π c), and the width h displaces the node at a distance d by
+//! (1992) 691). A source with the load per width l, the half length a, a² = 2 l/(π c), and the width h displaces a node at the distance d by
 //!
 //! ```text
 //! u = (2/π²) h l D(d/a)/a     in units of E*, both bodies together
 //! ```
+//!
+//! Sources are the points of [`RULE`] in the two cells beside the node, and the middles of all other cells. The slope of the load in these acts by its
+//! moment, with the half length of the ellipse.
 
 use std::f64::consts::PI;
 
-use super::grid::{Grid, Node, Panel};
-use super::influence::{Integrals, STATION, shifted_at};
+use super::grid::{Cell, Grid, Node};
+use super::influence::{Influence, STATION, centred_at, shifted_at};
 use super::shape::Knots;
 use crate::math::real::Real;
 use crate::normal::hertz;
 
 /// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: narrower corners take
 /// Newton's method more steps and change nothing else.
-const CORNER: f64 = 0.05;
+const CORNER: f64 = 0.02;
 /// Scale κ of what z is below zero: gap over depth for z over the load per width in the middle. Of the order of the influence of a
 /// node on itself, so that one step leads over the corner from either side.
 const GAP_SCALE: f64 = 0.3;
@@ -32,6 +35,10 @@ const GAP_SCALE: f64 = 0.3;
 const LEAST_LENGTH: f64 = 0.02;
 /// Range of the ratio of the curvatures of the ellipse.
 const MOST_RATIO: f64 = 1e4;
+/// Points of a cell beside a node, from the node over the width of the cell, with their weights: exact for 1, t, ln t and t ln t (Ma, Rokhlin and
+/// Wandzura, SIAM Journal on Numerical Analysis 33 (1996) 971).
+pub(super) const RULE: [[f64; 2]; 2] =
+    [[0.088_296_865_1, 0.298_499_89], [0.675_186_490_9, 0.701_500_11]];
 /// (2/π²).
 pub(super) const INFLUENCE: f64 = 2.0 / (PI * PI);
 
@@ -40,6 +47,8 @@ pub(super) const INFLUENCE: f64 = 2.0 / (PI * PI);
 pub(super) struct Scales<T = f64> {
     /// Load per width in its middle [m].
     pub load: T,
+    /// Its semi-axis along [m].
+    pub length: T,
     /// χ = ln of its pressure over half length [ln 1/m].
     pub shape: T,
     /// Overlap at its ends over that in the middle [-].
@@ -65,6 +74,7 @@ impl<T: Real> Scales<T> {
         let load = ellipse.max_pressure * a * (0.5 * PI);
         Self {
             load,
+            length: a,
             shape: (ellipse.max_pressure / a).ln(),
             level: -(across * b * b / grid.depth) + 1.0,
             corner: load * CORNER,
@@ -100,8 +110,9 @@ pub(super) struct Strip<T = f64> {
 }
 
 impl<T: Real> Strip<T> {
-    pub fn new(load: T, shape: T, least_square: T) -> Self {
-        let by_load = (-shape).exp() * (1.0 / PI);
+    /// From its load per width and half length over pressure, 1/c [m].
+    pub fn new(load: T, slenderness: T, least_square: T) -> Self {
+        let by_load = slenderness * (1.0 / PI);
         let square = load * by_load * 2.0 + least_square;
         Self { load, half_length: square.sqrt(), length_by_load: by_load / square }
     }
@@ -112,64 +123,78 @@ pub(super) fn wanted_fall<T: Real>(strip: &Strip<T>, node: &Node<T>) -> T {
     strip.half_length * strip.half_length * (0.5 * STATION * STATION) / node.radius
 }
 
-/// Influence of a panel on a node per load per width: (2/π²) h cos of the angle between their normals.
-pub(super) fn factor<T: Real>(node: &Node<T>, panel: &Panel<T>) -> T {
-    let ([a, b], [c, d]) = (node.place.tangent, panel.tangent);
-    (a * c + b * d).at_least(0.0) * panel.width * INFLUENCE
+/// Where a source is, from a node, and how much it counts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair<T = f64> {
+    /// Distances along and across [m].
+    pub along: T,
+    pub across: T,
+    /// Influence per load per width: (2/π²) h cos of the angle between their normals [m].
+    pub factor: T,
 }
 
-/// Displacement of a node by a panel per (2/π²) h and load per width, and its derivative by the logarithm of the half length of the panel.
+/// A `cell` beside which the node (x, y, tangent) is not, as that sees it; and the displacement by the slope of the load in the cell, per difference of its
+/// loads per width: its moment times the derivative of the influence.
+///
+/// The latter is that of a cell of the half length `length`, as -σ ∂D/∂σ = 2/sqrt(1 + (4 σ/π)²): right at both ends and 2 % off between them.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn far_pair<T: Real>([x, y, a, b]: [T; 4], cell: &Cell<T>, length: T) -> (Pair<T>, T) {
+    let away = y - cell.y;
+    let [c, d] = cell.tangent;
+    let factor = (a * c + b * d).at_least(0.0) * cell.width * INFLUENCE;
+    let reach = (length * length + away * away * (16.0 / (PI * PI))).sqrt();
+    let moment = factor * cell.width * (1.0 / 6.0) / (away * reach);
+    (Pair { along: x - cell.x, across: cell.distance(away.abs(), length), factor }, moment)
+}
+
+/// Cosine of the angle between two normals.
+fn cosine<T: Real>(one: &Node<T>, other: &Node<T>) -> T {
+    let ([a, b], [c, d]) = (one.place.tangent, other.place.tangent);
+    a * c + b * d
+}
+
+/// Point number `k` of the rule on a side of node `i`.
+pub(super) fn near_pair<T: Real>(nodes: &[Node<T>], i: usize, side: usize, k: usize) -> Pair<T> {
+    let node = &nodes[i];
+    let [t, weight] = RULE[k];
+    let width = (node.reach[side] - node.y).abs();
+    let turn = node.neighbours[side].map_or(T::from(0.0), |j| (cosine(node, &nodes[j]) - 1.0) * t);
+    Pair {
+        along: (node.place.x - node.reach_x[side]) * t,
+        across: width * t,
+        factor: (turn + 1.0).at_least(0.0) * width * (weight * INFLUENCE),
+    }
+}
+
+/// Displacement of a node by a source per factor and load per width, and its derivative by the logarithm of the half length of the source.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Displacement<T = f64> {
     pub value: T,
-    pub by_panel: T,
+    pub by_source: T,
 }
 
-/// How much less that is at the station of the node's own half length, and its derivatives by the logarithms of the half lengths of the panel and of
+/// How much less that is at the station of the node's own half length, and its derivatives by the logarithms of the half lengths of the source and of
 /// the node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fall<T = f64> {
     pub value: T,
-    pub by_panel: T,
+    pub by_source: T,
     pub by_node: T,
 }
 
-/// Both for a panel of half length `a` that ends at the node, whose half length is `length`: the mean over its width.
-pub(super) fn touching<T: Real>(
-    integrals: &Integrals,
-    panel: &Panel<T>,
-    a: T,
-    length: T,
-) -> (Displacement<T>, Fall<T>) {
-    let inverse = T::from(1.0) / a;
-    let sigma = panel.width * inverse;
-    let [[displacement, d], [fall, w]] = integrals.at(sigma);
-    let ratio = length * inverse;
-    // The fall goes with the square of the station.
-    let square = ratio * ratio * inverse;
-    let mean = fall / sigma;
-    (
-        Displacement { value: displacement / sigma * inverse, by_panel: -(d * inverse) },
-        Fall {
-            value: square * mean,
-            by_panel: -(square * (mean * 2.0 + w)),
-            by_node: square * mean * 2.0,
-        },
-    )
-}
-
 impl<T: Real> Displacement<T> {
-    /// From the influence `d` of a panel of half length 1/`inverse`, and `slope`, d(a D)/da.
+    /// From the influence of a source of half length 1/`inverse`.
     // Inside each instruction set or not at all: a call would not be vectorised.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn of(d: T, slope: T, inverse: T) -> Self {
-        Self { value: d * inverse, by_panel: (slope - d * 2.0) * inverse }
+    pub fn of([d, slope]: [T; 2], inverse: T) -> Self {
+        Self { value: d * inverse, by_source: (slope - d * 2.0) * inverse }
     }
 }
 
 impl<T: Real> Fall<T> {
-    /// From the influence `centre`, D and d(a D)/da, of a panel of half length 1/`inverse` at distances `along` and `across` for a node of half
+    /// From the influence `centre`, D and d(a D)/da, of a source of half length 1/`inverse` at distances `along` and `across` for a node of half
     /// length `length`: the mean of the falls to both stations.
     #[allow(clippy::inline_always)]
     #[inline(always)]
@@ -186,8 +211,8 @@ impl<T: Real> Fall<T> {
     #[inline(always)]
     pub fn straight(centre: [T; 2], across: T, inverse: T, length: T) -> Self {
         let (sigma, station) = (across * inverse, length * inverse * STATION);
-        let at = shifted_at(station, sigma);
-        Self::of(centre, [at.d, at.slope], at.along * station, inverse)
+        let Influence { d, slope, along } = shifted_at(station, sigma);
+        Self::of(centre, [d, slope], along * station, inverse)
     }
 
     #[allow(clippy::inline_always)]
@@ -196,62 +221,92 @@ impl<T: Real> Fall<T> {
         let [d, slope] = [centre[0] - at[0], centre[1] - at[1]];
         Self {
             value: d * inverse,
-            by_panel: (slope - d * 2.0) * inverse,
+            by_source: (slope - d * 2.0) * inverse,
             by_node: -(pull * inverse),
         }
+    }
+}
+
+/// Both of them for a `pair`.
+fn influence<T: Real>(
+    pair: &Pair<T>,
+    half_length: T,
+    length: T,
+    is_skewed: bool,
+) -> (Displacement<T>, Fall<T>) {
+    let inverse = T::from(1.0) / half_length;
+    let (xi, sigma) = (pair.along * inverse, pair.across * inverse);
+    let at = if is_skewed { shifted_at(xi, sigma) } else { centred_at(sigma) };
+    let centre = [at.d, at.slope];
+    let fall = if is_skewed {
+        Fall::shifted(centre, pair.along, pair.across, inverse, length)
+    } else {
+        Fall::straight(centre, pair.across, inverse, length)
+    };
+    (Displacement::of(centre, inverse), fall)
+}
+
+impl<T: Real> Cell<T> {
+    /// Its strip, with the loads per width and 1/c at the nodes.
+    pub fn strip(&self, loads: &[T], slenderness: &[T], least_square: T) -> Strip<T> {
+        let [a, b] = self.nodes.map(|node| node.map_or(T::from(0.0), |j| loads[j]));
+        // Beyond the last node the ratio stays what it is.
+        let slender: T = self.nodes.iter().flatten().map(|&j| slenderness[j]).sum();
+        let count = self.nodes.iter().flatten().count();
+        Strip::new((a + b) * 0.5, slender / count.max(1) as f64, least_square)
     }
 }
 
 /// The residuals of all equations at `z` and `shape`, nodes first; with derivatives where the numbers have them.
 pub(super) fn residuals<T: Real>(
     grid: &Grid<T>,
-    integrals: &Integrals,
     knots: &Knots,
     z: &[T],
     shape: &[T],
     out: &mut Vec<T>,
 ) {
     let scales = Scales::new(grid);
-    let n = grid.nodes.len();
+    let nodes = &grid.nodes;
+    let n = nodes.len();
     let zero = T::from(0.0);
+    let is_skewed = T::HAS_SLOPES || grid.is_skewed();
     let loads: Vec<T> = z.iter().map(|&z| plus(z, scales.corner)[0]).collect();
-    let shapes: Vec<T> = (0..n).map(|i| knots.value(i, shape)).collect();
-    let strips: Vec<Option<Strip<T>>> = grid
-        .panels
-        .iter()
-        .map(|panel| {
-            let load = panel.sum(panel.shares, &loads);
-            let shape = panel.sum(panel.shape_shares, &shapes);
-            (load > 0.0 && panel.width > 0.0).then(|| Strip::new(load, shape, scales.least_square))
-        })
-        .collect();
+    let slenderness: Vec<T> = (0..n).map(|i| (-knots.value(i, shape)).exp()).collect();
+    let strips: Vec<Strip<T>> =
+        (0..n).map(|i| Strip::new(loads[i], slenderness[i], scales.least_square)).collect();
     out.clear();
     out.resize(n + knots.count(), zero);
-    for (i, node) in grid.nodes.iter().enumerate() {
-        let own = Strip::new(loads[i], shapes[i], scales.least_square);
-        let (mut displacement, mut fallen) = (zero, zero);
-        for (panel, strip) in grid.panels.iter().zip(&strips) {
-            let Some(strip) = strip else { continue };
-            let (a, length) = (strip.half_length, own.half_length);
-            let (own, fall) = if panel.touches == Some(i) {
-                touching(integrals, panel, a, length)
-            } else {
-                let inverse = T::from(1.0) / a;
-                let (along, across) = (node.place.x - panel.x, panel.distance(node.y));
-                let at = shifted_at(along * inverse, across * inverse);
-                let centre = [at.d, at.slope];
-                (
-                    Displacement::of(at.d, at.slope, inverse),
-                    Fall::shifted(centre, along, across, inverse, length),
-                )
-            };
-            let load = factor(node, panel) * strip.load;
-            displacement += load * own.value;
-            fallen += load * fall.value;
+    for (i, node) in nodes.iter().enumerate() {
+        let length = strips[i].half_length;
+        let (mut displacement, mut fallen, mut moments) = (zero, zero, zero);
+        let mut add = |pair: &Pair<T>, strip: &Strip<T>| {
+            if strip.load > 0.0 {
+                let (own, fall) = influence(pair, strip.half_length, length, is_skewed);
+                displacement += pair.factor * strip.load * own.value;
+                fallen += pair.factor * strip.load * fall.value;
+            }
+        };
+        let [c, d] = node.place.tangent;
+        for cell in grid.cells.iter().filter(|cell| !cell.nodes.contains(&Some(i))) {
+            let (pair, moment) = far_pair([node.place.x, node.y, c, d], cell, scales.length);
+            let [a, b] = cell.nodes.map(|node| node.map_or(zero, |j| loads[j]));
+            moments += moment * (b - a);
+            add(&pair, &cell.strip(&loads, &slenderness, scales.least_square));
         }
-        out[i] = (displacement - node.place.overlap - scales.gap * (loads[i] - z[i])) / grid.depth;
+        for side in [0, 1] {
+            let beside = node.neighbours[side];
+            let [load, slender] =
+                beside.map_or([zero, slenderness[i]], |j| [loads[j], slenderness[j]]);
+            for (k, [t, _]) in RULE.into_iter().enumerate() {
+                let between = |a: T, b: T| a + (b - a) * t;
+                let [load, slender] = [between(loads[i], load), between(slenderness[i], slender)];
+                add(&near_pair(nodes, i, side, k), &Strip::new(load, slender, scales.least_square));
+            }
+        }
+        out[i] = (displacement + moments - node.place.overlap - scales.gap * (loads[i] - z[i]))
+            / grid.depth;
         if loads[i] > 0.0 {
-            let wanted = wanted_fall(&own, node);
+            let wanted = wanted_fall(&strips[i], node);
             let error = fallen / wanted - 1.0;
             let weight = node.width * loads[i] / scales.total;
             for (k, share) in knots.of(i) {

@@ -1,12 +1,13 @@
 //! One grid over all overlaps: nodes, cells between them, and panels that carry the load.
 //!
 //! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, over all intervals in which the undeformed bodies
-//! overlap: this spreads the error of linear interpolation evenly. The ends of the intervals are nodes without load. Nothing else is
+//! overlap: this spreads the error of linear interpolation evenly. Fewer lie where the overlap is too small to carry load. The ends of the intervals are nodes without load. Nothing else is
 //! known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
 //!
-//! Each cell has two panels of equal width. The load per width is linear in a cell, and a panel has that of its middle, with the half
-//! length that belongs to it.
+//! The load per width is linear in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
+//! middles, with the half length that belongs to the load there.
 
+use super::equations::Scales;
 use super::line::{OverlapLine, Place};
 use super::overlap::End;
 use crate::math::real::Real;
@@ -24,10 +25,21 @@ const GAUSS: [(f64, f64); 5] = [
     (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
-/// Panels of a cell: where their middles are, share of the cell.
-const MIDDLES: [f64; 2] = [0.25, 0.75];
 /// Depth of a parabola over the mean of its overlap, weighted by the overlap.
 const DEPTH_OVER_MEAN: f64 = 1.25;
+
+/// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
+const UNLOADED: f64 = 0.4;
+/// Least overlap over the depth where nodes are laid by it.
+const LEAST_OVERLAP: f64 = 1e-3;
+
+/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of the contact region being near `level`: fewer where no
+/// load is to be expected.
+fn density<T: Real>(overlap: T, level: T) -> T {
+    let beyond = level / overlap * UNLOADED;
+    let square = beyond * beyond;
+    T::from(1.0) / (square * square + 1.0)
+}
 
 /// A node: one unknown load per width.
 #[derive(Clone, Copy, Debug)]
@@ -39,36 +51,33 @@ pub(super) struct Node<T = f64> {
     pub radius: T,
     /// Width that its load per width counts with: half of both cells [m].
     pub width: T,
-    /// Coordinates of the other ends of its cells [m].
+    /// Coordinates of the other ends of its cells, across and along [m].
     pub reach: [T; 2],
+    pub reach_x: [T; 2],
+    /// Number of the cell before it; the one behind it follows.
+    pub cell: usize,
     /// The nodes there; nothing where the overlap ends.
     pub neighbours: [Option<usize>; 2],
 }
 
-/// Half of a cell, which carries load.
+/// The load between two nodes, or between a node and the end of an overlap.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Panel<T = f64> {
-    /// Nodes on both sides of its cell; twice the same where the overlap ends on one side.
-    pub nodes: [usize; 2],
-    /// Their shares in its load per width, and in the logarithm of its pressure over half length.
-    pub shares: [f64; 2],
-    pub shape_shares: [f64; 2],
-    /// The node at its end, if there is one.
-    pub touches: Option<usize>,
-    /// Middle and width across [m].
-    pub middle: T,
-    pub width: T,
-    /// Place along the track [m].
+pub(super) struct Cell<T = f64> {
+    /// Nodes on both sides.
+    pub nodes: [Option<usize>; 2],
+    /// Middle across and along, and width [m].
+    pub y: T,
     pub x: T,
+    pub width: T,
     /// Unit tangent (y, z) across.
     pub tangent: [T; 2],
 }
 
-/// Nodes and panels of one problem.
+/// Nodes and cells of one problem.
 #[derive(Clone, Debug)]
 pub(super) struct Grid<T = f64> {
     pub nodes: Room<Node<T>>,
-    pub panels: Room<Panel<T>>,
+    pub cells: Room<Cell<T>>,
     /// Depth of the overlap: that of the parabola with the same mean overlap, weighted by itself [m].
     pub depth: T,
     /// Integral of the overlap over the coordinate across [m²].
@@ -90,6 +99,8 @@ struct Sample<T> {
     parameters: [f64; 2],
     /// Square of the curvature of the overlap [1/m²].
     curvature2: T,
+    /// Overlap in its middle [m].
+    overlap: T,
 }
 
 impl<T: Real> Grid<T> {
@@ -98,7 +109,7 @@ impl<T: Real> Grid<T> {
         let zero = T::from(0.0);
         Self {
             nodes: Room::new(nodes),
-            panels: Room::new(MIDDLES.len() * (nodes + intervals)),
+            cells: Room::new(nodes + intervals),
             depth: zero,
             area: zero,
             radius: zero,
@@ -109,8 +120,13 @@ impl<T: Real> Grid<T> {
     /// Lays `count` nodes over the intervals of overlap between `ends`, of which there is at least one.
     pub fn lay(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]], count: usize) {
         self.sample(line, ends);
+        let level = Scales::new(self).level;
+        let depth = self.depth;
         let measure = |sample: &Sample<T>, least: T| {
-            sample.step * (sample.curvature2 + least * least).sqrt().sqrt()
+            let overlap = (sample.overlap / depth).at_least(LEAST_OVERLAP);
+            sample.step
+                * (sample.curvature2 + least * least).sqrt().sqrt()
+                * density(overlap, level)
         };
         let width: T = self.samples.iter().map(|s| s.step).sum();
         // Where the bodies are parallel there is no curvature to go by.
@@ -118,7 +134,7 @@ impl<T: Real> Grid<T> {
         let total: T = self.samples.iter().map(|s| measure(s, least)).sum();
         let share = total / (count + 1) as f64;
         self.nodes.clear();
-        self.panels.clear();
+        self.cells.clear();
         let mut passed = T::from(0.0);
         let mut next = 0;
         for (interval, pair) in ends.iter().enumerate() {
@@ -149,18 +165,13 @@ impl<T: Real> Grid<T> {
             let bounds = [self.samples[begin].y, last.y + last.step];
             self.link(line, pair, bounds, first);
         }
-        let weigh = |of: fn(&Node<T>) -> T| -> T {
-            self.nodes.iter().map(|n| n.width * n.place.overlap.at_least(0.0) * of(n)).sum()
-        };
-        let all = weigh(|_| T::from(1.0));
-        self.radius = if all > 0.0 { weigh(|n| n.radius) / all } else { self.nodes[0].radius };
     }
 
     /// Takes the curvatures of all intervals, their depth and their area.
     fn sample(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) {
         self.samples.clear();
         let zero = T::from(0.0);
-        let (mut area, mut squares) = (zero, zero);
+        let (mut area, mut squares, mut radii) = (zero, zero, zero);
         for (interval, pair) in ends.iter().enumerate() {
             let [left, right] = [pair[0].moving(line), pair[1].moving(line)];
             let rate = (pair[1].u - pair[0].u) / (pair[1].y - pair[0].y);
@@ -168,9 +179,11 @@ impl<T: Real> Grid<T> {
             let half = (right - left) * 0.5;
             for (node, weight) in GAUSS {
                 let y = left + half * (node + 1.0);
-                let overlap = line.at(y, parameter(y.value())).overlap;
-                area += half * overlap * weight;
-                squares += half * overlap * overlap * weight;
+                let place = line.at(y, parameter(y.value()));
+                let share = half * place.overlap * weight;
+                area += share;
+                squares += share * place.overlap;
+                radii += share * line.section_radius(place.u);
             }
             let (first, last) =
                 ((left.value() / LATTICE).floor(), (right.value() / LATTICE).ceil());
@@ -188,21 +201,32 @@ impl<T: Real> Grid<T> {
                 let bend = |a: T, b: T, c: T| (a - b * 2.0 + c) / (LATTICE * LATTICE);
                 let [a, b, c, d] = around;
                 let (before, after) = (bend(a, b, c), bend(b, c, d));
+                // In its middle, by the parabola of the mean bend.
+                let t = ((from + to) * 0.5 - begin) / LATTICE;
+                let sag = t * (-t + 1.0) * (before + after) * (LATTICE * LATTICE / 4.0);
+                let overlap = b + (c - b) * t - sag;
                 self.samples.push(Sample {
                     interval,
                     y: from,
                     step: to - from,
                     parameters: [parameter(from.value()), parameter(to.value())],
                     curvature2: (before * before + after * after) * 0.5,
+                    overlap,
                 });
             }
         }
         self.area = area;
+        self.radius = radii / area;
         self.depth = squares / area * DEPTH_OVER_MEAN;
     }
 
     fn has_room(&self) -> bool {
         self.samples.len() < self.samples.capacity()
+    }
+
+    /// Whether nodes are ahead of each other.
+    pub fn is_skewed(&self) -> bool {
+        self.nodes.iter().any(|node| node.place.x != self.nodes[0].place.x)
     }
 
     /// Adds the node at a `share` of the way through `sample`.
@@ -211,8 +235,17 @@ impl<T: Real> Grid<T> {
         let [from, to] = sample.parameters;
         let place = line.at(y, from + (to - from) * share.value());
         let radius = line.section_radius(place.u);
-        let (width, reach) = (T::from(0.0), [y; 2]);
-        self.nodes.push(Node { y, place, radius, width, reach, neighbours: [None; 2] });
+        let (width, reach, reach_x) = (T::from(0.0), [y; 2], [place.x; 2]);
+        self.nodes.push(Node {
+            y,
+            place,
+            radius,
+            width,
+            reach,
+            reach_x,
+            cell: 0,
+            neighbours: [None; 2],
+        });
     }
 
     /// Links the nodes from number `first` on, which are those of the interval between `ends` at coordinates `bounds`, by cells.
@@ -237,53 +270,36 @@ impl<T: Real> Grid<T> {
             let width = at[1] - at[0];
             for side in [0, 1] {
                 let Some(k) = nodes[side] else { continue };
+                if side == 1 {
+                    self.nodes[k].cell = self.cells.len();
+                }
                 self.nodes[k].width += width * 0.5;
                 self.nodes[k].reach[1 - side] = at[1 - side];
+                self.nodes[k].reach_x[1 - side] = places[1 - side].x;
                 self.nodes[k].neighbours[1 - side] = nodes[1 - side];
             }
-            for (half, t) in MIDDLES.into_iter().enumerate() {
-                let shares = [1.0 - t, t];
-                let is_node = nodes.map(|node| f64::from(u8::from(node.is_some())));
-                let between = |a: T, b: T| a + (b - a) * t;
-                let tangent = [0, 1].map(|i| between(places[0].tangent[i], places[1].tangent[i]));
-                let known = nodes[0].or(nodes[1]).unwrap_or(first);
-                self.panels.push(Panel {
-                    nodes: [nodes[0].unwrap_or(known), nodes[1].unwrap_or(known)],
-                    shares: [shares[0] * is_node[0], shares[1] * is_node[1]],
-                    // Beyond the last node the ratio stays what it is.
-                    shape_shares: match nodes {
-                        [Some(_), Some(_)] => shares,
-                        _ => is_node,
-                    },
-                    touches: nodes[half],
-                    middle: between(at[0], at[1]),
-                    width: width * 0.5,
-                    x: between(places[0].x, places[1].x),
-                    tangent,
-                });
-            }
+            let middle = |a: T, b: T| (a + b) * 0.5;
+            self.cells.push(Cell {
+                nodes,
+                y: middle(at[0], at[1]),
+                x: middle(places[0].x, places[1].x),
+                width,
+                tangent: [0, 1].map(|i| middle(places[0].tangent[i], places[1].tangent[i])),
+            });
         }
     }
 }
 
-impl<T: Real> Panel<T> {
-    /// Weighted sum of a quantity of its nodes.
-    pub fn sum<V: Real>(&self, shares: [f64; 2], of: &[V]) -> V {
-        of[self.nodes[0]] * shares[0] + of[self.nodes[1]] * shares[1]
-    }
-
-    /// Its nodes with their shares in its load per width and in χ.
-    pub fn weights(&self) -> [(usize, [f64; 2]); 2] {
-        [0, 1].map(|side| (self.nodes[side], [self.shares[side], self.shape_shares[side]]))
-    }
-
-    /// Distance across from a node at `y` at which all of the panel would have the mean logarithm that it has: the series of
-    /// ½∫_-1^1 ln(1 + r t) dt in the ratio r of half its width to the distance of its middle, which is at most one third.
-    #[inline]
-    pub fn distance(&self, y: T) -> T {
-        let away = (y - self.middle).abs();
+impl<T: Real> Cell<T> {
+    /// Distance at which all of it would act as it does at the distance `away` of its middle, were its load constant: near a strip of the half length
+    /// `length` with the mean of the logarithm, ½∫_-1^1 ln(1 + r t) dt by its series in the ratio r of half its width to the distance, far from it
+    /// with that of the reciprocal, which has twice the leading term.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn distance(&self, away: T, length: T) -> T {
         let r = self.width * 0.5 / away;
-        let r2 = r * r;
+        let square = away * away;
+        let r2 = r * r * (square / (square + length * length) + 1.0);
         away * (-(r2 * (r2 * (r2 * SERIES[2] + SERIES[1]) + SERIES[0])) + 1.0)
     }
 }

@@ -16,7 +16,9 @@
 //! This is the solver that is to take the place of [`strips`](super::strips), with its lobes, joints and ridges; docs/theory.md tells what it
 //! reaches, and what is missing before it can.
 
+mod columns;
 mod derivative;
+mod elimination;
 mod equations;
 mod grid;
 mod influence;
@@ -34,7 +36,6 @@ use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
 use crate::normal::{NormalProblem, Strips};
 use grid::Grid;
-use influence::Integrals;
 use line::FrameLine;
 use newton::Newton;
 use overlap::{End, MOST_OVERLAPS};
@@ -60,7 +61,6 @@ pub struct Work {
 /// Solver with its tables and scratch memory; it keeps no result.
 #[derive(Clone, Debug)]
 pub struct GridSolver {
-    integrals: Integrals,
     knots: Knots,
     overlaps: Room<[End; 2]>,
     grid: Grid,
@@ -76,15 +76,8 @@ impl GridSolver {
         let strips = strips.max(LEAST_STRIPS);
         let knots = Knots::new(strips);
         let grid = Grid::new(strips, MOST_OVERLAPS);
-        let newton = Newton::new(strips, &knots, grid.panels.capacity());
-        Self {
-            integrals: Integrals::new(),
-            knots,
-            overlaps: Room::new(MOST_OVERLAPS),
-            grid,
-            newton,
-            work: Work::default(),
-        }
+        let newton = Newton::new(strips, &knots, grid.cells.capacity());
+        Self { knots, overlaps: Room::new(MOST_OVERLAPS), grid, newton, work: Work::default() }
     }
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
@@ -105,7 +98,7 @@ impl GridSolver {
         }
         self.grid.lay(line, &self.overlaps, self.knots.nodes());
         let before = self.newton.steps;
-        let settled = self.newton.solve(&self.grid, &self.integrals, &self.knots);
+        let settled = self.newton.solve(&self.grid, &self.knots);
         let steps = self.newton.steps - before;
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);

@@ -3,121 +3,124 @@
 //! All unknowns take one step with the exact derivative, and each component of it is bounded by itself. Every step is a continuous map of the
 //! pose, whichever nodes carry load: there is nothing to be decided on the way, and nothing is tried again.
 
-use std::ops::Range;
-
 use multiversion::multiversion;
 
-use super::equations::{Displacement, Fall, Scales, Strip, factor, plus, touching, wanted_fall};
+use super::columns::{Beside, LANES, Rows, Sources, Sums, add, scale};
+use super::elimination;
+use super::equations::{Pair, RULE, Scales, Strip, near_pair, plus, wanted_fall};
 use super::grid::Grid;
-use super::influence::{Integrals, centred_at, shifted_at};
 use super::shape::Knots;
-use crate::math::linear_system::{room, solve_by_columns, stride};
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
-const LAST_CHANGE: f64 = 1e-5;
+const LAST_CHANGE: f64 = 1e-4;
 /// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: more than the whole way to a solution, and less than
 /// where an exponential has left what its derivative tells.
 const MOST_CHANGE: [f64; 2] = [1.5, 0.5];
+/// Sources beside a node: the points of the rule on both sides.
+const NEAR: usize = 2 * RULE.len();
 
 /// Unknowns and memory for as many nodes as the solver was made for.
+///
+/// Rows are nodes, and behind them the knots.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
+    /// Unknowns: z at the nodes and χ at the knots.
     pub z: Vec<f64>,
     pub shape: Vec<f64>,
-    /// Load per width at the nodes, its derivative by z, and χ there.
+    /// Load per width at the nodes, its derivative by z, χ and 1/c there, and their strips.
     pub loads: Vec<f64>,
     slopes: Vec<f64>,
     pub shapes: Vec<f64>,
+    slenderness: Vec<f64>,
     strips: Vec<Strip>,
-    /// Distance across and along and factor of the influence of each panel on each node, panel by panel.
-    across: Vec<f64>,
-    along: Vec<f64>,
-    factors: Vec<f64>,
+    /// Strips of the cells.
+    cells: Vec<Strip>,
+    rows: Rows,
     is_skewed: bool,
-    penalty: Vec<f64>,
-    /// Half lengths at the nodes, and share of load over the fall that is wanted of each loaded one.
-    lengths: Vec<f64>,
-    scales: Vec<f64>,
-    /// Influence of the panel under way.
-    columns: [Vec<f64>; 3],
-    /// The displacement that its fall is counted from, and its derivative.
-    centres: [Vec<f64>; 2],
-    displacement: Vec<f64>,
-    fallen: Vec<f64>,
-    fall_by_node: Vec<f64>,
-    /// Derivatives of the displacements by the loads per width, by χ of the nodes and by the knots, by columns.
-    by_load: Vec<f64>,
+    /// The cells, and the points of the rule beside the nodes.
+    far: Sources,
+    near: Sources,
+    beside: Beside,
+    sums: Sums,
+    /// Displacements by the moments of cells, per load per width of each node, by columns.
+    moments: Vec<f64>,
+    /// First of both knots of each node, and what their equations have of its fall: share of load over the fall that is wanted.
+    falls: Vec<(usize, [f64; 2])>,
+    /// Derivatives of displacements by χ of a node, and of falls by its load per width and χ.
     by_shape: Vec<f64>,
-    by_knot: Vec<f64>,
-    /// The same of the falls.
     fall_by_load: Vec<f64>,
     fall_by_shape: Vec<f64>,
-    /// Derivatives of the equations of the knots, by columns.
-    knot_by_load: Vec<f64>,
-    knot_by_knot: Vec<f64>,
-    /// Nodes that may carry load.
-    active: Vec<usize>,
+    knot_sums: Vec<f64>,
+    penalty: Vec<f64>,
+    /// Derivatives of all equations by columns, and behind them minus their residuals, which become the step.
     matrix: Vec<f64>,
-    right: Vec<f64>,
-    change: Vec<f64>,
+    pivots: Vec<usize>,
+    factors: Vec<f64>,
+    /// Derivatives of the equations of the knots by their own χ.
+    weights: Vec<f64>,
     /// Steps so far.
     pub steps: u64,
-    /// Length of a column over all nodes, in whole vectors.
+    /// Length of a column over all nodes, in whole vectors, and with the knots.
     column: usize,
+    stride: usize,
 }
 
 impl Newton {
-    /// Memory for `n` nodes, `knots` and `panels` panels.
-    pub fn new(n: usize, knots: &Knots, panels: usize) -> Self {
+    /// Memory for `n` nodes, the `knots` and `cells` cells.
+    pub fn new(n: usize, knots: &Knots, cells: usize) -> Self {
         let m = knots.count();
-        let long = n.next_multiple_of(LANES);
-        let column = || vec![0.0; long];
+        let column = n.next_multiple_of(LANES);
+        let stride = column + m.next_multiple_of(LANES);
+        let numbers = |count: usize| vec![0.0; count];
         Self {
-            z: column(),
-            shape: vec![0.0; m],
-            loads: column(),
-            slopes: column(),
-            shapes: column(),
-            strips: vec![Strip::default(); panels],
-            across: vec![0.0; long * panels],
-            along: vec![0.0; long * panels],
-            factors: vec![0.0; long * panels],
+            z: numbers(n),
+            shape: numbers(m),
+            loads: numbers(n),
+            slopes: numbers(n),
+            shapes: numbers(n),
+            slenderness: numbers(n),
+            strips: vec![Strip::default(); n],
+            cells: vec![Strip::default(); cells],
+            rows: Rows::new(column),
             is_skewed: false,
+            far: Sources::new(cells, column),
+            near: Sources::new(NEAR, column),
+            beside: Beside::new(column),
+            sums: Sums::new(column),
+            moments: numbers(n * column),
+            falls: vec![(0, [0.0; 2]); n],
+            by_shape: numbers(column),
+            fall_by_load: numbers(column),
+            fall_by_shape: numbers(column),
+            knot_sums: numbers(stride - column),
             penalty: (0..m * m).map(|i| knots.penalty(i / m, i % m)).collect(),
-            lengths: column(),
-            scales: column(),
-            columns: [column(), column(), column()],
-            centres: [column(), column()],
-            displacement: column(),
-            fallen: column(),
-            fall_by_node: column(),
-            by_load: vec![0.0; long * n],
-            by_shape: vec![0.0; long * n],
-            by_knot: vec![0.0; long * m],
-            fall_by_load: vec![0.0; long * n],
-            fall_by_shape: vec![0.0; long * n],
-            knot_by_load: vec![0.0; n * m],
-            knot_by_knot: vec![0.0; m * m],
-            active: vec![0; n],
-            matrix: vec![0.0; room(n + m)],
-            right: vec![0.0; n + m],
-            change: vec![0.0; n + m],
+            matrix: numbers((n + m + 1) * stride),
+            pivots: (0..n).chain(column..column + m).collect(),
+            factors: numbers(stride),
+            weights: numbers(m),
             steps: 0,
-            column: long,
+            column,
+            stride,
         }
     }
 
     /// Solves the equations on `grid`; false where the last step was longer than it should be.
-    pub fn solve(&mut self, grid: &Grid, integrals: &Integrals, knots: &Knots) -> bool {
+    pub fn solve(&mut self, grid: &Grid, knots: &Knots) -> bool {
+        solve(self, grid, knots)
+    }
+
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn solve_here(&mut self, grid: &Grid, knots: &Knots) -> bool {
         let scales = Scales::new(grid);
-        self.measure(grid);
+        self.measure(grid, &scales);
         self.start(grid, &scales);
         for _ in 0..MOST_STEPS {
             self.steps += 1;
-            self.linearise(grid, integrals, knots, &scales);
+            self.linearise(grid, knots, &scales);
             match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
@@ -131,22 +134,37 @@ impl Newton {
         false
     }
 
-    /// Distances and factors of all pairs.
-    fn measure(&mut self, grid: &Grid) {
-        let x = grid.nodes[0].place.x;
-        // What is beyond the last node counts for nothing, as its factors are zero.
-        self.across.fill(1.0);
-        self.is_skewed = grid.nodes.iter().any(|node| (node.place.x - x).abs() > 0.0);
-        for (p, panel) in grid.panels.iter().enumerate() {
-            let range = p * self.column..(p + 1) * self.column;
-            let columns = self.across[range.clone()]
-                .iter_mut()
-                .zip(&mut self.along[range.clone()])
-                .zip(&mut self.factors[range]);
-            for (node, ((across, along), share)) in grid.nodes.iter().zip(columns) {
-                *across = panel.distance(node.y);
-                *along = node.place.x - panel.x;
-                *share = factor(node, panel);
+    /// Where all sources are from all nodes.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn measure(&mut self, grid: &Grid, scales: &Scales) {
+        let nodes = &grid.nodes;
+        self.is_skewed = grid.is_skewed();
+        for (row, node) in nodes.iter().enumerate() {
+            let [a, b] = node.place.tangent;
+            for (column, value) in self.rows.places.iter_mut().zip([node.place.x, node.y, a, b]) {
+                column[row] = value;
+            }
+        }
+        self.moments.fill(0.0);
+        for (c, cell) in grid.cells.iter().enumerate() {
+            let moments = &mut self.by_shape;
+            self.far.put_cell(c, cell, scales.length, &self.rows, moments);
+            // The points of the rule take the place of cells beside a node.
+            for &i in cell.nodes.iter().flatten() {
+                let nothing = Pair { along: 0.0, across: 1.0, factor: 0.0 };
+                self.far.put(c, i, &nothing);
+                moments[i] = 0.0;
+            }
+            for (end, sign) in cell.nodes.into_iter().zip([-1.0, 1.0]) {
+                let Some(j) = end else { continue };
+                add(sign, moments, &mut self.moments[j * self.column..(j + 1) * self.column]);
+            }
+        }
+        for slot in 0..NEAR {
+            for i in 0..nodes.len() {
+                let pair = near_pair(nodes, i, slot / RULE.len(), slot % RULE.len());
+                self.near.put(slot, i, &pair);
             }
         }
     }
@@ -161,373 +179,226 @@ impl Newton {
     }
 
     /// Loads, shapes and strips of the present unknowns.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn place(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         for i in 0..grid.nodes.len() {
             [self.loads[i], self.slopes[i]] = plus(self.z[i], scales.corner);
             self.shapes[i] = knots.value(i, &self.shape);
+            self.slenderness[i] = (-self.shapes[i]).exp();
+            self.strips[i] = Strip::new(self.loads[i], self.slenderness[i], scales.least_square);
         }
-        for (strip, panel) in self.strips.iter_mut().zip(grid.panels.iter()) {
-            let load = panel.sum(panel.shares, &self.loads);
-            *strip = if load > 0.0 && panel.width > 0.0 {
-                Strip::new(load, panel.sum(panel.shape_shares, &self.shapes), scales.least_square)
-            } else {
-                Strip::default()
-            };
+        for (strip, cell) in self.cells.iter_mut().zip(grid.cells.iter()) {
+            *strip = cell.strip(&self.loads, &self.slenderness, scales.least_square);
         }
     }
 
-    /// Displacements and their fall at the present unknowns, and all derivatives.
-    fn linearise(&mut self, grid: &Grid, integrals: &Integrals, knots: &Knots, scales: &Scales) {
+    /// Residuals at the present unknowns and all derivatives of them.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn linearise(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         self.place(grid, knots, scales);
         let n = grid.nodes.len();
-        // Falls are wanted of loaded nodes alone.
-        let mut loaded = n..0;
         for (i, node) in grid.nodes.iter().enumerate() {
-            let load = self.loads[i];
-            let own = Strip::new(load, self.shapes[i], scales.least_square);
-            self.lengths[i] = own.half_length;
-            self.scales[i] = node.width * load / (scales.total * wanted_fall(&own, node));
-            if load > 0.0 {
-                loaded = loaded.start.min(i)..i + 1;
-            }
+            let strip = &self.strips[i];
+            self.rows.lengths[i] = strip.half_length;
+            self.rows.loads[i] = strip.load;
+            self.rows.slenderness[i] = self.slenderness[i];
+            let scale = node.width * strip.load / (scales.total * wanted_fall(strip, node));
+            let [(k, left), (_, right)] = knots.of(i);
+            self.falls[i] = (k, [left * scale, right * scale]);
         }
-        for sums in [&mut self.displacement, &mut self.fallen, &mut self.fall_by_node] {
-            sums.fill(0.0);
+        self.sums.clear();
+        self.matrix[n * self.stride..].fill(0.0);
+        for (c, strip) in self.cells[..grid.cells.len()].iter().enumerate() {
+            self.far.act(c, strip, &self.rows, self.is_skewed, &mut self.sums);
         }
-        for columns in [
-            &mut self.by_load,
-            &mut self.by_shape,
-            &mut self.by_knot,
-            &mut self.fall_by_load,
-            &mut self.fall_by_shape,
-            &mut self.knot_by_load,
-        ] {
-            columns.fill(0.0);
-        }
-        self.knot_by_knot.fill(0.0);
-        let loaded = whole_vectors(&loaded);
-        for p in 0..grid.panels.len() {
-            if self.strips[p].load > 0.0 {
-                self.add_displacement(grid, integrals, p);
-                self.add_fall(grid, integrals, p, loaded.clone());
-            }
-        }
-        self.take_to_knots(grid, knots, &loaded);
-        self.finish_knots(grid, knots, scales);
-    }
-
-    /// Adds the displacements by panel number `p`, and their derivatives.
-    fn add_displacement(&mut self, grid: &Grid, integrals: &Integrals, p: usize) {
-        let (panel, strip) = (&grid.panels[p], self.strips[p]);
-        let range = p * self.column..(p + 1) * self.column;
-        let [value, by_panel, _] = &mut self.columns;
-        let along = if self.is_skewed { &self.along[range.clone()] } else { &[][..] };
-        let factors = &self.factors[range.clone()];
-        let [centre, slope] = &mut self.centres;
-        let columns = [value.as_mut_slice(), by_panel, centre, slope];
-        displacements(along, &self.across[range], factors, 1.0 / strip.half_length, columns);
-        if let Some(i) = panel.touches {
-            let (own, _) = touching(integrals, panel, strip.half_length, self.lengths[i]);
-            (value[i], by_panel[i]) = (factors[i] * own.value, factors[i] * own.by_panel);
-        }
-        let share = strip.load * strip.length_by_load;
-        add(strip.load, value, &mut self.displacement);
-        for (node, [weight, shape_weight]) in panel.weights() {
-            let column = node * self.column..(node + 1) * self.column;
-            let by_load = &mut self.by_load[column.clone()];
-            add(weight, value, by_load);
-            add(weight * share, by_panel, by_load);
-            add(-shape_weight * share * strip.load, by_panel, &mut self.by_shape[column]);
-        }
-    }
-
-    /// Adds the falls of the displacements by panel number `p` at the nodes `loaded`, and their derivatives.
-    fn add_fall(&mut self, grid: &Grid, integrals: &Integrals, p: usize, loaded: Range<usize>) {
-        let (panel, strip) = (&grid.panels[p], self.strips[p]);
-        let range = p * self.column + loaded.start..p * self.column + loaded.end;
-        let [value, by_panel, by_node] = &mut self.columns;
-        let columns = [
-            &mut value[loaded.clone()],
-            &mut by_panel[loaded.clone()],
-            &mut by_node[loaded.clone()],
-        ];
-        let along = if self.is_skewed { &self.along[range.clone()] } else { &[][..] };
-        let factors = &self.factors[range.clone()];
-        let lengths = &self.lengths[loaded.clone()];
-        let centres = self.centres.each_ref().map(|centre| &centre[loaded.clone()]);
-        let inverse = 1.0 / strip.half_length;
-        falls(along, &self.across[range], factors, lengths, inverse, centres, columns);
-        if let Some(i) = panel.touches.filter(|i| loaded.contains(i)) {
-            let (_, own) = touching(integrals, panel, strip.half_length, self.lengths[i]);
-            let factor = self.factors[p * self.column + i];
-            value[i] = factor * own.value;
-            by_panel[i] = factor * own.by_panel;
-            by_node[i] = factor * own.by_node;
-        }
-        add(strip.load, &value[loaded.clone()], &mut self.fallen[loaded.clone()]);
-        add(strip.load, &by_node[loaded.clone()], &mut self.fall_by_node[loaded.clone()]);
-        let share = strip.load * strip.length_by_load;
-        for (node, [weight, shape_weight]) in panel.weights() {
-            let first = node * self.column;
-            let rows = first + loaded.start..first + loaded.end;
-            let by_load = &mut self.fall_by_load[rows.clone()];
-            add(weight, &value[loaded.clone()], by_load);
-            add(weight * share, &by_panel[loaded.clone()], by_load);
-            let factor = -shape_weight * share * strip.load;
-            add(factor, &by_panel[loaded.clone()], &mut self.fall_by_shape[rows]);
-        }
-    }
-
-    /// Takes derivatives by χ of the nodes to those by χ at the knots, and falls at the nodes to the equations of the knots.
-    fn take_to_knots(&mut self, grid: &Grid, knots: &Knots, loaded: &Range<usize>) {
-        let (n, m, long) = (grid.nodes.len(), knots.count(), self.column);
-        let loaded = loaded.start..loaded.end.min(n);
         for j in 0..n {
-            let column = j * long..(j + 1) * long;
-            for (k, share) in knots.of(j) {
-                add(
-                    share,
-                    &self.by_shape[column.clone()],
-                    &mut self.by_knot[k * long..(k + 1) * long],
-                );
+            self.gather(grid, knots, j);
+        }
+        self.add_near_cells(grid, knots, scales);
+        self.finish(grid, knots, scales);
+    }
+
+    /// Takes derivatives by the cells on both sides of node `j` to those by its load per width and by the knots.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn gather(&mut self, grid: &Grid, knots: &Knots, j: usize) {
+        let (long, stride) = (self.column, self.stride);
+        let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
+        let column = &mut matrix[j * stride..][..stride];
+        column.fill(0.0);
+        let first = grid.nodes[j].cell;
+        if self.cells[first].load <= 0.0 && self.cells[first + 1].load <= 0.0 {
+            return;
+        }
+        let shares = [first, first + 1].map(|c| {
+            let strip = &self.cells[c];
+            let share = strip.load * strip.length_by_load;
+            // Beyond the last node χ stays what it is.
+            let all: f64 = grid.cells[c].nodes.iter().flatten().map(|&k| self.slenderness[k]).sum();
+            [0.5 * share, -strip.load * share * self.slenderness[j] / all]
+        });
+        let (by_load, of_knots) = column.split_at_mut(long);
+        let moments = &self.moments[j * long..(j + 1) * long];
+        self.far.gather(
+            first,
+            shares,
+            moments,
+            [by_load, &mut self.by_shape, &mut self.fall_by_load, &mut self.fall_by_shape],
+        );
+        add(self.loads[j], moments, &mut self.sums.displacement);
+        let slope = self.slopes[j];
+        scale(slope, by_load);
+        self.knot_sums.fill(0.0);
+        let falls = self.falls.iter().zip(&self.fall_by_load).zip(&self.fall_by_shape);
+        for ((&(k, [a, b]), value), shape) in falls {
+            let value = slope * value;
+            of_knots[k] += a * value;
+            of_knots[k + 1] += b * value;
+            self.knot_sums[k] += a * shape;
+            self.knot_sums[k + 1] += b * shape;
+        }
+        for (k, share) in knots.of(j) {
+            let by_knot = &mut by_knots[k * stride..(k + 1) * stride];
+            add(share, &self.by_shape, &mut by_knot[..long]);
+            add(share, &self.knot_sums, &mut by_knot[long..]);
+        }
+    }
+
+    /// Adds what the two cells beside each node do to it.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn add_near_cells(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
+        let (n, long, stride) = (grid.nodes.len(), self.column, self.stride);
+        self.beside.clear();
+        for side in [0, 1] {
+            let Beside { other_loads, other_slenderness, .. } = &mut self.beside;
+            for (i, node) in grid.nodes.iter().enumerate() {
+                // Beyond the last node χ stays what it is.
+                (other_loads[i], other_slenderness[i]) = match node.neighbours[side] {
+                    Some(j) => (self.loads[j], self.slenderness[j]),
+                    None => (0.0, self.slenderness[i]),
+                };
             }
-            let by_load = &mut self.knot_by_load[j * m..(j + 1) * m];
-            let falls = &self.fall_by_load[column.clone()];
-            let by_shape = &self.fall_by_shape[column];
-            for i in loaded.clone() {
-                let [(k, first), (_, second)] = knots.of(i);
-                let scale = self.scales[i];
-                let (value, shape) = (scale * falls[i], scale * by_shape[i]);
-                by_load[k] += first * value;
-                by_load[k + 1] += second * value;
-                for (other, share) in knots.of(j) {
-                    let sums = &mut self.knot_by_knot[other * m..(other + 1) * m];
-                    sums[k] += share * first * shape;
-                    sums[k + 1] += share * second * shape;
+            for (k, [t, _]) in RULE.into_iter().enumerate() {
+                let slot = [side * RULE.len() + k, side];
+                let (rows, sums) = (&self.rows, &mut self.sums);
+                let shares = [t, scales.least_square];
+                self.beside.act(&mut self.near, slot, shares, rows, self.is_skewed, sums);
+            }
+        }
+        let (matrix, by_knots) = self.matrix.split_at_mut(n * stride);
+        let Beside { own, others: [left, right], .. } = &self.beside;
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let (first, [a, b]) = self.falls[i];
+            let neighbours = node.neighbours;
+            let ends = [(Some(i), own), (neighbours[0], left), (neighbours[1], right)];
+            for (j, [by_load, by_shape, fall_by_load, fall_by_shape]) in ends {
+                if let Some(j) = j.filter(|&j| self.slopes[j] > 0.0) {
+                    let column = &mut matrix[j * stride..][..stride];
+                    column[i] += self.slopes[j] * by_load[i];
+                    let value = self.slopes[j] * fall_by_load[i];
+                    column[long + first] += a * value;
+                    column[long + first + 1] += b * value;
+                }
+                for (k, part) in knots.of(j.unwrap_or(i)) {
+                    let column = &mut by_knots[k * stride..][..stride];
+                    column[i] += part * by_shape[i];
+                    let value = part * fall_by_shape[i];
+                    column[long + first] += a * value;
+                    column[long + first + 1] += b * value;
                 }
             }
         }
     }
 
-    /// Residuals of the equations of the knots, into `right`, and what their derivatives have from the nodes' own half lengths and weights.
-    fn finish_knots(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
-        let (n, m) = (grid.nodes.len(), knots.count());
-        self.right.fill(0.0);
+    /// Residuals, what the equations of the knots have from the nodes' own half lengths and weights, and the gaps.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn finish(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
+        let (n, m, long, stride) = (grid.nodes.len(), self.shape.len(), self.column, self.stride);
+        let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
         for (i, node) in grid.nodes.iter().enumerate() {
-            let load = self.loads[i];
-            if load <= 0.0 {
+            let own = &self.strips[i];
+            if own.load <= 0.0 {
                 continue;
             }
-            let own = Strip::new(load, self.shapes[i], scales.least_square);
-            let wanted = wanted_fall(&own, node);
-            let error = self.fallen[i] / wanted - 1.0;
-            let per_load = node.width / scales.total;
-            let by_length =
-                per_load * load * (self.fall_by_node[i] - 2.0 * self.fallen[i]) / wanted;
-            let by_load = by_length * own.length_by_load + per_load * error;
-            let by_shape = -(by_length * own.length_by_load * load);
-            for (row, share) in knots.of(i) {
-                self.right[n + row] += per_load * load * error * share;
-                self.knot_by_load[i * m + row] += share * by_load;
-                for (k, other) in knots.of(i) {
-                    self.knot_by_knot[k * m + row] += share * other * by_shape;
+            let (fallen, wanted) = (self.sums.fall[i], wanted_fall(own, node));
+            let error = fallen / wanted - 1.0;
+            let weight = node.width / scales.total;
+            let by_length = weight * own.load * (self.sums.fall_by_node[i] - 2.0 * fallen) / wanted;
+            let by_load = by_length * own.length_by_load + weight * error;
+            let by_shape = -(by_length * own.length_by_load * own.load);
+            for (k, share) in knots.of(i) {
+                right[long + k] -= weight * own.load * error * share;
+                matrix[i * stride + long + k] += share * by_load * self.slopes[i];
+                for (other, part) in knots.of(i) {
+                    matrix[(n + other) * stride + long + k] += share * part * by_shape;
                 }
             }
         }
-        for row in 0..m {
-            for k in 0..m {
-                let penalty = self.penalty[row * m + k];
-                self.right[n + row] += penalty * self.shape[k];
-                self.knot_by_knot[k * m + row] += penalty;
+        for k in 0..m {
+            let column = &mut matrix[(n + k) * stride + long..][..m];
+            for (other, value) in column.iter_mut().enumerate() {
+                let penalty = self.penalty[other * m + k];
+                right[long + other] -= penalty * self.shape[k];
+                *value += penalty;
             }
+            self.weights[k] = column[k].abs();
         }
         for (i, node) in grid.nodes.iter().enumerate() {
             let gap = scales.gap * (self.loads[i] - self.z[i]);
-            self.right[i] = (self.displacement[i] - node.place.overlap - gap) / grid.depth;
+            right[i] = node.place.overlap + gap - self.sums.displacement[i];
+            matrix[i * stride + i] -= scales.gap * (self.slopes[i] - 1.0);
         }
     }
 
     /// The derivatives of all residuals by all unknowns at the present ones, by rows, into `matrix`; returns their number.
-    pub fn matrix_at(
-        &mut self,
-        grid: &Grid,
-        integrals: &Integrals,
-        knots: &Knots,
-        matrix: &mut Vec<f64>,
-    ) -> usize {
+    pub fn matrix_at(&mut self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
         let scales = Scales::new(grid);
-        self.linearise(grid, integrals, knots, &scales);
+        self.linearise(grid, knots, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
-        for i in 0..n {
-            for j in 0..n {
-                let own = f64::from(u8::from(i == j)) * scales.gap * (self.slopes[j] - 1.0);
-                matrix
-                    .push((self.by_load[j * self.column + i] * self.slopes[j] - own) / grid.depth);
-            }
-            matrix.extend((0..m).map(|k| self.by_knot[k * self.column + i] / grid.depth));
+        for row in 0..n {
+            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row] / grid.depth));
         }
-        for row in 0..m {
-            matrix.extend((0..n).map(|j| self.knot_by_load[j * m + row] * self.slopes[j]));
-            matrix.extend((0..m).map(|k| self.knot_by_knot[k * m + row]));
+        for row in self.column..self.column + m {
+            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row]));
         }
         n + m
     }
 
     /// One step; its greatest change, or nothing where the equations have no solution.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn step(&mut self, grid: &Grid, scales: &Scales) -> Option<f64> {
         let (n, m) = (grid.nodes.len(), self.shape.len());
-        let mut count = 0;
-        for i in 0..n {
-            if self.slopes[i] > 0.0 {
-                self.active[count] = i;
-                count += 1;
-            }
-        }
-        let active = &self.active[..count];
-        let size = count + m;
-        let stride = stride(size);
-        // z in units of the load per width of the ellipse.
-        let per_depth = scales.load / grid.depth;
-        for (column, &j) in active.iter().enumerate() {
-            let out = &mut self.matrix[column * stride..][..size];
-            for (row, &i) in active.iter().enumerate() {
-                out[row] = self.by_load[j * self.column + i] * self.slopes[j] * per_depth;
-            }
-            out[column] -= scales.gap * (self.slopes[j] - 1.0) * per_depth;
-            for row in 0..m {
-                out[count + row] = self.knot_by_load[j * m + row] * self.slopes[j] * scales.load;
-            }
-        }
-        for k in 0..m {
-            let out = &mut self.matrix[(count + k) * stride..][..size];
-            for (row, &i) in active.iter().enumerate() {
-                out[row] = self.by_knot[k * self.column + i] / grid.depth;
-            }
-            out[count..].copy_from_slice(&self.knot_by_knot[k * m..(k + 1) * m]);
-        }
-        let change = &mut self.change[..size];
-        for (row, &i) in active.iter().enumerate() {
-            change[row] = -self.right[i];
-        }
-        for row in 0..m {
-            change[count + row] = -self.right[n + row];
-        }
-        if !solve_by_columns(&mut self.matrix, change) {
+        if !elimination::solve(&mut self.matrix, self.stride, &self.pivots, &mut self.factors) {
             return None;
         }
-        // Nodes without load have their gap from all the others.
-        let mut next = 0;
+        let change = &self.matrix[(n + m) * self.stride..];
         let mut greatest = 0.0f64;
-        for i in 0..n {
-            let is_active = active.get(next) == Some(&i);
-            let wanted = if is_active {
-                next += 1;
-                let wanted = change[next - 1] * scales.load;
-                greatest = greatest.max(change[next - 1].abs());
-                wanted
-            } else {
-                let by_loads: f64 = active
-                    .iter()
-                    .zip(change.iter())
-                    .map(|(&j, d)| {
-                        self.by_load[j * self.column + i] * self.slopes[j] * d * scales.load
-                    })
-                    .sum();
-                let by_knots: f64 =
-                    (0..m).map(|k| self.by_knot[k * self.column + i] * change[count + k]).sum();
-                -(self.right[i] * grid.depth + by_loads + by_knots) / scales.gap
-            };
-            let most = MOST_CHANGE[0] * scales.load;
-            self.z[i] += wanted.clamp(-most, most);
+        let most = MOST_CHANGE[0] * scales.load;
+        for ((z, slope), change) in self.z.iter_mut().zip(&self.slopes).zip(change) {
+            *z += change.clamp(-most, most);
+            // Nodes without load have their gap from all the others.
+            if *slope > 0.0 {
+                greatest = greatest.max(change.abs() / scales.load);
+            }
         }
-        let weight = |k: usize| self.knot_by_knot[k * m + k].abs();
-        let heaviest = (0..m).map(weight).fold(f64::MIN_POSITIVE, f64::max);
-        for k in 0..m {
-            let change = change[count + k];
-            self.shape[k] += change.clamp(-MOST_CHANGE[1], MOST_CHANGE[1]);
-            greatest = greatest.max(change.abs() * weight(k) / heaviest);
+        let heaviest = self.weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let changes = change[self.column..].iter().zip(&self.weights);
+        for (shape, (change, weight)) in self.shape.iter_mut().zip(changes) {
+            *shape += change.clamp(-MOST_CHANGE[1], MOST_CHANGE[1]);
+            greatest = greatest.max(change.abs() * weight / heaviest);
         }
         Some(greatest)
     }
 }
 
-/// The range, made as long as whole vectors.
-fn whole_vectors(range: &Range<usize>) -> Range<usize> {
-    range.start / LANES * LANES..range.end.next_multiple_of(LANES)
-}
-
-/// Numbers taken together: columns are as long as whole vectors of them, so that no loop has a rest.
-const LANES: usize = 8;
-
-/// Displacements by a panel at distances `across`, and `along` unless that is empty, times `factors`, and their derivatives; behind them the influences
-/// that they are made of.
+/// [`Newton::solve`], once for each set of instructions, with all that it calls.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn displacements(
-    along: &[f64],
-    across: &[f64],
-    factors: &[f64],
-    inverse: f64,
-    [value, by_panel, centre, slope]: [&mut [f64]; 4],
-) {
-    let n = across.len();
-    let (factors, value, by_panel) = (&factors[..n], &mut value[..n], &mut by_panel[..n]);
-    let (centre, slope) = (&mut centre[..n], &mut slope[..n]);
-    if along.is_empty() {
-        for i in 0..n {
-            let at = centred_at(across[i] * inverse);
-            (centre[i], slope[i]) = (at.d, at.slope);
-        }
-    } else {
-        let along = &along[..n];
-        for i in 0..n {
-            let at = shifted_at(along[i] * inverse, across[i] * inverse);
-            (centre[i], slope[i]) = (at.d, at.slope);
-        }
-    }
-    for i in 0..n {
-        let own = Displacement::of(centre[i], slope[i], inverse);
-        (value[i], by_panel[i]) = (factors[i] * own.value, factors[i] * own.by_panel);
-    }
-}
-
-/// The falls from the influences `centres` = (D, its derivative) at nodes of half lengths `lengths`, times `factors`, and their derivatives.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn falls(
-    along: &[f64],
-    across: &[f64],
-    factors: &[f64],
-    lengths: &[f64],
-    inverse: f64,
-    centres: [&[f64]; 2],
-    [value, by_panel, by_node]: [&mut [f64]; 3],
-) {
-    let n = across.len();
-    let (factors, lengths) = (&factors[..n], &lengths[..n]);
-    let [d, slope] = centres.map(|centre| &centre[..n]);
-    let (value, by_panel, by_node) = (&mut value[..n], &mut by_panel[..n], &mut by_node[..n]);
-    if along.is_empty() {
-        for i in 0..n {
-            let at = Fall::straight([d[i], slope[i]], across[i], inverse, lengths[i]);
-            value[i] = factors[i] * at.value;
-            by_panel[i] = factors[i] * at.by_panel;
-            by_node[i] = factors[i] * at.by_node;
-        }
-    } else {
-        let along = &along[..n];
-        for i in 0..n {
-            let at = Fall::shifted([d[i], slope[i]], along[i], across[i], inverse, lengths[i]);
-            value[i] = factors[i] * at.value;
-            by_panel[i] = factors[i] * at.by_panel;
-            by_node[i] = factors[i] * at.by_node;
-        }
-    }
-}
-
-/// Adds a multiple of `column` to `sums`.
-#[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
-fn add(factor: f64, column: &[f64], sums: &mut [f64]) {
-    for (sum, value) in sums.iter_mut().zip(column) {
-        *sum += factor * value;
-    }
+fn solve(newton: &mut Newton, grid: &Grid, knots: &Knots) -> bool {
+    newton.solve_here(grid, knots)
 }

@@ -6,7 +6,7 @@
 use crate::math::real::Real;
 
 /// Nodes for each knot.
-const NODES_PER_KNOT: usize = 5;
+const NODES_PER_KNOT: usize = 4;
 /// Knots that a field has at least besides.
 const LEAST_KNOTS: usize = 3;
 /// Weights of squared second and first differences of the field between knots against squared relative errors of the fall of the displacement, weighted by the

@@ -42,7 +42,7 @@ impl<T: Real> Loads<'_, T> {
             let mut zone: Zone<T> = Zone { first: strips.y.len(), count, ..Zone::default() };
             for i in first..end {
                 let node = &nodes[i];
-                let strip = Strip::new(self.per_width[i], self.shapes[i], least_square);
+                let strip = Strip::new(self.per_width[i], (-self.shapes[i]).exp(), least_square);
                 let length = strip.half_length;
                 strips.y.push(node.y);
                 strips.width.push(node.width);
