@@ -6,7 +6,9 @@ mod tolerance;
 use std::fmt::Write;
 
 use common::{Table, median_and_worst, read_table, value, write_report};
-use wheelrail::element::parameters::{NormalModel, Side, TangentialModel, VerticalMode};
+use wheelrail::element::parameters::{
+    CreepageModel, NormalModel, Side, TangentialModel, VerticalMode,
+};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::profile::{Profile, ProfileKind};
 use wheelrail::io::load_profile;
@@ -44,6 +46,9 @@ fn benchmark_parameters(side: Side) -> Parameters {
     let mut parameters = Parameters {
         side,
         normal_model: NormalModel::PiotrowskiKik,
+        // One plane for each contact, as the reference has it.
+        creepage_model: CreepageModel::Flat,
+        tangential_model: TangentialModel::Fastsim,
         vertical_mode: VerticalMode::Load,
         ..Parameters::default()
     };
@@ -244,7 +249,6 @@ fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
             let input = wheel_input(&table, row, side);
             let parameters = Parameters {
                 normal_model: NormalModel::Strips,
-                strips: 15,
                 tangential_model,
                 ..benchmark_parameters(side)
             };

@@ -32,8 +32,9 @@ pub struct Work {
     pub zones: u64,
     /// Zones marched through by the tangential model.
     pub marches: u64,
-    /// Newton steps of the strip model, and the most of one rail.
+    /// Newton steps of the strip model.
     pub strip_steps: u64,
+    /// The most of them for one rail in one evaluation.
     pub most_strip_steps: u64,
 }
 

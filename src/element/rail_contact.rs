@@ -256,9 +256,7 @@ impl RailContact {
             damped_with,
         };
         let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
-        if models.strip_solver.is_some() && is_deep {
-            left_out += 1;
-        } else if models.strip_solver.is_some() {
+        if models.strip_solver.is_some() && !is_deep {
             if self.search.contacts.is_empty() {
                 return 0;
             }
@@ -267,7 +265,8 @@ impl RailContact {
                     as u64;
             let whole = strip_contact::whole(models, &self.search);
             for zone in 0..models.rail_strips.zones.len() {
-                let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
+                let contact =
+                    strip_contact::take_zone(&line, &self.rail, &self.search, zone, models);
                 let mut separation = LineSeparation::new(&line, &self.rail, contact);
                 let slopes = separation
                     .lifting()

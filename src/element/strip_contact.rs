@@ -219,6 +219,7 @@ pub fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
 pub fn take_zone(
     line: &ContactLine,
     rail: &PlacedRail,
+    search: &ContactSearch,
     index: usize,
     models: &mut Models,
 ) -> Contact {
@@ -239,7 +240,17 @@ pub fn take_zone(
         let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.at(u).point, tangent, overlap)
     };
-    zone_in_frame(index, models, place)
+    let found = zone_in_frame(index, models, place);
+    let deepest = deepest_within(search, &models.strips.u);
+    let deepest = deepest.map_or(0.0, |contact| contact.penetration);
+    Contact { penetration: found.penetration.max(deepest), ..found }
+}
+
+/// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if there is one.
+fn deepest_within<'a, T: Real>(search: &'a ContactSearch, u: &[T]) -> Option<&'a Contact> {
+    let ends = [u.first()?.value(), u.last()?.value()];
+    let inside = search.contacts.iter().filter(|c| c.u >= ends[0] && c.u <= ends[1]);
+    inside.max_by(|a, b| a.penetration.total_cmp(&b.penetration))
 }
 
 /// As [`take_zone`] with derivatives where the numbers have them; `place` gives point, unit tangent and overlap at a parameter of the line and
@@ -354,8 +365,13 @@ pub fn take_moving_zone<T: Real>(
     let value = line.value();
     let found = LocalLine::of(&value, rail, search);
     let mut local = MovingLocal { line, rail, found };
-    zone_in_frame(index, models, |u, y| {
+    let found = zone_in_frame(index, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());
         (line.even_at(u).point, tangent, overlap)
-    })
+    });
+    let deepest = deepest_within(search, &models.strips.u);
+    let deepest = deepest.and_then(|contact| contact.moving(line, rail));
+    let penetration =
+        deepest.map_or(found.penetration, |contact| found.penetration.max(contact.penetration));
+    Contact { penetration, ..found }
 }

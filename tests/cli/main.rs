@@ -307,7 +307,9 @@ fn sweep_tells_a_jump_from_a_slope() {
     assert!(force["at"].is_empty());
 
     // Piotrowski and Kik have one contact point for an overlap: where the deepest of two minima changes, the force jumps.
-    let (folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n0.7508,-0.4597\n");
+    let (folder, path) = written(
+        "wheel.y,wheel.z,normal.model\n0.7495,-0.4597,piotrowski_kik\n0.7508,-0.4597,piotrowski_kik\n",
+    );
     let figure = folder.path().join("sweep.svg");
     let history = folder.path().join("history.csv");
     let found = success(&[
@@ -329,7 +331,9 @@ fn sweep_tells_a_jump_from_a_slope() {
 
 #[test]
 fn sweep_compares_models_along_one_path() {
-    let (folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n0.7508,-0.4597\n");
+    let (folder, path) = written(
+        "wheel.y,wheel.z,normal.model\n0.7495,-0.4597,piotrowski_kik\n0.7508,-0.4597,piotrowski_kik\n",
+    );
     let figure = folder.path().join("sweep.svg");
     let vary = "normal.model=hertz,piotrowski_kik";
     let drawn = figure.to_str().unwrap();

@@ -156,8 +156,9 @@ impl PlanarShape {
 
 #[test]
 fn bodies_of_another_size_carry_its_square() {
-    let models =
-        (prop::sample::select(&NORMAL[..]), prop::sample::select(&TANGENTIAL[..]), planar_shape());
+    // All but strips, whose nodes go by curvatures over a length of profiles as they are.
+    let normal = prop::sample::select(&NORMAL[..3]);
+    let models = (normal, prop::sample::select(&TANGENTIAL[..]), planar_shape());
     proptest!(cases(), |((normal, tangential, shape) in models, scale in 0.2..5.0f64)| {
         let (one, other) = (shape.separation(1.0), shape.separation(scale));
         let one = solve(&shape.case(&one, 1.0, normal, tangential)).unwrap();

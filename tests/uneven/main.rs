@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 use common::random::Random;
 use common::wheel::{element, evaluate, plain_parameters, pressed, random_input, rolling};
-use wheelrail::element::parameters::{CreepageModel, FlatShape, NormalModel, TangentialModel};
+use wheelrail::element::parameters::{FlatShape, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::ProfileKind;

@@ -138,7 +138,8 @@ const BELOW_ONE: u64 = 0x3ff0_0000_0000_0000 - SPLIT;
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn short_ln(x: f64) -> f64 {
-    let shifted = x.to_bits() + BELOW_ONE;
+    // What is no number stays none.
+    let shifted = x.to_bits().wrapping_add(BELOW_ONE);
     let exponent = f64::from_bits(INTEGER | (shifted >> 52)) - (TWO_TO_52 + 1023.0);
     let m = f64::from_bits((shifted & 0x000f_ffff_ffff_ffff) + SPLIT);
     let f = (m - 1.0) / (m + 1.0);

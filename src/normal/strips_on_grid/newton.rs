@@ -15,7 +15,7 @@ use super::shape::Knots;
 pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
-const LAST_CHANGE: f64 = 1e-4;
+const LAST_CHANGE: f64 = 1e-5;
 /// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: more than the whole way to a solution, and less than
 /// where an exponential has left what its derivative tells.
 const MOST_CHANGE: [f64; 2] = [1.5, 0.5];

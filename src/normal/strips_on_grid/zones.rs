@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::equations::{Scales, Strip};
+use super::equations::Strip;
 use super::grid::Grid;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -20,7 +20,6 @@ impl<T: Real> Loads<'_, T> {
     /// Hands neighbouring loaded nodes over as the strips of a zone; returns the number of zones that found no room.
     pub fn emit(&self, contact_modulus: f64, strips: &mut Strips<T>) -> usize {
         let nodes = &self.grid.nodes;
-        let least_square = Scales::new(self.grid).least_square;
         let is_loaded = |i: usize| self.per_width[i] > 0.0;
         let mut left_out = 0;
         let mut begin = 0;
@@ -42,7 +41,8 @@ impl<T: Real> Loads<'_, T> {
             let mut zone: Zone<T> = Zone { first: strips.y.len(), count, ..Zone::default() };
             for i in first..end {
                 let node = &nodes[i];
-                let strip = Strip::new(self.per_width[i], (-self.shapes[i]).exp(), least_square);
+                // Without the least half length of the equations: strips that begin to carry load come out of nothing.
+                let strip = Strip::new(self.per_width[i], (-self.shapes[i]).exp(), T::from(0.0));
                 let length = strip.half_length;
                 strips.y.push(node.y);
                 strips.width.push(node.width);
