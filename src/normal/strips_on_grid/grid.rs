@@ -15,8 +15,10 @@ use crate::math::room::Room;
 
 /// Distance of the places at which the curvature of the overlap is taken, which stay where they are: shorter than the arcs of a profile [m].
 const LATTICE: f64 = 7.5e-4;
+/// Parts of a step, in each of which the density of nodes is linear: it rises from nothing to its own within the outermost steps.
+const PARTS: usize = 2;
 /// Most of their steps.
-const MOST_SAMPLES: usize = 512;
+const MOST_SAMPLES: usize = 1024;
 /// Nodes and weights of Gauss and Legendre with five points.
 const GAUSS: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
@@ -97,10 +99,25 @@ struct Sample<T> {
     step: T,
     /// Parameters of the line at its ends [m].
     parameters: [f64; 2],
-    /// Square of the curvature of the overlap [1/m²].
-    curvature2: T,
-    /// Overlap in its middle [m].
-    overlap: T,
+    /// Square of the curvature of the overlap [1/m²], and the overlap [m], at its ends.
+    curvatures2: [T; 2],
+    overlaps: [T; 2],
+    /// Nodes wanted at its ends, per length.
+    densities: [T; 2],
+}
+
+impl<T: Real> Sample<T> {
+    /// Nodes wanted in it: their density is linear.
+    fn nodes(&self) -> T {
+        self.step * (self.densities[0] + self.densities[1]) * 0.5
+    }
+
+    /// Share of its width behind which there are as many `nodes`, which are no more than all.
+    fn behind(&self, nodes: T) -> T {
+        let [first, last] = self.densities;
+        let wanted = nodes / self.step * 2.0;
+        wanted / (first + (first * first + (last - first) * wanted).at_least(0.0).sqrt())
+    }
 }
 
 impl<T: Real> Grid<T> {
@@ -122,16 +139,17 @@ impl<T: Real> Grid<T> {
         self.sample(line, ends);
         let level = Scales::new(self).level;
         let depth = self.depth;
-        let measure = |sample: &Sample<T>, least: T| {
-            let overlap = (sample.overlap / depth).at_least(LEAST_OVERLAP);
-            sample.step
-                * (sample.curvature2 + least * least).sqrt().sqrt()
-                * density(overlap, level)
-        };
         let width: T = self.samples.iter().map(|s| s.step).sum();
         // Where the bodies are parallel there is no curvature to go by.
-        let least = self.depth / (width * width);
-        let total: T = self.samples.iter().map(|s| measure(s, least)).sum();
+        let least = depth / (width * width);
+        for sample in self.samples.iter_mut() {
+            for end in 0..2 {
+                let overlap = (sample.overlaps[end] / depth).at_least(LEAST_OVERLAP);
+                let bend = (sample.curvatures2[end] + least * least).sqrt().sqrt();
+                sample.densities[end] = bend * density(overlap, level);
+            }
+        }
+        let total: T = self.samples.iter().map(Sample::nodes).sum();
         let share = total / (count + 1) as f64;
         self.nodes.clear();
         self.cells.clear();
@@ -143,14 +161,14 @@ impl<T: Real> Grid<T> {
             while next < self.samples.len() && self.samples[next].interval == interval {
                 let sample = self.samples[next];
                 next += 1;
-                let own = measure(&sample, least);
+                let own = sample.nodes();
                 while self.nodes.len() < count {
                     let ahead = share * (self.nodes.len() + 1) as f64 - passed;
                     let is_here = ahead < own;
                     if !is_here {
                         break;
                     }
-                    self.push_node(line, &sample, ahead / own);
+                    self.push_node(line, &sample, sample.behind(ahead));
                 }
                 passed += own;
             }
@@ -201,18 +219,27 @@ impl<T: Real> Grid<T> {
                 let bend = |a: T, b: T, c: T| (a - b * 2.0 + c) / (LATTICE * LATTICE);
                 let [a, b, c, d] = around;
                 let (before, after) = (bend(a, b, c), bend(b, c, d));
-                // In its middle, by the parabola of the mean bend.
-                let t = ((from + to) * 0.5 - begin) / LATTICE;
-                let sag = t * (-t + 1.0) * (before + after) * (LATTICE * LATTICE / 4.0);
-                let overlap = b + (c - b) * t - sag;
-                self.samples.push(Sample {
-                    interval,
-                    y: from,
-                    step: to - from,
-                    parameters: [parameter(from.value()), parameter(to.value())],
-                    curvature2: (before * before + after * after) * 0.5,
-                    overlap,
-                });
+                // The parabola of the mean bend, and a curvature that is linear.
+                let sag = (before + after) * (LATTICE * LATTICE / 4.0);
+                let overlap = |t: T| b + (c - b) * t - sag * t * (-t + 1.0);
+                let curvature2 = |t: T| {
+                    let bend = before + (after - before) * t;
+                    bend * bend
+                };
+                for part in 0..PARTS {
+                    let at = |k: usize| from + (to - from) * (k as f64 / PARTS as f64);
+                    let ends = [at(part), at(part + 1)];
+                    let within = ends.map(|y| (y - begin) / LATTICE);
+                    self.samples.push(Sample {
+                        interval,
+                        y: ends[0],
+                        step: ends[1] - ends[0],
+                        parameters: ends.map(|y| parameter(y.value())),
+                        curvatures2: within.map(curvature2),
+                        overlaps: within.map(overlap),
+                        densities: [zero; 2],
+                    });
+                }
             }
         }
         self.area = area;
@@ -221,7 +248,7 @@ impl<T: Real> Grid<T> {
     }
 
     fn has_room(&self) -> bool {
-        self.samples.len() < self.samples.capacity()
+        self.samples.len() + PARTS <= self.samples.capacity()
     }
 
     /// Whether nodes are ahead of each other.
