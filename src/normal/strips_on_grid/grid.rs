@@ -29,7 +29,7 @@ const GAUSS: [(f64, f64); 5] = [
 const DEPTH_OVER_MEAN: f64 = 1.25;
 
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
-const UNLOADED: f64 = 0.4;
+const UNLOADED: f64 = 0.65;
 /// Least overlap over the depth where nodes are laid by it.
 const LEAST_OVERLAP: f64 = 1e-3;
 
@@ -99,7 +99,7 @@ struct Sample<T> {
     parameters: [f64; 2],
     /// Square of the curvature of the overlap [1/m²].
     curvature2: T,
-    /// Overlap in its middle [m].
+    /// Greatest overlap of its cell of the lattice [m].
     overlap: T,
 }
 
@@ -201,10 +201,12 @@ impl<T: Real> Grid<T> {
                 let bend = |a: T, b: T, c: T| (a - b * 2.0 + c) / (LATTICE * LATTICE);
                 let [a, b, c, d] = around;
                 let (before, after) = (bend(a, b, c), bend(b, c, d));
-                // In its middle, by the parabola of the mean bend.
-                let t = ((from + to) * 0.5 - begin) / LATTICE;
-                let sag = t * (-t + 1.0) * (before + after) * (LATTICE * LATTICE / 4.0);
-                let overlap = b + (c - b) * t - sag;
+                // The parabola of the mean bend, whose vertex may be in the cell: cut by the ends of intervals, the cell keeps what it has.
+                let sag = (before + after) * (LATTICE * LATTICE / 4.0);
+                let rise = c - b;
+                let vertex = if sag < 0.0 { (sag - rise) / (sag * 2.0) } else { T::from(0.0) };
+                let t = vertex.within(0.0, 1.0);
+                let overlap = (b + rise * t - sag * t * (-t + 1.0)).max(b).max(c);
                 self.samples.push(Sample {
                     interval,
                     y: from,
