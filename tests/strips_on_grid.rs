@@ -139,6 +139,7 @@ fn planar_problems_agree_with_contact_whatever_regions_they_have() {
 fn every_admitted_number_of_strips_has_a_solution() {
     let row = HertzRow::with_ratio(1.0);
     let mut line = Planar::through(&row.separation());
+    // Symmetric: the middle of a cell is at y = 0 for even numbers.
     for count in (8..=40).chain([60, 100, 150, 200]) {
         let mut solver = GridSolver::new(count);
         let strips = press(&mut solver, &mut line, 0.5 / row.along, row.approach);

@@ -9,6 +9,9 @@ use super::influence::{centred_at, shifted_at};
 /// Numbers taken together: columns are as long as whole vectors of them, so that no loop has a rest.
 pub(super) const LANES: usize = 8;
 
+/// Where rows without a node are across, away from all cells [m]: what has no distance from a cell has no influence either.
+const BEYOND: f64 = 1.0;
+
 /// The nodes by rows.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
@@ -68,7 +71,7 @@ impl Rows {
     pub fn new(column: usize) -> Self {
         let numbers = || vec![0.0; column];
         Self {
-            places: [numbers(), numbers(), numbers(), numbers()],
+            places: [numbers(), vec![BEYOND; column], numbers(), numbers()],
             lengths: numbers(),
             loads: numbers(),
             slenderness: numbers(),

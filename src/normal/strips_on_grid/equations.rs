@@ -136,7 +136,7 @@ pub(super) struct Pair<T = f64> {
 /// A `cell` beside which the node (x, y, tangent) is not, as that sees it; and the displacement by the slope of the load in the cell, per difference of its
 /// loads per width: its moment times the derivative of the influence.
 ///
-/// The latter is that of a cell of the half length `length`, as -σ ∂D/∂σ = 2/sqrt(1 + (4 σ/π)²): right at both ends and 2 % off between them.
+/// The latter is that of a cell of the half length `length`, as -σ ∂D/∂σ = 2/sqrt(1 + (4 σ/π)²): right at both ends and 4 % off at most.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn far_pair<T: Real>([x, y, a, b]: [T; 4], cell: &Cell<T>, length: T) -> (Pair<T>, T) {

@@ -31,7 +31,7 @@ const GAUSS: [(f64, f64); 5] = [
 const DEPTH_OVER_MEAN: f64 = 1.25;
 
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
-const UNLOADED: f64 = 0.4;
+const UNLOADED: f64 = 0.65;
 /// Least overlap over the depth where nodes are laid by it.
 const LEAST_OVERLAP: f64 = 1e-3;
 
