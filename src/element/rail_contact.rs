@@ -1,5 +1,6 @@
 //! The contact of one wheel with one rail: pose, search, normal and tangential models, forces on both bodies.
 
+use super::boundary_contact::{self, ZoneState};
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
 use super::flattened::FlatContact;
@@ -19,7 +20,7 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileKind};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::normal::{self, NormalModel, NormalProblem};
+use crate::normal::{self, NormalModel, NormalProblem, Zone, rail_elements};
 
 /// One rail and what is prepared for its contact with the wheel.
 #[derive(Clone, Debug)]
@@ -270,6 +271,44 @@ impl RailContact {
                     let contact = strip_contact::take_zone(&line, &self.rail, zone, models);
                     let mut separation = LineSeparation::new(&line, &self.rail, contact);
                     left_out += forces(contact, [0.0; 2], Some(whole)).add(
+                        &mut separation,
+                        models,
+                        output,
+                        work,
+                    );
+                }
+                return left_out;
+            }
+            left_out += 1;
+        }
+        if models.normal == NormalModel::BoundaryElement
+            && models.uneven.is_none()
+            && !self.search.contacts.is_empty()
+        {
+            let contacts = &self.search.contacts;
+            let modulus = models.material.contact_modulus;
+            let found = rail_elements::solve(&line, &self.rail, contacts, models.elements, modulus);
+            if let Some(elements) = &found {
+                models.rail_strips.clear();
+                left_out += elements.fill(&mut models.rail_strips) as u64;
+                let whole = Some([models.rail_strips.load(), elements.approach]);
+                let mut zones = Vec::new();
+                for zone in 0..models.rail_strips.zones.len() {
+                    let contact = boundary_contact::take_zone(elements, zone, models);
+                    let Zone { x, y, .. } = models.rail_strips.zones[zone];
+                    let state = forces(contact, [0.0; 2], whole).rolling_state(models);
+                    zones.push((contact, ZoneState { state, centre: [x, y] }));
+                }
+                let states: Vec<ZoneState> = zones.iter().map(|zone| zone.1).collect();
+                let mut given = zones.first().and_then(|(contact, _)| {
+                    let forces = forces(*contact, [0.0; 2], whole);
+                    boundary_contact::tractions(elements, &forces, &forces.motion(), &states, models)
+                });
+                for (zone, (contact, _)) in zones.into_iter().enumerate() {
+                    boundary_contact::take_zone(elements, zone, models);
+                    models.given = given.as_mut().map(|given| given.remove(0));
+                    let mut separation = LineSeparation::new(&line, &self.rail, contact);
+                    left_out += forces(contact, [0.0; 2], whole).add(
                         &mut separation,
                         models,
                         output,
