@@ -190,7 +190,11 @@ pub fn tractions(
                 forces.frame.direction(element.row.tangent),
                 forces.frame.direction(element.row.normal()),
             );
-            motion.creepage(in_track(&element), &axes, state.speed)
+            // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
+            let normal = element.row.normal();
+            let at = [0, 1].map(|c| element.row.point[c] + element.row.overlap * normal[c]);
+            let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
+            motion.creepage(at, &axes, state.speed)
         } else {
             let Creepage { longitudinal, lateral, spin } = state.creepage;
             let (x, y) = (element.x - centre[0], grid.y(element.k / grid.along) - centre[1]);
