@@ -140,7 +140,8 @@ pub struct ZoneState {
     pub centre: [f64; 2],
 }
 
-/// Tractions of all zones of a rail together, one for each of `zones`; nothing where there is nothing to compute or no solution was
+/// Tractions of all zones of a rail together, one for each of `zones`, and the largest slip that contradicts the friction law, over the
+/// largest rigid slip; nothing where there is nothing to compute or no solution was
 /// found. `forces` is of any of the zones.
 pub fn tractions(
     elements: &RailElements,
@@ -148,7 +149,7 @@ pub fn tractions(
     motion: &RelativeMotion,
     zones: &[ZoneState],
     models: &Models,
-) -> Option<Vec<GivenTractions>> {
+) -> Option<(Vec<GivenTractions>, f64)> {
     if models.tangential.model() != TangentialModel::BoundaryElement {
         return None;
     }
@@ -211,6 +212,7 @@ pub fn tractions(
         return None;
     }
     let material = laws[heaviest].1;
+    let mut residual: f64 = 0.0;
     let forward = zones[heaviest].state.forward_share;
     for (rolling, share) in [(Rolling::Forward, forward), (Rolling::Backward, 1.0 - forward)] {
         if share <= 0.0 {
@@ -220,6 +222,7 @@ pub fn tractions(
         if !solution.converged {
             return None;
         }
+        residual = residual.max(solution.residual);
         for_each_element(elements, strip_of_row, |element| {
             let Some(z) = zone_of_strip(element.strip) else { return };
             let k = element.k;
@@ -237,5 +240,5 @@ pub fn tractions(
             *strip = [strip[0] + dissipation, strip[1] + slip_area];
         });
     }
-    Some(found)
+    Some((found, residual))
 }

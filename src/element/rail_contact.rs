@@ -299,6 +299,7 @@ impl RailContact {
                     let state = forces(contact, [0.0; 2], whole).rolling_state(models);
                     zones.push((contact, ZoneState { state, centre: [x, y] }));
                 }
+                output.normal_residual = output.normal_residual.max(elements.residual);
                 let states: Vec<ZoneState> = zones.iter().map(|zone| zone.1).collect();
                 let mut given = zones.first().and_then(|(contact, _)| {
                     let forces = forces(*contact, [0.0; 2], whole);
@@ -306,7 +307,10 @@ impl RailContact {
                 });
                 for (zone, (contact, _)) in zones.into_iter().enumerate() {
                     boundary_contact::take_zone(elements, zone, models);
-                    models.given = given.as_mut().map(|given| given.remove(0));
+                    models.given = given.as_mut().map(|(given, residual)| {
+                        output.tangential_residual = output.tangential_residual.max(*residual);
+                        given.remove(0)
+                    });
                     let mut separation = LineSeparation::new(&line, &self.rail, contact);
                     left_out += forces(contact, [0.0; 2], whole).add(
                         &mut separation,
