@@ -93,16 +93,14 @@ impl Overlap {
 /// First step along the arc and the longest [m].
 const FIRST_STEP: f64 = 2e-6;
 const LONGEST_STEP: f64 = 5e-4;
-/// Elements across the narrowest overlap on the grid on which the extent of the contact is found, and along the shortest.
-const COARSE: f64 = 24.0;
-/// Most rows and columns of that grid.
-const MOST_COARSE: f64 = 600.0;
+/// Elements along and across an overlap on the grid on which the extent of its contact is found; it may hold several zones.
+const COARSE: [usize; 2] = [24, 48];
 /// Share of the load from which on a zone has a say in the size of elements: smaller ones are solved on those of the others.
 const NOTABLE: f64 = 0.02;
 /// Sizes of elements on the ladder between one and its half.
 const RUNGS: f64 = 4.0;
-/// Most elements of a grid.
-const MOST_ELEMENTS: f64 = 4e5;
+/// Most elements of a grid, over those asked for of one zone: zones of different sizes far apart share one lattice.
+const MOST_ELEMENTS: f64 = 30.0;
 /// Rows and columns beyond the extent that the coarse solution tells.
 const MARGIN: f64 = 2.0;
 /// How often the grid grows when the contact reaches its border.
@@ -124,9 +122,12 @@ pub fn solve(
     if overlaps.is_empty() {
         return None;
     }
-    let coarse = coarse_grid(&overlaps);
-    let found = section.solve_on(coarse, &overlaps, modulus)?;
-    let zones = found.zones();
+    // Each overlap by itself tells the extent of its zones: that of all together is no greater.
+    let mut zones = Vec::new();
+    for overlap in &overlaps {
+        let alone = std::slice::from_ref(overlap);
+        zones.extend(section.solve_on(coarse_grid(overlap), alone, modulus)?.zones());
+    }
     let mut box_of_load = extent_of(&zones)?;
     let size = element_size(&zones, box_of_load, elements);
     for _ in 0..MOST_GROWTHS {
@@ -379,25 +380,13 @@ impl RailElements {
 /// Growth of a border that the contact reaches, as a share of the extent [-].
 const GROWTH: f64 = 0.1;
 
-/// The grid over all overlaps on which the extent of the contact is found.
-fn coarse_grid(overlaps: &[Overlap]) -> Grid {
-    let (mut x, mut y) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
-    let (mut shortest, mut narrowest) = (f64::INFINITY, f64::INFINITY);
-    for overlap in overlaps {
-        let mut own = [f64::INFINITY, f64::NEG_INFINITY];
-        for &[_, _, at, half] in overlap.places.iter().filter(|place| place[3] > 0.0) {
-            own = [own[0].min(at - half), own[1].max(at + half)];
-        }
-        let range = overlap.range();
-        x = [x[0].min(own[0]), x[1].max(own[1])];
-        y = [y[0].min(range[0]), y[1].max(range[1])];
-        shortest = shortest.min(own[1] - own[0]);
-        narrowest = narrowest.min(range[1] - range[0]);
+/// The grid over an overlap on which the extent of its contact is found.
+fn coarse_grid(overlap: &Overlap) -> Grid {
+    let mut x = [f64::INFINITY, f64::NEG_INFINITY];
+    for &[_, _, at, half] in overlap.places.iter().filter(|place| place[3] > 0.0) {
+        x = [x[0].min(at - half), x[1].max(at + half)];
     }
-    let count = |range: [f64; 2], least: f64| {
-        (COARSE * (range[1] - range[0]) / least).min(MOST_COARSE).ceil() as usize
-    };
-    Grid::over(x, y, count(x, shortest), count(y, narrowest))
+    Grid::over(x, overlap.range(), COARSE[0], COARSE[1])
 }
 
 /// The box of all zones.
@@ -416,7 +405,8 @@ fn element_size(zones: &[ZoneExtent], [x, y]: [[f64; 2]; 2], elements: [usize; 2
         }
     }
     let count = (x[1] - x[0]) / size[0] * (y[1] - y[0]) / size[1];
-    let larger = (count / MOST_ELEMENTS).sqrt().max(1.0);
+    let most = MOST_ELEMENTS * (elements[0] * elements[1]) as f64;
+    let larger = (count / most).sqrt().max(1.0);
     size.map(|size| ((larger * size).log2() * RUNGS).floor() / RUNGS).map(f64::exp2)
 }
 
