@@ -81,7 +81,6 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
     let mut damping = if problem.rolling { ROLLING_DAMPING } else { 1.0 };
     let loaded = bound.iter().any(|&g| g > 0.0);
     let loaded_rows: Vec<bool> = (0..grid.across).map(|j| rows.is_loaded(j)).collect();
-    let mut slip = vec![[0.0; 2]; grid.len()];
     let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
     while loaded && change > problem.tolerance && sweeps < MOST_SWEEPS {
         sweeps += 1;
@@ -138,21 +137,7 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
             }
         }
     }
-    let mut contradiction: f64 = 0.0;
-    for j in (0..grid.across).filter(|&j| loaded_rows[j]) {
-        received.begin_row(j, &rows);
-        for i in (0..grid.along).filter(|i| bound[j * grid.along + i] > 0.0) {
-            let (k, at) = (j * grid.along + i, j * stride + i);
-            let own = received.at(i, j, &rows);
-            let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
-            slip[k] = s;
-            let opposite = if sticks[at] { 0.0 } else { s[0].hypot(s[1]) / bound[k] };
-            let left = [s[0] + opposite * rows.x[at], s[1] + opposite * rows.y[at]];
-            contradiction = contradiction.max(left[0].hypot(left[1]));
-        }
-    }
-    let rigid_slips = rigid.iter().zip(bound).filter(|(_, g)| **g > 0.0);
-    let largest = rigid_slips.map(|(w, _)| w[0].hypot(w[1])).fold(0.0, f64::max);
+    let (slip, residual) = slips(problem, &mut received, &rows, &sticks);
     let of_grid = |field: &[f64]| -> Vec<f64> {
         field.chunks_exact(stride).flat_map(|row| row[..grid.along].iter().copied()).collect()
     };
@@ -167,8 +152,34 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
         sweeps,
         change: if loaded { change } else { 0.0 },
         converged: !loaded || change <= problem.tolerance,
-        residual: if largest > 0.0 { contradiction / largest } else { 0.0 },
+        residual,
     }
+}
+
+/// Slip of all elements, and the largest that contradicts the friction law over the largest rigid slip.
+fn slips(
+    problem: &FrictionProblem<'_>,
+    received: &mut Received,
+    rows: &TractionRows,
+    sticks: &[bool],
+) -> (Vec<[f64; 2]>, f64) {
+    let FrictionProblem { grid, bound, rigid, .. } = *problem;
+    let mut slip = vec![[0.0; 2]; grid.len()];
+    let (mut contradiction, mut largest) = (0.0_f64, 0.0_f64);
+    for j in (0..grid.across).filter(|&j| rows.is_loaded(j)) {
+        received.begin_row(j, rows);
+        for i in (0..grid.along).filter(|i| bound[j * grid.along + i] > 0.0) {
+            let (k, at) = (j * grid.along + i, j * rows.stride + i);
+            let own = received.at(i, j, rows);
+            let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
+            let opposite = if sticks[at] { 0.0 } else { s[0].hypot(s[1]) / bound[k] };
+            let left = [s[0] + opposite * rows.x[at], s[1] + opposite * rows.y[at]];
+            slip[k] = s;
+            contradiction = contradiction.max(left[0].hypot(left[1]));
+            largest = largest.max(rigid[k][0].hypot(rigid[k][1]));
+        }
+    }
+    (slip, if largest > 0.0 { contradiction / largest } else { 0.0 })
 }
 
 /// Share of the bound below which an element of a start sticks [-].

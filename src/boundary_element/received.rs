@@ -108,7 +108,8 @@ impl Received {
             sums: vec![0.0; 4 * frequencies],
             from_others: [vec![0.0; along], vec![0.0; along]],
         };
-        for (k, influence) in [&influence.xx, &influence.xy, &influence.yy].into_iter().enumerate() {
+        for (k, influence) in [&influence.xx, &influence.xy, &influence.yy].into_iter().enumerate()
+        {
             received.transform_influence(k, influence);
         }
         for j in (0..across).filter(|&j| rows.is_loaded(j)) {

@@ -7,12 +7,17 @@ use nalgebra::Vector3;
 
 use super::contact_forces::ContactForces;
 use super::curved_zone::Tractions;
+use super::evaluate::Work;
 use super::models::Models;
+use super::output::Output;
 use super::parameters::CreepageModel;
 use crate::geometry::contact::Contact;
+use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::placed_rail::PlacedRail;
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::math::real::Real;
-use crate::normal::rail_elements::{RailElements, Row};
+use crate::normal::Zone;
+use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
 use crate::tangential::{Rolling, RollingState, TangentialModel};
 
@@ -35,9 +40,54 @@ impl<T: Real> GivenTractions<T> {
     }
 }
 
+/// Solves for all that the wheel overlaps of `rail` near `found` and adds the forces to `output`; returns how many zones found no room or
+/// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track
+/// and the load and penetration that share its stiffness.
+pub fn add<'a>(
+    rail: &PlacedRail,
+    found: &[Contact],
+    forces: &impl Fn(Contact, [f64; 2], Option<[f64; 2]>) -> ContactForces<'a>,
+    models: &mut Models,
+    output: &mut Output,
+    work: &mut Work,
+) -> Option<u64> {
+    let line = forces(*found.first()?, [0.0; 2], None).line;
+    let modulus = models.material.contact_modulus;
+    let elements = &rail_elements::solve(&line, rail, found, models.elements, modulus)?;
+    models.rail_strips.clear();
+    let mut left_out = elements.fill(&mut models.rail_strips) as u64;
+    output.normal_residual = output.normal_residual.max(elements.residual);
+    let whole = Some([models.rail_strips.load(), elements.approach]);
+    let (mut contacts, mut states) = (Vec::new(), Vec::new());
+    for index in 0..models.rail_strips.zones.len() {
+        let contact = take_zone(elements, index, models);
+        let Zone { x, y, .. } = models.rail_strips.zones[index];
+        let state = forces(contact, [0.0; 2], whole).rolling_state(models);
+        contacts.push(contact);
+        states.push(ZoneState { state, centre: [x, y] });
+    }
+    let found = contacts.first().and_then(|contact| {
+        let forces = forces(*contact, [0.0; 2], whole);
+        tractions(elements, &forces, &forces.motion(), &states, models)
+    });
+    let mut given = found.map_or_else(Vec::new, |(given, residual)| {
+        output.tangential_residual = output.tangential_residual.max(residual);
+        given
+    });
+    given.reverse();
+    for (index, contact) in contacts.into_iter().enumerate() {
+        take_zone(elements, index, models);
+        models.given = given.pop();
+        let forces = forces(contact, [0.0; 2], whole);
+        let mut separation = LineSeparation::new(&forces.line, rail, contact);
+        left_out += forces.add(&mut separation, models, output, work);
+    }
+    Some(left_out)
+}
+
 /// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
 /// where the line of action of that passes through the contact.
-pub fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Contact {
+fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Contact {
     let Models { strips, rail_strips: all, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
@@ -113,7 +163,9 @@ fn for_each_element<'a>(
         let normal = row.normal();
         for i in 0..grid.along {
             let k = j * grid.along + i;
-            let (Some(opposite), p) = (&elements.opposite[k], elements.pressure[k]) else { continue };
+            let (Some(opposite), p) = (&elements.opposite[k], elements.pressure[k]) else {
+                continue;
+            };
             if p <= 0.0 {
                 continue;
             }
@@ -133,17 +185,17 @@ fn for_each_element<'a>(
 
 /// How a zone of the rail rolls: its creepage and state, for the tractions of all.
 #[derive(Clone, Copy, Debug)]
-pub struct ZoneState {
+struct ZoneState {
     /// Creepage at the centroid of the load, friction, damping and speed.
-    pub state: RollingState,
+    state: RollingState,
     /// Centroid of the load along the track and on the arc [m].
-    pub centre: [f64; 2],
+    centre: [f64; 2],
 }
 
 /// Tractions of all zones of a rail together, one for each of `zones`, and the largest slip that contradicts the friction law, over the
 /// largest rigid slip; nothing where there is nothing to compute or no solution was
 /// found. `forces` is of any of the zones.
-pub fn tractions(
+fn tractions(
     elements: &RailElements,
     forces: &ContactForces,
     motion: &RelativeMotion,
@@ -163,9 +215,8 @@ pub fn tractions(
         .zip(all.zones.iter())
         .map(|(zone, of)| models.tangential.under_law(of, &models.material, &zone.state))
         .collect();
-    let heaviest = (0..zones.len()).max_by(|&a, &b| {
-        all.zones[a].load.total_cmp(&all.zones[b].load)
-    })?;
+    let heaviest =
+        (0..zones.len()).max_by(|&a, &b| all.zones[a].load.total_cmp(&all.zones[b].load))?;
     let (grid, area) = (&elements.grid, elements.grid.element_area());
     let mut bound = vec![0.0; grid.len()];
     let mut rigid = vec![[0.0; 2]; grid.len()];
@@ -184,8 +235,7 @@ pub fn tractions(
     for_each_element(elements, strip_of_row, |element| {
         let Some(z) = zone_of_strip(element.strip) else { return };
         let ZoneState { state, centre } = &zones[z];
-        bound[element.k] =
-            laws[z].0.friction * state.load_factor * elements.pressure[element.k];
+        bound[element.k] = laws[z].0.friction * state.load_factor * elements.pressure[element.k];
         let own = if models.creepage == CreepageModel::Curved {
             let axes = ContactAxes::along_track(
                 forces.frame.direction(element.row.tangent),

@@ -190,8 +190,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let load_factor =
             self.load_factor(self.closing_speed(&motion, None, &models.strips), models);
         let zone = models.strips.zones[0];
-        let rolling =
-            self.rolling(zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
+        let rolling = self.rolling(zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
         let creepage = if models.creepage == CreepageModel::Kinematic {
             self.kinematic(&rolling)
         } else {

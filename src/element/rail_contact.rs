@@ -1,6 +1,6 @@
 //! The contact of one wheel with one rail: pose, search, normal and tangential models, forces on both bodies.
 
-use super::boundary_contact::{self, ZoneState};
+use super::boundary_contact;
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
 use super::flattened::FlatContact;
@@ -20,7 +20,7 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileKind};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
-use crate::normal::{self, NormalModel, NormalProblem, Zone, rail_elements};
+use crate::normal::{self, NormalModel, NormalProblem};
 
 /// One rail and what is prepared for its contact with the wheel.
 #[derive(Clone, Debug)]
@@ -281,47 +281,14 @@ impl RailContact {
             }
             left_out += 1;
         }
-        if models.normal == NormalModel::BoundaryElement
-            && models.uneven.is_none()
-            && !self.search.contacts.is_empty()
-        {
+        let is_boundary = models.normal == NormalModel::BoundaryElement && models.uneven.is_none();
+        if is_boundary && !self.search.contacts.is_empty() {
             let contacts = &self.search.contacts;
-            let modulus = models.material.contact_modulus;
-            let found = rail_elements::solve(&line, &self.rail, contacts, models.elements, modulus);
-            if let Some(elements) = &found {
-                models.rail_strips.clear();
-                left_out += elements.fill(&mut models.rail_strips) as u64;
-                let whole = Some([models.rail_strips.load(), elements.approach]);
-                let mut zones = Vec::new();
-                for zone in 0..models.rail_strips.zones.len() {
-                    let contact = boundary_contact::take_zone(elements, zone, models);
-                    let Zone { x, y, .. } = models.rail_strips.zones[zone];
-                    let state = forces(contact, [0.0; 2], whole).rolling_state(models);
-                    zones.push((contact, ZoneState { state, centre: [x, y] }));
-                }
-                output.normal_residual = output.normal_residual.max(elements.residual);
-                let states: Vec<ZoneState> = zones.iter().map(|zone| zone.1).collect();
-                let mut given = zones.first().and_then(|(contact, _)| {
-                    let forces = forces(*contact, [0.0; 2], whole);
-                    boundary_contact::tractions(elements, &forces, &forces.motion(), &states, models)
-                });
-                for (zone, (contact, _)) in zones.into_iter().enumerate() {
-                    boundary_contact::take_zone(elements, zone, models);
-                    models.given = given.as_mut().map(|(given, residual)| {
-                        output.tangential_residual = output.tangential_residual.max(*residual);
-                        given.remove(0)
-                    });
-                    let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                    left_out += forces(contact, [0.0; 2], whole).add(
-                        &mut separation,
-                        models,
-                        output,
-                        work,
-                    );
-                }
-                return left_out;
+            let added = boundary_contact::add(&self.rail, contacts, &forces, models, output, work);
+            match added {
+                Some(fallbacks) => return left_out + fallbacks,
+                None => left_out += 1,
             }
-            left_out += 1;
         }
         for index in 0..self.search.contacts.len() {
             let contact = self.search.contacts[index];

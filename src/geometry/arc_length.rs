@@ -23,7 +23,8 @@ impl<'a> ArcLength<'a> {
     #[must_use]
     pub fn new(curve: &'a Curve) -> Self {
         let knots: Vec<f64> = curve.knots().collect();
-        let mut arcs = Self { curve, arcs: vec![0.0; knots.len()], knots, rule: GaussLegendre::new(POINTS) };
+        let mut arcs =
+            Self { curve, arcs: vec![0.0; knots.len()], knots, rule: GaussLegendre::new(POINTS) };
         for k in 1..arcs.knots.len() {
             arcs.arcs[k] = arcs.arcs[k - 1] + arcs.between(arcs.knots[k - 1], arcs.knots[k]);
         }

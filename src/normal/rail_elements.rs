@@ -224,7 +224,8 @@ impl Section<'_> {
     fn row_near(&self, arc: f64, overlaps: &[Overlap]) -> Option<Row> {
         let overlap = overlaps.iter().find(|o| o.range()[0] <= arc && arc <= o.range()[1])?;
         let k = overlap.places.partition_point(|place| place[0] <= arc);
-        let (a, b) = (overlap.places[k.max(1) - 1], overlap.places[k.clamp(1, overlap.places.len() - 1)]);
+        let (a, b) =
+            (overlap.places[k.max(1) - 1], overlap.places[k.clamp(1, overlap.places.len() - 1)]);
         let share = if b[0] > a[0] { (arc - a[0]) / (b[0] - a[0]) } else { 0.0 };
         self.row(arc, a[1] + share * (b[1] - a[1]))
     }
@@ -242,10 +243,8 @@ impl Section<'_> {
             return None;
         }
         // What does not overlap is as far apart as the bodies overlap elsewhere.
-        let distance: Vec<f64> = opposite
-            .iter()
-            .map(|o| o.map_or(2.0 * approach, |o| approach - o.overlap))
-            .collect();
+        let distance: Vec<f64> =
+            opposite.iter().map(|o| o.map_or(2.0 * approach, |o| approach - o.overlap)).collect();
         let mut solver = PressureSolver::new(grid, modulus).with_tolerance(CLOSED);
         let solution = solver.at_approach(&distance, approach, None);
         if solution.residual > TOLERANCE {
@@ -271,7 +270,8 @@ impl Section<'_> {
     /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as far as the bodies overlap.
     fn meet_row(&self, grid: &Grid, row: &Row, opposite: &mut [Option<Opposite>]) {
         let normal = row.normal();
-        let middle = ((grid.leading_x - row.x) / grid.dx).round().clamp(0.0, (grid.along - 1) as f64);
+        let middle =
+            ((grid.leading_x - row.x) / grid.dx).round().clamp(0.0, (grid.along - 1) as f64);
         let mut meet = |i: usize, guess: &mut [f64; 2]| {
             let found = self.line.surface_along(grid.x(i), row.point, normal, *guess);
             let Some(at) = found.filter(|at| at.depth > 0.0) else { return false };

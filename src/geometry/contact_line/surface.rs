@@ -46,21 +46,18 @@ impl ContactLine<'_> {
             if !(s > self.profile.start() && s < self.profile.end()) {
                 return None;
             }
-            let to = [
-                start[0],
-                start[1] + depth * direction[0],
-                start[2] + depth * direction[1],
-            ];
+            let to = [start[0], start[1] + depth * direction[0], start[2] + depth * direction[1]];
             let axial = to[0] * ux + to[1] * uy + to[2] * uz;
             let radial = [to[0] - axial * ux, to[1] - axial * uy, to[2] - axial * uz];
-            let radius = (radial[0] * radial[0] + radial[1] * radial[1] + radial[2] * radial[2]).sqrt();
+            let radius =
+                (radial[0] * radial[0] + radial[1] * radial[1] + radial[2] * radial[2]).sqrt();
             let outward = radial.map(|r| r / radius);
             let radial_rate = outward[1] * direction[0] + outward[2] * direction[1];
             let p = self.profile.at(s);
             let speed = (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
             let [dy, dz] = p.first.map(|d| d / speed);
             let facing = dy * radial_rate - dz * axial_rate;
-            if !(facing > LEAST_COSINE) {
+            if facing <= LEAST_COSINE {
                 return None;
             }
             let missing = [p.point[0] - axial, p.point[1] + self.nominal_radius - radius];
@@ -100,7 +97,8 @@ mod tests {
             let at = line.at(s);
             let direction = [-sine, cosine];
             let from = [0, 1].map(|i| at.point[i] - 3e-4 * direction[i]);
-            let on = |x: f64, guess: [f64; 2]| line.surface_along(x, from, direction, guess).unwrap();
+            let on =
+                |x: f64, guess: [f64; 2]| line.surface_along(x, from, direction, guess).unwrap();
             let middle = on(at.x, [s, 0.0]);
             assert_relative_eq!(middle.depth, 3e-4, epsilon = 1e-12);
             assert_relative_eq!(middle.s, s, epsilon = 1e-12);
@@ -109,10 +107,18 @@ mod tests {
             let h = 1e-5;
             for x in [at.x - 5e-3, at.x + 4e-3] {
                 let [a, b, c] = [x - h, x, x + h].map(|x| on(x, [s, 3e-4]));
-                assert_relative_eq!(b.normal.iter().map(|n| n * n).sum::<f64>(), 1.0, epsilon = 1e-12);
+                assert_relative_eq!(
+                    b.normal.iter().map(|n| n * n).sum::<f64>(),
+                    1.0,
+                    epsilon = 1e-12
+                );
                 // The depth falls along x as the normal says.
                 let facing = b.normal[1] * direction[0] + b.normal[2] * direction[1];
-                assert_relative_eq!((c.depth - a.depth) / (2.0 * h), -b.normal[0] / facing, epsilon = 1e-6);
+                assert_relative_eq!(
+                    (c.depth - a.depth) / (2.0 * h),
+                    -b.normal[0] / facing,
+                    epsilon = 1e-6
+                );
                 assert!(b.depth < middle.depth);
             }
         }
