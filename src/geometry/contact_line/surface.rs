@@ -91,7 +91,11 @@ mod tests {
     fn a_point_on_a_line_has_its_place_on_the_profile_and_the_normal_of_the_surface() {
         let wheel = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
         let line = ContactLine::new(&wheel.curve, 0.46, &POSE);
-        for (s, angle) in [(0.01, -0.02), (-0.03, -0.3), (-0.038, -1.1)] {
+        let [start, end] = line.range();
+        for (y, angle) in [(0.01, -0.02), (-0.03, -0.3), (-0.038, -1.1)] {
+            let places = (0..=1000).map(|i| start + (end - start) * f64::from(i) / 1000.0);
+            let away = |s: &f64| (wheel.curve.at(*s).point[0] - y).abs();
+            let s = places.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap();
             let (sine, cosine) = f64::sin_cos(angle);
             // From 0.3 mm beside the outline of the wheel, along a normal of the rail.
             let at = line.at(s);
