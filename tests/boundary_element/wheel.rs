@@ -126,7 +126,7 @@ const POSES: [(&str, f64, f64, f64); 4] = [
 ];
 
 fn frictionless(rail: &str, shift: f64, yaw: f64, depth: f64) -> (Element, Input) {
-    let mut parameters = Parameters { tangential_model: TangentialModel::None, ..boundary(16) };
+    let mut parameters = Parameters { tangential_model: TangentialModel::None, ..boundary(24) };
     parameters.rails[0].profile = rail.into();
     let mut input = Input::default();
     input.wheel.position[1] += shift;
