@@ -20,7 +20,7 @@ const CONTACT: [([usize; 2], usize, [f64; 2]); 3] = [
     ([53, 57], 1200, [4.63, 58.2]),
 ];
 /// More grids for the growth.
-const GROWTH: [usize; 5] = [10, 20, 40, 60, 80];
+const GROWTH: [usize; 8] = [10, 20, 40, 60, 80, 120, 200, 356];
 
 const APPROACH: f64 = 1.003e-4;
 const RADIUS: f64 = 0.459_73;

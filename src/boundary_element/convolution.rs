@@ -148,7 +148,7 @@ impl Convolution {
 }
 
 /// The least length ≥ `least` of factors 2, 3 and 5 that `divisor` divides.
-fn fast_length(least: usize, divisor: usize) -> usize {
+pub(super) fn fast_length(least: usize, divisor: usize) -> usize {
     let is_fast = |length: usize| {
         let mut rest = length;
         for factor in [2, 3, 5] {

@@ -31,6 +31,9 @@ pub struct Tractions {
     pub change: f64,
     /// Whether that is within the tolerance.
     pub converged: bool,
+    /// Largest slip that contradicts the friction law, over the largest rigid slip [-]: all slip where an element adheres, what is not
+    /// opposite to the traction where it slips.
+    pub residual: f64,
 }
 
 /// Change in a sweep, over the sum of the tractions, at which they are accepted [-].
@@ -63,7 +66,6 @@ pub struct FrictionProblem<'a> {
 #[must_use]
 pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tractions {
     let FrictionProblem { grid, influence, bound, rigid, .. } = *problem;
-    let received = Received::new(influence);
     let mut rows = TractionRows::new(grid, bound);
     let stride = rows.stride;
     let mut sticks = vec![false; rows.x.len()];
@@ -74,15 +76,17 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
             sticks[at] = p[0].hypot(p[1]) < STICKING * bound[k];
         }
     }
+    let mut received = Received::new(influence, &rows);
     let carried = carried_influence(influence, grid.along);
     let mut damping = if problem.rolling { ROLLING_DAMPING } else { 1.0 };
     let loaded = bound.iter().any(|&g| g > 0.0);
-    let mut slip = vec![[0.0; 2]; grid.len()];
+    let loaded_rows: Vec<bool> = (0..grid.across).map(|j| rows.is_loaded(j)).collect();
     let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
     while loaded && change > problem.tolerance && sweeps < MOST_SWEEPS {
         sweeps += 1;
         let (mut moved, mut total) = (0.0, 0.0);
-        for j in 0..grid.across {
+        for j in (0..grid.across).filter(|&j| loaded_rows[j]) {
+            received.begin_row(j, &rows);
             let mut end = 0;
             for i in 0..grid.along {
                 let k = j * grid.along + i;
@@ -93,7 +97,6 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
                 let at = j * stride + i;
                 let own = received.at(i, j, &rows);
                 let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
-                slip[k] = s;
                 end = end.max(i + 1);
                 while problem.rolling && sticks[j * stride + end] {
                     end += 1;
@@ -121,6 +124,7 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
                 moved += step[0].abs().max(step[1].abs());
                 total += rows.x[at].abs().max(rows.y[at].abs());
             }
+            received.renew(j, &rows);
         }
         // Nothing moves without slip.
         change = if total > 0.0 { moved / total } else { 0.0 };
@@ -133,6 +137,7 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
             }
         }
     }
+    let (slip, residual) = slips(problem, &mut received, &rows, &sticks);
     let of_grid = |field: &[f64]| -> Vec<f64> {
         field.chunks_exact(stride).flat_map(|row| row[..grid.along].iter().copied()).collect()
     };
@@ -147,7 +152,34 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
         sweeps,
         change: if loaded { change } else { 0.0 },
         converged: !loaded || change <= problem.tolerance,
+        residual,
     }
+}
+
+/// Slip of all elements, and the largest that contradicts the friction law over the largest rigid slip.
+fn slips(
+    problem: &FrictionProblem<'_>,
+    received: &mut Received,
+    rows: &TractionRows,
+    sticks: &[bool],
+) -> (Vec<[f64; 2]>, f64) {
+    let FrictionProblem { grid, bound, rigid, .. } = *problem;
+    let mut slip = vec![[0.0; 2]; grid.len()];
+    let (mut contradiction, mut largest) = (0.0_f64, 0.0_f64);
+    for j in (0..grid.across).filter(|&j| rows.is_loaded(j)) {
+        received.begin_row(j, rows);
+        for i in (0..grid.along).filter(|i| bound[j * grid.along + i] > 0.0) {
+            let (k, at) = (j * grid.along + i, j * rows.stride + i);
+            let own = received.at(i, j, rows);
+            let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
+            let opposite = if sticks[at] { 0.0 } else { s[0].hypot(s[1]) / bound[k] };
+            let left = [s[0] + opposite * rows.x[at], s[1] + opposite * rows.y[at]];
+            slip[k] = s;
+            contradiction = contradiction.max(left[0].hypot(left[1]));
+            largest = largest.max(rigid[k][0].hypot(rigid[k][1]));
+        }
+    }
+    (slip, if largest > 0.0 { contradiction / largest } else { 0.0 })
 }
 
 /// Share of the bound below which an element of a start sticks [-].

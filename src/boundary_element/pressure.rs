@@ -20,6 +20,7 @@ pub struct PressureSolver {
     convolution: Convolution,
     spectrum: Spectrum,
     preconditioner: Stencil,
+    tolerance: f64,
 }
 
 /// A pressure and how it was found.
@@ -51,7 +52,13 @@ impl PressureSolver {
         let mut convolution = Convolution::new(grid.along, grid.across);
         let spectrum = convolution.spectrum_of(&influence);
         let preconditioner = Stencil::new(&grid);
-        Self { grid, convolution, spectrum, preconditioner }
+        Self { grid, convolution, spectrum, preconditioner, tolerance: TOLERANCE }
+    }
+
+    /// The same with another distance left in the contact, over the approach, at which a solution is accepted [-].
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
     }
 
     /// The grid.
@@ -95,7 +102,7 @@ impl PressureSolver {
         let mut last_product = 0.0;
         let mut restart = true;
         let mut residual = f64::INFINITY;
-        let limit = TOLERANCE * approach.abs();
+        let limit = self.tolerance * approach.abs();
         for iteration in 0..MOST_ITERATIONS {
             // In contact: loaded, or overlapping.
             let mut joined = false;
@@ -115,7 +122,7 @@ impl PressureSolver {
             }
             residual = if elements > 0 { (sum / elements as f64).sqrt() } else { 0.0 };
             if residual <= limit && !joined {
-                return solution(p, approach, iteration, residual);
+                return solution(p, approach, iteration, residual, self.tolerance);
             }
             let in_contact = |k: usize, p: &[f64], rest: &[f64]| p[k] > 0.0 || rest[k] > 0.0;
             self.preconditioner.apply(&self.grid, &rest, &mut scaled);
@@ -158,7 +165,7 @@ impl PressureSolver {
                 rest[k] = overlap[k] - displacement[k];
             }
         }
-        solution(p, approach, MOST_ITERATIONS, residual)
+        solution(p, approach, MOST_ITERATIONS, residual, self.tolerance)
     }
 
     /// The displacement under `tractions` [m].
@@ -172,9 +179,10 @@ fn solution(
     approach: f64,
     iterations: usize,
     residual: f64,
+    tolerance: f64,
 ) -> PressureSolution {
     let residual = if approach == 0.0 { 0.0 } else { residual / approach.abs() };
-    PressureSolution { pressure, approach, iterations, residual, converged: residual <= TOLERANCE }
+    PressureSolution { pressure, approach, iterations, residual, converged: residual <= tolerance }
 }
 
 /// A pressure of about the right shape: that of Hertz has the contour lines of the separation.

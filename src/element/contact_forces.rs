@@ -70,12 +70,10 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         work: &mut Work,
     ) -> u64 {
         let mut fallbacks = 0;
-        // All points have their x from the wheel marker, so that no result depends on the station by rounding.
-        let [station, y, z] = self.input.wheel.position;
-        let wheel = WheelMotion { position: [T::from(0.0), y, z], ..self.input.wheel };
+        let [station, ..] = self.input.wheel.position;
+        let wheel = self.wheel();
         let wheel_marker = Vector3::from(wheel.position);
-        let rail_motion = &self.input.rails[self.k];
-        let motion = RelativeMotion::new(&wheel, rail_motion, self.frame.marker);
+        let motion = self.motion();
         let even_axes = self.axes();
         let lifting = separation.lifting();
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
@@ -90,25 +88,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 T::zone_surface(self, &lifting, &zone, models)
             });
             let axes = even_axes.leaning(surface.lean);
-            let depth = self.depth(zone.u) + surface.depth;
-            let position = self.track_point(zone.x, zone.y, depth);
+            let rolling = self.rolling(zone, &surface, load_factor, models.minimum_speed);
+            let ZoneRolling { position, rolling_radius, speed, .. } = rolling;
             let wheel_point = self.line.wheel_point(zone.u);
-            let rolling_radius = wheel_point.rolling_radius + surface.radius;
-            let speed = rolling_speed(
-                wheel.velocity[0],
-                wheel.pitch_rate,
-                rolling_radius,
-                models.minimum_speed,
-            );
-            let rolling = ZoneRolling {
-                zone,
-                position,
-                axes,
-                rolling_radius,
-                speed,
-                load_factor,
-                surface_depth: surface.depth,
-            };
             let (slip, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
@@ -167,6 +149,79 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         fallbacks
     }
 
+    /// The wheel, its x from its marker, so that no result depends on the station by rounding.
+    fn wheel(&self) -> WheelMotion<T> {
+        let [_, y, z] = self.input.wheel.position;
+        WheelMotion { position: [T::from(0.0), y, z], ..self.input.wheel }
+    }
+
+    /// Motion of the wheel against the rail at points with their x from the wheel marker.
+    pub(super) fn motion(&self) -> RelativeMotion<T> {
+        RelativeMotion::new(&self.wheel(), &self.input.rails[self.k], self.frame.marker)
+    }
+
+    /// How a zone rolls.
+    fn rolling(
+        &self,
+        zone: Zone<T>,
+        surface: &ZoneSurface<T>,
+        load_factor: T,
+        minimum_speed: f64,
+    ) -> ZoneRolling<T> {
+        let wheel = &self.input.wheel;
+        let depth = self.depth(zone.u) + surface.depth;
+        let rolling_radius = self.line.wheel_point(zone.u).rolling_radius + surface.radius;
+        ZoneRolling {
+            zone,
+            position: self.track_point(zone.x, zone.y, depth),
+            axes: self.axes().leaning(surface.lean),
+            rolling_radius,
+            speed: rolling_speed(
+                wheel.velocity[0],
+                wheel.pitch_rate,
+                rolling_radius,
+                minimum_speed,
+            ),
+            load_factor,
+            surface_depth: surface.depth,
+        }
+    }
+
+    /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.
+    pub(super) fn rolling_state(&self, models: &Models<T>) -> RollingState<T> {
+        let motion = self.motion();
+        let load_factor =
+            self.load_factor(self.closing_speed(&motion, None, &models.strips), models);
+        let zone = models.strips.zones[0];
+        let rolling = self.rolling(zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
+        let creepage = if models.creepage == CreepageModel::Kinematic {
+            self.kinematic(&rolling)
+        } else {
+            motion.creepage(rolling.position, &rolling.axes, rolling.speed.reference)
+        };
+        self.state(&rolling, creepage)
+    }
+
+    fn kinematic(&self, rolling: &ZoneRolling<T>) -> Creepage<T> {
+        let wheel = &self.input.wheel;
+        kinematic_creepage(
+            wheel.velocity[0],
+            wheel.pitch_rate,
+            rolling.rolling_radius,
+            rolling.speed.reference,
+        )
+    }
+
+    fn state(&self, rolling: &ZoneRolling<T>, creepage: Creepage<T>) -> RollingState<T> {
+        RollingState {
+            creepage,
+            forward_share: rolling.speed.forward_share,
+            friction: self.input.friction,
+            load_factor: rolling.load_factor,
+            speed: rolling.speed.reference,
+        }
+    }
+
     /// Creepage of a zone, and its tractions on the wheel where there are any.
     fn tractions(
         &self,
@@ -174,23 +229,24 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
     ) -> (Creepage<T>, Option<Tractions<T>>) {
-        let ZoneRolling { zone, position, axes, rolling_radius, speed, load_factor, surface_depth } =
-            rolling;
-        let wheel = &self.input.wheel;
-        let Models { curved_zone, strips, tangential, material, wear, .. } = models;
+        let ZoneRolling { zone, position, axes, speed, surface_depth, .. } = rolling;
+        let Models { curved_zone, strips, tangential, material, wear, given, .. } = models;
         let material = &material.fixed();
         let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
         if let Some(wear) = &mut wear {
             wear.begin_zone(zone.first, zone.count);
         }
+        if let Some(given) = given.take() {
+            if let Some(wear) = wear {
+                for (j, [dissipation, slip_area]) in given.strips.iter().enumerate() {
+                    wear.add_strip(zone.first + j, dissipation.value(), slip_area.value());
+                }
+            }
+            return (given.creepage, Some(given.about(*position)));
+        }
         let creepage = match models.creepage {
             CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
-            CreepageModel::Kinematic => kinematic_creepage(
-                wheel.velocity[0],
-                wheel.pitch_rate,
-                *rolling_radius,
-                speed.reference,
-            ),
+            CreepageModel::Kinematic => self.kinematic(rolling),
             CreepageModel::Curved => {
                 let place = |u, x| {
                     let [point, tangent] = self.surface(u, x);
@@ -199,13 +255,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 curved_zone.place(zone, strips, motion, speed.reference, place)
             }
         };
-        let state = RollingState {
-            creepage,
-            forward_share: speed.forward_share,
-            friction: self.input.friction,
-            load_factor: *load_factor,
-            speed: speed.reference,
-        };
+        let state = self.state(rolling, creepage);
         let place = *position;
         let tractions = match (models.creepage, wear) {
             (CreepageModel::Curved, None) => {

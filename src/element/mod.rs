@@ -1,5 +1,6 @@
 //! The contact element: one wheel and the rails under it.
 
+mod boundary_contact;
 mod chosen_models;
 mod contact_forces;
 mod curved_zone;

@@ -1,5 +1,6 @@
 //! The contact models of an element and their scratch memory.
 
+use super::boundary_contact::GivenTractions;
 use super::curved_zone::CurvedZone;
 use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
@@ -51,6 +52,8 @@ pub struct Models<T = f64> {
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
     pub strip_follower: GridFollower<T>,
+    /// Tractions of the zone under way, where they were found together with those of other zones.
+    pub given: Option<GivenTractions<T>>,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
@@ -84,6 +87,7 @@ impl Models {
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
             strip_follower: GridFollower::default(),
+            given: None,
             patches: Room::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
@@ -130,8 +134,16 @@ impl Models {
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, strips),
             strip_solver: is_strips.then(|| GridSolver::new(strips)),
-            rail_strips: Strips::with_capacity(if is_strips { MOST_ZONES } else { 0 }, strips),
+            rail_strips: Strips::with_capacity(
+                if is_strips || parameters.normal_model == NormalModel::BoundaryElement {
+                    MOST_ZONES
+                } else {
+                    0
+                },
+                strips,
+            ),
             strip_follower: GridFollower::default(),
+            given: None,
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,

@@ -84,6 +84,11 @@ pub struct Output<T = f64> {
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
     pub fallback_count: i32,
+    /// Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap; 0 for models that do not
+    /// tell it [-].
+    pub normal_residual: T,
+    /// Largest slip that contradicts the friction law, over the largest rigid slip; 0 for models that do not tell it [-].
+    pub tangential_residual: T,
     /// Dissipated energy per distance, spin included [J/m].
     pub wear_number: T,
     /// Power turned into heat [W].
@@ -105,6 +110,8 @@ impl<T: Real> Output<T> {
         *rails = [Wrench::default(); RAILS];
         (*wheel_z, *load_carried) = (T::default(), T::default());
         (*patch_count, *fallback_count) = (0, 0);
+        let Self { normal_residual, tangential_residual, .. } = self;
+        (*normal_residual, *tangential_residual) = (T::default(), T::default());
         let Self { wear_number, frictional_power, patches, wheel_wear, rail_wear, .. } = self;
         (*wear_number, *frictional_power) = (T::default(), T::default());
         patches.fill(Patch::default());
@@ -120,6 +127,8 @@ impl<T: Real> Output<T> {
             rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
             wheel_z: turn(self.wheel_z),
             load_carried: turn(self.load_carried),
+            normal_residual: turn(self.normal_residual),
+            tangential_residual: turn(self.tangential_residual),
             wear_number: turn(self.wear_number),
             frictional_power: turn(self.frictional_power),
             patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),

@@ -1,5 +1,6 @@
 //! The contact of one wheel with one rail: pose, search, normal and tangential models, forces on both bodies.
 
+use super::boundary_contact;
 use super::contact_forces::ContactForces;
 use super::evaluate::Work;
 use super::flattened::FlatContact;
@@ -275,6 +276,15 @@ impl RailContact {
                     forces(contact, slopes, Some(whole)).add(&mut separation, models, output, work);
             }
             return left_out;
+        }
+        let is_boundary = models.normal == NormalModel::BoundaryElement && models.uneven.is_none();
+        if is_boundary && !self.search.contacts.is_empty() {
+            let contacts = &self.search.contacts;
+            let added = boundary_contact::add(&self.rail, contacts, &forces, models, output, work);
+            match added {
+                Some(fallbacks) => return left_out + fallbacks,
+                None => left_out += 1,
+            }
         }
         for index in 0..self.search.contacts.len() {
             let contact = self.search.contacts[index];

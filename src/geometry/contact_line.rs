@@ -15,6 +15,7 @@
 
 mod lifted;
 mod rim;
+pub mod surface;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;

@@ -1,6 +1,7 @@
 //! Profiles, the placed wheel and rail, and where they touch.
 
 mod analytic_profiles;
+pub mod arc_length;
 pub mod clearance;
 pub mod contact;
 pub mod contact_line;

@@ -59,7 +59,14 @@ pub fn solve(
             extent = grown;
             continue;
         }
-        return Some(fill(strips, grid, solution, &rows));
+        let field = ElementPressure {
+            grid,
+            pressure: solution.pressure,
+            strip_of_row: vec![None; grid.across],
+            iterations: solution.iterations,
+        };
+        let u: Vec<f64> = rows.iter().map(|row| row.0).collect();
+        return Some(fill_rows(strips, field, &u));
     }
     None
 }
@@ -245,16 +252,11 @@ fn touched_borders(
 /// Growth of a border that the contact reaches, as a share of the extent [-].
 const GROWTH: f64 = 0.1;
 
-/// Turns the rows into strips and zones; returns the number of zones that found no room.
-fn fill(
-    strips: &mut Strips,
-    grid: Grid,
-    solution: PressureSolution,
-    rows: &[(f64, SeparationPoint)],
-) -> usize {
-    let pressure = solution.pressure;
+/// Turns the rows of `field`, with the parameters `u` of the contact line, into strips and zones; returns the number of zones that found no
+/// room.
+pub(super) fn fill_rows(strips: &mut Strips, field: ElementPressure, u: &[f64]) -> usize {
+    let ElementPressure { grid, pressure, mut strip_of_row, iterations } = field;
     let loads = row_loads(&grid, &pressure);
-    let mut strip_of_row = vec![None; grid.across];
     let mut left_out = 0;
     let mut j = 0;
     while j < grid.across {
@@ -290,7 +292,7 @@ fn fill(
             strips.x.push(x);
             strips.half_length.push(half_length);
             strips.pressure.push(load / (std::f64::consts::FRAC_PI_2 * half_length * width));
-            strips.u.push(rows[row].0);
+            strips.u.push(u[row]);
             zone.max_pressure = line.iter().copied().fold(zone.max_pressure, f64::max);
             zone.length = zone.length.max(2.0 * half_length);
         }
@@ -299,11 +301,6 @@ fn fill(
         strips.summarise(&mut zone);
         strips.zones.push(zone);
     }
-    strips.elements = Some(Box::new(ElementPressure {
-        grid,
-        pressure,
-        strip_of_row,
-        iterations: solution.iterations,
-    }));
+    strips.elements = Some(Box::new(ElementPressure { grid, pressure, strip_of_row, iterations }));
     left_out
 }

@@ -7,6 +7,7 @@ pub mod boundary_element;
 pub mod damping;
 pub mod hertz;
 pub mod piotrowski_kik;
+pub mod rail_elements;
 pub mod shape_correction;
 pub mod strips_on_grid;
 pub mod uneven;

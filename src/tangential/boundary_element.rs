@@ -12,6 +12,7 @@ use super::{Creepage, LoadedZone, Rolling, StripForce};
 use crate::boundary_element::friction::Tractions;
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::rolling::steady_rolling;
+use crate::material::MaterialPair;
 use crate::normal::{Strips, Zone};
 
 /// Pressure on elements and the strips that their rows belong to.
@@ -133,26 +134,7 @@ impl LoadedElements {
                 rigid[j * grid.along + i] = [creepage.longitudinal, lateral];
             }
         }
-        match rolling {
-            Rolling::Forward => steady_rolling(grid, material, &bound, &rigid),
-            Rolling::Backward => {
-                let bound = mirrored(grid, &bound);
-                let rigid =
-                    mirrored(grid, &rigid).iter().map(|[x, y]| [-x, *y]).collect::<Vec<_>>();
-                let found = steady_rolling(grid, material, &bound, &rigid);
-                let back = |field: &[f64], sign: f64| {
-                    mirrored(grid, field).iter().map(|value| sign * value).collect()
-                };
-                Tractions {
-                    x: back(&found.x, -1.0),
-                    y: back(&found.y, 1.0),
-                    slip_x: back(&found.slip_x, -1.0),
-                    slip_y: back(&found.slip_y, 1.0),
-                    slips: mirrored(grid, &found.slips),
-                    ..found
-                }
-            }
-        }
+        rolling_tractions(grid, material, &bound, &rigid, rolling)
     }
 
     /// The strip nearest to each row, for rows that are loaded.
@@ -187,6 +169,36 @@ impl LoadedElements {
                 force.slip_area += if tractions.slips[k] { area } else { 0.0 };
             }
             each(strip, force);
+        }
+    }
+}
+
+/// Tractions of the elements of `grid` that roll either way; see [`steady_rolling`].
+#[must_use]
+pub fn rolling_tractions(
+    grid: &Grid,
+    material: &MaterialPair,
+    bound: &[f64],
+    rigid: &[[f64; 2]],
+    rolling: Rolling,
+) -> Tractions {
+    match rolling {
+        Rolling::Forward => steady_rolling(grid, material, bound, rigid),
+        Rolling::Backward => {
+            let bound = mirrored(grid, bound);
+            let rigid = mirrored(grid, rigid).iter().map(|[x, y]| [-x, *y]).collect::<Vec<_>>();
+            let found = steady_rolling(grid, material, &bound, &rigid);
+            let back = |field: &[f64], sign: f64| {
+                mirrored(grid, field).iter().map(|value| sign * value).collect()
+            };
+            Tractions {
+                x: back(&found.x, -1.0),
+                y: back(&found.y, 1.0),
+                slip_x: back(&found.slip_x, -1.0),
+                slip_y: back(&found.slip_y, 1.0),
+                slips: mirrored(grid, &found.slips),
+                ..found
+            }
         }
     }
 }

@@ -154,7 +154,8 @@ impl Tangential {
     }
 
     /// State and elastic constants of a zone as the law of friction has them.
-    fn under_law<T: Real>(
+    #[must_use]
+    pub fn under_law<T: Real>(
         &self,
         zone: &Zone<T>,
         material: &MaterialPair<T>,

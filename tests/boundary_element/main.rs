@@ -8,6 +8,7 @@ mod common;
 mod limits;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
+mod wheel;
 
 use std::f64::consts::PI;
 use std::fmt::Write;

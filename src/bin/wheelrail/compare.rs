@@ -28,6 +28,10 @@ use summary::Summary;
 /// where the row asks for no creep forces neither computes any. normal.elements_along and _across (elements_along and
 /// elements_across in planar tables) set the grid of the boundary elements, 40 by 40 to begin with.
 ///
+/// On wheels the boundary elements lie on the curved surface of the rail, all contacts of a rail in one problem. A second solution with half
+/// as many elements each way tells their own error: by how much the two differ. The largest distance left in the contact (over the
+/// overlap) and the largest slip that contradicts friction (over the rigid slip) tell how well the equations are solved.
+///
 /// The result has one row for each case: both solutions, the errors of the row's models, and the time each took. Errors
 /// of normal force, greatest pressure and area are in percent of the boundary element solution, that of the creep force in percent
 /// of the friction limit, that of the spin moment in percent of friction limit times sqrt(area/pi). Median, 95 % and worst
@@ -76,12 +80,16 @@ pub struct Compared {
     pub own: Solved,
     /// By boundary elements.
     pub reference: Solved,
+    /// By boundary elements, half as many along and across.
+    pub coarse: Solved,
+    /// What the equations of the reference are left with, where it tells: distance over overlap, slip over rigid slip.
+    pub residuals: Option<[f64; 2]>,
     /// Coefficient of friction.
     pub friction: f64,
 }
 
 /// The columns of the result.
-const COLUMNS: [&str; 23] = [
+const COLUMNS: [&str; 29] = [
     "normal_force_n",
     "reference_normal_force_n",
     "normal_force_error_percent",
@@ -105,12 +113,27 @@ const COLUMNS: [&str; 23] = [
     "reference_fallback",
     "time_us",
     "reference_time_us",
+    "reference_normal_force_uncertainty_percent",
+    "reference_max_pressure_uncertainty_percent",
+    "reference_area_uncertainty_percent",
+    "reference_creep_force_uncertainty_percent",
+    "reference_normal_residual",
+    "reference_tangential_residual",
 ];
 
 impl Compared {
     /// Errors of normal force, pressure, area, creep force and spin moment [%]; nothing where the reference has none to refer to.
     pub fn errors(&self) -> [Option<f64>; 5] {
-        let Self { own, reference, friction } = self;
+        self.differences(&self.own)
+    }
+
+    /// By how much the reference with half as many elements differs, as an estimate of the reference's own errors [%].
+    pub fn uncertainties(&self) -> [Option<f64>; 5] {
+        self.differences(&self.coarse).map(|error| error.map(f64::abs))
+    }
+
+    fn differences(&self, own: &Solved) -> [Option<f64>; 5] {
+        let Self { reference, friction, .. } = self;
         let relative = |own: f64, exact: f64| (exact > 0.0).then(|| 100.0 * (own / exact - 1.0));
         let limit = friction * reference.normal_force;
         let missed = (0..3)
@@ -135,6 +158,10 @@ impl Compared {
         let (own, reference) = (&self.own, &self.reference);
         let [fx, fy, fz] = own.creep_force.map(number);
         let [rx, ry, rz] = reference.creep_force.map(number);
+        let [un, up, ua, uf, _] = self.uncertainties().map(error);
+        let [gap, slip] = self.residuals.map_or([const { String::new() }; 2], |residuals| {
+            residuals.map(|residual| format!("{residual:.1e}"))
+        });
         [
             number(own.normal_force),
             number(reference.normal_force),
@@ -159,6 +186,12 @@ impl Compared {
             u8::from(reference.fallback).to_string(),
             format!("{:.2}", 1e6 * own.time),
             format!("{:.2}", 1e6 * reference.time),
+            un,
+            up,
+            ua,
+            uf,
+            gap,
+            slip,
         ]
     }
 }
@@ -300,11 +333,19 @@ fn compare_planar(case: &PlanarCase<'_>) -> Result<Compared> {
     };
     let slow = case.normal_model == NormalModel::BoundaryElement
         || case.tangential_model == TangentialModel::BoundaryElement;
+    let coarse_case = PlanarCase { elements: half(reference_case.elements), ..reference_case };
     Ok(Compared {
         own: solve(case, slow)?,
         reference: solve(&reference_case, true)?,
+        coarse: solve(&coarse_case, true)?,
+        residuals: None,
         friction: case.friction,
     })
+}
+
+/// Half as many elements along and across.
+fn half(elements: [usize; 2]) -> [usize; 2] {
+    elements.map(|count| count.div_ceil(2))
 }
 
 /// Boundary elements, if there is anything to compare.

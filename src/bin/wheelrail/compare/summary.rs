@@ -12,6 +12,8 @@ use crate::output::Table;
 pub struct Summary {
     /// Magnitudes of the errors of normal force, pressure, area, creep force and spin moment [%].
     errors: [Vec<f64>; 5],
+    /// Estimated errors of the boundary elements in the same quantities [%].
+    uncertainties: [Vec<f64>; 5],
     /// Times of the models and of the boundary elements [s].
     times: [Vec<f64>; 2],
     fallbacks: usize,
@@ -31,22 +33,30 @@ impl Summary {
         for (errors, error) in self.errors.iter_mut().zip(compared.errors()) {
             errors.extend(error.map(f64::abs));
         }
+        for (errors, error) in self.uncertainties.iter_mut().zip(compared.uncertainties()) {
+            errors.extend(error);
+        }
         self.times[0].push(compared.own.time);
         self.times[1].push(compared.reference.time);
         self.fallbacks += usize::from(compared.own.fallback || compared.reference.fallback);
     }
 
     /// Quantity, number of cases, median, 95 % and worst.
-    fn rows(&self) -> Vec<(&'static str, usize, [f64; 3])> {
-        let errors = QUANTITIES.iter().zip(&self.errors);
-        let mut rows: Vec<_> = (errors.filter(|(_, errors)| !errors.is_empty()))
-            .map(|(name, errors)| (*name, errors.len(), quantiles(errors.clone())))
-            .collect();
+    fn rows(&self) -> Vec<(String, usize, [f64; 3])> {
+        let of = |errors: &[Vec<f64>; 5], whose: &str| -> Vec<_> {
+            (QUANTITIES.iter().zip(errors).filter(|(_, errors)| !errors.is_empty()))
+                .map(|(name, errors)| {
+                    (format!("{whose}{name}"), errors.len(), quantiles(errors.clone()))
+                })
+                .collect()
+        };
+        let mut rows = of(&self.errors, "");
+        rows.extend(of(&self.uncertainties, "boundary elements, half as many: "));
         for (name, times) in ["time [us]", "time of boundary elements [us]"].iter().zip(&self.times)
         {
             let times: Vec<f64> = times.iter().map(|time| 1e6 * time).collect();
             if !times.is_empty() {
-                rows.push((name, times.len(), quantiles(times)));
+                rows.push(((*name).into(), times.len(), quantiles(times)));
             }
         }
         rows
@@ -55,9 +65,9 @@ impl Summary {
     /// As a table for reading.
     pub fn text(&self) -> String {
         let mut text =
-            format!("{:<50}{:>7}{:>10}{:>10}{:>10}\n", "error", "cases", "median", "95 %", "worst");
+            format!("{:<84}{:>7}{:>10}{:>10}{:>10}\n", "error", "cases", "median", "95 %", "worst");
         for (name, count, [median, most, worst]) in self.rows() {
-            let _ = writeln!(text, "{name:<50}{count:>7}{median:>10.3}{most:>10.3}{worst:>10.3}");
+            let _ = writeln!(text, "{name:<84}{count:>7}{median:>10.3}{most:>10.3}{worst:>10.3}");
         }
         if self.fallbacks > 0 {
             let _ = writeln!(text, "cases in which a solver fell back: {}", self.fallbacks);
@@ -73,7 +83,7 @@ impl Summary {
         table.write_record(["quantity", "cases", "median", "p95", "worst"])?;
         for (name, count, values) in self.rows() {
             let values = values.map(|value| format!("{value:.4}"));
-            table.write_record([&[name.into(), count.to_string()], &values[..]].concat())?;
+            table.write_record([&[name, count.to_string()], &values[..]].concat())?;
         }
         table.finish()
     }

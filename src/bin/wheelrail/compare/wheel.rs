@@ -9,7 +9,7 @@ use wheelrail::element::{Element, Input};
 use wheelrail::error::ContactError;
 use wheelrail::variables::Values;
 
-use super::{Compared, Solved, reference_tangential};
+use super::{Compared, Solved, half, reference_tangential};
 use crate::evaluate::is_slow;
 use crate::remarks::Found;
 
@@ -60,6 +60,12 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let begin = Instant::now();
     element.evaluate(&at, &mut exact)?;
     let time = begin.elapsed().as_secs_f64();
+    let coarse_parameters = Parameters {
+        normal_elements: half(reference_parameters.normal_elements),
+        ..reference_parameters
+    };
+    let mut rough = Output::default();
+    Element::new(&coarse_parameters, input, folders)?.evaluate(&at, &mut rough)?;
     let place = centroid(&exact);
     let (normal, repeats) = (normal(&exact), repeats as i32 + 1);
     let compared = Compared {
@@ -68,6 +74,8 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
             ..solved(&own, place, normal, times[times.len() / 2])
         },
         reference: solved(&exact, place, normal, time),
+        coarse: solved(&rough, place, normal, 0.0),
+        residuals: Some([exact.normal_residual, exact.tangential_residual]),
         friction: input.friction,
     };
     Ok((compared, found))

@@ -1,0 +1,294 @@
+//! Boundary elements on a wheel and a rail: all overlaps are one problem on the curved surface of the rail.
+//!
+//! The elements lie on the arc of the rail, each with its own normal, tangent and rigid slip; see
+//! [`rail_elements`](crate::normal::rail_elements). Loaded zones get their frames from their own resultants.
+
+use nalgebra::Vector3;
+
+use super::contact_forces::ContactForces;
+use super::curved_zone::Tractions;
+use super::evaluate::Work;
+use super::models::Models;
+use super::output::Output;
+use super::parameters::CreepageModel;
+use crate::geometry::contact::Contact;
+use crate::geometry::line_separation::LineSeparation;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
+use crate::math::real::Real;
+use crate::normal::Zone;
+use crate::normal::rail_elements::{self, RailElements, Row};
+use crate::tangential::boundary_element::rolling_tractions;
+use crate::tangential::{Rolling, RollingState, TangentialModel};
+
+/// Tractions of a zone that were found together with those of the others of its rail.
+#[derive(Clone, Debug)]
+pub struct GivenTractions<T = f64> {
+    /// Creepage, its mean weighted by load.
+    pub creepage: Creepage<T>,
+    /// The tractions, their moment about the origin of the track frame at the x of the wheel marker.
+    pub tractions: Tractions<T>,
+    /// Dissipation over the reference speed [J/m] and area that slips [m²] of each strip.
+    pub strips: Vec<[T; 2]>,
+}
+
+impl<T: Real> GivenTractions<T> {
+    /// The tractions with their moment about `position`.
+    pub fn about(&self, position: Vector3<T>) -> Tractions<T> {
+        let Tractions { force, moment, .. } = self.tractions;
+        Tractions { moment: moment - position.cross(&force), ..self.tractions }
+    }
+}
+
+/// Solves for all that the wheel overlaps of `rail` near `found` and adds the forces to `output`; returns how many zones found no room or
+/// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track
+/// and the load and penetration that share its stiffness.
+pub fn add<'a>(
+    rail: &PlacedRail,
+    found: &[Contact],
+    forces: &impl Fn(Contact, [f64; 2], Option<[f64; 2]>) -> ContactForces<'a>,
+    models: &mut Models,
+    output: &mut Output,
+    work: &mut Work,
+) -> Option<u64> {
+    let line = forces(*found.first()?, [0.0; 2], None).line;
+    let modulus = models.material.contact_modulus;
+    let elements = &rail_elements::solve(&line, rail, found, models.elements, modulus)?;
+    models.rail_strips.clear();
+    let mut left_out = elements.fill(&mut models.rail_strips) as u64;
+    output.normal_residual = output.normal_residual.max(elements.residual);
+    let whole = Some([models.rail_strips.load(), elements.approach]);
+    let (mut contacts, mut states) = (Vec::new(), Vec::new());
+    for index in 0..models.rail_strips.zones.len() {
+        let contact = take_zone(elements, index, models);
+        let Zone { x, y, .. } = models.rail_strips.zones[index];
+        let state = forces(contact, [0.0; 2], whole).rolling_state(models);
+        contacts.push(contact);
+        states.push(ZoneState { state, centre: [x, y] });
+    }
+    let found = contacts.first().and_then(|contact| {
+        let forces = forces(*contact, [0.0; 2], whole);
+        tractions(elements, &forces, &forces.motion(), &states, models)
+    });
+    let mut given = found.map_or_else(Vec::new, |(given, residual)| {
+        output.tangential_residual = output.tangential_residual.max(residual);
+        given
+    });
+    given.reverse();
+    for (index, contact) in contacts.into_iter().enumerate() {
+        take_zone(elements, index, models);
+        models.given = given.pop();
+        let forces = forces(contact, [0.0; 2], whole);
+        let mut separation = LineSeparation::new(&forces.line, rail, contact);
+        left_out += forces.add(&mut separation, models, output, work);
+    }
+    Some(left_out)
+}
+
+/// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
+/// where the line of action of that passes through the contact.
+fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Contact {
+    let Models { strips, rail_strips: all, .. } = models;
+    strips.clear();
+    let mut zone = all.zones[index];
+    let range = zone.first..zone.first + zone.count;
+    let (mut load, mut force, mut moment) = (0.0, [0.0; 2], 0.0);
+    let (mut centre, mut penetration) = ([0.0; 2], 0.0_f64);
+    for_each_element(elements, all.elements.as_deref().map(|e| &*e.strip_of_row), |element| {
+        if !range.contains(&element.strip) {
+            return;
+        }
+        let [_, gy, gz] = element.growth;
+        let ([y, z], own) = (element.point, element.load);
+        load += own;
+        force = [force[0] + own * gy, force[1] + own * gz];
+        moment += own * (y * gz - z * gy);
+        centre = [centre[0] + own * y, centre[1] + own * z];
+        penetration = penetration.max(element.overlap);
+    });
+    let size = force[0].hypot(force[1]).max(f64::MIN_POSITIVE);
+    let normal = force.map(|f| f / size);
+    let tangent = [normal[1], -normal[0]];
+    let centre = centre.map(|c| c / load.max(f64::MIN_POSITIVE));
+    let arm = moment / size - (centre[0] * normal[1] - centre[1] * normal[0]);
+    let middle = zone.y;
+    let share = size / load.max(f64::MIN_POSITIVE);
+    for j in range {
+        strips.y.push(all.y[j] - middle);
+        strips.width.push(all.width[j]);
+        strips.x.push(all.x[j]);
+        strips.half_length.push(all.half_length[j]);
+        strips.pressure.push(share * all.pressure[j]);
+        strips.u.push(all.u[j]);
+    }
+    let contact = Contact {
+        u: zone.u,
+        rail_s: middle,
+        penetration,
+        origin: [0, 1].map(|i| centre[i] + arm * tangent[i]),
+        tangent,
+        probes: [0, 0],
+    };
+    zone.load *= share;
+    (zone.first, zone.y) = (0, 0.0);
+    strips.zones.push(zone);
+    contact
+}
+
+/// A loaded element.
+struct Loaded<'a> {
+    /// Its number.
+    k: usize,
+    strip: usize,
+    row: &'a Row,
+    /// Place along the track [m].
+    x: f64,
+    /// Point (y, z) of the wheel opposite to it [m].
+    point: [f64; 2],
+    overlap: f64,
+    growth: [f64; 3],
+    /// [N].
+    load: f64,
+}
+
+fn for_each_element<'a>(
+    elements: &'a RailElements,
+    strip_of_row: Option<&[Option<usize>]>,
+    mut each: impl FnMut(Loaded<'a>),
+) {
+    let (grid, area) = (&elements.grid, elements.grid.element_area());
+    let Some(strip_of_row) = strip_of_row else { return };
+    for (j, (row, strip)) in elements.rows.iter().zip(strip_of_row).enumerate() {
+        let (Some(row), Some(strip)) = (row, *strip) else { continue };
+        let normal = row.normal();
+        for i in 0..grid.along {
+            let k = j * grid.along + i;
+            let (Some(opposite), p) = (&elements.opposite[k], elements.pressure[k]) else {
+                continue;
+            };
+            if p <= 0.0 {
+                continue;
+            }
+            each(Loaded {
+                k,
+                strip,
+                row,
+                x: grid.x(i),
+                point: [0, 1].map(|c| row.point[c] + opposite.overlap * normal[c]),
+                overlap: opposite.overlap,
+                growth: opposite.growth,
+                load: area * p,
+            });
+        }
+    }
+}
+
+/// How a zone of the rail rolls: its creepage and state, for the tractions of all.
+#[derive(Clone, Copy, Debug)]
+struct ZoneState {
+    /// Creepage at the centroid of the load, friction, damping and speed.
+    state: RollingState,
+    /// Centroid of the load along the track and on the arc [m].
+    centre: [f64; 2],
+}
+
+/// Tractions of all zones of a rail together, one for each of `zones`, and the largest slip that contradicts the friction law, over the
+/// largest rigid slip; nothing where there is nothing to compute or no solution was
+/// found. `forces` is of any of the zones.
+fn tractions(
+    elements: &RailElements,
+    forces: &ContactForces,
+    motion: &RelativeMotion,
+    zones: &[ZoneState],
+    models: &Models,
+) -> Option<(Vec<GivenTractions>, f64)> {
+    if models.tangential.model() != TangentialModel::BoundaryElement {
+        return None;
+    }
+    let all = &models.rail_strips;
+    let strip_of_row = all.elements.as_deref().map(|field| &*field.strip_of_row);
+    let zone_of_strip = |j: usize| {
+        all.zones.iter().position(|zone| (zone.first..zone.first + zone.count).contains(&j))
+    };
+    let laws: Vec<_> = zones
+        .iter()
+        .zip(all.zones.iter())
+        .map(|(zone, of)| models.tangential.under_law(of, &models.material, &zone.state))
+        .collect();
+    let heaviest =
+        (0..zones.len()).max_by(|&a, &b| all.zones[a].load.total_cmp(&all.zones[b].load))?;
+    let (grid, area) = (&elements.grid, elements.grid.element_area());
+    let mut bound = vec![0.0; grid.len()];
+    let mut rigid = vec![[0.0; 2]; grid.len()];
+    let mut found: Vec<GivenTractions> = zones
+        .iter()
+        .zip(all.zones.iter())
+        .map(|(_, zone)| GivenTractions {
+            creepage: Creepage::default(),
+            tractions: Tractions::default(),
+            strips: vec![[0.0; 2]; zone.count],
+        })
+        .collect();
+    let in_track = |element: &Loaded| {
+        forces.frame.marker + forces.frame.direction(element.point) + Vector3::x() * element.x
+    };
+    for_each_element(elements, strip_of_row, |element| {
+        let Some(z) = zone_of_strip(element.strip) else { return };
+        let ZoneState { state, centre } = &zones[z];
+        bound[element.k] = laws[z].0.friction * state.load_factor * elements.pressure[element.k];
+        let own = if models.creepage == CreepageModel::Curved {
+            let axes = ContactAxes::along_track(
+                forces.frame.direction(element.row.tangent),
+                forces.frame.direction(element.row.normal()),
+            );
+            // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
+            let normal = element.row.normal();
+            let at = [0, 1].map(|c| element.row.point[c] + element.row.overlap * normal[c]);
+            let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
+            motion.creepage(at, &axes, state.speed)
+        } else {
+            let Creepage { longitudinal, lateral, spin } = state.creepage;
+            let (x, y) = (element.x - centre[0], grid.y(element.k / grid.along) - centre[1]);
+            Creepage { longitudinal: longitudinal - spin * y, lateral: lateral + spin * x, spin }
+        };
+        rigid[element.k] = [own.longitudinal, own.lateral];
+        let mean = &mut found[z].creepage;
+        let weight = element.load / all.zones[z].load;
+        mean.longitudinal += weight * own.longitudinal;
+        mean.lateral += weight * own.lateral;
+        mean.spin += weight * own.spin;
+    });
+    if bound.iter().all(|&g| g <= 0.0) || rigid.iter().flatten().all(|w| *w == 0.0) {
+        return None;
+    }
+    let material = laws[heaviest].1;
+    let mut residual: f64 = 0.0;
+    let forward = zones[heaviest].state.forward_share;
+    for (rolling, share) in [(Rolling::Forward, forward), (Rolling::Backward, 1.0 - forward)] {
+        if share <= 0.0 {
+            continue;
+        }
+        let solution = rolling_tractions(grid, &material, &bound, &rigid, rolling);
+        if !solution.converged {
+            return None;
+        }
+        residual = residual.max(solution.residual);
+        for_each_element(elements, strip_of_row, |element| {
+            let Some(z) = zone_of_strip(element.strip) else { return };
+            let k = element.k;
+            let [px, py] = [solution.x[k], solution.y[k]].map(|p| share * area * p);
+            let tangent = forces.frame.direction(element.row.tangent);
+            let force = Vector3::x() * px + tangent * py;
+            let dissipation = -(px * rigid[k][0] + py * rigid[k][1]);
+            let slip_area = if solution.slips[k] { share * area } else { 0.0 };
+            let GivenTractions { tractions, strips, .. } = &mut found[z];
+            tractions.force += force;
+            tractions.moment += in_track(&element).cross(&force);
+            tractions.dissipation += dissipation;
+            tractions.slip_area += slip_area;
+            let strip = &mut strips[element.strip - all.zones[z].first];
+            *strip = [strip[0] + dissipation, strip[1] + slip_area];
+        });
+    }
+    Some((found, residual))
+}

@@ -1,0 +1,296 @@
+//! Boundary elements on wheels and rails: conformal contact by CONTACT, energy, contacts that share a rail.
+
+use std::fmt::Write;
+
+use rayon::prelude::*;
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
+use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::geometry::profile::{Profile, ProfileKind};
+use wheelrail::io::load_profile;
+
+use crate::common::planar::STEEL;
+use crate::common::random::Random;
+use crate::common::wheel::{evaluate, pressed};
+use crate::common::{read_table, value, write_report};
+use crate::tolerance;
+
+fn boundary(elements: usize) -> Parameters {
+    Parameters {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: TangentialModel::BoundaryElement,
+        creepage_model: CreepageModel::Curved,
+        normal_elements: [elements; 2],
+        damping: 0.0,
+        ..Parameters::default()
+    }
+}
+
+/// A right wheel with S1002 profile on the arcs of the benchmark's rail, which are within 1.5 µm of its points on the top and 6 µm at the
+/// corners.
+fn benchmark(parameters: Parameters) -> Element {
+    let mut parameters = Parameters { vertical_mode: VerticalMode::Load, ..parameters };
+    parameters.wheel.young_modulus = STEEL.young_modulus;
+    parameters.wheel.poisson_ratio = STEEL.poisson_ratio;
+    parameters.rail_young_modulus = STEEL.young_modulus;
+    parameters.rail_poisson_ratio = STEEL.poisson_ratio;
+    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    // Radius and half width of the arcs, radius of the corners, half width of the head.
+    let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
+    let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
+    Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
+}
+
+/// The wheel 0.75 m to the right of the centre of a wheelset in the state of a row, under its load.
+fn state(v: &dyn Fn(&str) -> f64) -> Input {
+    let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) =
+        (v("roll_ws_rad").sin_cos(), v("yaw_ws_rad").sin_cos());
+    let arm = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll].map(|u| 0.75 * u);
+    let (roll_rate, yaw_rate) = (v("v_roll_rad_s"), v("v_yaw_rad_s"));
+    // The pitch does not move the wheel marker.
+    let turning = [roll_rate, -sin_roll * yaw_rate, cos_roll * yaw_rate];
+    let mut input = Input { wheel_load: v("fz_rail_total_N"), friction: 0.3, ..Input::default() };
+    let wheel = &mut input.wheel;
+    (wheel.roll, wheel.yaw) = (v("roll_ws_rad"), v("yaw_ws_rad"));
+    wheel.position = [arm[0], 1e-3 * v("y_ws_mm") + arm[1], -0.46 + 1e-3 * v("z_ws_mm") + arm[2]];
+    (wheel.roll_rate, wheel.yaw_rate) = (roll_rate, yaw_rate);
+    wheel.pitch_rate = v("v_pitch_rad_s");
+    wheel.velocity = [
+        1e-3 * v("v_s_mm_s") + turning[1] * arm[2] - turning[2] * arm[1],
+        1e-3 * v("v_y_mm_s") + turning[2] * arm[0] - turning[0] * arm[2],
+        1e-3 * v("v_z_mm_s") + turning[0] * arm[1] - turning[1] * arm[0],
+    ];
+    input
+}
+
+/// Median, 95 % and worst of the errors of every so many states: greatest pressure, and the force within the reference's plane over the
+/// friction limit.
+fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
+    let table = read_table("contact_25_1/conformal.csv");
+    let mut element = benchmark(boundary(elements));
+    let mut report = String::from("id,max_pressure,force,normal_residual,tangential_residual\n");
+    let mut errors: [Vec<f64>; 2] = Default::default();
+    for row in table.rows.iter().step_by(every) {
+        let v = |name: &str| value(&table, row, name);
+        let output = evaluate(&mut element, &state(&v));
+        assert_eq!((output.patch_count, output.fallback_count), (1, 0), "{}", &row[0]);
+        assert!(output.normal_residual <= tolerance::BOUNDARY_GAP, "{output:?}");
+        assert!(output.tangential_residual <= tolerance::BOUNDARY_SLIP, "{output:?}");
+        let pressure = 1e-6 * output.patches[0].max_pressure / v("p1_pmax_MPa") - 1.0;
+        // The tractions of a curved patch turn, and so do its pressures: compared is all force in the reference's plane.
+        let (sine, cosine) = v("p1_angle_rad").sin_cos();
+        let missed = [("fx_rail_N", 0), ("fy_rail_N", 1), ("fz_rail_total_N", 2)]
+            .map(|(name, c)| output.rails[0].force[c] - v(name));
+        let across = missed[1] * cosine + missed[2] * sine;
+        let force = missed[0].hypot(across) / (0.3 * v("p1_N_N"));
+        let [gap, slip] = [output.normal_residual, output.tangential_residual];
+        writeln!(report, "{},{pressure:.5},{force:.5},{gap:.1e},{slip:.1e}", &row[0]).unwrap();
+        errors[0].push(pressure.abs());
+        errors[1].push(force);
+    }
+    write_report("conformal.csv", &report);
+    errors.map(|mut errors| {
+        errors.sort_by(f64::total_cmp);
+        let at = |share: f64| errors[(share * (errors.len() - 1) as f64).round() as usize];
+        [at(0.5), at(0.95), at(1.0)]
+    })
+}
+
+fn judge_conformal(every: usize, elements: usize) {
+    let found = conformal_errors(every, elements);
+    println!("max pressure, force in plane: {found:.5?}");
+    for (found, bound) in found.iter().zip(tolerance::BOUNDARY_CONFORMAL) {
+        for (found, bound) in found.iter().zip(bound) {
+            assert!(*found <= bound, "{found:?} {bound:?}");
+        }
+    }
+}
+
+#[test]
+fn conformal_contacts_are_those_of_the_contact_program() {
+    judge_conformal(6, 20);
+}
+
+#[test]
+#[ignore = "minutes unoptimized"]
+fn all_conformal_contacts_are_those_of_the_contact_program() {
+    judge_conformal(1, 40);
+}
+
+/// Poses of S1002: rail, lateral shift [m] and yaw [rad], depth below first touch [m].
+const POSES: [(&str, f64, f64, f64); 4] = [
+    ("60E1", 4e-3, 3e-3, 1e-4),
+    ("60E1", 6.3e-3, -0.01, 1e-4),
+    ("60E1", 7.4e-3, -0.01, 2e-4),
+    // Two zones.
+    ("54E1", 5e-3, 0.02, 1e-4),
+];
+
+fn frictionless(rail: &str, shift: f64, yaw: f64, depth: f64) -> (Element, Input) {
+    let mut parameters = Parameters { tangential_model: TangentialModel::None, ..boundary(24) };
+    parameters.rails[0].profile = rail.into();
+    let mut input = Input::default();
+    input.wheel.position[1] += shift;
+    input.wheel.yaw = yaw;
+    let mut element = Element::new(&parameters, &input, &[]).unwrap();
+    let input = pressed(&mut element, &input, depth);
+    (element, input)
+}
+
+#[test]
+fn the_frictionless_force_is_the_derivative_of_an_energy() {
+    for (rail, shift, yaw, depth) in POSES {
+        let (mut element, input) = frictionless(rail, shift, yaw, depth);
+        let mut at = |y: f64, z: f64| {
+            let mut moved = input;
+            moved.wheel.position[1] += y;
+            moved.wheel.position[2] += z;
+            evaluate(&mut element, &moved).wheel.force
+        };
+        let h = 1e-6;
+        let across = (at(0.0, h)[1] - at(0.0, -h)[1]) / (2.0 * h);
+        let down = (at(h, 0.0)[2] - at(-h, 0.0)[2]) / (2.0 * h);
+        let missed = (across / down - 1.0).abs();
+        assert!(missed <= tolerance::BOUNDARY_CONSERVATIVE, "{rail} {shift}: {across} {down}");
+        // Round a square of 10 µm, trapezoids of 2 µm: work over what is stored, two fifths of force times depth.
+        let mut work = 0.0;
+        let mut before: Option<([f64; 2], [f64; 3])> = None;
+        for k in 0..=20 {
+            let (side, share) = (k / 5, 2e-6 * f64::from(k % 5));
+            let place = match side {
+                0 => [share, 0.0],
+                1 => [1e-5, share],
+                2 => [1e-5 - share, 1e-5],
+                3 => [0.0, 1e-5 - share],
+                _ => [0.0, 0.0],
+            };
+            let force = at(place[0], place[1]);
+            if let Some((from, earlier)) = before {
+                work += 0.5 * (force[1] + earlier[1]) * (place[0] - from[0])
+                    + 0.5 * (force[2] + earlier[2]) * (place[1] - from[1]);
+            }
+            before = Some((place, force));
+        }
+        let force = at(0.0, 0.0);
+        let stored = 0.4 * depth * force[1].hypot(force[2]);
+        assert!(work.abs() <= tolerance::BOUNDARY_CONSERVATIVE * stored, "{work} of {stored}");
+    }
+}
+
+#[test]
+fn without_friction_there_is_no_force_along_the_track_and_no_moment_about_the_axle() {
+    for (rail, shift, yaw, depth) in POSES {
+        let (mut element, input) = frictionless(rail, shift, yaw, depth);
+        let Output { wheel, .. } = evaluate(&mut element, &input);
+        let [_, y, z] = wheel.force;
+        let axle = [-yaw.sin(), yaw.cos(), 0.0];
+        let about: f64 = (0..3).map(|c| axle[c] * wheel.moment[c]).sum();
+        let size = y.hypot(z);
+        assert!(about.abs() <= 1e-9 * size * 0.46, "{about}");
+        assert!(wheel.force[0].abs() <= 1e-12 * size);
+    }
+}
+
+#[test]
+fn contacts_of_one_rail_press_each_other_down() {
+    // 7 and 11 mm apart on 54E1: alone each would carry up to a tenth more.
+    let (mut exact, input) = frictionless("54E1", 5e-3, 0.02, 1e-4);
+    let mut parameters = Parameters {
+        normal_model: NormalModel::Strips,
+        tangential_model: TangentialModel::None,
+        damping: 0.0,
+        ..Parameters::default()
+    };
+    parameters.rails[0].profile = "54E1".into();
+    let mut strips = Element::new(&parameters, &input, &[]).unwrap();
+    let [found, expected] = [&mut exact, &mut strips].map(|element| evaluate(element, &input));
+    assert_eq!((found.patch_count, expected.patch_count), (2, 2));
+    for c in 1..3 {
+        let missed = found.wheel.force[c] / expected.wheel.force[c] - 1.0;
+        assert!(missed.abs() <= tolerance::BOUNDARY_TWO_ZONES, "{missed}");
+    }
+}
+
+/// A random pose and motion of a right wheel under a load between 20 and 130 kN.
+fn random_pose(seed: u64) -> Input {
+    let mut random = Random::new(seed);
+    let mut input = Input::default();
+    let wheel = &mut input.wheel;
+    wheel.position[1] += random.about(8e-3);
+    (wheel.yaw, wheel.roll) = (random.about(0.012), random.about(2e-3));
+    wheel.velocity = [20.0, 20.0 * wheel.yaw + random.about(0.04), 0.0];
+    wheel.pitch_rate = -20.0 / 0.46 * (1.0 + random.about(4e-3));
+    input.wheel_load = random.within(2e4_f64.ln(), 1.3e5_f64.ln()).exp();
+    input
+}
+
+/// Errors of strips at the height at which they carry the load: N, greatest pressure, area, force over N, creep force over the limit; nothing
+/// where the load is not carried.
+fn strips_errors(input: &Input, profiles: [&str; 2]) -> Option<[f64; 5]> {
+    let with = |parameters: Parameters| {
+        let mut parameters = parameters;
+        [parameters.wheel.profile, parameters.rails[0].profile] = profiles.map(String::from);
+        if profiles[1].contains('.') {
+            // Measured rails stand as they are.
+            parameters.rails[0].inclination = 0.0;
+        }
+        parameters
+    };
+    let fast = with(Parameters {
+        normal_model: NormalModel::Strips,
+        tangential_model: TangentialModel::FastsimCorrected,
+        creepage_model: CreepageModel::Curved,
+        vertical_mode: VerticalMode::Load,
+        ..Parameters::default()
+    });
+    let own = evaluate(&mut Element::new(&fast, input, &[]).unwrap(), input);
+    if own.fallback_count > 0 {
+        return None;
+    }
+    let mut at = *input;
+    at.wheel.position[2] = own.wheel_z;
+    let exact = evaluate(&mut Element::new(&with(boundary(40)), &at, &[]).unwrap(), &at);
+    assert_eq!(exact.fallback_count, 0, "{input:?}");
+    let whole = |output: &Output| {
+        let patches = &output.patches[..output.patch_count as usize];
+        let mut creep = [0.0; 3];
+        for patch in patches {
+            let (sine, cosine) = patch.contact_angle.sin_cos();
+            let [x, y] = patch.creep_force;
+            creep = [creep[0] + x, creep[1] + y * cosine, creep[2] + y * sine];
+        }
+        let load: f64 = patches.iter().map(|p| p.normal_force).sum();
+        let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
+        ([load, pressure, patches.iter().map(|p| p.area).sum()], creep)
+    };
+    let ((own_sizes, own_creep), (sizes, creep)) = (whole(&own), whole(&exact));
+    let distance = |a: [f64; 3], b: [f64; 3]| {
+        (0..3).map(|c| (a[c] - b[c]) * (a[c] - b[c])).sum::<f64>().sqrt() / sizes[0]
+    };
+    let [n, p, area] = [0, 1, 2].map(|c| (own_sizes[c] / sizes[c] - 1.0).abs());
+    let force = distance(own.wheel.force, exact.wheel.force);
+    Some([n, p, area, force, distance(own_creep, creep) / input.friction])
+}
+
+#[test]
+#[ignore = "minutes in release builds"]
+fn strips_on_random_poses_against_boundary_elements() {
+    let measured = |name: &str, or: &str| std::env::var(name).unwrap_or_else(|_| or.into());
+    let (wheel, rail) = (measured("WHEELRAIL_WHEEL", "S1002"), measured("WHEELRAIL_RAIL", "60E1"));
+    let mut report = String::from("wheel,rail,quantity,poses,median,p95,worst\n");
+    for profiles in [["S1002", "60E1"], ["S1002", "54E1"], [&wheel, "60E1"], ["S1002", &rail]] {
+        let errors: Vec<[f64; 5]> = (1..=500_u64)
+            .into_par_iter()
+            .filter_map(|seed| strips_errors(&random_pose(seed), profiles))
+            .collect();
+        for (q, name) in ["N", "max_pressure", "area", "force", "creep_force"].iter().enumerate() {
+            let mut of: Vec<f64> = errors.iter().map(|error| error[q]).collect();
+            of.sort_by(f64::total_cmp);
+            let at = |share: f64| of[(share * (of.len() - 1) as f64).round() as usize];
+            let [wheel, rail] = profiles;
+            let quantiles = [0.5, 0.95, 1.0].map(|share| format!("{:.5}", at(share))).join(",");
+            writeln!(report, "{wheel},{rail},{name},{},{quantiles}", of.len()).unwrap();
+        }
+    }
+    println!("{report}");
+    write_report("strips_random_poses.csv", &report);
+}
