@@ -410,13 +410,25 @@ class WheelSet(_Unit):
         progress: Progress = None,
         **inputs: Unpack[WheelSetInputs],
     ) -> Jacobian:
-        """Derivatives of outputs by inputs; all as in `Element.jacobian`, by the motion of the centre."""
+        """Derivatives of outputs by inputs.
+
+        Parameters
+        ----------
+        table, outputs, by, threads, errors, progress, **inputs
+            As in `Element.jacobian`; without them force and moment on the wheelset by the motion of its centre.
+        """
         return self._jacobian(table, outputs, by, threads, errors, progress, inputs)
 
     def touching_height(
         self, *, threads: int | None = None, **inputs: Unpack[WheelSetInputs]
     ) -> Any:
-        """Height z of the centre at which the first of the wheels touches [m]; see `Element.touching_height`."""
+        """Height z of the centre at which the first of the wheels touches [m].
+
+        Parameters
+        ----------
+        threads, **inputs
+            As in `Element.touching_height`, for the centre.
+        """
         return self._touching_height(threads, inputs)
 
 
@@ -499,16 +511,17 @@ def _moved(error: Exception, start: int) -> Exception:
     return moved
 
 
-def _teller(progress: Progress, rows: int) -> tuple[Callable[[int], None], Callable[[], None]]:
+def _teller(progress: Progress, rows: int) -> tuple[Callable[[int], object], Callable[[], object]]:
+    """What tells how many rows are done, and what ends it."""
     if progress is None or progress is False:
         return (lambda done: None), (lambda: None)
     if progress is True:
         from tqdm.auto import tqdm
 
-        bar = tqdm(total=rows, unit="contact", unit_scale=True)
-        return (lambda done: bar.update(done - bar.n) and None), bar.close
+        bar = tqdm(total=rows or None, unit="contact", unit_scale=True)
+        return (lambda done: bar.update(done - bar.n)), bar.close
     told = progress
-    return (lambda done: told(done, rows) and None), (lambda: None)
+    return (lambda done: told(done, rows)), (lambda: None)
 
 
 def _input(unit: Unit, name: str) -> Variable:

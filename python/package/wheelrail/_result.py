@@ -35,7 +35,7 @@ class Column:
     @property
     def keyword(self) -> str:
         """The name as an attribute of results."""
-        return self.name.translate(str.maketrans({".": "_", "[": "", "]": ""}))
+        return self.name.replace(".", "_").replace("[", "").replace("]", "")
 
 
 @dataclass(frozen=True)
@@ -88,12 +88,12 @@ class Result(Mapping[str, Any]):
     @property
     def valid(self) -> npt.NDArray[np.bool_]:
         """Where the row was evaluated and not refused."""
-        return (self._states != REFUSED).reshape(self.shape)
+        return np.asarray(self._states != REFUSED).reshape(self.shape)
 
     @property
     def sunk(self) -> npt.NDArray[np.bool_]:
         """Where a wheel is so deep below the top of its rail that there is no force: no lifted wheel."""
-        return (self._states == SUNK).reshape(self.shape)
+        return np.asarray(self._states == SUNK).reshape(self.shape)
 
     @property
     def refusals(self) -> Mapping[int, str]:

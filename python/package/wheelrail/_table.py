@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._element import Element, Errors, Outputs, WheelSet, _Unit
-from ._variables import Unit, find
+from ._variables import Unit, Variable, find, is_evaluated, select, variables
 from .errors import BadValueError
 
 if TYPE_CHECKING:
     import pandas
 
 __all__ = ["evaluate"]
+
+#: Name of the column that says which rows were not refused.
+VALID = "valid"
+
+
+def outputs_of(
+    unit: Unit, outputs: Outputs, columns: Iterable[str], parameters: Mapping[str, Any]
+) -> list[Variable]:
+    """The outputs of a table, the same for all of its rows."""
+    default = [v.name for v in variables(unit) if is_evaluated(v)]
+    given = {find(unit, str(name)).name for name in (*columns, *parameters)}
+    # Where any row may have a second rail, all tell of it.
+    second = any(name.endswith("rail[2].enabled") for name in given)
+    skipped = tuple(f"patch[{k}]." for k in range(3, 9)) + (() if second else ("rail[2].",))
+    return select(unit, outputs, [n for n in default if not any(part in n for part in skipped)])
 
 def evaluate(
     table: pandas.DataFrame,
@@ -44,8 +60,8 @@ def evaluate(
     Returns
     -------
     DataFrame
-        The outputs, with the index of `table`. With ``errors="nan"`` and rows that are refused, a boolean
-        column ``valid`` says which are not.
+        The outputs, with the index of `table`. With ``errors="nan"`` a boolean column ``valid`` says which
+        rows were not refused.
     """
     import pandas
 
@@ -63,6 +79,7 @@ def evaluate(
         groups = [(key, np.array(members)) for key, members in kinds.items()]
     else:
         groups = [((), np.arange(len(table)))]
+    wanted = [v.name for v in outputs_of(unit, outputs, table.columns, parameters)]
     parts: list[pandas.DataFrame] = []
     places: list[Any] = []
     for key, members in groups:
@@ -70,24 +87,39 @@ def evaluate(
         element = _element(unit, settings)
         inputs = {name: table[name].to_numpy()[members] for name in of_inputs}
         try:
-            result = element._evaluate(inputs, outputs, threads, errors, None, {})
+            result = element._evaluate(inputs, wanted, threads, errors, None, {})
         except Exception as error:
             raise _placed(error, members) from None
         part = result.to_pandas(inputs=False)
         if not of_inputs:
             part = part.loc[part.index.repeat(len(members))]
         if errors == "nan":
-            part["valid"] = np.broadcast_to(result.valid, (len(members),))
+            part[VALID] = np.broadcast_to(result.valid, (len(members),))
         parts.append(part)
         places.append(members)
     if not parts:
-        return pandas.DataFrame(index=table.index)
+        return empty(unit, outputs, table.columns, parameters, errors).set_index(table.index)
     whole = pandas.concat(parts, ignore_index=True)
     order = np.empty(len(table), dtype=np.intp)
     order[np.concatenate(places)] = np.arange(len(table))
     whole = whole.iloc[order]
     whole.index = table.index
     return whole
+
+
+def empty(
+    unit: Unit,
+    outputs: Outputs,
+    columns: Iterable[str],
+    parameters: Mapping[str, Any],
+    errors: Errors,
+) -> pandas.DataFrame:
+    """The table of results of a table without rows."""
+    import pandas
+
+    wanted = outputs_of(unit, outputs, columns, parameters)
+    made = {v.name: np.empty(0, np.int64 if v.kind == "integer" else np.float64) for v in wanted}
+    return pandas.DataFrame({**made, **({VALID: np.empty(0, np.bool_)} if errors == "nan" else {})})
 
 
 def _element(unit: Unit, settings: dict[str, Any]) -> _Unit:

@@ -63,7 +63,7 @@ _OWN = {"WheelRail": "wheel_", "WheelSet": "wheelset_"}
 
 
 def _long(name: str) -> str:
-    return name.translate(str.maketrans({".": "_", "[": "", "]": ""}))
+    return name.replace(".", "_").replace("[", "").replace("]", "")
 
 
 def _short(unit: str, name: str) -> str:
