@@ -28,6 +28,11 @@ fn main() {
     let out = folder("OUT_DIR");
     copy(&root.join("fmu/resources/profiles"), &out.join("profiles"));
     copy(&root.join("fmu/documentation/licenses"), &out.join("licenses"));
+    // maturin sets it: other builds make no wheel.
+    println!("cargo::rerun-if-env-changed=PYO3_BUILD_EXTENSION_MODULE");
+    if env::var_os("PYO3_BUILD_EXTENSION_MODULE").is_none() {
+        return;
+    }
     let packed = match env::var_os("WHEELRAIL_UNITS") {
         Some(ready) => PathBuf::from(ready),
         None => pack(&root, &out.join("packing")),

@@ -2,7 +2,9 @@
 
 import importlib
 import inspect
+import os
 import pkgutil
+import re
 import runpy
 import subprocess
 import sys
@@ -70,7 +72,7 @@ def test_every_keyword_is_of_one_variable():
 
 def test_stubs_are_those_of_the_module(tmp_path):
     pytest.importorskip("mypy")
-    command = [sys.executable, "-m", "mypy.stubtest", "wheelrail"]
+    command = [sys.executable, "-m", "mypy.stubtest", "wheelrail._native"]
     command += ["--mypy-config-file", str(HERE / "pyproject.toml")]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -90,6 +92,37 @@ def test_types_are_strict(tmp_path):
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
     lines = [line for line in done.stdout.splitlines() if "error" in line and "user.py" in line]
     assert len(lines) == 2 and "user.py:4" in lines[0] and "user.py:5" in lines[1], done.stdout
+
+
+@pytest.mark.parametrize("document", ["README.md", "python/README.md"])
+def test_the_ten_lines_of_the_readme_print_what_it_says(document):
+    path = HERE.parent / document
+    text = path.read_text(encoding="utf-8")
+    found = re.search(r"```python\n(.*?)```\n\n```text\n(.*?)```", text, re.DOTALL)
+    done = subprocess.run(
+        [sys.executable, "-c", found[1]], capture_output=True, text=True, check=True, cwd=HERE.parent.anchor
+    )
+    if os.environ.get("UPDATE_DOCS"):
+        path.write_text(text.replace(found[2], done.stdout), encoding="utf-8")
+    else:
+        assert done.stdout == found[2], f"{document} is stale: run UPDATE_DOCS=1 pytest"
+
+
+def test_the_fmu_of_the_readme_runs(tmp_path):
+    pytest.importorskip("fmpy")
+    text = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    code = next(block for block in blocks if "fmpy" in block)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert "(0.1 ," in done.stdout or "(0.1," in done.stdout
+
+
+def test_links_of_the_documents_lead_somewhere():
+    root = HERE.parent
+    for document in [root / "README.md", *(root / "docs").glob("*.md")]:
+        for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", document.read_text(encoding="utf-8")):
+            if "://" not in target:
+                assert (document.parent / target).exists(), f"{document.name}: {target}"
 
 
 def test_the_examples_of_docstrings_run():

@@ -71,7 +71,6 @@ def _short(unit: str, name: str) -> str:
     return keyword.removeprefix(_OWN[unit]).replace("friction_coefficient", "friction")
 
 
-@lru_cache
 def variables(unit: Unit = "WheelRail") -> tuple[Variable, ...]:
     """All variables of a unit, in the order of their FMI value references.
 
@@ -84,6 +83,11 @@ def variables(unit: Unit = "WheelRail") -> tuple[Variable, ...]:
         raise BadValueError(
             f'unit = "{unit}" is not admitted: WheelRail or WheelSet', variable="unit"
         )
+    return _all(unit)
+
+
+@lru_cache
+def _all(unit: Unit) -> tuple[Variable, ...]:
     found = []
     for reference, row in enumerate(_native.variables(unit)):
         name = row["name"]
@@ -93,9 +97,13 @@ def variables(unit: Unit = "WheelRail") -> tuple[Variable, ...]:
     return tuple(found)
 
 
-@lru_cache
 def by_name(unit: Unit) -> dict[str, Variable]:
     """Variables by every name they can be called: FMI name, keyword, and the long keyword of inputs."""
+    return _names(unit)
+
+
+@lru_cache
+def _names(unit: Unit) -> dict[str, Variable]:
     names: dict[str, Variable] = {}
     for variable in variables(unit):
         for name in (variable.name, variable.keyword, _long(variable.name)):

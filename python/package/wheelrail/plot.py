@@ -49,8 +49,9 @@ def contacts(found: Sequence[Contact], axes: Axes | None = None) -> Axes:
         y, z = 1e3 * contact.position
         axes.plot(y, z, "o", color="black", markersize=4)
         axes.annotate(
-            f"{number}: {np.degrees(contact.contact_angle):.1f}°", (y, z), (6, 8), textcoords="offset points"
-        )
+            f"{number}: {np.degrees(contact.contact_angle):.1f}°",
+            (y, z), (-6, 8), textcoords="offset points", ha="right",
+        )  # fmt: skip
     axes.set(xlabel="y to the right [mm]", ylabel="z down [mm]", aspect="equal")
     if found:
         axes.invert_yaxis()
@@ -80,8 +81,12 @@ def patch(field: Field, axes: Axes | None = None, *, arrows: int = 20) -> Axes:
     loaded = np.hypot(tx, ty) > 0.0
     if loaded.any():
         at_y, at_x = np.meshgrid(y[::every], x[::every], indexing="ij")
+        # The longest arrow spans one and a half of the gaps between them.
+        gap = every * 1e3 * max(field.dx, field.dy)
+        scale = float(np.hypot(tx, ty).max()) / (1.5 * gap)
         axes.quiver(
-            at_y[loaded], at_x[loaded], ty[loaded], tx[loaded], angles="xy", width=0.003, color="#222222"
+            at_y[loaded], at_x[loaded], ty[loaded], tx[loaded],
+            angles="xy", scale_units="xy", scale=scale, width=0.006, color="#222222",
         )  # fmt: skip
     if (field.adherence == 1).any() and (field.adherence == 2).any():
         axes.contour(y, x, (field.adherence == 1).T.astype(float), levels=[0.5], colors=_RIGHT)
