@@ -52,10 +52,16 @@ def contacts(found: Sequence[Contact], axes: Axes | None = None) -> Axes:
             f"{number}: {np.degrees(contact.contact_angle):.1f}°",
             (y, z), (-6, 8), textcoords="offset points", ha="right",
         )  # fmt: skip
-    axes.set(xlabel="y to the right [mm]", ylabel="z down [mm]", aspect="equal")
+    axes.set(xlabel="y to the right [mm]", ylabel="z down [mm]")
     if found:
+        width, height = np.abs(np.subtract(*axes.get_xlim())), np.abs(np.subtract(*axes.get_ylim()))
+        # A tread drawn to scale is a line.
+        if height > 0.25 * width:
+            axes.set_aspect("equal")
+        else:
+            axes.set_ylabel("z down, stretched [mm]")
         axes.invert_yaxis()
-        axes.legend(frameon=False, loc="lower right")
+        axes.legend(frameon=False)
     return axes
 
 
