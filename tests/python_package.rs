@@ -26,7 +26,9 @@ fn wheel() -> &'static Path {
         let out = temporary.join("python-wheel");
         let _ = fs::remove_dir_all(&out);
         let mut command = Command::new(tools);
-        command.args(["-m", "maturin", "build", "--locked", "--profile", "quick", "--out"]).arg(&out);
+        command
+            .args(["-m", "maturin", "build", "--locked", "--profile", "quick", "--out"])
+            .arg(&out);
         command.current_dir(package()).env("CARGO_TARGET_DIR", temporary.join("python-build"));
         command.env("WHEELRAIL_UNITS", packaged::fmu().parent().expect("a folder"));
         // Those of the outer cargo would have all built anew.
@@ -35,7 +37,9 @@ fn wheel() -> &'static Path {
         }
         run(&mut command, "building the Python package");
         let files = fs::read_dir(&out).expect("maturin makes the folder").flatten();
-        let mut wheels = files.map(|file| file.path()).filter(|path| path.extension().is_some_and(|e| e == "whl"));
+        let mut wheels = files
+            .map(|file| file.path())
+            .filter(|path| path.extension().is_some_and(|e| e == "whl"));
         wheels.next().expect("maturin makes a wheel")
     })
 }
@@ -44,10 +48,22 @@ fn wheel() -> &'static Path {
 fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
     let python = python::environment(name, requirements);
     let mut command = Command::new(&python);
-    command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps"]);
+    command.args([
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--force-reinstall",
+        "--no-deps",
+    ]);
     run(command.arg(wheel()), "installing the wheel");
     let mut command = Command::new(&python);
-    command.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "-c"]).arg(package().join("pyproject.toml"));
+    run(command.args(["-m", "twine", "check", "--strict"]).arg(wheel()), "twine check");
+    let mut command = Command::new(&python);
+    command
+        .args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "-c"])
+        .arg(package().join("pyproject.toml"));
     command.arg(package().join("tests")).args(arguments).current_dir(env!("CARGO_TARGET_TMPDIR"));
     let output = run(command.env("PATH", "/usr/bin:/bin"), "pytest");
     println!("{}", String::from_utf8_lossy(&output.stdout));
@@ -58,7 +74,15 @@ fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
 fn the_wheel_works_where_there_is_nothing_but_numpy() {
     let python = python::environment("bare-venv", "python/tests/bare_requirements.txt");
     let mut command = Command::new(&python);
-    command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--force-reinstall", "--no-deps"]);
+    command.args([
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--force-reinstall",
+        "--no-deps",
+    ]);
     run(command.arg(wheel()), "installing the wheel");
     let mut command = Command::new(python);
     command.args(["-c", "import wheelrail; print(wheelrail.Element().evaluate()['patch_count'])"]);
