@@ -53,6 +53,8 @@ impl<S: InBulk> Evaluator<S> {
     /// Fills `out` with the `outputs`, FMI references, of each row.
     ///
     /// A row that is refused is an error, or NaN where `tolerant`; its state says so.
+    // What Python hands over, one by one.
+    #[allow(clippy::too_many_arguments)]
     pub fn evaluate(
         &self,
         py: Python<'_>,
@@ -87,6 +89,8 @@ impl<S: InBulk> Evaluator<S> {
     }
 
     /// Fills `out` with the derivatives of `outputs` by the inputs `by`: output after output, those by all inputs of each.
+    // What Python hands over, one by one.
+    #[allow(clippy::too_many_arguments)]
     pub fn jacobian(
         &self,
         py: Python<'_>,
