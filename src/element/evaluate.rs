@@ -291,7 +291,7 @@ impl Element {
     }
 
     /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the rails.
-    pub(crate) fn touch(&mut self, start: &Input) -> Option<f64> {
+    pub fn touch(&mut self, start: &Input) -> Option<f64> {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
         self.first_touch(&input)
     }

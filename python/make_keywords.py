@@ -1,0 +1,56 @@
+"""Writes package/wheelrail/_keywords.py: the variables of both units as keywords that type checkers know.
+
+Run: python make_keywords.py, with the package installed.
+"""
+
+from pathlib import Path
+
+from wheelrail import variables
+
+TYPES = {"real": "float", "integer": "int", "boolean": "bool", "text": "str | os.PathLike[str]"}
+
+
+def main() -> str:
+    lines = [
+        '"""Inputs and parameters as keywords. Made by make_keywords.py: do not change it by hand."""',
+        "",
+        "from __future__ import annotations",
+        "",
+        "import os",
+        "from typing import Literal, TypedDict",
+        "",
+        "import numpy.typing as npt",
+        "",
+        "__all__ = [",
+        '    "ElementInputs",',
+        '    "ElementParameters",',
+        '    "WheelSetInputs",',
+        '    "WheelSetParameters",',
+        "]",
+    ]
+    for unit, name in (("WheelRail", "Element"), ("WheelSet", "WheelSet")):
+        inputs = [v for v in variables(unit) if v.causality == "input"]
+        parameters = [v for v in variables(unit) if v.causality == "parameter"]
+        lines += ["", "", f"class {name}Inputs(TypedDict, total=False):"]
+        lines += [f'    """Inputs of `wheelrail.{name}.evaluate`, arrays that broadcast."""', ""]
+        for v in inputs:
+            lines += [f"    {v.keyword}: npt.ArrayLike", *described(v)]
+        lines += ["", "", f"class {name}Parameters(TypedDict, total=False):"]
+        lines += [f'    """Parameters and starting inputs of `wheelrail.{name}`."""', ""]
+        for v in parameters:
+            items = ", ".join(f'"{item}"' for item in v.items)
+            kind = f"Literal[{items}]" if items else TYPES[v.kind]
+            lines += [f"    {v.keyword}: {kind}", *described(v)]
+        for v in inputs:
+            lines += [f"    {v.keyword}: float", *described(v)]
+    return "\n".join(lines) + "\n"
+
+
+def described(variable):
+    unit = f" [{variable.unit or '-'}]" if variable.kind == "real" else ""
+    return [f'    """{variable.description}{unit}."""']
+
+
+if __name__ == "__main__":
+    path = Path(__file__).parent / "package/wheelrail/_keywords.py"
+    path.write_text(main(), encoding="utf-8")

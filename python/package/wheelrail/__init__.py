@@ -1,0 +1,53 @@
+"""Wheel-rail contact: arrays in, arrays out, on every core.
+
+`Element` is one wheel with the rails under it, `WheelSet` two on an axle; :mod:`wheelrail.planar` contact
+problems given by a separation, :mod:`wheelrail.conicity` the contact geometry of a wheelset, `WearRun`
+profiles that wear. :mod:`wheelrail.bulk` evaluates tables larger than memory, :mod:`wheelrail.dask` on
+several machines, :mod:`wheelrail.plot` draws. `fmu` gives the path of the FMUs that come with it.
+
+Track frame: x forward, y to the right, z down; SI and radians.
+"""
+
+from . import conicity, planar
+from ._contact import Contact, Field
+from ._element import Element, WheelSet
+from ._files import fmu, profile, profile_folder
+from ._native import __version__
+from ._result import Column, Jacobian, Result
+from ._table import evaluate
+from ._variables import Variable, variables
+from .errors import (
+    BadValueError,
+    ContactError,
+    ContactWarning,
+    NoDerivativeError,
+    ProfileError,
+    UnknownVariableError,
+)
+from .wear import WearRun
+
+__all__ = [
+    "BadValueError",
+    "Column",
+    "Contact",
+    "ContactError",
+    "ContactWarning",
+    "Element",
+    "Field",
+    "Jacobian",
+    "NoDerivativeError",
+    "ProfileError",
+    "Result",
+    "UnknownVariableError",
+    "Variable",
+    "WearRun",
+    "WheelSet",
+    "__version__",
+    "conicity",
+    "evaluate",
+    "fmu",
+    "planar",
+    "profile",
+    "profile_folder",
+    "variables",
+]

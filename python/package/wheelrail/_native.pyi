@@ -1,0 +1,118 @@
+"""The native part: places are FMI references, rows are C-contiguous arrays that are filled."""
+
+from collections.abc import Sequence
+from typing import Any, final
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = [
+    "Wheel",
+    "WearingWheel",
+    "Wheelset",
+    "__version__",
+    "contacts_of",
+    "equivalent_conicity",
+    "planar_fields",
+    "planar_solve",
+    "profile_points",
+    "rolling_radii",
+    "variables",
+]
+
+__version__: str
+
+_Floats = npt.NDArray[np.float64]
+_States = npt.NDArray[np.uint8]
+_Columns = Sequence[tuple[int, _Floats]]
+_Settings = Sequence[tuple[str, Any]]
+
+@final
+class Wheel:
+    def __new__(cls, settings: _Settings, folders: Sequence[str]) -> Wheel: ...
+    @property
+    def nominal_z(self) -> float: ...
+    def remarks(self) -> list[tuple[str, str]]: ...
+    def evaluate(
+        self,
+        inputs: _Columns,
+        outputs: Sequence[int],
+        out: _Floats,
+        states: _States,
+        threads: int,
+        tolerant: bool,
+    ) -> dict[int, str]: ...
+    def jacobian(
+        self,
+        inputs: _Columns,
+        outputs: Sequence[int],
+        by: Sequence[int],
+        out: _Floats,
+        states: _States,
+        threads: int,
+        tolerant: bool,
+    ) -> dict[int, str]: ...
+    def touching_heights(
+        self, inputs: _Columns, out: _Floats, states: _States, threads: int
+    ) -> None: ...
+
+@final
+class Wheelset:
+    def __new__(cls, settings: _Settings, folders: Sequence[str]) -> Wheelset: ...
+    @property
+    def nominal_z(self) -> float: ...
+    def remarks(self) -> list[tuple[str, str]]: ...
+    def evaluate(
+        self,
+        inputs: _Columns,
+        outputs: Sequence[int],
+        out: _Floats,
+        states: _States,
+        threads: int,
+        tolerant: bool,
+    ) -> dict[int, str]: ...
+    def jacobian(
+        self,
+        inputs: _Columns,
+        outputs: Sequence[int],
+        by: Sequence[int],
+        out: _Floats,
+        states: _States,
+        threads: int,
+        tolerant: bool,
+    ) -> dict[int, str]: ...
+    def touching_heights(
+        self, inputs: _Columns, out: _Floats, states: _States, threads: int
+    ) -> None: ...
+
+@final
+class WearingWheel:
+    def __new__(cls, settings: _Settings, folders: Sequence[str]) -> WearingWheel: ...
+    def advance(
+        self, inputs: _Columns, durations: _Floats, outputs: Sequence[int], out: _Floats
+    ) -> None: ...
+    def profile(self, body: int, count: int) -> _Floats: ...
+    def depth(self, body: int) -> _Floats: ...
+
+def variables(unit: str) -> list[dict[str, Any]]: ...
+def contacts_of(wheel: Wheel, inputs: Sequence[tuple[int, float]]) -> list[dict[str, Any]]: ...
+def profile_points(
+    name: str, body: str, smoothing: float, folders: Sequence[str], count: int
+) -> _Floats: ...
+def planar_solve(
+    wheel: Wheel,
+    separation: _Floats,
+    cases: _Floats,
+    by_load: bool,
+    out: _Floats,
+    states: _States,
+    threads: int,
+    tolerant: bool,
+) -> None: ...
+def planar_fields(
+    wheel: Wheel, separation: _Floats, given: _Floats, by_load: bool
+) -> list[dict[str, Any]]: ...
+def rolling_radii(
+    wheel: Wheel, running_circles: float, range: float, step: float, folders: Sequence[str]
+) -> _Floats: ...
+def equivalent_conicity(y: _Floats, difference: _Floats, amplitudes: _Floats) -> _Floats: ...

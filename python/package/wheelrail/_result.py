@@ -1,0 +1,247 @@
+"""Results: arrays by the names of the quantities."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import UnknownVariableError
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["Column", "Jacobian", "Result"]
+
+Array = npt.NDArray[Any]
+
+#: States of rows in the native part.
+FINE, REFUSED, SUNK = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Column:
+    """A quantity of a result: its name, SI unit, and whether it is a whole number."""
+
+    name: str
+    unit: str
+    description: str = ""
+    is_integer: bool = False
+
+    @property
+    def keyword(self) -> str:
+        """The name as an attribute of results."""
+        return self.name.replace(".", "_").replace("[", "").replace("]", "")
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What the rows of a result stand for."""
+
+    shape: tuple[int, ...]
+    inputs: Mapping[str, Array]
+    #: Names of the dimensions and coordinates along them, if the inputs had any.
+    dims: tuple[str, ...] | None = None
+    coords: Mapping[str, Any] | None = None
+    #: Row labels of the table that was evaluated.
+    index: Any = None
+
+
+class Result(Mapping[str, Any]):
+    """What an evaluation gives: a mapping from names to arrays of the shape that the inputs broadcast to.
+
+    ``result["wheel.force.z"]`` and ``result.wheel_force_z`` are the same array. Whole numbers are
+    ``int64``, all else ``float64`` in SI units. Where a row was refused (``errors="nan"``) numbers are
+    NaN and whole numbers -1.
+    """
+
+    def __init__(
+        self,
+        columns: Sequence[Column],
+        data: npt.NDArray[np.float64],
+        states: npt.NDArray[np.uint8],
+        refusals: Mapping[int, str],
+        layout: Layout,
+    ) -> None:
+        self._columns = {column.name: (k, column) for k, column in enumerate(columns)}
+        self._keywords = {column.keyword: column.name for column in columns}
+        self._data = data
+        self._states = states
+        self._layout = layout
+        self._refusals = dict(refusals)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of every array."""
+        return self._layout.shape
+
+    @property
+    def inputs(self) -> Mapping[str, Array]:
+        """The inputs that were given, by FMI name, broadcast to `shape`."""
+        shape = self._layout.shape
+        return {name: np.broadcast_to(v, shape) for name, v in self._layout.inputs.items()}
+
+    @property
+    def valid(self) -> npt.NDArray[np.bool_]:
+        """Where the row was evaluated and not refused."""
+        return np.asarray(self._states != REFUSED).reshape(self.shape)
+
+    @property
+    def sunk(self) -> npt.NDArray[np.bool_]:
+        """Where a wheel is so deep below the top of its rail that there is no force: no lifted wheel."""
+        return np.asarray(self._states == SUNK).reshape(self.shape)
+
+    @property
+    def refusals(self) -> Mapping[int, str]:
+        """Why rows were refused, by their number in C order."""
+        return self._refusals
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """SI unit of every quantity."""
+        return {name: column.unit for name, (_, column) in self._columns.items()}
+
+    def __getitem__(self, name: str) -> Any:
+        found = self._columns.get(self._keywords.get(name, name))
+        if found is None:
+            import difflib
+
+            near = difflib.get_close_matches(name, self._columns, n=1, cutoff=0.0)
+            raise UnknownVariableError(
+                f'the result has no "{name}"; the nearest name is {near[0] if near else "none"}; '
+                "outputs= says what is evaluated",
+                variable=name,
+            )
+        k, column = found
+        values = self._data[:, k]
+        if column.is_integer:
+            values = np.where(np.isnan(values), -1.0, values).astype(np.int64)
+        return values.reshape(self.shape)[()]
+
+    def __getattr__(self, name: str) -> Any:
+        # Called only for what is no attribute; names with a bar in front are Python's own.
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except UnknownVariableError as error:
+            raise AttributeError(str(error)) from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._columns or name in self._keywords
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._keywords})
+
+    def __repr__(self) -> str:
+        refused = int(np.count_nonzero(self._states == REFUSED))
+        also = f", {refused} rows refused" if refused else ""
+        return f"<wheelrail.Result: {len(self)} quantities of shape {self.shape}{also}>"
+
+    def to_pandas(self, *, inputs: bool = True) -> pandas.DataFrame:
+        """One row for each case, one column for each quantity; needs pandas.
+
+        Parameters
+        ----------
+        inputs : bool
+            Whether the inputs that were given stand in front.
+        """
+        import pandas
+
+        columns: dict[str, Array] = {}
+        if inputs:
+            columns.update((name, np.ravel(v)) for name, v in self.inputs.items())
+        columns.update((name, np.ravel(self[name])) for name in self)
+        return pandas.DataFrame(columns, index=self._layout.index)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A dataset with the inputs that were given as coordinates; needs xarray.
+
+        Dimensions are those of the inputs if any was a ``DataArray``; else an input that varies along
+        one dimension alone gives its name to it, and others are ``dim_0``, ``dim_1``, …
+        """
+        import xarray
+
+        dims, coords = self._layout.dims, dict(self._layout.coords or {})
+        if dims is None:
+            names = [f"dim_{k}" for k in range(len(self.shape))]
+            for name, values in self._layout.inputs.items():
+                along = [k - values.ndim for k, n in enumerate(values.shape) if n > 1]
+                if len(along) == 1 and names[along[0]].startswith("dim_"):
+                    names[along[0]] = name
+                    coords[name] = (name, values.ravel())
+            dims = tuple(names)
+        for name, values in self.inputs.items():
+            if name not in coords:
+                scalar = self._layout.inputs[name].size == 1
+                coords[name] = values.ravel()[0] if scalar and values.size else (dims, values)
+        data = {
+            name: (dims, np.asarray(self[name]), {"units": c.unit, "long_name": c.description})
+            for name, (_, c) in self._columns.items()
+        }
+        return xarray.Dataset(data, coords=coords)
+
+    def to_numpy(self) -> npt.NDArray[Any]:
+        """A structured array of the shape of the result, one field for each quantity."""
+        fields = [(n, np.int64 if c.is_integer else np.float64) for n, (_, c) in self._columns.items()]
+        array = np.empty(self.shape, dtype=fields)
+        for name in self:
+            array[name] = self[name]
+        return array
+
+
+class Jacobian:
+    """Derivatives of outputs by inputs.
+
+    ``jacobian["wheel.force.y", "wheel.vy"]`` is an array of the shape that the inputs broadcast to;
+    keywords do as well as FMI names.
+
+    Attributes
+    ----------
+    values : ndarray, shape (..., outputs, inputs)
+        All derivatives, in the SI unit of the output over that of the input.
+    outputs, inputs : tuple of str
+        FMI names along the last two dimensions.
+    valid : ndarray of bool
+        Where there are derivatives; with ``errors="raise"`` everywhere.
+    refusals : dict
+        Why there are none, by row in C order.
+    """
+
+    def __init__(
+        self,
+        values: npt.NDArray[np.float64],
+        outputs: tuple[str, ...],
+        inputs: tuple[str, ...],
+        valid: npt.NDArray[np.bool_],
+        refusals: Mapping[int, str],
+        keywords: Mapping[str, str],
+    ) -> None:
+        self.values = values
+        self.outputs = outputs
+        self.inputs = inputs
+        self.valid = valid
+        self.refusals = dict(refusals)
+        self._keywords = dict(keywords)
+
+    def __getitem__(self, names: tuple[str, str]) -> Any:
+        output, by = (self._keywords.get(name, name) for name in names)
+        for name, known, what in ((output, self.outputs, "outputs"), (by, self.inputs, "by")):
+            if name not in known:
+                raise UnknownVariableError(
+                    f'the jacobian has no "{name}": {what}= says what is in it', variable=name
+                )
+        return self.values[..., self.outputs.index(output), self.inputs.index(by)][()]
+
+    def __repr__(self) -> str:
+        return f"<wheelrail.Jacobian: {len(self.outputs)} outputs by {len(self.inputs)} inputs, shape {self.values.shape}>"

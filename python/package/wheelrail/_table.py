@@ -1,0 +1,142 @@
+"""Tables of cases: inputs and parameters in columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._element import Element, Errors, Outputs, WheelSet, _Unit
+from ._variables import Unit, Variable, find, is_evaluated, select, variables
+from .errors import BadValueError
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["evaluate"]
+
+#: Name of the column that says which rows were not refused.
+VALID = "valid"
+
+
+def outputs_of(
+    unit: Unit, outputs: Outputs, columns: Iterable[str], parameters: Mapping[str, Any]
+) -> list[Variable]:
+    """The outputs of a table, the same for all of its rows."""
+    default = [v.name for v in variables(unit) if is_evaluated(v)]
+    given = {find(unit, str(name)).name for name in (*columns, *parameters)}
+    # Where any row may have a second rail, all tell of it.
+    second = any(name.endswith("rail[2].enabled") for name in given)
+    skipped = tuple(f"patch[{k}]." for k in range(3, 9)) + (() if second else ("rail[2].",))
+    return select(unit, outputs, [n for n in default if not any(part in n for part in skipped)])
+
+def evaluate(
+    table: pandas.DataFrame,
+    *,
+    unit: Unit = "WheelRail",
+    outputs: Outputs = None,
+    threads: int | None = None,
+    errors: Errors = "raise",
+    **parameters: Any,
+) -> pandas.DataFrame:
+    """A table of cases in, a table of outputs out; needs pandas.
+
+    Columns may be parameters too, other ones in every row: profiles, radii, models. The rows that share
+    them are evaluated together.
+
+    Parameters
+    ----------
+    table : DataFrame
+        One row for each case; columns are inputs and parameters by FMI name or keyword. What is left out
+        keeps its start value.
+    unit : {"WheelRail", "WheelSet"}
+        One wheel, or two on an axle.
+    outputs, threads, errors
+        As in `Element.evaluate`.
+    **parameters
+        Values that hold for all rows.
+
+    Returns
+    -------
+    DataFrame
+        The outputs, with the index of `table`. With ``errors="nan"`` a boolean column ``valid`` says which
+        rows were not refused.
+    """
+    import pandas
+
+    found = {name: find(unit, str(name)) for name in table.columns}
+    of_parameters = [name for name, v in found.items() if v.causality == "parameter"]
+    of_inputs = [name for name, v in found.items() if v.causality == "input"]
+    for name, v in found.items():
+        if v.causality not in ("parameter", "input"):
+            raise BadValueError(f'column "{name}" is computed: leave it out', variable=v.name)
+    if of_parameters:
+        kinds: dict[tuple[Any, ...], list[int]] = {}
+        for row, key in enumerate(zip(*(table[name].tolist() for name in of_parameters))):
+            # Nothing equals NaN, which stands for an empty cell.
+            kinds.setdefault(tuple(None if v != v else v for v in key), []).append(row)
+        groups = [(key, np.array(members)) for key, members in kinds.items()]
+    else:
+        groups = [((), np.arange(len(table)))]
+    wanted = [v.name for v in outputs_of(unit, outputs, table.columns, parameters)]
+    parts: list[pandas.DataFrame] = []
+    places: list[Any] = []
+    for key, members in groups:
+        settings = {**parameters, **dict(zip(of_parameters, key))}
+        element = _element(unit, settings)
+        inputs = {name: table[name].to_numpy()[members] for name in of_inputs}
+        try:
+            result = element._evaluate(inputs, wanted, threads, errors, None, {})
+        except Exception as error:
+            raise _placed(error, members) from None
+        part = result.to_pandas(inputs=False)
+        if not of_inputs:
+            part = part.loc[part.index.repeat(len(members))]
+        if errors == "nan":
+            part[VALID] = np.broadcast_to(result.valid, (len(members),))
+        parts.append(part)
+        places.append(members)
+    if not parts:
+        return empty(unit, outputs, table.columns, parameters, errors).set_index(table.index)
+    whole = pandas.concat(parts, ignore_index=True)
+    order = np.empty(len(table), dtype=np.intp)
+    order[np.concatenate(places)] = np.arange(len(table))
+    whole = whole.iloc[order]
+    whole.index = table.index
+    return whole
+
+
+def empty(
+    unit: Unit,
+    outputs: Outputs,
+    columns: Iterable[str],
+    parameters: Mapping[str, Any],
+    errors: Errors,
+) -> pandas.DataFrame:
+    """The table of results of a table without rows."""
+    import pandas
+
+    wanted = outputs_of(unit, outputs, columns, parameters)
+    made = {v.name: np.empty(0, np.int64 if v.kind == "integer" else np.float64) for v in wanted}
+    return pandas.DataFrame({**made, **({VALID: np.empty(0, np.bool_)} if errors == "nan" else {})})
+
+
+def _element(unit: Unit, settings: dict[str, Any]) -> _Unit:
+    # An empty cell keeps the start value.
+    given = {n: _plain(v) for n, v in settings.items() if not (v is None or v != v)}
+    return Element(given) if unit == "WheelRail" else WheelSet(given)
+
+
+def _plain(value: Any) -> Any:
+    """A number of numpy as one of Python."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _placed(error: Exception, members: Any) -> Exception:
+    row = getattr(error, "row", None)
+    if row is None:
+        return error
+    kind: Any = type(error)
+    placed: Exception = kind(error._message, variable=error.variable, row=int(members[row]))  # type: ignore[attr-defined]
+    return placed

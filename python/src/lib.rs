@@ -1,0 +1,33 @@
+//! The native part of the Python package `wheelrail`: arrays in, arrays out, on all cores, without the interpreter's lock.
+//!
+//! Names, broadcasting and results are Python's: `package/wheelrail`.
+
+mod conicity;
+mod contacts;
+mod errors;
+mod evaluator;
+mod planar;
+mod profile;
+mod rows;
+mod subjects;
+mod tables;
+mod units;
+
+use pyo3::prelude::*;
+
+/// Native part of wheelrail; use the package `wheelrail`.
+#[pymodule(name = "_native")]
+fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<units::Wheel>()?;
+    module.add_class::<units::Wheelset>()?;
+    module.add_class::<units::WearingWheel>()?;
+    module.add_function(wrap_pyfunction!(units::contacts_of, module)?)?;
+    module.add_function(wrap_pyfunction!(tables::variables, module)?)?;
+    module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;
+    module.add_function(wrap_pyfunction!(planar::planar_solve, module)?)?;
+    module.add_function(wrap_pyfunction!(planar::planar_fields, module)?)?;
+    module.add_function(wrap_pyfunction!(conicity::rolling_radii, module)?)?;
+    module.add_function(wrap_pyfunction!(conicity::equivalent_conicity, module)?)?;
+    Ok(())
+}

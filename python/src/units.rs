@@ -1,0 +1,181 @@
+//! Wheel and wheelset as Python classes.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+use numpy::{PyArray2, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use wheelrail::element::{Element, WornBody};
+
+use crate::contacts::contacts;
+use crate::errors::{bad_value, refused};
+use crate::evaluator::{Columns, Evaluator, elements};
+use crate::profile::{pairs, points};
+use crate::subjects::InBulk;
+
+/// A class for each subject: classes of Python have no type parameters.
+macro_rules! unit {
+    ($(#[$doc:meta])* $name:ident of $subject:ty) => {
+        $(#[$doc])*
+        #[pyclass(frozen, module = "wheelrail._native")]
+        pub struct $name {
+            evaluator: Evaluator<$subject>,
+        }
+
+        impl $name {
+            pub fn evaluator(&self) -> &Evaluator<$subject> {
+                &self.evaluator
+            }
+        }
+
+        #[pymethods]
+        #[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]
+        impl $name {
+            #[new]
+            fn new(
+                py: Python<'_>,
+                settings: Vec<(String, Bound<'_, PyAny>)>,
+                folders: Vec<PathBuf>,
+            ) -> PyResult<Self> {
+                Ok(Self { evaluator: Evaluator::new(py, settings, folders)? })
+            }
+
+            /// Height of first touch for the starting inputs [m].
+            #[getter]
+            fn nominal_z(&self) -> f64 {
+                self.evaluator.subject.nominal_z()
+            }
+
+            /// What was found and mended in files of profiles, with the parameter that names each.
+            fn remarks(&self) -> Vec<(String, String)> {
+                let all = elements(&self.evaluator.subject).iter().flat_map(Element::profile_remarks);
+                all.map(|(name, remark)| (name.clone(), remark.to_string())).collect()
+            }
+
+            /// Evaluates rows; refusals by row.
+            fn evaluate(
+                &self,
+                py: Python<'_>,
+                inputs: Columns<'_>,
+                outputs: Vec<usize>,
+                out: PyReadwriteArray2<'_, f64>,
+                states: PyReadwriteArray1<'_, u8>,
+                threads: usize,
+                tolerant: bool,
+            ) -> PyResult<HashMap<usize, String>> {
+                self.evaluator.evaluate(py, &inputs, &outputs, out, states, threads, tolerant)
+            }
+
+            /// Derivatives of the outputs by the inputs for rows; refusals by row.
+            fn jacobian(
+                &self,
+                py: Python<'_>,
+                inputs: Columns<'_>,
+                outputs: Vec<usize>,
+                by: Vec<usize>,
+                out: PyReadwriteArray2<'_, f64>,
+                states: PyReadwriteArray1<'_, u8>,
+                threads: usize,
+                tolerant: bool,
+            ) -> PyResult<HashMap<usize, String>> {
+                self.evaluator.jacobian(py, &inputs, (&outputs, &by), out, states, threads, tolerant)
+            }
+
+            /// Heights of first touch for rows.
+            fn touching_heights(
+                &self,
+                py: Python<'_>,
+                inputs: Columns<'_>,
+                out: PyReadwriteArray2<'_, f64>,
+                states: PyReadwriteArray1<'_, u8>,
+                threads: usize,
+            ) -> PyResult<()> {
+                self.evaluator.touching_heights(py, &inputs, out, states, threads)
+            }
+        }
+    };
+}
+
+unit! {
+    /// One wheel and the rails under it.
+    Wheel of Element
+}
+
+unit! {
+    /// Two wheels on one axle.
+    Wheelset of wheelrail::wheelset::Wheelset
+}
+
+/// The contacts of a wheel, deepest first, with pressures and tractions; inputs by FMI reference.
+#[pyfunction]
+pub fn contacts_of<'py>(
+    py: Python<'py>,
+    wheel: &Wheel,
+    inputs: Vec<(usize, f64)>,
+) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let evaluator = wheel.evaluator();
+    let mut values = evaluator.values_with(&inputs);
+    let found = py.detach(|| evaluator.borrowed(|element| contacts(element, &mut values)));
+    let found = found.map_err(|error| refused(py, &error, None))?;
+    found.iter().map(|contact| contact.dict(py)).collect()
+}
+
+/// A wheel and its rails whose profiles wear.
+#[pyclass(module = "wheelrail._native")]
+pub struct WearingWheel {
+    evaluator: Evaluator<Element>,
+}
+
+#[pymethods]
+#[allow(clippy::needless_pass_by_value)]
+impl WearingWheel {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        settings: Vec<(String, Bound<'_, PyAny>)>,
+        folders: Vec<PathBuf>,
+    ) -> PyResult<Self> {
+        Ok(Self { evaluator: Evaluator::new(py, settings, folders)? })
+    }
+
+    /// Evaluates row after row and wears off what its duration [s] wears off.
+    fn advance(
+        &mut self,
+        py: Python<'_>,
+        inputs: Columns<'_>,
+        durations: PyReadonlyArray1<'_, f64>,
+        outputs: Vec<usize>,
+        out: PyReadwriteArray2<'_, f64>,
+    ) -> PyResult<()> {
+        self.evaluator.advance(py, &inputs, &durations, &outputs, out)
+    }
+
+    /// Points (y, z) of a profile with all wear so far [m]; body 0 is the wheel, 1 and 2 are the rails.
+    fn profile<'py>(
+        &self,
+        py: Python<'py>,
+        body: usize,
+        count: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let element = &self.evaluator.subject;
+        let profile = match body.checked_sub(1) {
+            None => element.worn_wheel(),
+            Some(rail) => element.worn_rail(rail),
+        };
+        match profile {
+            Some(profile) => points(py, &profile, count),
+            None => Err(bad_value(
+                py,
+                "body",
+                &format!("rail[{body}] is not there: set rail[{body}].enabled"),
+            )),
+        }
+    }
+
+    /// Points (y, depth) of the wear of a body as the profile in use has it [m].
+    fn depth<'py>(&self, py: Python<'py>, body: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let body = body.checked_sub(1).map_or(WornBody::Wheel, WornBody::Rail);
+        pairs(py, &self.evaluator.subject.wear_depth(body))
+    }
+}
