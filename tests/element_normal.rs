@@ -20,6 +20,9 @@ const MODELS: [(&str, NormalModel, usize); 4] = [
     ("hertz", NormalModel::Hertz, 30),
 ];
 
+/// Greatest contact angle [degrees].
+const STEEPEST: f64 = 60.0;
+
 /// What is compared.
 const QUANTITIES: [&str; 4] = ["normal_force", "max_pressure", "area", "place_mm"];
 
@@ -84,7 +87,13 @@ fn spread(errors: impl Iterator<Item = f64>) -> [f64; 3] {
 fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
     let table = read_table("contact_25_1/element_normal.csv");
     let load = column(&table, "load_n");
-    let rows: Vec<_> = table.rows.iter().filter(|row| chosen(row[load].parse().unwrap())).collect();
+    // Steeper, the patch turns by more than the one plane of the reference shows; tests/boundary_element has conformal solutions.
+    let is_flat = |row: &csv::StringRecord| value(&table, row, "delta_deg").abs() < STEEPEST;
+    let rows: Vec<_> = table
+        .rows
+        .iter()
+        .filter(|row| is_flat(row) && chosen(row[load].parse().unwrap()))
+        .collect();
     let mut report = format!("model,y_ws_mm,load_n,patches,{}\n", QUANTITIES.join(","));
     let results = MODELS.map(|(model, normal_model, strips)| {
         let mut element = benchmark(normal_model, strips);

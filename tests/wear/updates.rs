@@ -13,6 +13,10 @@ use wheelrail::wear::depth::wear_depth;
 fn swayed(interval: f64, h: f64, distribution: WearDistribution) -> Vec<[f64; 2]> {
     let mut p = parameters(WearModel::FrictionalWork);
     p.vertical_mode = VerticalMode::Load;
+    // The order of the integration shows on pressures without noise of nodes.
+    p.normal_model = NormalModel::PiotrowskiKik;
+    p.tangential_model = TangentialModel::Fastsim;
+    p.creepage_model = CreepageModel::Flat;
     (p.strips, p.elements_along) = (15, 10);
     p.wear.acceleration_factor = 4e5;
     (p.wear.update_interval, p.wear.distribution) = (interval, distribution);

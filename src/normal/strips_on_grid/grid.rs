@@ -15,10 +15,11 @@ use crate::math::room::Room;
 
 /// Distance of the places at which the curvature of the overlap is taken, which stay where they are: shorter than the arcs of a profile [m].
 const LATTICE: f64 = 7.5e-4;
-/// Parts of a step, in each of which the density of nodes is linear: it rises from nothing to its own within the outermost steps.
-const PARTS: usize = 2;
+/// Parts of a step, in each of which the density of nodes is linear: an overlap may be no longer than a step, and the density rises from
+/// nothing to its own within it.
+const PARTS: usize = 8;
 /// Most of their steps.
-const MOST_SAMPLES: usize = 1024;
+const MOST_SAMPLES: usize = 4096;
 /// Nodes and weights of Gauss and Legendre with five points.
 const GAUSS: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
@@ -99,8 +100,8 @@ struct Sample<T> {
     step: T,
     /// Parameters of the line at its ends [m].
     parameters: [f64; 2],
-    /// Square of the curvature of the overlap [1/m²], and the overlap [m], at its ends.
-    curvatures2: [T; 2],
+    /// Curvature of the overlap [1/m], its sign left out, and the overlap [m], at its ends.
+    curvatures: [T; 2],
     overlaps: [T; 2],
     /// Nodes wanted at its ends, per length.
     densities: [T; 2],
@@ -145,7 +146,7 @@ impl<T: Real> Grid<T> {
         for sample in self.samples.iter_mut() {
             for end in 0..2 {
                 let overlap = (sample.overlaps[end] / depth).at_least(LEAST_OVERLAP);
-                let bend = (sample.curvatures2[end] + least * least).sqrt().sqrt();
+                let bend = (sample.curvatures[end] + least).sqrt();
                 sample.densities[end] = bend * density(overlap, level);
             }
         }
@@ -222,10 +223,7 @@ impl<T: Real> Grid<T> {
                 // The parabola of the mean bend, and a curvature that is linear.
                 let sag = (before + after) * (LATTICE * LATTICE / 4.0);
                 let overlap = |t: T| b + (c - b) * t - sag * t * (-t + 1.0);
-                let curvature2 = |t: T| {
-                    let bend = before + (after - before) * t;
-                    bend * bend
-                };
+                let curvature = |t: T| before.abs() * (-t + 1.0) + after.abs() * t;
                 for part in 0..PARTS {
                     let at = |k: usize| from + (to - from) * (k as f64 / PARTS as f64);
                     let ends = [at(part), at(part + 1)];
@@ -235,7 +233,7 @@ impl<T: Real> Grid<T> {
                         y: ends[0],
                         step: ends[1] - ends[0],
                         parameters: ends.map(|y| parameter(y.value())),
-                        curvatures2: within.map(curvature2),
+                        curvatures: within.map(curvature),
                         overlaps: within.map(overlap),
                         densities: [zero; 2],
                     });

@@ -89,9 +89,12 @@ impl End {
     /// Coordinate across as it moves with `line` [m].
     pub(super) fn moving<T: Real>(&self, line: &mut impl OverlapLine<T>) -> T {
         match self.slope {
-            Some(slope) if slope != 0.0 => {
+            Some(slope) if T::HAS_SLOPES && slope != 0.0 => {
                 let overlap = line.at(T::from(self.y), self.u).overlap;
-                T::moving(self.y, -overlap / slope)
+                let moved = T::moving(self.y, -overlap / slope);
+                // What a slope that is a little off has left.
+                let rest = line.at(moved, self.u).overlap;
+                T::moving(self.y, moved - rest / slope)
             }
             _ => T::from(self.y),
         }
