@@ -186,7 +186,7 @@ pub const SECTION_CURVATURE: f64 = 4e-3;
 /// and worst. Force and area of strips are worst on steep flanges: N is load over cosine of the contact angle, 1.8 degrees off at 7 mm and 150 kN,
 /// where the patch turns and the reference is plane (the planar problem there is 0.1 % off in area), and small patches are five elements of the reference wide; place is worst on two zones that the reference takes as one.
 pub const ELEMENT_NORMAL: [[[f64; 2]; 4]; 4] = [
-    [[1.2e-4, 0.085], [1.7e-3, 0.048], [0.012, 0.15], [0.14, 1.65]],
+    [[1.2e-4, 0.085], [5e-3, 0.06], [0.012, 0.15], [0.14, 1.65]],
     [[7e-4, 0.165], [0.19, 0.60], [0.10, 0.55], [0.12, 1.85]],
     [[7e-4, 0.165], [0.16, 0.60], [0.10, 0.37], [0.13, 2.0]],
     [[7e-4, 0.165], [0.02, 0.50], [0.05, 0.51], [0.3, 5.0]],
@@ -323,9 +323,9 @@ pub const TABLE_POISSON: [f64; 2] = [1e-2, 6e-2];
 pub const TABLE_ELLIPSES: [f64; 3] = [0.0032, 0.0065, 0.03];
 
 /// Strips with tables, and with FASTSIM corrected by them, against CONTACT on 656 states of 8 real patches: force over the friction limit,
-/// mean, 95 %, worst; mean of the spin moment over the limit times c.
-pub const TABLE_PROFILES: [f64; 3] = [0.0082, 0.0240, 0.042];
-pub const TABLE_PROFILES_MOMENT: f64 = 0.0058;
+/// mean, 95 %, worst; mean of the spin moment over the limit times c. The aims; corrected FASTSIM is well below them.
+pub const TABLE_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
+pub const TABLE_PROFILES_MOMENT: f64 = 0.008;
 pub const CORRECTED_PROFILES: [f64; 3] = [0.0076, 0.0212, 0.032];
 pub const CORRECTED_PROFILES_MOMENT: f64 = 0.0053;
 

@@ -1,6 +1,6 @@
 //! One grid over all overlaps: nodes, cells between them, and panels that carry the load.
 //!
-//! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, over all intervals in which the undeformed bodies
+//! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, less where no load is to be expected, over all intervals in which the undeformed bodies
 //! overlap: this spreads the error of linear interpolation evenly. Fewer lie where the overlap is too small to carry load. The ends of the intervals are nodes without load. Nothing else is
 //! known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
 //!
@@ -13,21 +13,10 @@ use super::overlap::End;
 use crate::math::real::Real;
 use crate::math::room::Room;
 
-/// Distance of the places at which the curvature of the overlap is taken, which stay where they are: shorter than the arcs of a profile [m].
-const LATTICE: f64 = 7.5e-4;
-/// Parts of a step, in each of which the density of nodes is linear: an overlap may be no longer than a step, and the density rises from
-/// nothing to its own within it.
-const PARTS: usize = 8;
-/// Most of their steps.
-const MOST_SAMPLES: usize = 4096;
-/// Nodes and weights of Gauss and Legendre with five points.
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
+/// Parts of an interval of overlap, in each of which the density of nodes is linear: it rises from nothing to its own within a few of them.
+const PARTS: usize = 24;
+/// Parts between places at which the radius of the wheel is taken, which varies little.
+const RADII: usize = 6;
 /// Depth of a parabola over the mean of its overlap, weighted by the overlap.
 const DEPTH_OVER_MEAN: f64 = 1.25;
 
@@ -131,7 +120,7 @@ impl<T: Real> Grid<T> {
             depth: zero,
             area: zero,
             radius: zero,
-            samples: Room::new(MOST_SAMPLES),
+            samples: Room::new(intervals * PARTS),
         }
     }
 
@@ -186,67 +175,52 @@ impl<T: Real> Grid<T> {
         }
     }
 
-    /// Takes the curvatures of all intervals, their depth and their area.
+    /// Takes the curvatures of all intervals, their depth, their area and their radius.
     fn sample(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) {
         self.samples.clear();
         let zero = T::from(0.0);
-        let (mut area, mut squares, mut radii) = (zero, zero, zero);
+        let (mut area, mut squares, mut radii) = (zero, zero, [zero; 2]);
         for (interval, pair) in ends.iter().enumerate() {
             let [left, right] = [pair[0].moving(line), pair[1].moving(line)];
             let rate = (pair[1].u - pair[0].u) / (pair[1].y - pair[0].y);
             let parameter = |y: f64| pair[0].u + rate * (y - pair[0].y);
-            let half = (right - left) * 0.5;
-            for (node, weight) in GAUSS {
-                let y = left + half * (node + 1.0);
-                let place = line.at(y, parameter(y.value()));
-                let share = half * place.overlap * weight;
+            let step = (right - left) * (1.0 / PARTS as f64);
+            let y = |k: usize| left + step * k as f64;
+            let mut overlaps = [zero; PARTS + 1];
+            for (k, overlap) in overlaps.iter_mut().enumerate() {
+                let place = line.at(y(k), parameter(y(k).value()));
+                // Simpson's rule.
+                let weight = if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+                let depth = place.overlap.at_least(0.0);
+                let share = step * depth * (weight / 3.0);
+                *overlap = place.overlap;
                 area += share;
-                squares += share * place.overlap;
-                radii += share * line.section_radius(place.u);
-            }
-            let (first, last) =
-                ((left.value() / LATTICE).floor(), (right.value() / LATTICE).ceil());
-            let count = (last - first) as usize;
-            // Overlaps at four points of the lattice, around the cell under way.
-            let mut around = [zero; 4];
-            for k in 0..count + 3 {
-                let y = (first + k as f64 - 1.0) * LATTICE;
-                around.rotate_left(1);
-                around[3] = line.at(T::from(y), parameter(y)).overlap;
-                let Some(cell) = k.checked_sub(3).filter(|_| self.has_room()) else { continue };
-                let begin = (first + cell as f64) * LATTICE;
-                let from = if cell == 0 { left } else { T::from(begin) };
-                let to = if cell + 1 == count { right } else { T::from(begin + LATTICE) };
-                let bend = |a: T, b: T, c: T| (a - b * 2.0 + c) / (LATTICE * LATTICE);
-                let [a, b, c, d] = around;
-                let (before, after) = (bend(a, b, c), bend(b, c, d));
-                // The parabola of the mean bend, and a curvature that is linear.
-                let sag = (before + after) * (LATTICE * LATTICE / 4.0);
-                let overlap = |t: T| b + (c - b) * t - sag * t * (-t + 1.0);
-                let curvature = |t: T| before.abs() * (-t + 1.0) + after.abs() * t;
-                for part in 0..PARTS {
-                    let at = |k: usize| from + (to - from) * (k as f64 / PARTS as f64);
-                    let ends = [at(part), at(part + 1)];
-                    let within = ends.map(|y| (y - begin) / LATTICE);
-                    self.samples.push(Sample {
-                        interval,
-                        y: ends[0],
-                        step: ends[1] - ends[0],
-                        parameters: ends.map(|y| parameter(y.value())),
-                        curvatures: within.map(curvature),
-                        overlaps: within.map(overlap),
-                        densities: [zero; 2],
-                    });
+                squares += share * depth;
+                if k % RADII == 0 {
+                    let weight = if k == 0 || k == PARTS { 0.5 } else { 1.0 };
+                    let share = step * depth * (weight * RADII as f64);
+                    radii = [radii[0] + share * line.section_radius(place.u), radii[1] + share];
                 }
+            }
+            let curvature = |k: usize| {
+                let k = k.clamp(1, PARTS - 1);
+                (overlaps[k - 1] - overlaps[k] * 2.0 + overlaps[k + 1]).abs() / (step * step)
+            };
+            for k in 0..PARTS {
+                self.samples.push(Sample {
+                    interval,
+                    y: y(k),
+                    step,
+                    parameters: [k, k + 1].map(|k| parameter(y(k).value())),
+                    curvatures: [k, k + 1].map(curvature),
+                    overlaps: [overlaps[k], overlaps[k + 1]],
+                    densities: [zero; 2],
+                });
             }
         }
         self.area = area;
-        self.radius = radii / area;
+        self.radius = radii[0] / radii[1];
         self.depth = squares / area * DEPTH_OVER_MEAN;
-    }
-
-    fn has_room(&self) -> bool {
-        self.samples.len() + PARTS <= self.samples.capacity()
     }
 
     /// Whether nodes are ahead of each other.
