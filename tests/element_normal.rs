@@ -14,7 +14,7 @@ use wheelrail::io::load_profile;
 
 /// Normal models and their strips: `strips` needs fewer than those with a Gauss rule across each zone.
 const MODELS: [(&str, NormalModel, usize); 4] = [
-    ("strips", NormalModel::Strips, 20),
+    ("strips", NormalModel::Strips, 24),
     ("piotrowski_kik", NormalModel::PiotrowskiKik, 30),
     ("piotrowski_kik_corrected", NormalModel::PiotrowskiKikCorrected, 30),
     ("hertz", NormalModel::Hertz, 30),

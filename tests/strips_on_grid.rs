@@ -167,11 +167,11 @@ fn two_overlaps_join_and_part_without_a_jump() {
     let loads: Vec<f64> = (0..=600)
         .map(|k| press(&mut solver, &mut line, 0.46, 3e-5 + 1e-7 * f64::from(k)).load())
         .collect();
-    for three in loads.windows(3) {
+    for (k, three) in loads.windows(3).enumerate() {
         let (rise, bend) = (three[2] - three[0], three[2] - 2.0 * three[1] + three[0]);
         assert!(rise > 0.0);
         // A jump would be one of the load, and not of the order of the change over a step.
-        assert!(bend.abs() < tolerance::GRID_BEND * rise, "{three:?}");
+        assert!(bend.abs() < tolerance::GRID_BEND * rise, "step {k}: {three:?}");
     }
     assert_eq!(solver.work.unsettled, 0);
 }

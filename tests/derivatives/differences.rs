@@ -13,7 +13,7 @@ const POSES: usize = 8;
 /// Difference of the slopes to either side, over the slope, up to which there is no kink.
 const SMOOTH: f64 = 1e-7;
 /// Most derivatives that differences may leave open.
-const MOST_OPEN: f64 = 0.1;
+const MOST_OPEN: f64 = 0.15;
 
 /// Greatest of the distances over which differences are taken: short against what forces change over, long against rounding.
 fn step(name: &str) -> f64 {
