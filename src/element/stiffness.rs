@@ -81,7 +81,7 @@ mod tests {
             element.vertical_mode = VerticalMode::Penetration;
             let [stiffness, damping] = element.differences(&input).unwrap();
             approx::assert_relative_eq!(exact.stiffness, stiffness, max_relative = 1e-6);
-            approx::assert_relative_eq!(exact.damping, damping, max_relative = 1e-6);
+            approx::assert_relative_eq!(exact.damping, damping, max_relative = 1e-5);
             // A given load is static, without normal damping: creep forces are left.
             let most = if mode == VerticalMode::Load { 1e3 } else { 5e5 };
             let least = if mode == VerticalMode::Load { 1.0 } else { 5e4 };

@@ -182,7 +182,7 @@ fn the_left_side_wears_as_the_right_one_and_a_given_load_as_its_height() {
     let left = Parameters { side: Side::Left, ..p.clone() };
     let load = Parameters { vertical_mode: VerticalMode::Load, damping: 0.0, ..p.clone() };
     let height = Parameters { damping: 0.0, ..p };
-    let mut elements = [element(&height), element(&left), element(&load)];
+    let mut elements = [&height, &left, &load].map(|p| Box::new(element(p)));
     let mut outputs = [Output::default(); 3];
     for i in 0..12 {
         let shift = sway(0.05 * f64::from(i));

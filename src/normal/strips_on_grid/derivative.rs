@@ -177,7 +177,7 @@ mod tests {
                 let middle = strips.y.len() / 2;
                 [strips.load(), moment, strips.half_length[middle], strips.u[middle]]
             };
-            let step = 1e-8;
+            let step = 1e-9;
             let difference = |solver: &mut GridSolver, way: [f64; 2]| -> [f64; 4] {
                 let at = |solver: &mut GridSolver, k: f64| {
                     sums(&solve(solver, depth + k * step * way[0], tilt + k * step * way[1]))
@@ -203,7 +203,9 @@ mod tests {
                     differences[0][k].abs().max(differences[1][k].abs())
                 };
                 for (slope, difference) in number.slopes.iter().zip(differences) {
-                    assert_relative_eq!(*slope, difference[k], epsilon = 1e-4 * scale);
+                    // Lengths bend within the step where a node begins to carry load.
+                    let share = if k == 2 { 1e-3 } else { 1e-4 };
+                    assert_relative_eq!(*slope, difference[k], epsilon = share * scale);
                 }
             }
         }

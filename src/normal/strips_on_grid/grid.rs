@@ -89,8 +89,8 @@ struct Sample<T> {
     step: T,
     /// Parameters of the line at its ends [m].
     parameters: [f64; 2],
-    /// Curvature of the overlap [1/m], its sign left out, and the overlap [m], at its ends.
-    curvatures: [T; 2],
+    /// Square of the curvature of the overlap [1/m²], and the overlap [m], at its ends.
+    curvatures2: [T; 2],
     overlaps: [T; 2],
     /// Nodes wanted at its ends, per length.
     densities: [T; 2],
@@ -135,7 +135,7 @@ impl<T: Real> Grid<T> {
         for sample in self.samples.iter_mut() {
             for end in 0..2 {
                 let overlap = (sample.overlaps[end] / depth).at_least(LEAST_OVERLAP);
-                let bend = (sample.curvatures[end] + least).sqrt();
+                let bend = (sample.curvatures2[end] + least * least).sqrt().sqrt();
                 sample.densities[end] = bend * density(overlap, level);
             }
         }
@@ -202,9 +202,10 @@ impl<T: Real> Grid<T> {
                     radii = [radii[0] + share * line.section_radius(place.u), radii[1] + share];
                 }
             }
-            let curvature = |k: usize| {
+            let curvature2 = |k: usize| {
                 let k = k.clamp(1, PARTS - 1);
-                (overlaps[k - 1] - overlaps[k] * 2.0 + overlaps[k + 1]).abs() / (step * step)
+                let bend = (overlaps[k - 1] - overlaps[k] * 2.0 + overlaps[k + 1]) / (step * step);
+                bend * bend
             };
             for k in 0..PARTS {
                 self.samples.push(Sample {
@@ -212,7 +213,7 @@ impl<T: Real> Grid<T> {
                     y: y(k),
                     step,
                     parameters: [k, k + 1].map(|k| parameter(y(k).value())),
-                    curvatures: [k, k + 1].map(curvature),
+                    curvatures2: [k, k + 1].map(curvature2),
                     overlaps: [overlaps[k], overlaps[k + 1]],
                     densities: [zero; 2],
                 });
