@@ -1,8 +1,8 @@
 //! Contact of a railway wheel with the rail under it: position and velocity in, contact forces out, patch by patch.
 //!
 //! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is asked for, it holds no history: an evaluation finds where the two
-//! profiles overlap, the pressure there (Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM), and sums
-//! them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI 2.0 units `WheelRail.fmu` and
+//! profiles overlap, the pressure there (strips that all meet the contact condition, Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM, corrected
+//! by tables), and sums them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI 2.0 units `WheelRail.fmu` and
 //! `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and their limits: `docs/theory.md`.
 //!
 //! ```
@@ -78,7 +78,7 @@
 //! error       why something is refused
 //! io          profiles from files: SIMPACK, MiniProf, two columns
 //! kinematics  motion of wheel and rail to creepage
-//! normal      hertz, piotrowski_kik, strips, damping: separation to loaded strips
+//! normal      hertz, piotrowski_kik, strips_on_grid, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers

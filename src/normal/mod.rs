@@ -31,7 +31,7 @@ pub enum NormalModel {
     PiotrowskiKik,
     /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
     PiotrowskiKikCorrected,
-    /// The contact condition on every strip, coupled through the half-space: see [`strips_on_grid`].
+    /// The contact condition on every strip, coupled through the half-space, all overlaps of a rail in one problem: see [`strips_on_grid`].
     #[default]
     Strips,
     /// The half-space solution on rectangular elements: slow, for checking the others.

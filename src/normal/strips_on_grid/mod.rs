@@ -13,8 +13,7 @@
 //! All overlaps of a rail are one problem on one grid, without a list of regions or edges: these are read off the solution. The displacement at a
 //! node is taken along its own normal.
 //!
-//! This is the solver that is to take the place of [`strips`](super::strips), with its lobes, joints and ridges; docs/theory.md tells what it
-//! reaches, and what is missing before it can.
+//! This is `normal.model` = strips, with which an element starts; docs/theory.md, section 6, has the equations, docs/validation.md the errors.
 
 mod columns;
 mod derivative;
