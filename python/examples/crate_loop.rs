@@ -1,7 +1,7 @@
 //! The loop that an array call is measured against: the crate by itself, one thread, the same cases.
 //!
-//! `crate_loop FILE MODEL MODEL`: rows of y, yaw and z as little-endian doubles; prints seconds for all rows. `benchmarks/throughput.py`
-//! runs it.
+//! `crate_loop FILE NORMAL CREEPAGE TANGENTIAL`: rows of y, yaw and z as little-endian doubles, and the models; prints seconds for all rows.
+//! `benchmarks/throughput.py` runs it.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,7 +12,8 @@ use wheelrail::variables::{Values, find};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().collect();
     let mut values = Values::default();
-    for (name, item) in ["normal.model", "tangential.model"].iter().zip(&arguments[2..]) {
+    let models = ["normal.model", "creepage.model", "tangential.model"];
+    for (name, item) in models.iter().zip(&arguments[2..]) {
         values.set_from_text(find(name)?, item)?;
     }
     let bytes = std::fs::read(&arguments[1])?;

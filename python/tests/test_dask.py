@@ -14,7 +14,7 @@ import wheelrail
 
 pytest.importorskip("distributed")
 EXAMPLE = Path(__file__).parent.parent / "examples/dask_sweep.py"
-MODELS = {"vertical_mode": "load", "vx": 20.0, "pitch_rate": -20.0 / 0.46}
+WHEEL = runpy.run_path(str(EXAMPLE))["WHEEL"]
 
 
 def test_partitions_give_the_bits_of_a_serial_run():
@@ -27,15 +27,15 @@ def test_partitions_give_the_bits_of_a_serial_run():
     )
     frame = dask.dataframe.from_pandas(table, npartitions=7)
     for outputs in (None, "wheel.force.*"):
-        found = wheelrail.dask.evaluate(frame, outputs=outputs, **MODELS)
-        serial = pandas.concat([table, wheelrail.evaluate(table, outputs=outputs, **MODELS)], axis=1)
+        found = wheelrail.dask.evaluate(frame, outputs=outputs, **WHEEL)
+        serial = pandas.concat([table, wheelrail.evaluate(table, outputs=outputs, **WHEEL)], axis=1)
         # Columns and their types are known before anything is computed.
         assert list(found.columns) == list(serial.columns)
         assert (found.dtypes == serial.dtypes).all()
         pandas.testing.assert_frame_equal(found.compute(scheduler="synchronous"), serial, check_exact=True)
     table.iloc[5, 0] = np.nan
     frame = dask.dataframe.from_pandas(table, npartitions=3)
-    masked = wheelrail.dask.evaluate(frame, errors="nan", **MODELS).compute(scheduler="synchronous")
+    masked = wheelrail.dask.evaluate(frame, errors="nan", **WHEEL).compute(scheduler="synchronous")
     assert np.flatnonzero(~masked["valid"]).tolist() == [5]
 
 
@@ -76,7 +76,7 @@ def sweep_with_a_loss(rows, folder):
     assert lost.is_set(), "nothing was left to do when the worker was to be killed"
     serial = example["cases"]
     sizes = [example["ROWS_AT_ONCE"]] * (rows // example["ROWS_AT_ONCE"])
-    wheel = wheelrail.Element(**MODELS)
+    wheel = wheelrail.Element(**WHEEL)
     total = 0
     files = sorted((folder / "found").glob("part.*.parquet"), key=lambda f: int(f.name.split(".")[1]))
     assert len(files) == len(sizes)
