@@ -10,7 +10,7 @@ use chart::{Chart, Corner, Series};
 use free_wheelset::{FreeWheelset, SPEED};
 use wheelrail::conicity::{RollingRadiusDifference, TrackedWheelset};
 use wheelrail::element::Parameters;
-use wheelrail::element::parameters::CreepageModel;
+use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
 
 /// Time step [s], ramp [m] from 1 to 2 m, radii of the arcs of wheel and rail [m].
 const STEP: f64 = 1e-3;
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let figure = arguments.next();
     let length: f64 = arguments.next().map_or(Ok(40.0), |text| text.parse())?;
-    let real = Parameters::default();
+    let real = paper();
     let radii = TrackedWheelset::new(&real, 1.5, &[])?.sweep(1e-4, 5e-6);
     let conicity = RollingRadiusDifference::of(&radii).and_then(|d| d.equivalent_conicity(5e-5));
     let conicity = conicity.ok_or("no conicity")?;
@@ -58,8 +58,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     figure.map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
+/// The models of the paper.
+fn paper() -> Parameters {
+    Parameters {
+        normal_model: NormalModel::PiotrowskiKik,
+        tangential_model: TangentialModel::Fastsim,
+        strips: 12,
+        ..Parameters::default()
+    }
+}
+
 fn pair(wheel: &str, rail: &str) -> Parameters {
-    let mut parameters = Parameters::default();
+    let mut parameters = paper();
     (parameters.wheel.profile, parameters.rails[0].profile) = (wheel.into(), rail.into());
     parameters.rails[0].inclination = 0.0;
     parameters

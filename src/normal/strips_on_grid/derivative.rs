@@ -58,7 +58,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         contact_modulus: f64,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
-        if solver.overlaps.is_empty() {
+        if solver.overlaps.is_empty() || solver.grid.nodes.is_empty() {
             return true;
         }
         let count = solver.knots.nodes();

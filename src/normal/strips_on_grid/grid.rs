@@ -126,7 +126,14 @@ impl<T: Real> Grid<T> {
 
     /// Lays `count` nodes over the intervals of overlap between `ends`, of which there is at least one.
     pub fn lay(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]], count: usize) {
+        self.nodes.clear();
+        self.cells.clear();
         self.sample(line, ends);
+        // An overlap of the order of rounding, or of numbers that have none.
+        let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
+        if ![self.depth, self.area, self.radius, self.area / self.depth].into_iter().all(is_size) {
+            return;
+        }
         let level = Scales::new(self).level;
         let depth = self.depth;
         let width: T = self.samples.iter().map(|s| s.step).sum();
@@ -141,8 +148,6 @@ impl<T: Real> Grid<T> {
         }
         let total: T = self.samples.iter().map(Sample::nodes).sum();
         let share = total / (count + 1) as f64;
-        self.nodes.clear();
-        self.cells.clear();
         let mut passed = T::from(0.0);
         let mut next = 0;
         for (interval, pair) in ends.iter().enumerate() {

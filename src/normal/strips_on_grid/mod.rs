@@ -96,6 +96,9 @@ impl GridSolver {
             return 0;
         }
         self.grid.lay(line, &self.overlaps, self.knots.nodes());
+        if self.grid.nodes.is_empty() {
+            return 0;
+        }
         let before = self.newton.steps;
         let settled = self.newton.solve(&self.grid, &self.knots);
         let steps = self.newton.steps - before;
