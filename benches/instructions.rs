@@ -20,25 +20,17 @@ const CASES: [Case; 10] = [
     ("none on", |_| (), DEPTH),
     ("none on, lifted wheel", |_| (), -1e-3),
     ("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz, DEPTH),
+    ("`normal.model` = piotrowski_kik", |p| p.normal_model = NormalModel::PiotrowskiKik, DEPTH),
     (
         "`normal.model` = piotrowski_kik_corrected",
         |p| p.normal_model = NormalModel::PiotrowskiKikCorrected,
         DEPTH,
     ),
-    (
-        "`normal.model` = strips, 11 strips",
-        |p| (p.normal_model, p.strips) = (NormalModel::Strips, 11),
-        DEPTH,
-    ),
     ("`creepage.model` = kinematic", |p| p.creepage_model = CreepageModel::Kinematic, DEPTH),
-    ("`creepage.model` = curved", |p| p.creepage_model = CreepageModel::Curved, DEPTH),
+    ("`creepage.model` = flat", |p| p.creepage_model = CreepageModel::Flat, DEPTH),
     ("`tangential.model` = linear", |p| p.tangential_model = TangentialModel::Linear, DEPTH),
     ("`tangential.model` = tables", |p| p.tangential_model = TangentialModel::Tables, DEPTH),
-    (
-        "`tangential.model` = fastsim_corrected",
-        |p| p.tangential_model = TangentialModel::FastsimCorrected,
-        DEPTH,
-    ),
+    ("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim, DEPTH),
 ];
 /// Step of the height between evaluations, so that nothing is reused [m].
 const STEP: f64 = 1e-10;

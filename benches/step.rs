@@ -66,16 +66,28 @@ fn evaluate(c: &mut Criterion, group: &str, parameters: &Parameters) {
     group.finish();
 }
 
-/// The models by default, 12 strips and 20 elements along each, and with 30 of both.
+/// The models of the paper, with 12 strips and 20 elements along each.
+fn paper() -> Parameters {
+    Parameters {
+        normal_model: NormalModel::PiotrowskiKik,
+        creepage_model: CreepageModel::Flat,
+        tangential_model: TangentialModel::Fastsim,
+        strips: 12,
+        elements_along: 20,
+        ..Parameters::default()
+    }
+}
+
+/// The models by default, those of the paper, also with 30 strips and elements, and others in the place of each.
 fn models(c: &mut Criterion) {
-    let default = Parameters::default();
     let with = |change: fn(&mut Parameters)| {
-        let mut parameters = Parameters::default();
+        let mut parameters = paper();
         change(&mut parameters);
         parameters
     };
-    let fine = Parameters { strips: 30, elements_along: 30, ..default.clone() };
-    evaluate(c, "piotrowski_kik+fastsim_12x20", &default);
+    let fine = Parameters { strips: 30, elements_along: 30, ..paper() };
+    evaluate(c, "as_it_starts", &Parameters::default());
+    evaluate(c, "piotrowski_kik+fastsim_12x20", &paper());
     evaluate(c, "piotrowski_kik+fastsim_30x30", &fine);
     for (name, parameters) in [
         ("piotrowski_kik+none", with(|p| p.tangential_model = TangentialModel::None)),
@@ -91,25 +103,21 @@ fn models(c: &mut Criterion) {
     }
 }
 
-/// The strip model by its number of strips; 15 elements along.
+/// The strip model by its number of strips, with flat creepage; 15 elements along.
 fn strips(c: &mut Criterion) {
-    for strips in [11, 15, 21, 31, 41] {
-        let parameters = Parameters {
-            normal_model: NormalModel::Strips,
-            strips,
-            elements_along: 15,
-            ..Parameters::default()
-        };
+    for strips in [12, 16, 20, 24, 40] {
+        let parameters =
+            Parameters { normal_model: NormalModel::Strips, strips, elements_along: 15, ..paper() };
         evaluate(c, &format!("strips_{strips}+fastsim"), &parameters);
         let parameters = Parameters { tangential_model: TangentialModel::Tables, ..parameters };
         evaluate(c, &format!("strips_{strips}+tables"), &parameters);
     }
 }
 
-/// One option at a time on top of the default models.
+/// One option at a time on top of the models of the paper.
 fn options(c: &mut Criterion) {
     let with = |change: fn(&mut Parameters)| {
-        let mut parameters = Parameters::default();
+        let mut parameters = paper();
         change(&mut parameters);
         parameters
     };
@@ -141,7 +149,7 @@ fn derivatives(c: &mut Criterion) {
         ("tables", TangentialModel::Tables, VerticalMode::Penetration),
         ("load+fastsim", TangentialModel::Fastsim, VerticalMode::Load),
     ] {
-        let parameters = Parameters { tangential_model, vertical_mode, ..Parameters::default() };
+        let parameters = Parameters { tangential_model, vertical_mode, ..paper() };
         for case in &SCENES[1..] {
             let (mut element, input) = scene(case, &parameters);
             let mut direction = Input::from_array([0.0; INPUTS]);
@@ -179,7 +187,7 @@ fn wear(c: &mut Criterion) {
             ("strips", WearModel::FrictionalWork, WearDistribution::Strips),
             ("interpenetration", WearModel::FrictionalWork, WearDistribution::Interpenetration),
         ] {
-            let mut parameters = Parameters::default();
+            let mut parameters = paper();
             (parameters.wear.model, parameters.wear.distribution) = (model, distribution);
             parameters.wear.acceleration_factor = 1e3;
             let (mut element, mut input) = scene(case, &parameters);
@@ -195,7 +203,7 @@ fn wear(c: &mut Criterion) {
             });
         }
     }
-    let mut parameters = Parameters::default();
+    let mut parameters = paper();
     parameters.wear.model = WearModel::FrictionalWork;
     let (mut element, input) = scene(&SCENES[1], &parameters);
     let mut output = Output::default();

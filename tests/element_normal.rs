@@ -5,12 +5,10 @@ mod tolerance;
 
 use std::fmt::Write;
 
-use common::planar::STEEL;
+use common::wheel::benchmark;
 use common::{Table, column, read_table, value, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::geometry::profile::{Profile, ProfileKind};
-use wheelrail::io::load_profile;
 
 /// Normal models and their strips: `strips` needs fewer than those with a Gauss rule across each zone.
 const MODELS: [(&str, NormalModel, usize); 4] = [
@@ -25,26 +23,6 @@ const STEEPEST: f64 = 60.0;
 
 /// What is compared.
 const QUANTITIES: [&str; 4] = ["normal_force", "max_pressure", "area", "place_mm"];
-
-/// A right wheel with S1002 profile on the arcs of the benchmark's rail, which are within 1.5 µm of its points on the top and 6 µm at the corners.
-fn benchmark(normal_model: NormalModel, strips: usize) -> Element {
-    let mut parameters = Parameters {
-        normal_model,
-        strips,
-        tangential_model: TangentialModel::None,
-        vertical_mode: VerticalMode::Load,
-        ..Parameters::default()
-    };
-    parameters.wheel.young_modulus = STEEL.young_modulus;
-    parameters.wheel.poisson_ratio = STEEL.poisson_ratio;
-    parameters.rail_young_modulus = STEEL.young_modulus;
-    parameters.rail_poisson_ratio = STEEL.poisson_ratio;
-    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
-    // Radius and half width of the arcs, radius of the corners, half width of the head.
-    let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
-    let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
-    Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
-}
 
 /// Number of patches and errors in the order of [`QUANTITIES`]: relative, the last a distance along the profile [mm].
 fn compare(element: &mut Element, table: &Table, row: &csv::StringRecord) -> (i32, [f64; 4]) {
@@ -91,7 +69,13 @@ fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
     let is_flat = |row: &csv::StringRecord| value(&table, row, "delta_deg").abs() < STEEPEST;
     let mut report = format!("model,y_ws_mm,load_n,patches,{}\n", QUANTITIES.join(","));
     let results = MODELS.map(|(model, normal_model, strips)| {
-        let mut element = benchmark(normal_model, strips);
+        let mut element = benchmark(Parameters {
+            normal_model,
+            strips,
+            tangential_model: TangentialModel::None,
+            vertical_mode: VerticalMode::Load,
+            ..Parameters::default()
+        });
         let mut all = Vec::new();
         // On steeper flanges strips turn with the rail, and the reference has one plane; tests/boundary_element has conformal solutions.
         for row in rows.iter().filter(|row| normal_model != NormalModel::Strips || is_flat(row)) {

@@ -190,7 +190,7 @@ fn walk(lines: usize, seed: u64) {
     times.sort_by(f64::total_cmp);
     let time = |share: f64| 1e6 * times[((times.len() - 1) as f64 * share) as usize];
     let [_, most_kinks, worst_kink] = quantiles(kinks);
-    let way = STEP * (STEPS * times.len() / STEPS) as f64;
+    let way = STEP * times.len() as f64;
     writeln!(
         report,
         "way {way:.4} m; jumps at most {:.2e} of the load, {:.2e} of the friction limit; kinks of lines of 0.1 mm: 95 % below {most_kinks:.2e}, worst {worst_kink:.2e}; time [us]: median {:.1}, 99.9 % {:.1}, 99.99 % {:.1}, most {:.1}",

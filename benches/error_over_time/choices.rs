@@ -1,7 +1,9 @@
 //! The combinations of models that are compared.
 
 use wheelrail::element::Parameters;
-use wheelrail::element::parameters::{Flexibilities, NormalModel, TangentialModel, TractionBound};
+use wheelrail::element::parameters::{
+    CreepageModel, Flexibilities, NormalModel, TangentialModel, TractionBound,
+};
 use wheelrail::planar::PlanarCase;
 
 /// A normal model with its resolution.
@@ -171,6 +173,8 @@ impl Choice {
             bound: rolling.bound,
             flexibilities: rolling.flexibilities,
             damping: 0.0,
+            // One plane for each contact, as the reference of the figures has.
+            creepage_model: CreepageModel::Flat,
             ..Parameters::default()
         }
     }

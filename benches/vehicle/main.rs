@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use page::microseconds;
 use wheelrail::element::parameters::{
-    NormalModel, Parameters, Side, TangentialModel, VerticalMode,
+    CreepageModel, NormalModel, Parameters, Side, TangentialModel, VerticalMode,
 };
 use wheelrail::element::{Element, Input, Output};
 
@@ -74,6 +74,8 @@ fn choose(
     tangential: TangentialModel,
     along: usize,
 ) {
+    // A row is of two models, and creepage that is one triple for each patch.
+    parameters.creepage_model = CreepageModel::Flat;
     parameters.normal_model = normal;
     parameters.strips = strips;
     parameters.tangential_model = tangential;

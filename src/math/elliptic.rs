@@ -78,29 +78,6 @@ const LOGARITHMIC: [f64; 5] = [
     0.004_417_870_12 - 0.005_264_496_39,
 ];
 
-/// K(m) and E(m), each split at its logarithmic singularity at m = 1: K = k0 - ln(1 - m) k1, E = e0 - ln(1 - m) e1.
-///
-/// Returns [k0, k1, e0, e1] of the same polynomials, absolute error of K and E below 4e-8; `complement` is 1 - m.
-#[inline]
-#[must_use]
-pub fn first_and_second_split<T: Real>(complement: T) -> [T; 4] {
-    let c = complement;
-    let poly = |p: &[f64; 5]| c * (c * (c * (c * p[4] + p[3]) + p[2]) + p[1]) + p[0];
-    [poly(&FIRST), poly(&FIRST_LOGARITHMIC), poly(&SECOND), poly(&SECOND_LOGARITHMIC)]
-}
-
-/// Coefficients of K: regular part and factor of -ln(1 - m).
-const FIRST: [f64; 5] =
-    [1.386_294_361_12, 0.096_663_442_59, 0.035_900_923_83, 0.037_425_637_13, 0.014_511_962_12];
-const FIRST_LOGARITHMIC: [f64; 5] =
-    [0.5, 0.124_985_935_97, 0.068_802_485_76, 0.033_283_553_46, 0.004_417_870_12];
-
-/// Coefficients of E: regular part and factor of -ln(1 - m).
-const SECOND: [f64; 5] =
-    [1.0, 0.443_251_414_63, 0.062_606_012_20, 0.047_573_835_46, 0.017_365_064_51];
-const SECOND_LOGARITHMIC: [f64; 5] =
-    [0.0, 0.249_983_683_10, 0.092_001_800_37, 0.040_696_975_26, 0.005_264_496_39];
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,10 +111,6 @@ mod tests {
             let (regular, logarithmic) = first_minus_second_split(complement);
             let exact = complete(complement).first_minus_second;
             assert!((regular - complement.ln() * logarithmic - exact).abs() < 4e-8);
-            let [k0, k1, e0, e1] = first_and_second_split(complement);
-            let exact = complete(complement);
-            assert!((k0 - complement.ln() * k1 - exact.first).abs() < 4e-8);
-            assert!((e0 - complement.ln() * e1 - exact.second).abs() < 4e-8);
         }
     }
 }

@@ -5,12 +5,9 @@ use std::fmt::Write;
 use rayon::prelude::*;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::geometry::profile::{Profile, ProfileKind};
-use wheelrail::io::load_profile;
 
-use crate::common::planar::STEEL;
 use crate::common::random::Random;
-use crate::common::wheel::{evaluate, pressed};
+use crate::common::wheel::{benchmark, evaluate, pressed};
 use crate::common::{read_table, value, write_report};
 use crate::tolerance;
 
@@ -23,21 +20,6 @@ fn boundary(elements: usize) -> Parameters {
         damping: 0.0,
         ..Parameters::default()
     }
-}
-
-/// A right wheel with S1002 profile on the arcs of the benchmark's rail, which are within 1.5 µm of its points on the top and 6 µm at the
-/// corners.
-fn benchmark(parameters: Parameters) -> Element {
-    let mut parameters = Parameters { vertical_mode: VerticalMode::Load, ..parameters };
-    parameters.wheel.young_modulus = STEEL.young_modulus;
-    parameters.wheel.poisson_ratio = STEEL.poisson_ratio;
-    parameters.rail_young_modulus = STEEL.young_modulus;
-    parameters.rail_poisson_ratio = STEEL.poisson_ratio;
-    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
-    // Radius and half width of the arcs, radius of the corners, half width of the head.
-    let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
-    let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
-    Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
 }
 
 /// The wheel 0.75 m to the right of the centre of a wheelset in the state of a row, under its load.
@@ -66,7 +48,8 @@ fn state(v: &dyn Fn(&str) -> f64) -> Input {
 /// friction limit.
 fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
     let table = read_table("contact_25_1/conformal.csv");
-    let mut element = benchmark(boundary(elements));
+    let mut element =
+        benchmark(Parameters { vertical_mode: VerticalMode::Load, ..boundary(elements) });
     let mut report = String::from("id,max_pressure,force,normal_residual,tangential_residual\n");
     let mut errors: [Vec<f64>; 2] = Default::default();
     for row in table.rows.iter().step_by(every) {

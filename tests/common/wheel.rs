@@ -4,9 +4,10 @@ use wheelrail::element::input::RailMotion;
 use wheelrail::element::output::Patch;
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::placed_rail::PlacedRail;
-use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::geometry::profile::{Profile, ProfileKind};
 use wheelrail::io::load_profile;
 
+use super::planar::STEEL;
 use super::random::Random;
 
 /// An element with built-in profiles.
@@ -111,4 +112,19 @@ pub fn mirrored(input: &Input) -> Input {
         }
     }
     left
+}
+
+/// A right wheel with S1002 profile and `parameters` on the arcs of the Manchester benchmark's rail, which are within 1.5 µm of its points on the
+/// top and 6 µm at the corners; both of the reference's steel.
+pub fn benchmark(parameters: Parameters) -> Element {
+    let mut parameters = parameters;
+    parameters.wheel.young_modulus = STEEL.young_modulus;
+    parameters.wheel.poisson_ratio = STEEL.poisson_ratio;
+    parameters.rail_young_modulus = STEEL.young_modulus;
+    parameters.rail_poisson_ratio = STEEL.poisson_ratio;
+    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    // Radius and half width of the arcs, radius of the corners, half width of the head.
+    let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
+    let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
+    Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
 }

@@ -12,7 +12,7 @@ use wheelrail::element::input::INPUT_NAMES;
 const POSES: usize = 8;
 /// Difference of the slopes to either side, over the slope, up to which there is no kink.
 const SMOOTH: f64 = 1e-7;
-/// Most derivatives that differences may leave open.
+/// Most derivatives that differences may leave open: strips have a kink wherever a node begins to carry load.
 const MOST_OPEN: f64 = 0.15;
 
 /// Greatest of the distances over which differences are taken: short against what forces change over, long against rounding.

@@ -25,13 +25,13 @@ use super::shape::Knots;
 use crate::math::real::Real;
 use crate::normal::hertz;
 
-/// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: narrower corners take
-/// Newton's method more steps and change nothing else.
+/// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: wider corners
+/// add to the area of contact, narrower ones take Newton's method more steps.
 const CORNER: f64 = 0.02;
 /// Scale κ of what z is below zero: gap over depth for z over the load per width in the middle. Of the order of the influence of a
 /// node on itself, so that one step leads over the corner from either side.
 const GAP_SCALE: f64 = 0.3;
-/// Least half length over that of the ellipse: panels that hardly carry load stay wider than nothing.
+/// Least half length over that of the ellipse: strips that hardly carry load stay longer than nothing.
 const LEAST_LENGTH: f64 = 0.02;
 /// Range of the ratio of the curvatures of the ellipse.
 const MOST_RATIO: f64 = 1e4;

@@ -1,8 +1,8 @@
-//! One grid over all overlaps: nodes, cells between them, and panels that carry the load.
+//! One grid over all overlaps: nodes, and the cells between them, which carry the load.
 //!
-//! Nodes lie at equal shares of the integral of the root of the curvature of the overlap, less where no load is to be expected, over all intervals in which the undeformed bodies
-//! overlap: this spreads the error of linear interpolation evenly. Fewer lie where the overlap is too small to carry load. The ends of the intervals are nodes without load. Nothing else is
-//! known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
+//! Nodes lie at equal shares of the integral of the root of the curvature of the overlap over all intervals in which the undeformed bodies
+//! overlap, which spreads the error of linear interpolation evenly; fewer lie where the overlap is too small to carry load. The ends of the
+//! intervals are nodes without load. Nothing else is known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
 //!
 //! The load per width is linear in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
 //! middles, with the half length that belongs to the load there.

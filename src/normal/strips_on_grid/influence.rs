@@ -18,8 +18,7 @@ use crate::math::real::Real;
 
 /// Where along a strip the displacement is compared with that at its centre, share of the half length.
 ///
-/// Pressures that are not quite semi-elliptical are met on the whole, not at the centre alone: with 0.7 the normal force of slender patches
-/// is within 0.25 %, with the curvature at the centre within 2 %.
+/// Pressures that are not quite semi-elliptical are met on the whole, not at the centre alone, where slender patches would be off.
 pub const STATION: f64 = 0.7;
 /// What squared distances over half lengths are more than they are, so that a cell of no width has a logarithm.
 const LEAST: f64 = 1e-24;

@@ -57,7 +57,7 @@ pub struct Work {
     pub unsettled: u64,
 }
 
-/// Solver with its tables and scratch memory; it keeps no result.
+/// Solver with its scratch memory; it keeps no result.
 #[derive(Clone, Debug)]
 pub struct GridSolver {
     knots: Knots,

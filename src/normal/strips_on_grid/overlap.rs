@@ -1,7 +1,6 @@
 //! The intervals of a contact line in which the undeformed bodies overlap.
 
-use super::line::OverlapLine;
-use super::line::{Line, LinePlace};
+use super::line::{Line, LinePlace, OverlapLine};
 use crate::geometry::separation::Probe;
 use crate::math::real::Real;
 use crate::math::room::Room;
