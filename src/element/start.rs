@@ -75,7 +75,7 @@ impl StartWarning {
                 )
             }
             Self::InRail2 { overlap } => format!(
-                "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move {prefix}rail[2].position.y",
+                "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move it by {prefix}rail[2].position.y, which counts with {prefix}rail[2].placement = position",
                 1e3 * overlap
             ),
         }
