@@ -5,6 +5,7 @@ mod tolerance;
 
 use std::fmt::Write;
 
+use common::summary::Summary;
 use common::wheel::benchmark;
 use common::{Table, column, read_table, value, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
@@ -68,6 +69,7 @@ fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
     let rows: Vec<_> = table.rows.iter().filter(|row| chosen(row[load].parse().unwrap())).collect();
     let is_flat = |row: &csv::StringRecord| value(&table, row, "delta_deg").abs() < STEEPEST;
     let mut report = format!("model,y_ws_mm,load_n,patches,{}\n", QUANTITIES.join(","));
+    let mut summary = Summary::new(name);
     let results = MODELS.map(|(model, normal_model, strips)| {
         let mut element = benchmark(Parameters {
             normal_model,
@@ -88,12 +90,19 @@ fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
             report.push('\n');
             all.push(errors);
         }
+        for (k, (quantity, unit)) in QUANTITIES.iter().zip(["%", "%", "%", "mm"]).enumerate() {
+            let scale = if unit == "%" { 100.0 } else { 1.0 };
+            let title =
+                format!("{model}: {} [{unit}]", quantity.replace("_mm", "").replace('_', " "));
+            summary.add(&title, all.iter().map(|errors| scale * errors[k]), "");
+        }
         std::array::from_fn(|quantity| spread(all.iter().map(|errors| errors[quantity])))
     });
     for ((model, ..), quantities) in MODELS.iter().zip(&results) {
         println!("{model}, {} cases: {quantities:.5?}", rows.len());
     }
-    write_report(name, &report);
+    write_report(&format!("{name}.csv"), &report);
+    summary.write();
     results
 }
 
@@ -112,11 +121,11 @@ fn judge(results: &[[[f64; 3]; 4]; 4]) {
 #[test]
 fn models_at_given_load_are_as_far_from_the_contact_program_as_stated() {
     let loads = [10e3, 40e3, 80e3, 150e3];
-    judge(&tabulate("element_normal_part.csv", |load| loads.contains(&load)));
+    judge(&tabulate("element_normal_part", |load| loads.contains(&load)));
 }
 
 #[test]
 #[ignore = "quarter of a minute unoptimized"]
 fn models_at_every_given_load_are_as_far_from_the_contact_program_as_stated() {
-    judge(&tabulate("element_normal.csv", |_| true));
+    judge(&tabulate("element_normal", |_| true));
 }

@@ -3,10 +3,9 @@
 mod common;
 mod tolerance;
 
-use std::fmt::Write;
-
 use common::planar::{HertzRow, steel_modulus};
-use common::{median_and_worst, read_table, value, write_report};
+use common::summary::Summary;
+use common::{median_and_worst, read_table, value};
 use wheelrail::geometry::curve::{Curve, Knot};
 use wheelrail::geometry::separation::{Probe, Separation, SeparationPoint};
 use wheelrail::math::quadrature::GaussLegendre;
@@ -97,7 +96,7 @@ fn hertz_is_met_from_broad_to_slender() {
 #[test]
 fn planar_problems_agree_with_contact_whatever_regions_they_have() {
     let table = read_table("contact_25_1/planar_normal.csv");
-    let mut report = String::from("strips,quantity,median_percent,worst_percent\n");
+    let mut summary = Summary::new("planar_strips");
     for (count, bounds) in tolerance::GRID_PLANAR_PERCENT {
         let mut solver = GridSolver::new(count);
         let mut errors = [const { Vec::new() }; 3];
@@ -125,14 +124,15 @@ fn planar_problems_agree_with_contact_whatever_regions_they_have() {
         for ((errors, [median, worst]), name) in
             errors.into_iter().zip(bounds).zip(["N", "p_max", "area"])
         {
+            let aim = format!("{median} / {worst}");
+            summary.add(&format!("{name} [%], {count} strips"), errors.clone(), &aim);
             let [found, most] = median_and_worst(errors);
-            writeln!(report, "{count},{name},{found:.3},{most:.3}").unwrap();
             assert!(found < median && most < worst, "{count} strips, {name}: {found} {most}");
         }
         assert_eq!(solver.work.unsettled, 0);
         assert!(solver.work.most_steps <= tolerance::GRID_STEPS, "{:?}", solver.work);
     }
-    write_report("strips_on_grid.csv", &report);
+    summary.write();
 }
 
 #[test]

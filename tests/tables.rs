@@ -3,12 +3,11 @@
 mod common;
 mod tolerance;
 
-use std::fmt::Write;
-
 use approx::assert_abs_diff_eq;
 use common::planar::{STEEL, steel_case};
 use common::random::Random;
-use common::{Table, column, quantiles, read_table, value, write_report};
+use common::summary::Summary;
+use common::{Table, column, quantiles, read_table, value};
 use wheelrail::normal::NormalModel;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
 use wheelrail::tangential::TangentialModel;
@@ -276,7 +275,7 @@ fn planar_errors(data: &Table, base: &PlanarCase) -> [Vec<f64>; 2] {
 #[test]
 fn real_patches_roll_as_by_contact() {
     let data = read_table("contact_25_1/planar_tangential.csv");
-    let mut report = String::from("tangential,quantity,mean,p95,worst\n");
+    let mut summary = Summary::new("table_profiles");
     for (model, most_force, most_moment) in [
         (TangentialModel::Tables, tolerance::TABLE_PROFILES, tolerance::TABLE_PROFILES_MOMENT),
         (
@@ -294,15 +293,17 @@ fn real_patches_roll_as_by_contact() {
             rail_material: STEEL,
             ..steel_case(&[], 0.46, 1e-4)
         };
-        let [forces, moments] = planar_errors(&data, &base).map(quantiles);
-        for (name, [mean, p95, worst]) in [("force", forces), ("moment", moments)] {
-            writeln!(report, "{model:?},{name},{mean:.4},{p95:.4},{worst:.4}").unwrap();
+        let errors = planar_errors(&data, &base);
+        for (name, errors) in ["force", "moment"].into_iter().zip(&errors) {
+            let title = format!("{model:?}: {name} [% of the limit]");
+            summary.add(&title, errors.iter().map(|error| 100.0 * error), "");
         }
+        let [forces, moments] = errors.map(quantiles);
         println!("{model:?}: force {forces:.4?}, moment {moments:.4?}");
         for (found, most) in forces.into_iter().zip(most_force) {
             assert!(found <= most, "{model:?}: {forces:?}");
         }
         assert!(moments[0] <= most_moment, "{model:?}: {moments:?}");
     }
-    write_report("table_profiles.csv", &report);
+    summary.write();
 }

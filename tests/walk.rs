@@ -11,6 +11,7 @@ use std::fmt::Write;
 use std::time::Instant;
 
 use common::random::Random;
+use common::summary::Summary;
 use common::wheel::{pressed, rolling};
 use common::{quantiles, write_report};
 use wheelrail::element::parameters::TangentialModel;
@@ -148,7 +149,8 @@ fn walk(lines: usize, seed: u64) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles");
     let mut report =
         String::from("wheel,rail,tangential,largest jump,y_mm,z_mm,roll_mrad,yaw_mrad\n");
-    let (mut jumps, mut kinks) = ([0.0_f64; 2], Vec::new());
+    let (mut jumps, mut kinks) = ([const { Vec::new() }; 2], Vec::new());
+    let mut steps = 0;
     let mut times = Vec::new();
     for (pair, [wheel, rail]) in PAIRS.into_iter().enumerate() {
         for (forces, most) in tolerance::WALK_JUMPS.into_iter().enumerate() {
@@ -168,7 +170,7 @@ fn walk(lines: usize, seed: u64) {
                 if forces == 0 {
                     kinks.push(found.kink);
                 }
-                jumps[forces] = jumps[forces].max(found.jump);
+                jumps[forces].push(found.jump);
                 if found.jump > most {
                     let wheel_motion = line.at(found.at).wheel;
                     let [_, y, z] = wheel_motion.position;
@@ -185,26 +187,28 @@ fn walk(lines: usize, seed: u64) {
                     .unwrap();
                 }
             }
+            steps = steps.max(element.work().most_strip_steps);
         }
     }
+    let way = 1e3 * STEP * times.len() as f64;
     times.sort_by(f64::total_cmp);
-    let time = |share: f64| 1e6 * times[((times.len() - 1) as f64 * share) as usize];
-    let [_, most_kinks, worst_kink] = quantiles(kinks);
-    let way = STEP * times.len() as f64;
-    writeln!(
-        report,
-        "way {way:.4} m; jumps at most {:.2e} of the load, {:.2e} of the friction limit; kinks of lines of 0.1 mm: 95 % below {most_kinks:.2e}, worst {worst_kink:.2e}; time [us]: median {:.1}, 99.9 % {:.1}, 99.99 % {:.1}, most {:.1}",
-        jumps[0],
-        jumps[1],
-        time(0.5),
-        time(0.999),
-        time(0.9999),
-        time(1.0)
-    )
-    .unwrap();
-    println!("{report}");
+    let median = times[times.len() / 2];
+    let time = |share: f64| times[((times.len() - 1) as f64 * share) as usize] / median;
+    let most_jumps = jumps.each_ref().map(|jumps| jumps.iter().copied().fold(0.0, f64::max));
+    let [_, most_kinks, _] = quantiles(kinks.clone());
+    let mut summary = Summary::new("walk");
+    let [load, limit] = jumps;
+    summary.add(&format!("jumps of the load on lines of 0.1 mm, {way:.0} mm in all"), load, "1e-4");
+    summary.add("jumps with creep forces, over the friction limit", limit, "1e-3");
+    summary.add("kinks of the stiffness over itself", kinks, "0.05 at 95 %");
+    let quantiles_of_time = [0.999, 0.9999, 1.0].map(time);
+    let title = "time over its median: 99.9 %, 99.99 % and greatest";
+    summary.row(title, times.len(), quantiles_of_time, "- / 10 / 40");
+    summary.row("greatest number of Newton steps", times.len(), [steps as f64; 3], "");
+    summary.write();
     write_report("walk.csv", &report);
-    for (jump, most) in jumps.into_iter().zip(tolerance::WALK_JUMPS) {
+    println!("{report}");
+    for (jump, most) in most_jumps.into_iter().zip(tolerance::WALK_JUMPS) {
         assert!(jump <= most, "{report}");
     }
     assert!(most_kinks <= tolerance::WALK_KINKS, "{report}");

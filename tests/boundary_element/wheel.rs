@@ -7,6 +7,7 @@ use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 use crate::common::random::Random;
+use crate::common::summary::Summary;
 use crate::common::wheel::{benchmark, evaluate, pressed};
 use crate::common::{read_table, value, write_report};
 use crate::tolerance;
@@ -71,6 +72,14 @@ fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
         errors[1].push(force);
     }
     write_report("conformal.csv", &report);
+    if every == 1 {
+        let mut summary = Summary::new("conformal");
+        let [pressure, force] =
+            errors.each_ref().map(|errors| errors.iter().map(|error| 100.0 * error));
+        summary.add("greatest pressure [%]", pressure, "0.5 / 2 / -");
+        summary.add("force in the contact plane [% of the friction limit]", force, "0.3 / 1.5 / 4");
+        summary.write();
+    }
     errors.map(|mut errors| {
         errors.sort_by(f64::total_cmp);
         let at = |share: f64| errors[(share * (errors.len() - 1) as f64).round() as usize];

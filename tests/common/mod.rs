@@ -4,6 +4,7 @@
 
 pub mod planar;
 pub mod random;
+pub mod summary;
 pub mod vectors;
 pub mod wheel;
 

@@ -430,10 +430,10 @@ pub const BOUNDARY_CONSERVATIVE: f64 = 1e-3;
 /// Two contacts of one rail by boundary elements and by strips.
 pub const BOUNDARY_TWO_ZONES: f64 = 0.01;
 
-/// Work around a frictionless closed loop as wide as a patch is long over the energy stored, mean and worst. The mean is the aim; at worst it is
+/// Work around a frictionless closed loop as wide as a patch is long over the energy stored, median and worst. The median is the aim; at worst it is
 /// that of the strips before, whose nodes stand otherwise in every place too.
 pub const LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2];
 /// The same for loops ten times as wide, which run over as many more places of the nodes.
 pub const WIDE_LOOP_WORK: [f64; 2] = [1e-3, 1.5e-2];
-/// Energy that a bounce without damping and friction wins or loses, mean and worst: the aim for each.
+/// Energy that a bounce without damping and friction wins or loses, median and worst: the aim for each.
 pub const BOUNCE: [f64; 2] = [1e-3, 1e-3];

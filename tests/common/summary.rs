@@ -1,0 +1,53 @@
+//! Figures that the documents show: a test leaves them, `cargo bench --bench documents` writes them into docs.
+
+use std::fmt::Write;
+
+use super::write_report;
+
+/// A table of errors, one row for each quantity.
+pub struct Summary {
+    name: String,
+    text: String,
+}
+
+impl Summary {
+    /// An empty table; documents name it `name`.
+    pub fn new(name: &str) -> Self {
+        Self { name: name.into(), text: "quantity,cases,median,95 %,worst,aim\n".into() }
+    }
+
+    /// A row of the absolute values of `errors`, with what is aimed at.
+    pub fn add(&mut self, quantity: &str, errors: impl IntoIterator<Item = f64>, aim: &str) {
+        let mut errors: Vec<f64> = errors.into_iter().map(f64::abs).collect();
+        errors.sort_by(f64::total_cmp);
+        let at = |share: f64| errors[(share * (errors.len() - 1) as f64).round() as usize];
+        self.row(quantity, errors.len(), [0.5, 0.95, 1.0].map(at), aim);
+    }
+
+    /// A row of three numbers that are no errors.
+    pub fn row(&mut self, quantity: &str, cases: usize, numbers: [f64; 3], aim: &str) {
+        let [median, most, worst] = numbers.map(rounded);
+        writeln!(self.text, "{quantity},{cases},{median},{most},{worst},{aim}").unwrap();
+    }
+
+    /// Leaves the table under target/reports.
+    pub fn write(&self) {
+        println!("{}\n{}", self.name, self.text);
+        write_report(&format!("summary_{}.csv", self.name), &self.text);
+    }
+}
+
+/// A number with two digits that count.
+fn rounded(x: f64) -> String {
+    if x == 0.0 {
+        return "0".into();
+    }
+    let digits = 1 - x.abs().log10().floor() as i32;
+    if (0..=4).contains(&digits) {
+        return format!("{x:.*}", digits as usize);
+    }
+    if (-3..0).contains(&digits) {
+        return format!("{x:.0}");
+    }
+    format!("{x:.1e}")
+}
