@@ -7,6 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use plotters::prelude::*;
 use wheelrail::boundary_element::grid::Grid;
 use wheelrail::boundary_element::pressure::PressureSolver;
 use wheelrail::boundary_element::rolling::steady_rolling;
@@ -136,6 +137,7 @@ fn growth() {
         let in_contact = (0.79 * (across * across) as f64) as usize;
         rows.push(line([across + 2, across + 2], in_contact));
     }
+    draw(&rows);
     for pair in rows.windows(2) {
         let exponent = |c: usize| (pair[1][c] / pair[0][c]).ln() / (pair[1][0] / pair[0][0]).ln();
         println!(
@@ -146,6 +148,56 @@ fn growth() {
             exponent(2)
         );
     }
+}
+
+/// Draws times [s] over elements in contact, beside those of CONTACT.
+fn draw(rows: &[[f64; 3]]) {
+    const PATH: &str =
+        concat!(env!("CARGO_MANIFEST_DIR"), "/docs/figures/boundary_element_time.svg");
+    let area = SVGBackend::new(PATH, (760, 460)).into_drawing_area();
+    let series =
+        [("normal", 1, RGBColor(0, 114, 178)), ("normal and rolling", 2, RGBColor(213, 94, 0))];
+    area.fill(&WHITE).expect("drawing");
+    let mut chart = ChartBuilder::on(&area)
+        .margin(12)
+        .x_label_area_size(46)
+        .y_label_area_size(64)
+        .build_cartesian_2d((50.0..2e5f64).log_scale(), (1e-5..1e3f64).log_scale())
+        .expect("drawing");
+    chart
+        .configure_mesh()
+        .x_desc("elements in contact")
+        .y_desc("time [s]")
+        .light_line_style(WHITE)
+        .bold_line_style(RGBColor(225, 225, 225))
+        .label_style(("Helvetica, Arial, sans-serif", 14))
+        .x_label_formatter(&|x| format!("{x:.0}"))
+        .y_label_formatter(&|y| format!("{y:.0e}"))
+        .draw()
+        .expect("drawing");
+    for (name, column, colour) in series {
+        let line = rows.iter().map(|row| (row[0], row[column]));
+        let drawn = chart.draw_series(LineSeries::new(line, colour.stroke_width(2)));
+        drawn.expect("drawing").label(name).legend(move |(x, y)| {
+            PathElement::new(vec![(x, y), (x + 18, y)], colour.stroke_width(2))
+        });
+        let program =
+            CONTACT.map(|(_, in_contact, times)| (in_contact as f64, 1e-3 * times[column - 1]));
+        let marks = program.into_iter().map(|at| Circle::new(at, 4, colour.stroke_width(2)));
+        let drawn = chart.draw_series(marks).expect("drawing");
+        drawn
+            .label(format!("{name}: CONTACT v25.1, measured elsewhere"))
+            .legend(move |(x, y)| Circle::new((x + 9, y), 4, colour.stroke_width(2)));
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperLeft)
+        .label_font(("Helvetica, Arial, sans-serif", 14))
+        .border_style(RGBColor(200, 200, 200))
+        .background_style(WHITE)
+        .draw()
+        .expect("drawing");
+    area.present().expect("the figure can be written");
 }
 
 fn benches(criterion: &mut Criterion) {

@@ -57,6 +57,7 @@ pub fn add<'a>(
     models.rail_strips.clear();
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
     output.normal_residual = output.normal_residual.max(elements.residual);
+    models.turn_of_normals = models.turn_of_normals.max(elements.turn_of_normals());
     let whole = Some([models.rail_strips.load(), elements.approach]);
     let (mut contacts, mut states) = (Vec::new(), Vec::new());
     for index in 0..models.rail_strips.zones.len() {

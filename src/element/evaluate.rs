@@ -186,6 +186,13 @@ impl Element {
         &self.remarks
     }
 
+    /// Greatest angle between the normals within the contact of one rail at the last evaluation [rad]; 0 but for boundary elements, which are the only ones that
+    /// lie on the curved surface each by itself.
+    #[must_use]
+    pub fn turn_of_normals(&self) -> f64 {
+        self.models.turn_of_normals
+    }
+
     /// Work done and skipped so far.
     #[must_use]
     pub fn work(&self) -> Work {
@@ -265,6 +272,7 @@ impl Element {
 
     /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or zones found no room.
     pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
+        self.models.turn_of_normals = 0.0;
         output.clear();
         self.models.patches.clear();
         self.sunk = None;

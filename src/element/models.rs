@@ -54,6 +54,8 @@ pub struct Models<T = f64> {
     pub strip_follower: GridFollower<T>,
     /// Tractions of the zone under way, where they were found together with those of other zones.
     pub given: Option<GivenTractions<T>>,
+    /// Greatest angle between normals of the elements that carry pressure on one rail, where boundary elements were solved on it [rad].
+    pub turn_of_normals: f64,
     /// All loaded zones of the evaluation under way.
     pub patches: Room<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
@@ -88,6 +90,7 @@ impl Models {
             rail_strips: strips(&self.rail_strips),
             strip_follower: GridFollower::default(),
             given: None,
+            turn_of_normals: 0.0,
             patches: Room::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
@@ -144,6 +147,7 @@ impl Models {
             ),
             strip_follower: GridFollower::default(),
             given: None,
+            turn_of_normals: 0.0,
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,

@@ -364,6 +364,18 @@ impl RailElements {
         ])
     }
 
+    /// Greatest angle between the normals of rows that carry pressure [rad].
+    #[must_use]
+    pub fn turn_of_normals(&self) -> f64 {
+        let rows = self.rows.iter().zip(self.pressure.chunks(self.grid.along));
+        let loaded = rows.filter(|(_, pressure)| pressure.iter().any(|&p| p > 0.0));
+        let angles =
+            loaded.filter_map(|(row, _)| row.map(|row| row.tangent[1].atan2(row.tangent[0])));
+        let [least, most] = angles
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], angle| [a.min(angle), b.max(angle)]);
+        (most - least).max(0.0)
+    }
+
     /// Fills the empty `strips` with the loaded rows; returns the number of zones that found no room.
     pub fn fill(&self, strips: &mut Strips) -> usize {
         let u: Vec<f64> = self.rows.iter().map(|row| row.map_or(0.0, |row| row.u)).collect();

@@ -88,6 +88,8 @@ fn compare_measures_wheels_and_planar_contacts() {
     assert_eq!(rows[0]["wheel.y"], "0.747");
     for row in &rows {
         assert!((number(row, "reference_normal_force_n") / 5e4 - 1.0).abs() < 0.01);
+        let turn = number(row, "reference_normals_turn_deg");
+        assert!(turn > 0.1 && turn < 10.0, "a tread contact turns by a few degrees: {turn}");
     }
     assert!(number(&rows[0], "max_pressure_error_percent").abs() > 1.0);
     for quantity in ["normal_force", "max_pressure", "area", "creep_force", "spin_moment"] {

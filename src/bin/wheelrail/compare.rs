@@ -29,7 +29,8 @@ use summary::Summary;
 /// elements_across in planar tables) set the grid of the boundary elements, 40 by 40 to begin with.
 ///
 /// On wheels the boundary elements lie on the curved surface of the rail, all contacts of a rail in one problem. A second solution with half
-/// as many elements each way tells their own error: by how much the two differ. The largest distance left in the contact (over the
+/// as many elements each way tells their own error: by how much the two differ. Patches in one problem tell where contacts are separate,
+/// the angle between their outermost normals how far a contact turns. The largest distance left in the contact (over the
 /// overlap) and the largest slip that contradicts friction (over the rigid slip) tell how well the equations are solved.
 ///
 /// The result has one row for each case: both solutions, the errors of the row's models, and the time each took. Errors
@@ -82,6 +83,8 @@ pub struct Compared {
     pub reference: Solved,
     /// By boundary elements, half as many along and across.
     pub coarse: Solved,
+    /// Angle between the outermost normals of one rail's contact in the reference, where it tells [rad].
+    pub turn: Option<f64>,
     /// What the equations of the reference are left with, where it tells: distance over overlap, slip over rigid slip.
     pub residuals: Option<[f64; 2]>,
     /// Coefficient of friction.
@@ -89,7 +92,7 @@ pub struct Compared {
 }
 
 /// The columns of the result.
-const COLUMNS: [&str; 29] = [
+const COLUMNS: [&str; 30] = [
     "normal_force_n",
     "reference_normal_force_n",
     "normal_force_error_percent",
@@ -117,6 +120,7 @@ const COLUMNS: [&str; 29] = [
     "reference_max_pressure_uncertainty_percent",
     "reference_area_uncertainty_percent",
     "reference_creep_force_uncertainty_percent",
+    "reference_normals_turn_deg",
     "reference_normal_residual",
     "reference_tangential_residual",
 ];
@@ -159,6 +163,7 @@ impl Compared {
         let [fx, fy, fz] = own.creep_force.map(number);
         let [rx, ry, rz] = reference.creep_force.map(number);
         let [un, up, ua, uf, _] = self.uncertainties().map(error);
+        let turn = self.turn.map_or_else(String::new, |turn| format!("{:.3}", turn.to_degrees()));
         let [gap, slip] = self.residuals.map_or([const { String::new() }; 2], |residuals| {
             residuals.map(|residual| format!("{residual:.1e}"))
         });
@@ -190,6 +195,7 @@ impl Compared {
             up,
             ua,
             uf,
+            turn,
             gap,
             slip,
         ]
@@ -338,6 +344,7 @@ fn compare_planar(case: &PlanarCase<'_>) -> Result<Compared> {
         own: solve(case, slow)?,
         reference: solve(&reference_case, true)?,
         coarse: solve(&coarse_case, true)?,
+        turn: None,
         residuals: None,
         friction: case.friction,
     })

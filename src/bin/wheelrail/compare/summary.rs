@@ -16,6 +16,10 @@ pub struct Summary {
     uncertainties: [Vec<f64>; 5],
     /// Times of the models and of the boundary elements [s].
     times: [Vec<f64>; 2],
+    /// How far normals turn within the reference [degrees].
+    turns: Vec<f64>,
+    /// Cases with more than one patch in the reference.
+    separate: usize,
     fallbacks: usize,
 }
 
@@ -36,6 +40,8 @@ impl Summary {
         for (errors, error) in self.uncertainties.iter_mut().zip(compared.uncertainties()) {
             errors.extend(error);
         }
+        self.turns.extend(compared.turn.map(f64::to_degrees));
+        self.separate += usize::from(compared.reference.patches > 1);
         self.times[0].push(compared.own.time);
         self.times[1].push(compared.reference.time);
         self.fallbacks += usize::from(compared.own.fallback || compared.reference.fallback);
@@ -52,6 +58,10 @@ impl Summary {
         };
         let mut rows = of(&self.errors, "");
         rows.extend(of(&self.uncertainties, "boundary elements, half as many: "));
+        if !self.turns.is_empty() {
+            let name = "normals within the reference turn by [degrees]";
+            rows.push((name.into(), self.turns.len(), quantiles(self.turns.clone())));
+        }
         for (name, times) in ["time [us]", "time of boundary elements [us]"].iter().zip(&self.times)
         {
             let times: Vec<f64> = times.iter().map(|time| 1e6 * time).collect();
@@ -64,10 +74,17 @@ impl Summary {
 
     /// As a table for reading.
     pub fn text(&self) -> String {
-        let mut text =
-            format!("{:<84}{:>7}{:>10}{:>10}{:>10}\n", "error", "cases", "median", "95 %", "worst");
+        let mut text = format!(
+            "{:<84}{:>7} {:>11} {:>11} {:>11}\n",
+            "error", "cases", "median", "95 %", "worst"
+        );
         for (name, count, [median, most, worst]) in self.rows() {
-            let _ = writeln!(text, "{name:<84}{count:>7}{median:>10.3}{most:>10.3}{worst:>10.3}");
+            let _ =
+                writeln!(text, "{name:<84}{count:>7} {median:>11.3} {most:>11.3} {worst:>11.3}");
+        }
+        if self.separate > 0 {
+            let _ =
+                writeln!(text, "cases with separate patches in the reference: {}", self.separate);
         }
         if self.fallbacks > 0 {
             let _ = writeln!(text, "cases in which a solver fell back: {}", self.fallbacks);

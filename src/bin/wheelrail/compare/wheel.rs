@@ -60,6 +60,7 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let begin = Instant::now();
     element.evaluate(&at, &mut exact)?;
     let time = begin.elapsed().as_secs_f64();
+    let turn = element.turn_of_normals();
     let coarse_parameters = Parameters {
         normal_elements: half(reference_parameters.normal_elements),
         ..reference_parameters
@@ -75,6 +76,7 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
         },
         reference: solved(&exact, place, normal, time),
         coarse: solved(&rough, place, normal, 0.0),
+        turn: Some(turn),
         residuals: Some([exact.normal_residual, exact.tangential_residual]),
         friction: input.friction,
     };
