@@ -59,6 +59,7 @@ class Description(unittest.TestCase):
             self.assertTrue(v.description, v.name)
         units = {v.name: v.unit for v in self.model.modelVariables}
         self.assertEqual(units["wheel.force.z"], "N")
+        self.assertEqual(units["patch[8].creepage.spin"], "1/m")
         shown = {v.name: v.displayUnit for v in self.model.modelVariables}
         self.assertEqual([shown[n] for n in ("wheel.z", "wheel.yaw", "wheel.force.z")], ["mm", "deg", "kN"])
         self.assertEqual((shown["patch[1].max_pressure"], shown["wheel.x"]), ("MPa", None))
@@ -105,7 +106,6 @@ class Description(unittest.TestCase):
         ]
         self.assertEqual(runs[0].tobytes(), runs[1].tobytes())
         self.assertLess(runs[0]["wheel.force.z"][0], -5e4)
-        self.assertEqual(units["patch[8].creepage.spin"], "1/m")
 
     def test_the_archive_holds_what_it_should(self):
         with zipfile.ZipFile(ARCHIVE) as archive:
@@ -137,11 +137,12 @@ class Simulation(unittest.TestCase):
             record_events=True,
             output=["patch_count", "nominal.wheel_z"],
         )
-        (change,) = np.flatnonzero(np.diff(result["patch_count"]))
-        # Before and after the event at one time, between two outputs: where the wheel touches.
-        self.assertEqual(result["time"][change], result["time"][change + 1])
+        # Before and after each event at one time, between two outputs; within a nanometre of first touch there may be several patches.
+        changes = np.flatnonzero(np.diff(result["patch_count"]))
+        np.testing.assert_array_equal(result["time"][changes], result["time"][changes + 1])
         touching = end * (result["nominal.wheel_z"][0] - low) / (high - low)
-        self.assertLess(abs(result["time"][change] - touching), 1e-6)
+        self.assertLess(abs(result["time"][changes[0]] - touching), 1e-6)
+        self.assertEqual((result["patch_count"][0], result["patch_count"][-1]), (0, 1))
 
     def test_inputs_from_a_table_arrive(self):
         signals = np.array(
@@ -242,7 +243,7 @@ class Instances(unittest.TestCase):
         unit.slave.reset()
         unit.start({})
         unit.ready()
-        self.assertEqual(unit.get("wheel.z"), -0.46)
+        self.assertEqual(unit.get("wheel.z"), -0.45975)
         self.assertEqual(self.run_steps(unit, 2e-4), first)
 
     def test_steps_taken_back_are_repeated_bit_for_bit(self):

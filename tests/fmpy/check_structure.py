@@ -55,7 +55,8 @@ class Structure(unittest.TestCase):
 
     def test_the_wheelset_comes_to_rest_under_its_load(self):
         result = simulate_ssp(str(self.archive), stop_time=0.05, step_size=STEP)
-        force = -result["track.wheelset.wheelset.force.z" if "track.wheelset.wheelset.force.z" in result.dtype.names else "wheelset.wheelset.force.z"]
+        (name,) = (name for name in result.dtype.names if name.endswith("wheelset.force.z"))
+        force = -result[name]
         # FMPy sets all connectors to zero before the first step: there the force is not that of the start values.
         self.assertLess(abs(force[-1] - LOAD), 0.01 * LOAD)
         self.assertLess(max(force[2:]), 2.0 * LOAD)
