@@ -6,7 +6,7 @@ use std::fmt::Write;
 use crate::declaration::Declaration;
 
 /// The functions of FMI 2.0, with the types of the standard's headers; whoever includes those first keeps theirs.
-const FUNCTIONS: &str = r#"#ifndef fmi2Functions_h
+const FUNCTIONS: &str = r"#ifndef fmi2Functions_h
 typedef void *fmi2Component;
 typedef void *fmi2ComponentEnvironment;
 typedef void *fmi2FMUstate;
@@ -81,7 +81,7 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component, const fmi2StatusKind, fmi2Integer
 fmi2Status fmi2GetBooleanStatus(fmi2Component, const fmi2StatusKind, fmi2Boolean *);
 fmi2Status fmi2GetStringStatus(fmi2Component, const fmi2StatusKind, fmi2String *);
 #endif
-"#;
+";
 
 /// The text of the header.
 ///

@@ -15,6 +15,9 @@ use crate::variables::{Described, shortened};
 const RAIL_FILES: [(&str, &str); 2] =
     [("wear.rail[1].file", "rail[1].profile"), ("wear.rail[2].file", "rail[2].profile")];
 
+/// A parameter and the file that it names.
+type Named<F> = (String, F);
+
 impl<S: Described> Instance<S> {
     /// Asks the system whether the files of worn profiles can be written, and sees to it that each has a name of its own, other than
     /// those of the profiles that are read.
@@ -23,7 +26,7 @@ impl<S: Described> Instance<S> {
             return Ok(());
         }
         let (written, read) = self.worn_files();
-        let mut known: Vec<(String, PathBuf)> =
+        let mut known: Vec<Named<PathBuf>> =
             read.into_iter().map(|(name, path)| (name, identity(&path))).collect();
         for (name, file) in written {
             let path = Path::new(&file);
@@ -42,7 +45,7 @@ impl<S: Described> Instance<S> {
     }
 
     /// Parameters and files: of worn profiles that the run is to write, and of profiles that it has read.
-    fn worn_files(&self) -> (Vec<(String, String)>, Vec<(String, PathBuf)>) {
+    fn worn_files(&self) -> (Vec<Named<String>>, Vec<Named<PathBuf>>) {
         let (mut written, mut read) = (Vec::new(), Vec::new());
         let all = S::parameters_of_elements(&self.values.parameters);
         for (prefix, parameters) in S::PREFIXES.iter().zip(all) {
