@@ -143,9 +143,9 @@ fn a_contact_that_begins_is_an_event_at_first_touch() {
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
         if at(middle) > 0.0 {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
         // What is a whole number stays until the event; forces are those of the inputs.
         assert_eq!(host.get_integer("patch_count"), 0);
