@@ -31,6 +31,9 @@ const AGAIN: usize = 5;
 /// What a host sets, of the body.
 const INPUTS: [&str; 8] = ["y", "z", "roll", "yaw", "vx", "vy", "vz", "pitch_rate"];
 
+/// What is measured: its name, the unit, and its choices and counts.
+type Case = (&'static str, &'static Unit, &'static [(&'static str, i32)]);
+
 /// Processor time of this thread [s].
 fn now() -> f64 {
     let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
@@ -130,7 +133,7 @@ impl Walk {
 
 fn main() {
     let walks = std::env::args().find_map(|a| a.parse().ok()).unwrap_or(1000);
-    let cases: [(&str, &Unit, &[(&str, i32)]); 4] = [
+    let cases: [Case; 4] = [
         ("wheel as it starts", &WHEEL, &[]),
         ("wheel, strips with fastsim", &WHEEL, &[("tangential.model", 3)]),
         (

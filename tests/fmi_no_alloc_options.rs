@@ -214,7 +214,7 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
         vec![monitor, real("wheel.flat.length", 0.04), real("wheel.out_of_round.amplitude", 1e-4)],
         vec![monitor, integer("vertical.mode", 2)],
         vec![monitor, ("side", Value::Integer(2))],
-        vec![wear(2, 1), vec![second_rail]].concat(),
+        [wear(2, 1), vec![second_rail]].concat(),
         wear(6, 2),
     ];
     options.extend([1, 2, 3].map(|normal| vec![monitor, integer("normal.model", normal)]));
