@@ -20,6 +20,16 @@ const TARGETS: [(&str, &str, Option<&str>); 2] = [
 const OUTPUTS: [&str; 4] =
     ["wheel.force.x", "wheel.force.y", "wheel.force.z", "patch[1].max_pressure"];
 
+/// What a program is linked with besides. Compilers for musl made from one for glibc bring an unwinder that wants glibc: that of Rust takes its place.
+fn libraries(target: &str) -> Vec<String> {
+    if !target.ends_with("musl") {
+        return ["-lpthread", "-lm", "-ldl"].map(String::from).into();
+    }
+    let root = run(Command::new("rustc").args(["--print", "sysroot"]));
+    let folder = format!("-L{}/lib/rustlib/{target}/lib/self-contained", root.trim());
+    ["-nodefaultlibs", &folder, "-lunwind", "-lc", "-lgcc"].map(String::from).into()
+}
+
 fn run(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -56,7 +66,8 @@ fn programs_for_other_targets_get_the_same_forces() {
             .arg(&folder)
             .arg(root.join("tests/static/host.c"))
             .arg(folder.join("libwheelrail.a"))
-            .args(["-lpthread", "-lm", "-ldl", "-o"])
+            .args(libraries(target))
+            .arg("-o")
             .arg(&program));
         let said = match emulator {
             Some(emulator) => run(Command::new(emulator).arg(&program)),
