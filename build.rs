@@ -8,6 +8,8 @@ use std::{env, fs};
 mod code;
 #[path = "build/declaration.rs"]
 mod declaration;
+#[path = "build/header.rs"]
+mod header;
 #[cfg(feature = "package")]
 #[path = "build/package.rs"]
 mod package;
@@ -42,6 +44,12 @@ fn main() {
     {
         fs::write(out.join(name), text)
             .unwrap_or_else(|e| panic!("cannot write {name} to {}: {e}", out.display()));
+    }
+    // A header in C, where a build for programs that link the library asks for it.
+    println!("cargo::rerun-if-env-changed=WHEELRAIL_HEADER");
+    if let Some(path) = env::var_os("WHEELRAIL_HEADER").map(PathBuf::from) {
+        fs::write(&path, header::generate(&[&wheel, &wheelset]))
+            .unwrap_or_else(|e| panic!("WHEELRAIL_HEADER: cannot write {}: {e}", path.display()));
     }
     #[cfg(feature = "package")]
     if env::var("PROFILE").is_ok_and(|profile| profile == "release") {

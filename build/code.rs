@@ -155,15 +155,17 @@ fn table(out: &mut String, declaration: &Declaration, name: &str) {
             out,
             &format!(
                 "Variable {{ name: {:?}, description: {:?}, reference: {reference}, kind: {kind}, \
-                 causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, start: {start}, \
-                 dependencies: &{:?}, on_request: {}, allowed: {:?} }},",
+                 causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, nominal: {}, start: {start}, \
+                 dependencies: &{:?}, on_request: {}, is_counter: {}, allowed: {:?} }},",
                 v.name,
                 v.description,
                 v.unit.as_deref().unwrap_or(""),
                 bound(v.min),
                 bound(v.max),
+                number(v.nominal.unwrap_or(1.0)),
                 v.dependencies,
                 v.on_request,
+                v.is_counter,
                 allowed(declaration, v),
             ),
         );
@@ -196,7 +198,7 @@ fn allowed(declaration: &Declaration, v: &Variable) -> String {
             (None, None) => format!("{sort}, in{unit}"),
         },
         Kind::Boolean(_) => "true or false".into(),
-        Kind::Text(_) => "a text without null characters".into(),
+        Kind::Text(_) => "a text of up to 4096 bytes without null characters".into(),
         Kind::Enumeration(place, _) => {
             let items = declaration.enumerations[*place].items.iter();
             let items: Vec<String> = items.map(|i| format!("{} ({})", i.name, i.value)).collect();

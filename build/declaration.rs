@@ -24,6 +24,10 @@ pub struct Model {
     pub name: String,
     pub description: String,
     pub license: String,
+    pub author: String,
+    pub copyright: String,
+    /// When the declaration was last changed, as `generationDateAndTime`.
+    pub date: String,
 }
 
 #[derive(Clone, Deserialize)]
@@ -33,6 +37,7 @@ pub struct Experiment {
     pub start: f64,
     pub stop: f64,
     pub step: f64,
+    pub tolerance: f64,
 }
 
 #[derive(Clone, Deserialize)]
@@ -40,6 +45,10 @@ pub struct Experiment {
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
 pub struct Unit {
     pub name: String,
+    /// The word of the field for what is measured, as Modelica's library has it.
+    pub quantity: Option<String>,
+    /// Size of a change that matters.
+    pub nominal: f64,
     pub exponents: BTreeMap<String, i32>,
     #[serde(default)]
     pub display: Vec<DisplayUnit>,
@@ -121,10 +130,17 @@ pub struct Template {
     unit: Option<String>,
     min: Option<f64>,
     max: Option<f64>,
+    /// In place of that of the unit.
+    nominal: Option<f64>,
+    /// Unit in which it is shown, in place of the first display unit.
+    display: Option<String>,
     start: Option<toml::Value>,
     pub depends: Option<String>,
     #[serde(default)]
     on_request: bool,
+    /// Whether it counts what evaluations met with, whatever the time.
+    #[serde(default)]
+    counter: bool,
     description: String,
 }
 
@@ -153,8 +169,16 @@ pub struct Variable {
     pub unit: Option<String>,
     pub min: Option<f64>,
     pub max: Option<f64>,
+    /// Size of a change that matters, of a number.
+    pub nominal: Option<f64>,
+    /// Unit in which a number is shown, if it is another one.
+    pub display: Option<String>,
     /// Whether it is computed only when it is read.
     pub on_request: bool,
+    /// Whether it counts what evaluations met with, whatever the time.
+    pub is_counter: bool,
+    /// Its number among those that are there several times, counted from 1; 0 for others.
+    pub number: usize,
     /// Places in the list of the variables on which an unknown depends at initialization.
     pub dependencies: Vec<usize>,
 }
@@ -230,11 +254,17 @@ pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> 
     if settable == template.depends.is_some() {
         wrong("outputs and calculated parameters say what they depend on, and nothing else does");
     }
-    if let Some(unit) = &template.unit
-        && !file.unit.iter().any(|u| &u.name == unit)
-    {
-        wrong("its unit is not declared");
+    let unit = template.unit.as_ref().map(|unit| {
+        let declared = file.unit.iter().find(|u| &u.name == unit);
+        declared.unwrap_or_else(|| wrong("its unit is not declared"))
+    });
+    let shown = template.display.as_ref();
+    if let Some(shown) = shown.filter(|shown| {
+        !unit.is_some_and(|u| *shown == &u.name || u.display.iter().any(|d| *shown == &d.name))
+    }) {
+        wrong(&format!("its unit has no display unit {shown}"));
     }
+    let first = unit.and_then(|u| u.display.first()).map(|display| &display.name);
     Variable {
         field: template.field.replace('#', &index.to_string()),
         also: Vec::new(),
@@ -244,7 +274,11 @@ pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> 
         unit: template.unit.clone(),
         min: template.min,
         max: template.max,
+        nominal: template.nominal.or(unit.map(|u| u.nominal)),
+        display: shown.or(first).filter(|shown| template.unit.as_ref() != Some(*shown)).cloned(),
         on_request: template.on_request,
+        is_counter: template.counter,
+        number: group.repeat.as_ref().map_or(0, |_| index + 1),
         dependencies: Vec::new(),
         name,
     }

@@ -1,5 +1,5 @@
-//! Packs `WheelRail.fmu` and `WheelSet.fmu`: builds the library once more without the packaging, and puts it into
-//! an archive for each description, with profiles, documentation and licences.
+//! Packs `WheelRail.fmu` and `WheelSet.fmu`, and `WheelRailPlain.fmu` and `WheelSetPlain.fmu` with a shorter description of the same: builds
+//! the library once more without the packaging, and puts it into an archive for each description, with profiles, documentation, icon and licences.
 //!
 //! The library of this very build does not exist yet when its build script runs, hence the inner build.
 //! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
@@ -15,7 +15,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use crate::declaration::Declaration;
 use crate::platforms::{self, Library};
-use crate::xml;
+use crate::xml::{self, Style};
 
 /// What goes into the archives, beside what `src` and the declaration become.
 const SOURCES: [&str; 7] =
@@ -40,14 +40,18 @@ pub fn pack(declarations: &[&Declaration]) {
     for license in LICENSES {
         shared.push((format!("documentation/licenses/{license}"), read(&root.join(license))));
     }
-    for declaration in declarations {
-        // `modelIdentifier`: name of the archive and of the library in it.
+    shared.push(("model.png".into(), read(&root.join("fmu/model.png"))));
+    let styles = [(Style::Full, ""), (Style::Plain, "Plain")];
+    for (declaration, (style, suffix)) in
+        declarations.iter().flat_map(|d| styles.map(|style| (d, style)))
+    {
+        // `modelIdentifier`: name of the library in the archive.
         let identifier = &declaration.model.name;
-        let archive = profile_folder(&out).join(format!("{identifier}.fmu"));
+        let archive = profile_folder(&out).join(format!("{identifier}{suffix}.fmu"));
         // An archive that somebody deleted is made again.
         println!("cargo::rerun-if-changed={}", archive.display());
         let mut entries = shared.clone();
-        let description = xml::generate(declaration, &version)
+        let description = xml::generate(declaration, &version, style)
             .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
         entries.push(("modelDescription.xml".into(), description));
         for Library { platform, extension, path } in &libraries {

@@ -6,8 +6,27 @@ use quick_xml::writer::{ElementWriter, Writer};
 
 use crate::declaration::{Causality, Declaration, Enumeration, Kind, Unit, Variable};
 
+/// How much of a declaration is described, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Style {
+    /// Everything.
+    Full,
+    /// For importers that know no enumerations and for people who look at the list: choices as integers, and the heaviest
+    /// [`PLAIN_PATCHES`] patches alone. References are the same, and so is the library.
+    Plain,
+}
+
+/// Patches of a wheel that a plain description has: more than tread and flange touch at once is rare.
+const PLAIN_PATCHES: usize = 4;
+
+impl Style {
+    fn describes(self, v: &Variable) -> bool {
+        self == Self::Full || !v.name.contains("patch[") || v.number <= PLAIN_PATCHES
+    }
+}
+
 /// The text of the file; `version` is that of the crate.
-pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
+pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Result<Vec<u8>> {
     let mut text = b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_vec();
     let mut writer = Writer::new_with_indent(&mut text, b' ', 2);
     let model = &declaration.model;
@@ -19,10 +38,14 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
         ("guid", &declaration.guid),
         ("description", &model.description),
         ("version", version),
+        ("author", &model.author),
+        ("copyright", &model.copyright),
         ("license", &model.license),
+        ("generationDateAndTime", &model.date),
         ("generationTool", &tool),
         ("variableNamingConvention", "structured"),
-        ("numberOfEventIndicators", "0"),
+        // Of model exchange: one for all outputs that are whole numbers.
+        ("numberOfEventIndicators", "1"),
     ]);
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
@@ -48,7 +71,9 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
             ])
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;
-        list(w, "TypeDefinitions", &declaration.enumerations, enumeration)?;
+        if style == Style::Full {
+            list(w, "TypeDefinitions", &declaration.enumerations, enumeration)?;
+        }
         list(w, "LogCategories", &declaration.log_categories, |w, category| {
             let attributes = [("name", &*category.name), ("description", &*category.description)];
             w.create_element("Category").with_attributes(attributes).write_empty().map(drop)
@@ -57,11 +82,13 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
         w.create_element("DefaultExperiment")
             .with_attribute(("startTime", &*experiment.start.to_string()))
             .with_attribute(("stopTime", &*experiment.stop.to_string()))
+            .with_attribute(("tolerance", &*experiment.tolerance.to_string()))
             .with_attribute(("stepSize", &*experiment.step.to_string()))
             .write_empty()?;
-        let all: Vec<(usize, &Variable)> = declaration.variables.iter().enumerate().collect();
+        let all = declaration.variables.iter().enumerate();
+        let all: Vec<(usize, &Variable)> = all.filter(|(_, v)| style.describes(v)).collect();
         list(w, "ModelVariables", &all, |w, (reference, v)| {
-            variable(w, declaration, *reference, v)
+            variable(w, declaration, *reference, v, style)
         })?;
         structure(w, declaration, &all)
     })?;
@@ -122,6 +149,7 @@ fn variable<W: Write>(
     declaration: &Declaration,
     reference: usize,
     v: &Variable,
+    style: Style,
 ) -> Result<()> {
     // Initial values follow from causality and variability by the standard's defaults.
     let (causality, variability) = match (v.causality, &v.kind) {
@@ -131,14 +159,34 @@ fn variable<W: Write>(
         (Causality::Output, Kind::Real(_)) => ("output", "continuous"),
         (Causality::Output, _) => ("output", "discrete"),
     };
+    // A choice is set and read by the functions for integers in any case.
+    let choices = match &v.kind {
+        Kind::Enumeration(place, _) if style == Style::Plain => {
+            Some(&declaration.enumerations[*place].items)
+        }
+        _ => None,
+    };
+    let mut description = v.description.clone();
+    for (place, item) in choices.into_iter().flatten().enumerate() {
+        let sign = if place == 0 { ": " } else { ", " };
+        description += &format!("{sign}{} {}", item.value, item.name);
+    }
     let element = writer
         .create_element("ScalarVariable")
         .with_attribute(("name", &*v.name))
         .with_attribute(("valueReference", &*reference.to_string()))
-        .with_attribute(("description", &*v.description))
+        .with_attribute(("description", &*description))
         .with_attribute(("causality", causality))
         .with_attribute(("variability", variability));
     element.write_inner_content(|w| {
+        if let (Some(items), Kind::Enumeration(_, start)) = (choices, &v.kind) {
+            let values = || items.iter().map(|item| item.value);
+            let mut element = w.create_element("Integer");
+            element = optional(element, "min", values().min().map(|m| m.to_string()));
+            element = optional(element, "max", values().max().map(|m| m.to_string()));
+            optional(element, "start", start.map(|s| s.to_string())).write_empty()?;
+            return Ok(());
+        }
         let (name, start, r#type) = match &v.kind {
             Kind::Real(start) => ("Real", start.map(|s| s.to_string()), None),
             Kind::Integer(start) => ("Integer", start.map(|s| s.to_string()), None),
@@ -152,9 +200,16 @@ fn variable<W: Write>(
         };
         let mut element = w.create_element(name);
         element = optional(element, "declaredType", r#type.cloned());
+        let declared = v
+            .unit
+            .as_ref()
+            .and_then(|name| declaration.units.iter().find(|unit| &unit.name == name));
+        element = optional(element, "quantity", declared.and_then(|unit| unit.quantity.clone()));
         element = optional(element, "unit", v.unit.clone());
+        element = optional(element, "displayUnit", v.display.clone());
         element = optional(element, "min", v.min.map(|m| m.to_string()));
         element = optional(element, "max", v.max.map(|m| m.to_string()));
+        element = optional(element, "nominal", v.nominal.map(|n| n.to_string()));
         optional(element, "start", start).write_empty()?;
         Ok(())
     })?;
@@ -181,32 +236,37 @@ fn structure<W: Write>(
         let unknowns = all.iter().filter(|(_, v)| wanted.contains(&v.causality));
         unknowns.copied().collect::<Vec<_>>()
     };
+    // Its place among those that are described, from 1 on.
+    let index = |reference: usize| {
+        all.iter().position(|(r, _)| *r == reference).map_or(0, |place| place + 1).to_string()
+    };
     // During the run outputs depend on inputs; at initialization on parameters too.
     let is_input = |place: &usize| declaration.variables[*place].causality == Causality::Input;
     writer.create_element("ModelStructure").write_inner_content(|w| {
         list(w, "Outputs", &unknowns(&[Causality::Output]), |w, (reference, v)| {
-            unknown(w, *reference, v.dependencies.iter().filter(|place| is_input(place)))
+            unknown(w, &index, *reference, v.dependencies.iter().filter(|place| is_input(place)))
         })?;
         let initial = unknowns(&[Causality::Output, Causality::CalculatedParameter]);
         let mut initial = initial;
         initial.sort_by_key(|(reference, _)| *reference);
         list(w, "InitialUnknowns", &initial, |w, (reference, v)| {
-            unknown(w, *reference, v.dependencies.iter())
+            unknown(w, &index, *reference, v.dependencies.iter())
         })
     })?;
     Ok(())
 }
 
-/// An unknown with what it depends on; indices count from 1.
+/// An unknown with what it depends on, by their indices.
 fn unknown<'a, W: Write>(
     writer: &mut Writer<W>,
+    index: &impl Fn(usize) -> String,
     reference: usize,
     dependencies: impl Iterator<Item = &'a usize>,
 ) -> Result<()> {
-    let dependencies: Vec<String> = dependencies.map(|d| (d + 1).to_string()).collect();
+    let dependencies: Vec<String> = dependencies.map(|d| index(*d)).collect();
     writer
         .create_element("Unknown")
-        .with_attribute(("index", &*(reference + 1).to_string()))
+        .with_attribute(("index", &*index(reference)))
         .with_attribute(("dependencies", &*dependencies.join(" ")))
         .write_empty()
         .map(drop)

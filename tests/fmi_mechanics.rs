@@ -9,7 +9,7 @@ use host::Host;
 use wheelrail::element::Element;
 use wheelrail::fmi::abi::fmi2ExitInitializationMode;
 use wheelrail::fmi::types::Status;
-use wheelrail::variables::{Causality, VARIABLES, Value, Values, find};
+use wheelrail::variables::{Causality, VARIABLES, Value, Values, WHEELSET, find};
 
 #[test]
 fn a_wrong_profile_path_is_refused_by_name_and_can_be_corrected() {
@@ -71,4 +71,23 @@ fn outputs_change_with_no_input_that_is_not_declared() {
         values.input = base.input;
     }
     assert!(changes > 100, "the case is too dull: {changes} changes");
+}
+
+#[test]
+fn start_values_show_a_loaded_rolling_wheel() {
+    let (wheel, wheelset) = (Host::stepping(), Host::stepping_of(&WHEELSET));
+    for (host, prefix, body, wheels) in
+        [(&wheel, "", "wheel", 1.0), (&wheelset, "left.", "wheelset", 2.0)]
+    {
+        let force = -host.get_real(&format!("{body}.force.z")) / wheels;
+        assert!(force > 6e4 && force < 1e5, "{body}: {force}");
+        // It rolls: creepages of the order of the spin and the conicity.
+        let creepage = host.get_real(&format!("{prefix}patch[1].creepage.longitudinal"));
+        assert!(creepage.abs() < 1e-3, "{body}: {creepage}");
+        assert!(host.get_real(&format!("{body}.force.x")).abs() < 0.1 * force);
+    }
+    let host = Host::initializing();
+    assert_eq!(host.set_integer("vertical.mode", 2), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok);
+    assert!((host.get_real("vertical.load_carried") - 8e4).abs() < 1.0);
 }

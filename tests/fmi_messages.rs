@@ -5,6 +5,7 @@ mod host;
 
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut, without_provenance_mut};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use host::{Arguments, Host};
 use wheelrail::fmi::abi::*;
@@ -181,8 +182,8 @@ fn started(reals: &[(&str, f64)], left: bool) -> (Status, String) {
 fn a_wheel_that_starts_inside_far_above_or_beside_its_rails_is_told_how_far() {
     assert_eq!(started(&[], false).0, Status::Ok);
     for (reals, left, words) in [
-        (&[("wheel.nominal_radius", 0.42)][..], false, "40.2 mm above nominal.wheel_z"),
-        (&[("wheel.nominal_radius", 0.5)], false, "39.8 mm below nominal.wheel_z"),
+        (&[("wheel.nominal_radius", 0.42)][..], false, "39.9 mm above nominal.wheel_z"),
+        (&[("wheel.nominal_radius", 0.5)], false, "40.1 mm below nominal.wheel_z"),
         (&[("wheel.z", -0.44)], false, "it is inside the rail; set wheel.z"),
         (
             &[],
@@ -215,4 +216,84 @@ fn a_wheel_that_sinks_into_its_rail_is_told_from_a_lifted_one_once() {
     for words in ["39.8 mm below the top of its rail", "not lifted", "nominal.wheel_z"] {
         assert!(host.last().contains(words), "{}", host.last());
     }
+}
+
+#[test]
+fn a_message_needs_no_variable_arguments() {
+    // The host's logger has none, and asserts that what it gets is a format without them.
+    let host = Host::initializing();
+    assert_eq!(host.set_text("wheel.profile", "worn by 5 %s.prw"), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+    assert!(host.last().contains("\"worn by 5 %s.prw\""), "{}", host.last());
+}
+
+#[test]
+fn an_instance_that_is_busy_in_another_thread_says_so() {
+    let host = Host::initializing();
+    assert_eq!(host.set_integer("normal.model", 5), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    assert_eq!(host.set_reals(&[("wheel.z", -0.4597)]), Status::Ok);
+    let address = host.component.addr();
+    // The boundary element solution takes long enough for another thread to call.
+    let ended = AtomicBool::new(false);
+    let was_busy = std::thread::scope(|scope| {
+        let other = scope.spawn(|| {
+            let (reference, mut value) = (host::reference("wheel.y"), 0.0);
+            while !ended.load(Ordering::Relaxed) {
+                let component = without_provenance_mut(address);
+                // SAFETY: FMI 2.0, 2.1.7: arrays of one element.
+                let status =
+                    unsafe { fmi2GetReal(component, &raw const reference, 1, &raw mut value) };
+                if status == Status::Error {
+                    return true;
+                }
+            }
+            false
+        });
+        // Refused itself if the other call is under way just then.
+        while host.get_reals(&["wheel.force.z"]).is_err() {}
+        ended.store(true, Ordering::Relaxed);
+        other.join().unwrap()
+    });
+    assert!(was_busy);
+    assert!(host.last().contains(": the instance is busy with another call"), "{}", host.last());
+}
+
+#[test]
+fn long_texts_are_refused_and_quoted_in_part() {
+    let long = "x".repeat(10_000_000);
+    let host = Host::initializing();
+    assert_eq!(host.set_text("wheel.profile", &long), Status::Error);
+    let said = host.last();
+    assert!(said.contains("wheel.profile = \"xxx") && said.contains("(10000000 bytes)"), "{said}");
+    assert!(said.contains("up to 4096 bytes") && said.len() < 1000, "{said}");
+    let text = || Some(CString::new(long.clone()).unwrap());
+    for arguments in [
+        Arguments { guid: text(), ..Arguments::default() },
+        Arguments { location: text(), ..Arguments::default() },
+    ] {
+        let host = Host::instantiate(&arguments);
+        assert!(host.last().contains("(10000000 bytes)") && host.last().len() < 1000);
+    }
+}
+
+#[test]
+fn a_tolerance_that_is_no_number_is_refused() {
+    let host = Host::new();
+    let setup = |tolerance| fmi2SetupExperiment(host.component, TRUE, tolerance, 0.0, FALSE, 0.0);
+    for tolerance in [f64::NAN, f64::INFINITY, -1e-6] {
+        assert_eq!(setup(tolerance), Status::Error);
+        let words = format!("argument tolerance = {tolerance} is not admitted");
+        assert!(host.last().contains(&words), "{}", host.last());
+    }
+    assert_eq!(setup(1e-6), Status::Ok);
+}
+
+#[test]
+fn a_corrugation_file_that_is_a_folder_is_said_to_be_one() {
+    let host = Host::initializing();
+    let folder = env!("CARGO_MANIFEST_DIR");
+    assert_eq!(host.set_text("rail[1].corrugation.file", folder), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+    assert!(host.last().contains(&format!("{folder} is a folder")), "{}", host.last());
 }

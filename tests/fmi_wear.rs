@@ -13,8 +13,8 @@ use tempfile::TempDir;
 use wheelrail::fmi::abi::*;
 use wheelrail::fmi::types::{FALSE, FmuState, MODEL_EXCHANGE, Status};
 use wheelrail::geometry::profile::ProfileKind;
-use wheelrail::io::load_profile;
-use wheelrail::variables::{Kind, VARIABLES};
+use wheelrail::io::{load_profile, save_profile};
+use wheelrail::variables::{Kind, VARIABLES, WHEELSET};
 
 /// A unit that wears by frictional work, strongly accelerated; profiles change every third step.
 fn worn_parameters(host: &Host) {
@@ -202,13 +202,67 @@ fn the_end_of_a_run_writes_profiles_that_can_be_read_back() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_is_named() {
+fn a_file_that_cannot_be_written_is_named_before_the_run() {
     let host = Host::initializing();
     worn_parameters(&host);
-    let file = "/nowhere/at/all/wheel.csv";
-    assert_eq!(host.set_text("wear.wheel.file", file), Status::Ok);
+    let folder = TempDir::new().unwrap();
+    let taken = folder.path().display().to_string();
+    for file in ["/nowhere/at/all/wheel.csv", &taken] {
+        assert_eq!(host.set_text("wear.wheel.file", file), Status::Ok);
+        assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+        assert!(host.last().contains("wear.wheel.file") && host.last().contains(file));
+        assert!(host.last().contains("cannot be written"), "{}", host.last());
+    }
+    // Its folder may go away during the run.
+    let file = folder.path().join("wheel.csv").display().to_string();
+    assert_eq!(host.set_text("wear.wheel.file", &file), Status::Ok);
     assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    drop(folder);
     run(&host, 0..1);
     assert_eq!(fmi2Terminate(host.component), Status::Error);
-    assert!(host.last().contains("wear.wheel.file") && host.last().contains(file));
+    assert!(host.last().contains("wear.wheel.file") && host.last().contains(&file));
+}
+
+#[test]
+fn files_of_worn_profiles_overwrite_neither_each_other_nor_what_is_read() {
+    let folder = TempDir::new().unwrap();
+    let inside = |name: &str| folder.path().join(name).display().to_string();
+    let new = load_profile("p", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    let input = folder.path().join("new.csv");
+    save_profile("p", &input, &new).unwrap();
+    let host = Host::initializing();
+    worn_parameters(&host);
+    let set = |name: &str, file: &str| assert_eq!(host.set_text(name, file), Status::Ok);
+    let refused = |words: &str| {
+        assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+        assert!(host.last().contains(words), "{}", host.last());
+    };
+    set("wheel.profile", &inside("new.csv"));
+    set("wear.wheel.file", &inside("./new.csv"));
+    refused("a file of its own: wheel.profile names this one too");
+    set("wear.wheel.file", &inside("worn.csv"));
+    set("wear.rail[1].file", &format!("{}/./worn.csv", folder.path().display()));
+    refused("wear.rail[1].file = ");
+    assert!(host.last().contains("wear.wheel.file names this one too"), "{}", host.last());
+    set("wear.rail[1].file", &inside("rail.csv"));
+    // Rail 2 is off.
+    set("wear.rail[2].file", &inside("rail.csv"));
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn both_sides_of_a_wheelset_do_not_write_to_one_file() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("worn.csv").display().to_string();
+    let host = Host::initializing_with(&Arguments::of(&WHEELSET));
+    worn_parameters(&host);
+    for side in ["right", "left"] {
+        assert_eq!(host.set_text(&format!("{side}.wear.wheel.file"), &file), Status::Ok);
+    }
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+    for words in ["left.wear.wheel.file = ", "right.wear.wheel.file names this one too"] {
+        assert!(host.last().contains(words), "{}", host.last());
+    }
 }

@@ -295,10 +295,8 @@ fn each_side_writes_its_worn_profiles() {
     let host = wearing();
     let file = "/nowhere/at/all/wheel.csv";
     assert_eq!(host.set_text("left.wear.wheel.file", file), Status::Ok);
-    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok);
-    run(&host, 0..1, 1e-4);
-    assert_eq!(fmi2Terminate(host.component), Status::Error);
-    assert!(host.last().contains("left.wear.wheel.file"), "{}", host.last());
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Error);
+    assert!(host.last().contains("left.wear.wheel.file") && host.last().contains(file));
 }
 
 #[test]
@@ -379,7 +377,7 @@ fn reset_goes_back_to_the_start() {
     assert_eq!(fmi2Reset(host.component), Status::Ok);
     assert_eq!(fmi2SetupExperiment(host.component, FALSE, 0.0, 0.0, FALSE, 0.0), Status::Ok);
     assert_eq!(fmi2EnterInitializationMode(host.component), Status::Ok);
-    assert_eq!(host.get_real("wheelset.z").to_bits(), (-0.46_f64).to_bits());
+    assert_eq!(host.get_real("wheelset.z").to_bits(), (-0.45975_f64).to_bits());
     assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok);
     assert_eq!(run(&host, 0..5, 1e-4), first);
 }

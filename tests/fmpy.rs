@@ -31,6 +31,12 @@ fn fmpy_gets_from_a_wheelset_what_two_wheels_give() {
     check("check_wheelset.py");
 }
 
+/// Needs a C compiler, `cc`, besides.
+#[test]
+fn fmpy_runs_a_system_of_a_wheelset_and_a_mass() {
+    check("check_structure.py");
+}
+
 #[test]
 fn the_example_for_fmpy_runs() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/fmpy_drop.py");

@@ -103,6 +103,29 @@ impl Element {
         input: &Input,
     ) -> Result<(Input, Box<DerivativeMemory>), ContactError> {
         let input = input.admitted()?;
+        self.check_models()?;
+        let memory = self.memory.take().unwrap_or_else(|| self.derivative_memory());
+        Ok((input, memory))
+    }
+
+    /// Sizes the memory for derivatives, where the models have them, so that the first of them allocates nothing.
+    pub(crate) fn reserve_derivatives(&mut self) {
+        if self.memory.is_none() && self.check_models().is_ok() {
+            self.memory = Some(self.derivative_memory());
+        }
+    }
+
+    fn derivative_memory(&self) -> Box<DerivativeMemory> {
+        Box::new(DerivativeMemory {
+            one: self.models.in_other_numbers(),
+            one_output: Output::default(),
+            all: self.models.in_other_numbers(),
+            all_output: Output::default(),
+        })
+    }
+
+    /// Whether the models have derivatives.
+    fn check_models(&self) -> Result<(), ContactError> {
         let refuse = |name, reason| Err(ContactError::NoDerivative { name: Some(name), reason });
         if self.models.normal == NormalModel::BoundaryElement {
             return refuse(
@@ -118,15 +141,7 @@ impl Element {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             return refuse(name, "they are there for bodies that are even along the track");
         }
-        let memory = self.memory.take().unwrap_or_else(|| {
-            Box::new(DerivativeMemory {
-                one: self.models.in_other_numbers(),
-                one_output: Output::default(),
-                all: self.models.in_other_numbers(),
-                all_output: Output::default(),
-            })
-        });
-        Ok((input, memory))
+        Ok(())
     }
 
     /// The columns of [`jacobian`](Self::jacobian).

@@ -25,7 +25,7 @@ pub struct Input<T = f64> {
 }
 
 impl Default for Input {
-    /// The nominal position of a right wheel, just lifted, at rest.
+    /// The nominal position of a right wheel, just lifted, at rest. (The units and the command line start rolling and loaded.)
     fn default() -> Self {
         Self {
             wheel: WheelMotion {

@@ -51,7 +51,7 @@ pub struct Models<T = f64> {
     pub strip_solver: Option<GridSolver>,
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
-    pub strip_follower: GridFollower<T>,
+    pub strip_follower: Option<GridFollower<T>>,
     /// Tractions of the zone under way, where they were found together with those of other zones.
     pub given: Option<GivenTractions<T>>,
     /// Greatest angle between normals of the elements that carry pressure on one rail, where boundary elements were solved on it [rad].
@@ -88,7 +88,7 @@ impl Models {
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
-            strip_follower: GridFollower::default(),
+            strip_follower: self.strip_solver.as_ref().map(GridFollower::new),
             given: None,
             turn_of_normals: 0.0,
             patches: Room::new(self.patches.capacity()),
@@ -145,7 +145,7 @@ impl Models {
                 },
                 strips,
             ),
-            strip_follower: GridFollower::default(),
+            strip_follower: None,
             given: None,
             turn_of_normals: 0.0,
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),

@@ -1,5 +1,7 @@
 //! What is odd about the place in which a wheel starts: nothing that is refused, but a host should hear of it before it wonders at the forces.
 
+use std::fmt;
+
 use super::evaluate::{Element, first_touch};
 use super::input::Input;
 use super::parameters::{Side, VerticalMode};
@@ -85,12 +87,26 @@ impl StartWarning {
 /// The words for a wheel that is `depth` [m] below the top of its rail, as [`Element::sunk`] has it; `prefix` as in
 /// [`StartWarning::message`].
 #[must_use]
-pub fn sunk_message(depth: f64, prefix: &str) -> String {
-    format!(
-        "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
-         lifted; see {prefix}nominal.wheel_z for where it would just touch",
-        1e3 * depth
-    )
+pub fn sunk_message(depth: f64, prefix: &str) -> impl fmt::Display {
+    SunkMessage { depth, prefix }
+}
+
+/// Written where it goes, during a run, so that nothing is allocated for it.
+struct SunkMessage<'a> {
+    depth: f64,
+    prefix: &'a str,
+}
+
+impl fmt::Display for SunkMessage<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
+             lifted; see {}nominal.wheel_z for where it would just touch",
+            1e3 * self.depth,
+            self.prefix
+        )
+    }
 }
 
 impl Element {

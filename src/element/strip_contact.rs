@@ -351,7 +351,9 @@ pub fn follow<const N: usize>(
     let modulus = models.material.contact_modulus;
     let Models { strip_follower, rail_strips, .. } = models;
     rail_strips.clear();
-    strip_follower.follow(solver, &mut local, modulus, rail_strips)
+    // There is one where there is a solver.
+    let Some(follower) = strip_follower else { return false };
+    follower.follow(solver, &mut local, modulus, rail_strips)
 }
 
 /// As [`take_zone`], with derivatives.

@@ -35,7 +35,12 @@ impl<S: Described> Instance<S> {
     ) -> Result<Status, FmiError> {
         let status = self.prepare_to_read(references, is_integer, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Integer(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
+            let held = self.held.value(reference).filter(|_| self.state == State::ContinuousTime);
+            if let Some(held) = held {
+                *out = held;
+            } else if let Value::Integer(value) =
+                self.values.get(&S::UNIT.variables[reference as usize])
+            {
                 *out = value;
             }
         }

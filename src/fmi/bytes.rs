@@ -10,6 +10,7 @@
 //! derivatives of inputs             their number, then reference, three numbers each
 //! last step                         one byte whether it is kept; its length, pairs of force and velocity
 //! energy residual
+//! whole numbers of the last event
 //! of each element:
 //! fallbacks
 //! wear                              one byte whether there is any; clock; wheel and rails:
@@ -22,6 +23,7 @@
 
 use super::coupling::LastStep;
 use super::error::FmiError;
+use super::events::Held;
 use super::extrapolation::{Extrapolation, ORDERS};
 use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
@@ -33,7 +35,7 @@ use crate::wear::ArcState;
 
 const TAG: &[u8] = b"wheelrail state";
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 const STATES: [State; 6] = [
     State::Instantiated,
@@ -80,6 +82,7 @@ pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
         bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
     }
     bytes.extend(snapshot.values.coupling.energy_residual.to_le_bytes());
+    bytes.extend(snapshot.held.values().flat_map(i32::to_le_bytes));
     for memory in snapshot.memories.iter().take(S::PREFIXES.len()) {
         write_memory(memory, &mut bytes);
     }
@@ -281,6 +284,10 @@ impl<'a> Reader<'a> {
         }
         let last_step = if self.boolean()? { Some(self.last_step()?) } else { None };
         values.coupling.energy_residual = self.finite()?;
+        let mut held = Held::new::<S>();
+        let numbers = held.values().map(|_| self.array().map(i32::from_le_bytes));
+        let numbers: Vec<i32> = numbers.collect::<Option<_>>()?;
+        held.set(numbers.into_iter());
         let mut memories: [Memory; MOST_ELEMENTS] = Default::default();
         for memory in memories.iter_mut().take(S::PREFIXES.len()) {
             *memory = self.memory()?;
@@ -290,6 +297,7 @@ impl<'a> Reader<'a> {
             state,
             prepared,
             last_step,
+            held,
             memories,
             outputs: if evaluated { Outputs::LeftOut } else { Outputs::Stale },
             values,
@@ -310,7 +318,7 @@ mod tests {
 
     fn saved<S: Described>() -> Snapshot<S> {
         let mut instance = Instance::<S>::new(Purpose::CoSimulation, Vec::new());
-        instance.setup_experiment(0.5, Some(2.0)).unwrap();
+        instance.setup_experiment(None, 0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization(&Logger::silent()).unwrap();
         instance.step(0.5, 0.25, &Logger::silent()).unwrap();

@@ -4,8 +4,10 @@ use super::error::FmiError;
 use super::instance::Instance;
 use super::logger::Logger;
 use super::types::Status;
+use crate::element::subject::Subject;
 use crate::element::work_pairs::{WorkPairs, energy_residual};
-use crate::variables::{Described, ValuesOf};
+use crate::error::ContactError;
+use crate::variables::{Coupling, Described, ValuesOf};
 
 /// The beginning of the last step: its length [s], and the forces that a host held over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,12 +40,23 @@ impl<S: Described> Instance<S> {
         if self.slopes_at == Some(*input) {
             return Ok(());
         }
-        for k in 0..S::PREFIXES.len() {
-            let at = subject.input_of_element(k, input, output);
-            let slopes = subject.elements_mut()[k].vertical_slopes(&at)?;
-            (coupling.stiffness[k], coupling.damping[k]) = (slopes.stiffness, slopes.damping);
-        }
+        slopes(subject, input, output, coupling)?;
         self.slopes_at = Some(*input);
         Ok(())
     }
+}
+
+/// Puts stiffness and damping of each contact into `coupling`; `output` is that of `input`.
+pub(super) fn slopes<S: Subject>(
+    subject: &mut S,
+    input: &S::Input,
+    output: &S::Output,
+    coupling: &mut Coupling,
+) -> Result<(), ContactError> {
+    for k in 0..S::PREFIXES.len() {
+        let at = subject.input_of_element(k, input, output);
+        let slopes = subject.elements_mut()[k].vertical_slopes(&at)?;
+        (coupling.stiffness[k], coupling.damping[k]) = (slopes.stiffness, slopes.damping);
+    }
+    Ok(())
 }

@@ -1,17 +1,47 @@
-//! Directional derivatives of outputs by inputs (FMI 2.0, 2.1.9).
+//! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0, 2.1.9).
 
 use super::access::{is_real, variable, wrong_type};
+use super::differences::{Beside, Wanted};
 use super::error::FmiError;
 use super::instance::{Instance, State};
 use super::types::ValueReference;
 use crate::element::subject::Subject;
+use crate::error::ContactError;
 use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variable};
 
+/// Memory for derivatives.
+#[derive(Clone, Debug)]
+pub struct DerivativeScratch<S: Described> {
+    /// Seeds and sensitivities of exact derivatives, as inputs and outputs.
+    rates: ValuesOf<S>,
+    beside: Beside<S>,
+}
+
+impl<S: Described> Default for DerivativeScratch<S> {
+    fn default() -> Self {
+        Self { rates: ValuesOf::default(), beside: Beside::default() }
+    }
+}
+
+/// Which unknowns a call asks for.
+#[derive(Clone, Copy, Debug, Default)]
+struct Asked {
+    /// Outputs of an evaluation.
+    outputs: bool,
+    /// Stiffness and damping.
+    slopes: bool,
+    /// Heights of first touch.
+    nominal: bool,
+}
+
 impl<S: Described + Subject> Instance<S> {
-    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, at the inputs as they are; nothing else changes. The first call allocates.
+    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, at the values as they are; nothing else changes.
+    ///
+    /// Exact where the element has exact derivatives, of outputs by inputs with real-time models and even bodies; central differences
+    /// for all else. Nothing is allocated after initialization.
     ///
     /// # Errors
-    /// The variable at fault by name, or why there are no derivatives; `sensitivity` is then as before.
+    /// The variable at fault by name; `sensitivity` is then as before. Or why the values beside those that are set cannot be evaluated.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[ValueReference],
@@ -19,56 +49,156 @@ impl<S: Described + Subject> Instance<S> {
         seed: &[f64],
         sensitivity: &mut [f64],
     ) -> Result<(), FmiError> {
-        for &reference in unknowns {
-            real_with(reference, S::UNIT, Causality::Output, "unknown", "it is no output")?;
-        }
+        let asked = self.asked(unknowns)?;
+        let mut by_parameters = false;
         for (&reference, &seed) in knowns.iter().zip(seed) {
-            let name = real_with(reference, S::UNIT, Causality::Input, "known", "it is no input")?;
+            let known = known(S::UNIT, reference, self.state)?;
             if !seed.is_finite() {
-                return Err(FmiError::BadSeed { name: name.name, seed });
+                return Err(FmiError::BadSeed { name: known.name, seed });
             }
+            by_parameters |= known.causality == Causality::Parameter;
         }
         if self.state == State::Initialization {
-            self.prepare_element(false)?;
+            self.prepare_element(asked.nominal)?;
         }
-        let rates = self.rates.get_or_insert_with(|| Box::new(ValuesOf::default()));
-        let inputs = S::UNIT.variables.iter().filter(|v| v.causality == Causality::Input);
-        for input in inputs.filter(|v| v.kind == Kind::Real) {
-            rates.write(input, Value::Real(0.0));
+        // Out of the instance while it is worked with.
+        let mut scratch = self.derivatives.take().unwrap_or_default();
+        let found = self.put_together(
+            (unknowns, asked),
+            (knowns, seed, by_parameters),
+            &mut scratch,
+            sensitivity,
+        );
+        self.derivatives = Some(scratch);
+        found
+    }
+
+    /// Sizes the memory for derivatives, so that the first of them allocates nothing.
+    pub(super) fn reserve_derivatives(&mut self) {
+        let mut scratch = self.derivatives.take().unwrap_or_default();
+        scratch.beside.take_over(&self.values);
+        self.derivatives = Some(scratch);
+        for element in self.element.iter_mut().flat_map(Subject::elements_mut) {
+            element.reserve_derivatives();
         }
-        for (&reference, &seed) in knowns.iter().zip(seed) {
-            rates.write(&S::UNIT.variables[reference as usize], Value::Real(seed));
+    }
+
+    fn put_together(
+        &mut self,
+        (unknowns, asked): (&[ValueReference], Asked),
+        (knowns, seed, by_parameters): (&[ValueReference], &[f64], bool),
+        scratch: &mut DerivativeScratch<S>,
+        sensitivity: &mut [f64],
+    ) -> Result<(), FmiError> {
+        let DerivativeScratch { rates, beside } = scratch;
+        let exact = asked.outputs && self.exact_rates(knowns, seed, rates)?;
+        sensitivity.fill(0.0);
+        if exact {
+            for (out, &unknown) in sensitivity.iter_mut().zip(unknowns) {
+                let variable = &S::UNIT.variables[unknown as usize];
+                if variable.causality == Causality::Output && !variable.on_request {
+                    *out = S::real(rates, unknown as usize).unwrap_or(0.0);
+                }
+            }
         }
+        let by_differences = by_parameters || (asked.outputs && !exact);
+        if !(by_differences || asked.slopes || asked.nominal) {
+            return Ok(());
+        }
+        beside.take_over(&self.values);
         let Some(element) = &mut self.element else { return Ok(()) };
-        element.directional_derivative_of_all(
-            &self.values.input,
-            &rates.input,
-            &mut rates.output,
-        )?;
-        for (out, &reference) in sensitivity.iter_mut().zip(unknowns) {
-            if let Value::Real(rate) = rates.get(&S::UNIT.variables[reference as usize]) {
-                *out = rate;
+        for (&known, &seed) in knowns.iter().zip(seed).filter(|(_, seed)| **seed != 0.0) {
+            let known = &S::UNIT.variables[known as usize];
+            let is_parameter = known.causality == Causality::Parameter;
+            let wanted = Wanted {
+                slopes: asked.slopes,
+                prepared: is_parameter || asked.nominal,
+                outputs: (asked.outputs && (is_parameter || !exact)) || asked.slopes,
+            };
+            if !(wanted.outputs || wanted.prepared) {
+                continue;
+            }
+            let width =
+                beside.sample(known, &self.values, element, &self.profile_folders, wanted)?;
+            for (out, &unknown) in sensitivity.iter_mut().zip(unknowns) {
+                let variable = &S::UNIT.variables[unknown as usize];
+                let is_plain = variable.causality == Causality::Output && !variable.on_request;
+                if width > 0.0 && !(is_plain && exact && !is_parameter) {
+                    *out += seed * beside.difference(unknown) / width;
+                }
             }
         }
         Ok(())
     }
+
+    /// Puts the exact derivatives by the inputs among the knowns into `rates`; whether there are any.
+    fn exact_rates(
+        &mut self,
+        knowns: &[ValueReference],
+        seed: &[f64],
+        rates: &mut ValuesOf<S>,
+    ) -> Result<bool, FmiError> {
+        let inputs = S::UNIT.variables.iter().filter(|v| v.causality == Causality::Input);
+        for input in inputs.filter(|v| v.kind == Kind::Real) {
+            rates.write(input, Value::Real(0.0));
+        }
+        for (&known, &seed) in knowns.iter().zip(seed) {
+            let known = &S::UNIT.variables[known as usize];
+            if known.causality == Causality::Input {
+                rates.write(known, Value::Real(seed));
+            }
+        }
+        let Some(element) = &mut self.element else { return Ok(false) };
+        let (at, direction, out) = (&self.values.input, &rates.input, &mut rates.output);
+        match element.directional_derivative_of_all(at, direction, out) {
+            Ok(()) => Ok(true),
+            Err(ContactError::NoDerivative { .. }) => Ok(false),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Checks the unknowns and says of which kinds they are.
+    fn asked(&self, unknowns: &[ValueReference]) -> Result<Asked, FmiError> {
+        let mut asked = Asked::default();
+        for &reference in unknowns {
+            let variable = variable(S::UNIT, reference)?;
+            let refuse = |reason| {
+                Err(FmiError::NoDerivative { name: variable.name, role: "unknown", reason })
+            };
+            match variable.causality {
+                _ if !is_real(variable.kind) => return Err(wrong_type(variable)),
+                Causality::Output if variable.on_request => {
+                    asked.slopes |= self.values.coupling.monitor;
+                }
+                Causality::Output => asked.outputs = true,
+                Causality::CalculatedParameter if self.state == State::Initialization => {
+                    asked.nominal = true;
+                }
+                Causality::CalculatedParameter => {
+                    return refuse("it is fixed after initialization");
+                }
+                Causality::Input | Causality::Parameter => return refuse("it is no output"),
+            }
+        }
+        Ok(asked)
+    }
 }
 
-/// The variable behind a reference, if it is real and of that causality.
-fn real_with(
-    reference: ValueReference,
+/// The variable behind a reference, if derivatives are taken by it.
+fn known(
     unit: &'static Unit,
-    causality: Causality,
-    role: &'static str,
-    reason: &'static str,
+    reference: ValueReference,
+    state: State,
 ) -> Result<&'static Variable, FmiError> {
     let variable = variable(unit, reference)?;
-    if variable.on_request {
-        let reason = "it is a derivative itself";
-        return Err(FmiError::NoDerivative { name: variable.name, role, reason });
+    let refuse =
+        |reason| Err(FmiError::NoDerivative { name: variable.name, role: "known", reason });
+    match variable.causality {
+        Causality::Parameter if state != State::Initialization => {
+            refuse("it is fixed after initialization")
+        }
+        Causality::Input | Causality::Parameter if is_real(variable.kind) => Ok(variable),
+        Causality::Input | Causality::Parameter => Err(wrong_type(variable)),
+        _ => refuse("it is no input and no parameter"),
     }
-    if variable.causality != causality {
-        return Err(FmiError::NoDerivative { name: variable.name, role, reason });
-    }
-    if is_real(variable.kind) { Ok(variable) } else { Err(wrong_type(variable)) }
 }

@@ -13,7 +13,7 @@ use super::instance::{Purpose, State};
 use super::location;
 use super::logger::{Category, Logger};
 use super::types::{CO_SIMULATION, Component, MODEL_EXCHANGE, Status};
-use crate::variables::{Unit, WHEEL, WHEELSET};
+use crate::variables::{Unit, WHEEL, WHEELSET, shortened};
 
 /// A function of the interface and the states in which FMI allows it.
 #[derive(Clone, Copy, Debug)]
@@ -87,8 +87,8 @@ calls! {
 
 /// Runs a call on the instance of a handle.
 ///
-/// A handle that is none and an instance that is busy, in another thread or with a call from whose
-/// logger this call comes, give an error without a message: the logger could call again, and so on.
+/// A handle that is none gives an error without a message, and so does a call made from within the logger: it could call again, and
+/// so on. An instance that is busy in another thread is told.
 #[inline]
 pub fn guard(
     component: Component,
@@ -100,7 +100,7 @@ pub fn guard(
         let mut instance = match entry.instance.try_lock() {
             Ok(instance) => instance,
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-            Err(TryLockError::WouldBlock) => return Status::Error,
+            Err(TryLockError::WouldBlock) => return busy(call, &entry.logger),
         };
         let result = instance.state().admits(call).and_then(|()| {
             catch_unwind(AssertUnwindSafe(|| body(&mut instance, &entry.logger))).unwrap_or_else(
@@ -118,8 +118,18 @@ pub fn guard(
 #[cold]
 fn refuse(call: Call, error: &FmiError, logger: &Logger) -> Status {
     if logger.takes(Category::Error) {
-        logger.log(Status::Error, Category::Error, &format!("{}: {error}", call.name));
+        logger.log(Status::Error, Category::Error, format_args!("{}: {error}", call.name));
     }
+    Status::Error
+}
+
+#[cold]
+fn busy(call: Call, logger: &Logger) -> Status {
+    let message = format_args!(
+        "{}: the instance is busy with another call: one instance is for one thread at a time",
+        call.name
+    );
+    logger.log_unless_logging(Status::Error, Category::Error, message);
     Status::Error
 }
 
@@ -141,12 +151,12 @@ pub fn instantiate(request: Request, logger: Logger) -> Component {
     const NAME: &str = "fmi2Instantiate";
     catch_unwind(AssertUnwindSafe(|| match examine(request, &logger) {
         Ok((unit, purpose, folders)) => {
-            logger.log(Status::Ok, Category::Events, NAME);
+            logger.log(Status::Ok, Category::Events, format_args!("{NAME}"));
             let instance = Mutex::new(AnyInstance::new(unit, purpose, folders));
             handle::insert(Entry { logger, instance }).unwrap_or(null_mut())
         }
         Err(error) => {
-            logger.log(Status::Error, Category::Error, &format!("{NAME}: {error}"));
+            logger.log(Status::Error, Category::Error, format_args!("{NAME}: {error}"));
             null_mut()
         }
     }))
@@ -170,14 +180,18 @@ fn examine(
     // One library serves both: the description says which variables the host knows.
     let unit =
         [&WHEEL, &WHEELSET].into_iter().find(|unit| unit.guid == given).ok_or_else(|| {
-            FmiError::WrongGuid { given: given.into(), wheel: WHEEL.guid, wheelset: WHEELSET.guid }
+            FmiError::WrongGuid {
+                given: shortened(given),
+                wheel: WHEEL.guid,
+                wheelset: WHEELSET.guid,
+            }
         })?;
     let location = request.resource_location?;
     let resources = location::folder(location);
     if resources.is_none() && !location.is_empty() {
-        let warning = FmiError::BadLocation(location.into());
-        let message = format!("fmi2Instantiate: {warning}");
-        logger.log(Status::Warning, Category::Warning, &message);
+        let warning = FmiError::BadLocation(shortened(location));
+        let message = format_args!("fmi2Instantiate: {warning}");
+        logger.log(Status::Warning, Category::Warning, message);
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
     let folders = resources.map(|folder| folder.join("profiles")).into_iter();

@@ -1,10 +1,12 @@
 //! A wheel or a wheelset with its variables and its place in the life cycle.
 
 use std::ffi::CString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::coupling::LastStep;
+use super::directional::DerivativeScratch;
 use super::error::FmiError;
+use super::events::Held;
 use super::extrapolation::Extrapolation;
 use super::logger::{Category, Logger};
 use super::slots::Slots;
@@ -15,7 +17,6 @@ use crate::element::subject::Subject;
 use crate::element::sunk_message;
 use crate::element::vertical_load::is_carried;
 use crate::error::ContactError;
-use crate::io::save_profile;
 use crate::variables::{Described, ValuesOf};
 
 /// What an instance is made for.
@@ -88,8 +89,10 @@ pub struct Instance<S: Described> {
     pub(super) slopes_at: Option<S::Input>,
     /// Where the last step began, if energy is monitored.
     pub(super) last_step: Option<LastStep>,
-    /// Seeds and sensitivities of the last directional derivative, as inputs and outputs.
-    pub(super) rates: Option<Box<ValuesOf<S>>>,
+    /// Memory for directional derivatives.
+    pub(super) derivatives: Option<Box<DerivativeScratch<S>>>,
+    /// Whole numbers of the last event of model exchange.
+    pub(super) held: Held,
     /// What the host was told of the outputs evaluated last.
     told: Told,
     /// Texts handed out by the last `fmi2GetString`.
@@ -115,7 +118,8 @@ impl<S: Described> Instance<S> {
             extrapolation: Extrapolation::new(S::UNIT),
             slopes_at: None,
             last_step: None,
-            rates: None,
+            derivatives: None,
+            held: Held::new::<S>(),
             told: Told::default(),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
@@ -136,8 +140,16 @@ impl<S: Described> Instance<S> {
         self.element.is_some() && !self.parameters_changed
     }
 
-    /// Takes over the time span; `stop` if it is defined.
-    pub fn setup_experiment(&mut self, start: f64, stop: Option<f64>) -> Result<(), FmiError> {
+    /// Takes over the time span; `tolerance` and `stop` if they are defined.
+    pub fn setup_experiment(
+        &mut self,
+        tolerance: Option<f64>,
+        start: f64,
+        stop: Option<f64>,
+    ) -> Result<(), FmiError> {
+        if let Some(tolerance) = tolerance.filter(|t| !(t.is_finite() && *t >= 0.0)) {
+            return Err(bad_argument("tolerance", tolerance, "a finite number, not negative"));
+        }
         if !start.is_finite() {
             return Err(bad_argument("startTime", start, "a finite number"));
         }
@@ -162,7 +174,9 @@ impl<S: Described> Instance<S> {
     /// Makes the element from the parameters; if one of them is at fault, the mode is not left. What is odd about the place in which
     /// a wheel starts is a warning.
     pub fn exit_initialization(&mut self, logger: &Logger) -> Result<Status, FmiError> {
+        self.check_worn_files()?;
         self.prepare_element(true)?;
+        self.reserve_derivatives();
         self.tell_profiles(logger);
         self.state = match self.purpose {
             Purpose::ModelExchange => State::EventMode,
@@ -173,7 +187,7 @@ impl<S: Described> Instance<S> {
         for (prefix, element) in S::PREFIXES.iter().zip(elements) {
             if let Some(warning) = element.start_warning() {
                 status = Status::Warning;
-                logger.log(status, Category::Warning, &warning.message(prefix));
+                logger.log(status, Category::Warning, format_args!("{}", warning.message(prefix)));
             }
         }
         Ok(status)
@@ -189,7 +203,7 @@ impl<S: Described> Instance<S> {
                 } else {
                     (Status::Ok, Category::Events)
                 };
-                logger.log(status, category, &format!("{prefix}{parameter}: {remark}"));
+                logger.log(status, category, format_args!("{prefix}{parameter}: {remark}"));
             }
         }
     }
@@ -249,22 +263,8 @@ impl<S: Described> Instance<S> {
 
     /// Ends the run: writes the worn profiles that the parameters ask for.
     pub fn terminate(&mut self) -> Result<(), FmiError> {
-        if let (State::Stepping, Some(element)) = (self.state, &self.element) {
-            let all = S::parameters_of_elements(&self.values.parameters);
-            let sides = S::PREFIXES.iter().zip(all).zip(element.elements());
-            for ((prefix, parameters), element) in sides {
-                let worn_wheel =
-                    ("wear.wheel.file", &parameters.wheel.worn_file, element.worn_wheel());
-                let worn_rails = ["wear.rail[1].file", "wear.rail[2].file"]
-                    .into_iter()
-                    .enumerate()
-                    .map(|(k, name)| (name, &parameters.rails[k].worn_file, element.worn_rail(k)));
-                for (name, file, profile) in std::iter::once(worn_wheel).chain(worn_rails) {
-                    if let (false, Some(profile)) = (file.is_empty(), profile) {
-                        save_profile(&format!("{prefix}{name}"), Path::new(file), &profile)?;
-                    }
-                }
-            }
+        if self.state == State::Stepping {
+            self.write_worn_profiles()?;
         }
         self.state = State::Terminated;
         Ok(())
@@ -338,10 +338,10 @@ impl<S: Described> Instance<S> {
             return Status::Ok;
         }
         if count.saturating_sub(before) > missed && logger.takes(Category::Warning) {
-            let message = format!(
+            let message = format_args!(
                 "a contact found no room, or a solver fell back to a simpler model: fallback_count = {count}"
             );
-            logger.log(Status::Warning, Category::Warning, &message);
+            logger.log(Status::Warning, Category::Warning, message);
         }
         Status::Warning
     }
@@ -355,11 +355,11 @@ impl<S: Described> Instance<S> {
         {
             sunk += 1;
             if !self.told.wheel_is_sunk && logger.takes(Category::Warning) {
-                let message = format!(
+                let message = format_args!(
                     "{}; this is said once until it is out again",
                     sunk_message(depth, prefix)
                 );
-                logger.log(Status::Warning, Category::Warning, &message);
+                logger.log(Status::Warning, Category::Warning, message);
             }
         }
         self.told.wheel_is_sunk = sunk > 0;
@@ -379,11 +379,11 @@ impl<S: Described> Instance<S> {
             }
             missed += 1;
             if !self.told.load_is_missed && logger.takes(Category::Warning) {
-                let message = format!(
+                let message = format_args!(
                     "{prefix}wheel.load = {load} N, but the rails carry {carried:.0} N where the wheel is: {prefix}vertical.load_carried says how \
                      much; this is said once until they carry it again"
                 );
-                logger.log(Status::Warning, Category::Warning, &message);
+                logger.log(Status::Warning, Category::Warning, message);
             }
         }
         self.told.load_is_missed = missed > 0;

@@ -1,12 +1,14 @@
 //! Messages to the host.
 #![allow(unsafe_code)]
 
-use std::ffi::{CStr, CString};
+use std::ffi::CString;
+use std::fmt::{self, Arguments, Write};
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::{Mutex, PoisonError, TryLockError};
 
 use super::error::FmiError;
 use super::types::{CallbackFunctions, CallbackLogger, Status};
-use crate::variables::LOG_CATEGORIES;
+use crate::variables::{LOG_CATEGORIES, shortened};
 
 /// Categories of messages, in the order of the declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +33,9 @@ impl Category {
 const ALWAYS: u8 = Category::Error.bit() | Category::Warning.bit();
 const ALL: u8 = (1 << LOG_CATEGORIES.len()) - 1;
 
+/// Room for a message without asking for memory [bytes]; errors with names of files may be longer.
+const ROOM: usize = 2048;
+
 /// Where the messages of one instance go, and which of them.
 #[derive(Debug)]
 pub struct Logger {
@@ -39,6 +44,10 @@ pub struct Logger {
     environment: usize,
     instance_name: CString,
     enabled: AtomicU8,
+    /// Names of the categories as the host gets them.
+    categories: Vec<CString>,
+    /// The message under way; locked while the host reads it.
+    text: Mutex<Vec<u8>>,
 }
 
 impl Logger {
@@ -49,14 +58,22 @@ impl Logger {
             environment: functions.component_environment.expose_provenance(),
             instance_name,
             enabled: AtomicU8::new(if logging_on { ALL } else { ALWAYS }),
+            categories: category_names(),
+            text: Mutex::new(Vec::with_capacity(ROOM)),
         }
     }
 
     /// A logger that nobody listens to.
     #[cfg(test)]
     pub fn silent() -> Self {
-        let enabled = AtomicU8::new(0);
-        Self { callback: None, environment: 0, instance_name: CString::default(), enabled }
+        Self {
+            callback: None,
+            environment: 0,
+            instance_name: CString::default(),
+            enabled: AtomicU8::new(0),
+            categories: category_names(),
+            text: Mutex::default(),
+        }
     }
 
     /// Turns categories on or off as `fmi2SetDebugLogging` asks.
@@ -67,7 +84,7 @@ impl Logger {
         let mut named = 0;
         for name in names {
             let place = LOG_CATEGORIES.iter().position(|(category, _)| category == name);
-            named |= 1 << place.ok_or_else(|| FmiError::UnknownCategory((*name).into()))?;
+            named |= 1 << place.ok_or_else(|| FmiError::UnknownCategory(shortened(name)))?;
         }
         let enabled = match (on, names.is_empty()) {
             (true, true) => ALL,
@@ -84,26 +101,67 @@ impl Logger {
         self.callback.is_some() && self.enabled.load(Ordering::Relaxed) & category.bit() != 0
     }
 
-    /// Passes a message on if its category is enabled.
-    pub fn log(&self, status: Status, category: Category, message: &str) {
-        let Some(callback) = self.callback.filter(|_| self.takes(category)) else { return };
-        // A text from the host may not hold a null any more, but a file name in a message may.
-        let text = CString::new(message.replace('\0', "?")).unwrap_or_default();
-        let name = CString::new(LOG_CATEGORIES[category as usize].0).unwrap_or_default();
-        let format: &CStr = c"%s";
+    /// Passes a message on if its category is enabled; only one longer than any warning allocates.
+    pub fn log(&self, status: Status, category: Category, message: Arguments) {
+        if self.takes(category) {
+            // Of one instance there is no other message under way in this thread: a call from within the logger finds the instance busy.
+            let mut text = self.text.lock().unwrap_or_else(PoisonError::into_inner);
+            self.pass_on(&mut text, status, category, message);
+        }
+    }
+
+    /// The same from a call that finds the instance busy: nothing if that is with a message, perhaps that of which this one is a
+    /// consequence, and so on.
+    pub fn log_unless_logging(&self, status: Status, category: Category, message: Arguments) {
+        let mut text = match self.text.try_lock() {
+            Ok(text) => text,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => return,
+        };
+        if self.takes(category) {
+            self.pass_on(&mut text, status, category, message);
+        }
+    }
+
+    fn pass_on(&self, text: &mut Vec<u8>, status: Status, category: Category, message: Arguments) {
+        let Some(callback) = self.callback else { return };
+        text.clear();
+        // A vector takes everything.
+        let _ = Escaped(text).write_fmt(message);
+        text.push(0);
         // SAFETY: FMI 2.0, 2.1.5: the logger takes the host's own environment, the instance name, and
-        // null-terminated texts that it does not keep; "%s" makes the message an argument, so that
-        // percent signs in it are no format.
+        // null-terminated texts that it does not keep. The message is the format, with percent signs doubled and without
+        // arguments, as hosts that do not read variable arguments pass it on.
         unsafe {
             callback(
                 std::ptr::with_exposed_provenance_mut(self.environment),
                 self.instance_name.as_ptr(),
                 status,
-                name.as_ptr(),
-                format.as_ptr(),
-                text.as_ptr(),
+                self.categories[category as usize].as_ptr(),
+                text.as_ptr().cast(),
             );
         }
+    }
+}
+
+fn category_names() -> Vec<CString> {
+    LOG_CATEGORIES.iter().map(|(name, _)| CString::new(*name).unwrap_or_default()).collect()
+}
+
+/// Writes a text as a format of C that stands for it.
+struct Escaped<'a>(&'a mut Vec<u8>);
+
+impl Write for Escaped<'_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            match byte {
+                b'%' => self.0.extend_from_slice(b"%%"),
+                // A text from the host cannot hold a null, but a file name in a message may.
+                0 => self.0.push(b'?'),
+                other => self.0.push(other),
+            }
+        }
+        Ok(())
     }
 }
 
@@ -122,5 +180,12 @@ mod tests {
             assert_eq!(LOG_CATEGORIES[category as usize].0, name);
         }
         assert_eq!(LOG_CATEGORIES.len(), 4);
+    }
+
+    #[test]
+    fn a_message_is_a_format_without_arguments() {
+        let mut text = Vec::new();
+        write!(Escaped(&mut text), "{} of {}\0", "100 %s", "5%").unwrap();
+        assert_eq!(text, b"100 %%s of 5%%?");
     }
 }

@@ -2,6 +2,7 @@
 
 use super::coupling::LastStep;
 use super::error::FmiError;
+use super::events::Held;
 use super::extrapolation::Extrapolation;
 use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
@@ -27,6 +28,8 @@ pub struct Snapshot<S: Described> {
     pub extrapolation: Extrapolation,
     /// Where the last step began, if energy is monitored.
     pub last_step: Option<LastStep>,
+    /// Whole numbers of the last event.
+    pub held: Held,
     /// What each element remembers; default beyond their number.
     pub memories: [Memory; MOST_ELEMENTS],
     /// Time span of the experiment.
@@ -117,6 +120,7 @@ impl<S: Described> Instance<S> {
             values: self.values.clone(),
             extrapolation: self.extrapolation.clone(),
             last_step: self.last_step,
+            held: self.held.clone(),
             memories: self.memories(),
             experiment: self.experiment,
             time: self.time,
@@ -143,6 +147,7 @@ impl<S: Described> Instance<S> {
         copy_what_moves(&self.values, &mut old.values);
         old.extrapolation.copy_from(&self.extrapolation);
         old.last_step = self.last_step;
+        old.held.set(self.held.values());
         old.state = self.state;
         old.prepared = self.is_prepared();
         old.outputs = if self.outputs_stale { Outputs::Stale } else { Outputs::Evaluated };
@@ -159,11 +164,13 @@ impl<S: Described> Instance<S> {
 
     fn restore(&mut self, saved: &Snapshot<S>) -> Result<(), FmiError> {
         let same = self.values.parameters == saved.values.parameters;
+        let mut made_anew = false;
         if saved.prepared && !(same && self.is_prepared()) {
             let ValuesOf { parameters, input, .. } = &saved.values;
             let mut element = S::prepare(parameters, input, &self.profile_folders)?;
             wear_as_saved(element.elements_mut(), &saved.memories)?;
             self.element = Some(element);
+            made_anew = true;
         } else if let Some(element) = self.element.as_mut().filter(|_| saved.prepared) {
             wear_as_saved(element.elements_mut(), &saved.memories)?;
         }
@@ -174,6 +181,7 @@ impl<S: Described> Instance<S> {
         }
         self.extrapolation.copy_from(&saved.extrapolation);
         self.last_step = saved.last_step;
+        self.held.set(saved.held.values());
         self.slopes_at = None;
         self.state = saved.state;
         self.parameters_changed = !saved.prepared;
@@ -189,6 +197,9 @@ impl<S: Described> Instance<S> {
                 element.set_fallbacks(memory.fallbacks);
             }
             element.report_fallbacks(&mut self.values.output);
+        }
+        if made_anew {
+            self.reserve_derivatives();
         }
         Ok(())
     }

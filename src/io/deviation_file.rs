@@ -48,10 +48,14 @@ pub fn load_deviations(
     } else {
         folders.iter().map(|folder| folder.join(path)).collect()
     };
-    let found = candidates.iter().find(|p| p.is_file()).ok_or_else(|| {
+    let found = candidates.iter().find(|p| p.exists()).ok_or_else(|| {
         let looked: Vec<String> = candidates.iter().map(|c| c.display().to_string()).collect();
         refuse(format!("a file that exists (looked for {})", looked.join(", ")))
     })?;
+    if !found.is_file() {
+        let what = if found.is_dir() { "a folder" } else { "none" };
+        return Err(refuse(format!("a file; {} is {what}", found.display())));
+    }
     let too_large = std::fs::metadata(found).is_ok_and(|about| about.len() > LARGEST_FILE);
     if too_large {
         return Err(refuse(format!("a file of up to {LARGEST_FILE} bytes")));

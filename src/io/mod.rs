@@ -11,5 +11,6 @@ mod two_column;
 
 pub use deviation_file::{Deviations, load_deviations};
 pub use draft::{Draft, write as write_whole};
+pub(crate) use profile_file::{can_be_written, profile_file};
 pub use profile_file::{load_profile, save_profile};
 pub use table::number;

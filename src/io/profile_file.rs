@@ -8,7 +8,7 @@ use crate::geometry::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profile_points::ProfilePoints;
 use crate::geometry::standard_profiles::{built_in, built_in_names};
-use crate::io::{miniprof, simpack, two_column, write_whole};
+use crate::io::{Draft, miniprof, simpack, two_column, write_whole};
 
 /// Largest file that is read [bytes]; a million points stay below it.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -59,13 +59,30 @@ pub fn load_profile(
 /// # Errors
 /// [`ContactError::Profile`] with the file and what the operating system says.
 pub fn save_profile(parameter: &str, path: &Path, profile: &Profile) -> Result<(), ContactError> {
-    write_whole(path, two_column::text(profile).as_bytes()).map_err(|e| ContactError::Profile {
-        name: parameter.into(),
-        problem: ProfileError::Unwritable {
-            file: path.display().to_string(),
-            reason: e.to_string(),
-        },
-    })
+    let written = write_whole(path, two_column::text(profile).as_bytes());
+    written.map_err(|e| unwritable(parameter, path, &e))
+}
+
+/// Whether a profile could be written to `path`; leaves nothing behind.
+///
+/// # Errors
+/// As [`save_profile`].
+pub(crate) fn can_be_written(parameter: &str, path: &Path) -> Result<(), ContactError> {
+    Draft::new(path).map(drop).map_err(|e| unwritable(parameter, path, &e))
+}
+
+fn unwritable(parameter: &str, path: &Path, error: &std::io::Error) -> ContactError {
+    let (file, reason) = (path.display().to_string(), error.to_string());
+    let problem = ProfileError::Unwritable { file, reason };
+    ContactError::Profile { name: parameter.into(), problem }
+}
+
+/// The file that `name` stands for in [`load_profile`], unless it is the name of a built-in profile or there is no such file.
+pub(crate) fn profile_file(name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Option<PathBuf> {
+    match built_in(name, kind) {
+        Ok(None) => find(name, kind, folders).ok(),
+        _ => None,
+    }
 }
 
 /// The file of that name: an absolute path, or the first of the folders that has it.

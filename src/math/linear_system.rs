@@ -59,6 +59,13 @@ pub struct Factors {
 }
 
 impl Factors {
+    /// With room for `n` equations.
+    #[must_use]
+    pub fn with_capacity(n: usize) -> Self {
+        let (rows, scratch) = (Vec::with_capacity(n * n), Vec::with_capacity(n));
+        Self { rows, order: Vec::with_capacity(n), scratch }
+    }
+
     /// Takes the `n` by `n` `matrix`; false where it is singular to working precision.
     #[must_use]
     pub fn of(&mut self, matrix: &[f64], n: usize) -> bool {

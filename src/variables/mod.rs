@@ -12,8 +12,8 @@ use crate::element::Element;
 use crate::wheelset::Wheelset;
 
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
-pub(crate) use values::admits;
 pub use values::{Coupling, Described, ValuesOf, check};
+pub(crate) use values::{admits, shortened};
 
 /// The values of a wheel.
 pub type Values = ValuesOf<Element>;
@@ -112,12 +112,16 @@ pub struct Variable {
     pub min: Option<f64>,
     /// Largest admitted value.
     pub max: Option<f64>,
+    /// Size of a change that matters; 1 where none is declared.
+    pub nominal: f64,
     /// Start value of inputs and parameters.
     pub start: Option<Value<'static>>,
     /// References of the inputs and parameters on which an output depends.
     pub dependencies: &'static [usize],
     /// Whether it is computed only when it is read.
     pub on_request: bool,
+    /// Whether it counts what evaluations met with, whatever the time.
+    pub is_counter: bool,
     /// What is admitted, in words.
     pub allowed: &'static str,
 }

@@ -167,7 +167,7 @@ pub(crate) fn admits(variable: &Variable, value: Value) -> bool {
             (Kind::Integer, Value::Integer(number)) => in_range(f64::from(number)),
             (Kind::Enumeration(e), Value::Integer(number)) => e.item(number).is_some(),
             (Kind::Boolean, Value::Boolean(_)) => true,
-            (Kind::Text, Value::Text(text)) => !text.contains('\0'),
+            (Kind::Text, Value::Text(text)) => text.len() <= LONGEST_TEXT && !text.contains('\0'),
             _ => false,
         }
 }
@@ -190,8 +190,21 @@ fn refusal(variable: &Variable, value: Value) -> ContactError {
 pub(super) fn bad_text(variable: &Variable, value: &str, allowed: &str) -> ContactError {
     ContactError::BadText {
         name: variable.name.into(),
-        value: value.into(),
+        value: shortened(value),
         allowed: allowed.into(),
+    }
+}
+
+/// Longest text that is taken [bytes]: the longest path of the systems there are.
+pub(crate) const LONGEST_TEXT: usize = 4096;
+
+/// A text from outside as messages quote it: of a long one the beginning, and how long it is.
+pub(crate) fn shortened(text: &str) -> String {
+    /// Letters that are quoted.
+    const QUOTED: usize = 200;
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("{}… ({} bytes)", &text[..end], text.len()),
+        None => text.into(),
     }
 }
 
@@ -199,20 +212,37 @@ pub(super) fn bad_text(variable: &Variable, value: &str, allowed: &str) -> Conta
 mod tests {
     use super::*;
     use crate::element::Element;
+    use crate::element::input::WheelMotion;
     use crate::element::parameters::NormalModel;
     use crate::variables::{Causality, Values, WHEELSET, WheelsetValues, find};
     use crate::wheelset::Wheelset;
 
-    fn start_values_are_defaults<S: Described>() {
+    /// Parameters are the same; inputs start rolling and loaded, where those of the Rust types are at rest and just lifted.
+    fn start_values_are_defaults<S: Described>(rolling: fn(&mut S::Input)) {
         let values = ValuesOf::<S>::default();
         assert_eq!(values.parameters, S::Parameters::default());
-        assert_eq!(values.input, S::Input::default());
+        let mut input = S::Input::default();
+        rolling(&mut input);
+        assert_eq!(values.input, input);
+    }
+
+    fn roll(wheel: &mut WheelMotion) {
+        wheel.position[2] = -0.45975;
+        (wheel.velocity[0], wheel.pitch_rate) = (20.0, -43.478);
     }
 
     #[test]
     fn declared_start_values_are_the_defaults_of_the_rust_types() {
-        start_values_are_defaults::<Element>();
-        start_values_are_defaults::<Wheelset>();
+        start_values_are_defaults::<Element>(|input| {
+            roll(&mut input.wheel);
+            input.wheel_load = 8e4;
+        });
+        start_values_are_defaults::<Wheelset>(|input| {
+            roll(&mut input.wheelset);
+            for side in &mut input.sides {
+                side.wheel_load = 8e4;
+            }
+        });
     }
 
     fn start_values_can_be_set<S: Described>() {

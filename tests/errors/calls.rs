@@ -85,7 +85,7 @@ fn called(words: &str) -> String {
         "`fmi2GetDirectionalDerivative` of an input" => {
             stepping(|h| directional(h, "wheel.y", "wheel.z", 1.0))
         }
-        "`fmi2GetDirectionalDerivative` by a parameter" => {
+        "`fmi2GetDirectionalDerivative` by a parameter, after initialization" => {
             stepping(|h| directional(h, "wheel.force.z", "track.gauge", 1.0))
         }
         "`fmi2GetDirectionalDerivative` along what is no number" => {
@@ -114,6 +114,11 @@ fn called(words: &str) -> String {
         "`fmi2SetupExperiment` that stops before it starts" => refused_on(&Host::new(), |h| {
             fmi2SetupExperiment(h.component, FALSE, 0.0, 1.0, TRUE, 0.5)
         }),
+        "`fmi2SetupExperiment` with a tolerance that is no number" => {
+            refused_on(&Host::new(), |h| {
+                fmi2SetupExperiment(h.component, TRUE, f64::NAN, 0.0, FALSE, 0.0)
+            })
+        }
         "`fmi2EnterEventMode` for co-simulation" => stepping(|h| fmi2EnterEventMode(h.component)),
         "`fmi2DoStep` for model exchange" => {
             refused_on(&Host::in_event_mode(), |h| h.step(0.0, 1e-3))

@@ -35,8 +35,8 @@ pub struct Host {
     pub on_message: Mutex<Option<Answer>>,
 }
 
-/// The logger without its variable arguments: there is always one, for "%s".
-type PlainLogger = unsafe extern "C" fn(*mut c_void, Text, Status, Text, Text, Text);
+/// The logger without variable arguments: there are none.
+type PlainLogger = unsafe extern "C" fn(*mut c_void, Text, Status, Text, Text);
 
 unsafe extern "C" fn record(
     environment: *mut c_void,
@@ -44,15 +44,16 @@ unsafe extern "C" fn record(
     status: Status,
     category: Text,
     format: Text,
-    text: Text,
 ) {
     // SAFETY: FMI 2.0, 2.1.5: the environment is the one that `Host::new` handed over, and the texts
     // are null-terminated.
-    let (host, name, category, format, text) = unsafe {
+    let (host, name, category, format) = unsafe {
         let read = |text| CStr::from_ptr(text).to_str().unwrap().to_owned();
-        (&*environment.cast::<Host>(), read(name), read(category), read(format), read(text))
+        (&*environment.cast::<Host>(), read(name), read(category), read(format))
     };
-    assert_eq!(format, "%s");
+    // A format without arguments.
+    let text = format.replace("%%", "%");
+    assert_eq!(text.replace('%', "%%"), format);
     let message = Message { instance_name: name, status, category, text };
     host.messages.lock().unwrap().push(message.clone());
     if let Some(answer) = &mut *host.on_message.lock().unwrap() {
@@ -62,8 +63,7 @@ unsafe extern "C" fn record(
 
 /// The recording logger in the type of the standard.
 pub fn logger() -> CallbackLogger {
-    // SAFETY: on the platforms of the tests a variadic call with one text after the format passes it as
-    // the sixth argument of a plain function.
+    // SAFETY: on the platforms of the tests a variadic call without variable arguments is that of a plain function.
     unsafe { std::mem::transmute::<PlainLogger, CallbackLogger>(record) }
 }
 

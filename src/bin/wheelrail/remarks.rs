@@ -79,7 +79,7 @@ impl Remarks {
             place(start.message(""));
         }
         if let Some(depth) = found.sunk.filter(|_| !std::mem::replace(&mut self.sunk, true)) {
-            place(sunk_message(depth, ""));
+            place(sunk_message(depth, "").to_string());
         }
     }
 }

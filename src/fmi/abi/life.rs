@@ -79,19 +79,20 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     })
 }
 
-/// `fmi2SetupExperiment`: the tolerance is not used, there is nothing to integrate.
+/// `fmi2SetupExperiment`: the tolerance is checked and not used, there is nothing to integrate.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetupExperiment(
     component: Component,
-    _tolerance_defined: Boolean,
-    _tolerance: f64,
+    tolerance_defined: Boolean,
+    tolerance: f64,
     start_time: f64,
     stop_time_defined: Boolean,
     stop_time: f64,
 ) -> Status {
     guard(component, Call::SETUP_EXPERIMENT, |instance, _| {
         let stop = (stop_time_defined != FALSE).then_some(stop_time);
-        on_instance!(instance, |i| i.setup_experiment(start_time, stop))?;
+        let tolerance = (tolerance_defined != FALSE).then_some(tolerance);
+        on_instance!(instance, |i| i.setup_experiment(tolerance, start_time, stop))?;
         Ok(Status::Ok)
     })
 }
@@ -110,7 +111,7 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     guard(component, Call::EXIT_INITIALIZATION, |instance, logger| {
         let status = on_instance!(instance, |i| i.exit_initialization(logger))?;
-        logger.log(Status::Ok, Category::Events, "initialized");
+        logger.log(Status::Ok, Category::Events, format_args!("initialized"));
         Ok(status)
     })
 }
@@ -120,7 +121,7 @@ pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
 pub extern "C" fn fmi2Terminate(component: Component) -> Status {
     guard(component, Call::TERMINATE, |instance, logger| {
         on_instance!(instance, |i| i.terminate())?;
-        logger.log(Status::Ok, Category::Events, "terminated");
+        logger.log(Status::Ok, Category::Events, format_args!("terminated"));
         Ok(Status::Ok)
     })
 }
@@ -130,7 +131,7 @@ pub extern "C" fn fmi2Terminate(component: Component) -> Status {
 pub extern "C" fn fmi2Reset(component: Component) -> Status {
     guard(component, Call::RESET, |instance, logger| {
         on_instance!(instance, |i| i.reset());
-        logger.log(Status::Ok, Category::Events, "reset");
+        logger.log(Status::Ok, Category::Events, format_args!("reset"));
         Ok(Status::Ok)
     })
 }

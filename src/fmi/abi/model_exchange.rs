@@ -1,6 +1,6 @@
 //! Model exchange: forces at any time the host's integrator asks for them.
 //!
-//! There are no continuous states and no events: outputs follow from the inputs, as in co-simulation.
+//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole numbers among them change at events.
 
 use super::arguments::{array, array_mut, write};
 use crate::fmi::any_instance::on_instance;
@@ -18,7 +18,7 @@ pub extern "C" fn fmi2EnterEventMode(component: Component) -> Status {
     })
 }
 
-/// `fmi2NewDiscreteStates`: nothing changes at an event.
+/// `fmi2NewDiscreteStates`: an event is over at once; outputs read in event mode are those of the inputs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2NewDiscreteStates(
     component: Component,
@@ -33,9 +33,8 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(
 /// `fmi2EnterContinuousTimeMode`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterContinuousTimeMode(component: Component) -> Status {
-    guard(component, Call::ENTER_CONTINUOUS_TIME_MODE, |instance, _| {
-        instance.put_into(State::ContinuousTime);
-        Ok(Status::Ok)
+    guard(component, Call::ENTER_CONTINUOUS_TIME_MODE, |instance, logger| {
+        on_instance!(instance, |i| i.enter_continuous_time(logger))
     })
 }
 
@@ -91,16 +90,17 @@ pub unsafe extern "C" fn fmi2GetDerivatives(
     })
 }
 
-/// `fmi2GetEventIndicators`: there are none.
+/// `fmi2GetEventIndicators`: negative where outputs that are whole numbers are others than at the last event.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetEventIndicators(
     component: Component,
     indicators: *mut f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::GET_EVENT_INDICATORS, |_, _| {
+    guard(component, Call::GET_EVENT_INDICATORS, |instance, logger| {
         // SAFETY: FMI 2.0, 3.2.2: the array holds `ni` elements.
-        none("ni", unsafe { array_mut("eventIndicators", indicators, count)? })
+        let indicators = unsafe { array_mut("eventIndicators", indicators, count)? };
+        on_instance!(instance, |i| i.event_indicators(indicators, logger))
     })
 }
 
@@ -135,6 +135,6 @@ fn none(count: &'static str, elements: &[f64]) -> Result<Status, FmiError> {
     if elements.is_empty() {
         return Ok(Status::Ok);
     }
-    let allowed = "0: the unit has no continuous states and no event indicators";
+    let allowed = "0: the unit has no continuous states";
     Err(FmiError::BadArgument { name: count, value: elements.len() as f64, allowed })
 }

@@ -98,8 +98,8 @@ pub extern "C" fn fmi2GetStringStatus(
 #[cold]
 fn no_such_status(kind: c_int, logger: &Logger) -> Status {
     if logger.takes(Category::Discard) {
-        let message = format!("there is no status of kind {kind} to ask for here");
-        logger.log(Status::Discard, Category::Discard, &message);
+        let message = format_args!("there is no status of kind {kind} to ask for here");
+        logger.log(Status::Discard, Category::Discard, message);
     }
     Status::Discard
 }

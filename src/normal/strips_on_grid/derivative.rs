@@ -10,41 +10,53 @@
 //! The grid moves with the pose as it is laid: nodes have derivatives too.
 
 use super::GridSolver;
-use super::equations::{Scales, plus, residuals};
+use super::equations::{NodeStrips, Scales, plus, residuals};
 use super::grid::Grid;
 use super::line::OverlapLine;
 use super::overlap::MOST_OVERLAPS;
 use super::zones::Loads;
 use crate::math::dual::Dual;
 use crate::math::linear_system::Factors;
+use crate::math::real::Real;
+use crate::math::room::Room;
 use crate::normal::Strips;
 
 /// Most turns, and the last change of derivatives, over the greatest of the same kind.
 const MOST_TURNS: usize = 20;
 const LAST_CHANGE: f64 = 1e-9;
 
-/// Memory for derivatives of solutions of the strips; empty before the first.
+/// Memory for derivatives of solutions of the strips.
 #[derive(Clone, Debug)]
 pub struct GridFollower<T> {
-    grid: Option<Grid<T>>,
-    z: Vec<T>,
-    shape: Vec<T>,
-    residuals: Vec<T>,
-    matrix: Vec<f64>,
+    grid: Grid<T>,
+    z: Room<T>,
+    shape: Room<T>,
+    residuals: Room<T>,
+    matrix: Room<f64>,
     factors: Factors,
-    right: Vec<f64>,
+    right: Room<f64>,
+    nodes: NodeStrips<T>,
+    loads: Room<T>,
+    shapes: Room<T>,
 }
 
-impl<T> Default for GridFollower<T> {
-    fn default() -> Self {
+impl<T: Real> GridFollower<T> {
+    /// With room for the solutions of a solver.
+    #[must_use]
+    pub fn new(solver: &GridSolver) -> Self {
+        let (nodes, knots) = (solver.knots.nodes(), solver.knots.count());
+        let unknowns = nodes + knots;
         Self {
-            grid: None,
-            z: Vec::new(),
-            shape: Vec::new(),
-            residuals: Vec::new(),
-            matrix: Vec::new(),
-            factors: Factors::default(),
-            right: Vec::new(),
+            grid: Grid::new(nodes, MOST_OVERLAPS),
+            z: Room::new(nodes),
+            shape: Room::new(knots),
+            residuals: Room::new(unknowns),
+            matrix: Room::new(unknowns * unknowns),
+            factors: Factors::with_capacity(unknowns),
+            right: Room::new(unknowns),
+            nodes: NodeStrips::new(nodes),
+            loads: Room::new(nodes),
+            shapes: Room::new(nodes),
         }
     }
 }
@@ -62,7 +74,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
             return true;
         }
         let count = solver.knots.nodes();
-        let grid = self.grid.get_or_insert_with(|| Grid::new(count, MOST_OVERLAPS));
+        let grid = &mut self.grid;
         grid.lay(line, &solver.overlaps, count);
         let size = solver.newton.matrix_at(&solver.grid, &solver.knots, &mut self.matrix);
         if !self.factors.of(&self.matrix, size) {
@@ -74,15 +86,15 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
-            residuals(grid, &solver.knots, z, shape, &mut self.residuals);
+            residuals(grid, &solver.knots, z, shape, &mut self.nodes, &mut self.residuals);
             let mut worst = 0.0f64;
             for direction in 0..N {
                 self.right.clear();
                 self.right.extend(self.residuals.iter().map(|r| r.slopes[direction]));
                 self.factors.solve(&mut self.right);
-                let unknowns = self.z.iter_mut().chain(&mut self.shape);
+                let unknowns = self.z.iter_mut().chain(self.shape.iter_mut());
                 let (mut change, mut greatest) = ([0.0f64; 2], [0.0f64; 2]);
-                for (i, (unknown, step)) in unknowns.zip(&self.right).enumerate() {
+                for (i, (unknown, step)) in unknowns.zip(self.right.iter()).enumerate() {
                     let kind = usize::from(i >= count);
                     let slope = &mut unknown.slopes[direction];
                     *slope -= step;
@@ -100,9 +112,11 @@ impl<const N: usize> GridFollower<Dual<N>> {
             }
         }
         let corner = Scales::new(grid).corner;
-        let loads: Vec<Dual<N>> = self.z.iter().map(|&z| plus(z, corner)[0]).collect();
-        let shapes: Vec<Dual<N>> = (0..count).map(|i| solver.knots.value(i, &self.shape)).collect();
-        Loads { grid, per_width: &loads, shapes: &shapes }.emit(contact_modulus, strips);
+        self.loads.clear();
+        self.loads.extend(self.z.iter().map(|&z| plus(z, corner)[0]));
+        self.shapes.clear();
+        self.shapes.extend((0..count).map(|i| solver.knots.value(i, &self.shape)));
+        Loads { grid, per_width: &self.loads, shapes: &self.shapes }.emit(contact_modulus, strips);
         true
     }
 }
@@ -111,7 +125,6 @@ impl<const N: usize> GridFollower<Dual<N>> {
 mod tests {
     use super::*;
     use crate::geometry::separation::Probe;
-    use crate::math::real::Real;
     use crate::normal::strips_on_grid::{Line, LinePlace};
     use crate::normal::strips_on_grid::{OverlapLine, Place};
     use approx::assert_relative_eq;
@@ -189,7 +202,7 @@ mod tests {
             let found = solve(&mut solver, depth, tilt);
             let mut line = Humps { depth: Dual::variable(depth, 0), tilt: Dual::variable(tilt, 1) };
             let mut strips = Strips::with_capacity(8, 40);
-            let mut follower = GridFollower::default();
+            let mut follower = GridFollower::new(&solver);
             assert!(follower.follow(&mut solver, &mut line, 1.0, &mut strips));
             assert_relative_eq!(strips.load().value, found.load(), max_relative = 1e-12);
             let moment: Dual<2> = strips.zones.iter().map(|zone| zone.load * zone.y).sum();

@@ -23,6 +23,7 @@ use super::grid::{Cell, Grid, Node};
 use super::influence::{Influence, STATION, centred_at, shifted_at};
 use super::shape::Knots;
 use crate::math::real::Real;
+use crate::math::room::Room;
 use crate::normal::hertz;
 
 /// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: wider corners
@@ -257,12 +258,29 @@ impl<T: Real> Cell<T> {
     }
 }
 
+/// Loads, slenderness and strips of the nodes, while residuals are computed.
+#[derive(Clone, Debug)]
+pub(super) struct NodeStrips<T> {
+    loads: Room<T>,
+    slenderness: Room<T>,
+    strips: Room<Strip<T>>,
+}
+
+impl<T> NodeStrips<T> {
+    /// With room for `count` nodes.
+    pub fn new(count: usize) -> Self {
+        let (loads, slenderness) = (Room::new(count), Room::new(count));
+        Self { loads, slenderness, strips: Room::new(count) }
+    }
+}
+
 /// The residuals of all equations at `z` and `shape`, nodes first; with derivatives where the numbers have them.
 pub(super) fn residuals<T: Real>(
     grid: &Grid<T>,
     knots: &Knots,
     z: &[T],
     shape: &[T],
+    NodeStrips { loads, slenderness, strips }: &mut NodeStrips<T>,
     out: &mut Vec<T>,
 ) {
     let scales = Scales::new(grid);
@@ -270,10 +288,13 @@ pub(super) fn residuals<T: Real>(
     let n = nodes.len();
     let zero = T::from(0.0);
     let is_skewed = T::HAS_SLOPES || grid.is_skewed();
-    let loads: Vec<T> = z.iter().map(|&z| plus(z, scales.corner)[0]).collect();
-    let slenderness: Vec<T> = (0..n).map(|i| (-knots.value(i, shape)).exp()).collect();
-    let strips: Vec<Strip<T>> =
-        (0..n).map(|i| Strip::new(loads[i], slenderness[i], scales.least_square)).collect();
+    loads.clear();
+    loads.extend(z.iter().map(|&z| plus(z, scales.corner)[0]));
+    slenderness.clear();
+    slenderness.extend((0..n).map(|i| (-knots.value(i, shape)).exp()));
+    strips.clear();
+    strips.extend((0..n).map(|i| Strip::new(loads[i], slenderness[i], scales.least_square)));
+    let (loads, slenderness) = (&*loads, &*slenderness);
     out.clear();
     out.resize(n + knots.count(), zero);
     for (i, node) in nodes.iter().enumerate() {
@@ -291,7 +312,7 @@ pub(super) fn residuals<T: Real>(
             let (pair, moment) = far_pair([node.place.x, node.y, c, d], cell, scales.length);
             let [a, b] = cell.nodes.map(|node| node.map_or(zero, |j| loads[j]));
             moments += moment * (b - a);
-            add(&pair, &cell.strip(&loads, &slenderness, scales.least_square));
+            add(&pair, &cell.strip(loads, slenderness, scales.least_square));
         }
         for side in [0, 1] {
             let beside = node.neighbours[side];

@@ -33,8 +33,8 @@ impl Messages {
 /// `fmi2CallbackLogger`. `environment` is the [`Messages`] of the instance.
 ///
 /// The standard's logger takes a format and any number of arguments. Rust cannot define such a function;
-/// one argument is taken, which is what a unit sends that formats its messages itself and passes them
-/// through `"%s"`. Other formats are kept as they are, without their arguments.
+/// one argument is taken, which is what a unit sends that passes its messages through `"%s"`. Other formats are taken as
+/// messages without arguments.
 pub unsafe extern "C" fn log(
     environment: *mut c_void,
     _instance_name: *const c_char,
@@ -53,12 +53,14 @@ pub unsafe extern "C" fn log(
     let format = unsafe { CStr::from_ptr(message) };
     // Variable arguments of 64-bit Arm under macOS are not where a fixed one would be.
     let reads_arguments = cfg!(not(all(target_vendor = "apple", target_arch = "aarch64")));
-    let text = if format == c"%s" && reads_arguments && !first_argument.is_null() {
+    let one_text = format == c"%s" && reads_arguments && !first_argument.is_null();
+    let text = if one_text {
         // SAFETY: the format announces one null-terminated string.
-        unsafe { CStr::from_ptr(first_argument) }
+        unsafe { CStr::from_ptr(first_argument) }.to_string_lossy()
     } else {
-        format
+        // Without arguments a doubled percent sign is all that a format can hold.
+        format.to_string_lossy().replace("%%", "%").into()
     };
     let severity = if status == WARNING { "warning" } else { "error" };
-    messages.push(format!("{severity}: {}", text.to_string_lossy().trim_end()));
+    messages.push(format!("{severity}: {}", text.trim_end()));
 }

@@ -1,0 +1,189 @@
+//! How long a round of `fmi2SetReal`, `fmi2DoStep` and `fmi2GetReal` takes at most: over a million poses of random walks, as a real-time
+//! host meets them. `cargo bench --bench real_time`; with a number behind `--` so many walks of 1000 poses.
+//!
+//! Times are of the processor, of this thread alone: what the system does in between is not the unit's. What is left of it (interrupts, cold
+//! caches) is told from what a pose costs by doing the slowest rounds again, five times each, and taking the least of their times. The contact
+//! has no memory, so that a round again is the same work.
+#![allow(unsafe_code)]
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+// Clippy lets tests import by wildcard, benches not.
+#[allow(clippy::wildcard_imports)]
+#[path = "../tests/host/mod.rs"]
+mod host;
+
+use common::random::Random;
+use common::wheel::{pressed, rolling};
+use host::{Arguments, Host};
+use wheelrail::element::{Element, Input, Parameters};
+use wheelrail::fmi::abi::{fmi2DoStep, fmi2ExitInitializationMode, fmi2GetReal, fmi2SetReal};
+use wheelrail::fmi::types::{Status, TRUE, ValueReference};
+use wheelrail::variables::{Causality, Kind, Unit, WHEEL, WHEELSET};
+
+/// Poses of one walk.
+const POSES: usize = 1000;
+/// Way of the wheel's surface between two poses [m].
+const STEP: f64 = 1e-6;
+/// Rounds that are done again.
+const SLOWEST: usize = 1000;
+const AGAIN: usize = 5;
+/// What a host sets, of the body.
+const INPUTS: [&str; 8] = ["y", "z", "roll", "yaw", "vx", "vy", "vz", "pitch_rate"];
+
+/// What is measured: its name, the unit, and its choices and counts.
+type Case = (&'static str, &'static Unit, &'static [(&'static str, i32)]);
+
+/// Processor time of this thread [s].
+fn now() -> f64 {
+    let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
+    // SAFETY: POSIX: a clock that every thread has, and a place for its time.
+    let status = unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) };
+    assert_eq!(status, 0);
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+}
+
+/// A unit that a host steps, with the references that it uses.
+struct Stepped {
+    host: Box<Host>,
+    inputs: Vec<ValueReference>,
+    outputs: Vec<ValueReference>,
+    values: Vec<f64>,
+}
+
+impl Stepped {
+    fn new(unit: &'static Unit, settings: &[(&str, i32)]) -> Self {
+        let host = Host::initializing_with(&Arguments::of(unit));
+        for (name, value) in settings {
+            assert_eq!(host.set_integer(name, *value), Status::Ok, "{}", host.last());
+        }
+        assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+        let body = if unit.identifier == "WheelSet" { "wheelset" } else { "wheel" };
+        let inputs = INPUTS.iter().map(|name| host.reference(&format!("{body}.{name}"))).collect();
+        let outputs: Vec<_> = (unit.variables.iter())
+            .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real && !v.on_request)
+            .map(|v| host.reference(v.name))
+            .collect();
+        let values = vec![0.0; outputs.len()];
+        Self { host, inputs, outputs, values }
+    }
+
+    /// Time of a round [s].
+    fn round(&mut self, inputs: &[f64; INPUTS.len()]) -> f64 {
+        let c = self.host.component;
+        let begin = now();
+        // SAFETY: FMI 2.0, 2.1.7: all arrays hold as many elements as their counts say.
+        let worst = unsafe {
+            fmi2SetReal(c, self.inputs.as_ptr(), self.inputs.len(), inputs.as_ptr())
+                .max(fmi2DoStep(c, 0.0, 1e-3, TRUE))
+                .max(fmi2GetReal(
+                    c,
+                    self.outputs.as_ptr(),
+                    self.outputs.len(),
+                    self.values.as_mut_ptr(),
+                ))
+        };
+        let time = now() - begin;
+        assert!(worst <= Status::Warning, "{}", self.host.last());
+        time
+    }
+}
+
+/// A pose and the way to the next ones.
+struct Walk {
+    start: [f64; INPUTS.len()],
+    way: [f64; INPUTS.len()],
+}
+
+impl Walk {
+    /// With a roll angle of at most `most_roll` [rad]: of an axle it lifts one of the wheels by as many times 0.75 m.
+    fn random(element: &mut Element, random: &mut Random, most_roll: f64) -> Self {
+        let mut input = rolling(random.within(-8e-3, 9e-3), 20.0);
+        let wheel = &mut input.wheel;
+        (wheel.roll, wheel.yaw) = (random.about(most_roll), random.about(0.012));
+        wheel.velocity[0] *= 1.0 + random.about(3e-3);
+        wheel.velocity[1] = random.about(0.05);
+        let depth = 10_f64.powf(random.within(-5.0, -3.85));
+        let wheel = pressed(element, &input, depth).wheel;
+        let [_, y, z] = wheel.position;
+        let [vx, vy, vz] = wheel.velocity;
+        // One part of y, a tenth of it down, turning a little.
+        let way = [
+            random.about(1.0),
+            random.about(0.1),
+            random.about(250.0 * most_roll),
+            random.about(3.0),
+        ];
+        let way = way.map(|share| STEP * share);
+        Self {
+            start: [y, z, wheel.roll, wheel.yaw, vx, vy, vz, wheel.pitch_rate],
+            way: [way[0], way[1], way[2], way[3], 0.0, 0.0, 0.0, 0.0],
+        }
+    }
+
+    fn at(&self, pose: usize, lateral: f64) -> [f64; INPUTS.len()] {
+        let mut inputs = self.start;
+        for (input, way) in inputs.iter_mut().zip(self.way) {
+            *input += way * pose as f64;
+        }
+        inputs[0] -= lateral;
+        inputs
+    }
+}
+
+fn main() {
+    let walks = std::env::args().find_map(|a| a.parse().ok()).unwrap_or(1000);
+    let cases: [Case; 4] = [
+        ("wheel as it starts", &WHEEL, &[]),
+        ("wheel, strips with fastsim", &WHEEL, &[("tangential.model", 3)]),
+        (
+            "wheel, piotrowski_kik with fastsim",
+            &WHEEL,
+            &[("normal.model", 2), ("tangential.model", 3)],
+        ),
+        ("wheelset as it starts", &WHEELSET, &[]),
+    ];
+    println!("microseconds of {walks} walks of {POSES} poses\n");
+    println!(
+        "| unit | median | 99.9 % | 99.99 % | greatest | greatest again |\n|---|---|---|---|---|---|"
+    );
+    for (name, unit, settings) in cases {
+        let mut stepped = Stepped::new(unit, settings);
+        // The centre of a wheelset is the marker of its right wheel less this.
+        let (lateral, most_roll) =
+            if unit.identifier == "WheelSet" { (0.75, 0.0) } else { (0.0, 4e-3) };
+        let mut element =
+            Element::new(&Parameters::default(), &Input::default(), &[]).expect("built in");
+        let mut random = Random::new(1);
+        let mut times: Vec<(f64, [f64; INPUTS.len()])> = Vec::with_capacity(walks * POSES);
+        for _ in 0..walks {
+            let walk = Walk::random(&mut element, &mut random, most_roll);
+            for pose in 0..POSES {
+                let inputs = walk.at(pose, lateral);
+                times.push((stepped.round(&inputs), inputs));
+            }
+        }
+        times.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        let at = |share: f64| 1e6 * times[((times.len() - 1) as f64 * share) as usize].0;
+        let slowest = &times[times.len().saturating_sub(SLOWEST)..];
+        let mut again = 0.0_f64;
+        for (_, inputs) in slowest {
+            // Other inputs before, or nothing would be evaluated.
+            let mut beside = *inputs;
+            beside[0] += STEP;
+            let mut least = f64::INFINITY;
+            for _ in 0..AGAIN {
+                stepped.round(&beside);
+                least = least.min(stepped.round(inputs));
+            }
+            again = again.max(1e6 * least);
+        }
+        println!(
+            "| {name} | {:.1} | {:.1} | {:.1} | {:.1} | {again:.1} |",
+            at(0.5),
+            at(0.999),
+            at(0.9999),
+            at(1.0)
+        );
+    }
+}
