@@ -185,7 +185,8 @@ mod tests {
     #[test]
     fn a_message_is_a_format_without_arguments() {
         let mut text = Vec::new();
-        write!(Escaped(&mut text), "{} of {}\0", "100 %s", "5%").unwrap();
+        let shares = ["100 %s", "5%"];
+        write!(Escaped(&mut text), "{} of {}\0", shares[0], shares[1]).unwrap();
         assert_eq!(text, b"100 %%s of 5%%?");
     }
 }
