@@ -2,121 +2,116 @@
 //!
 //! Its diagonal needs none: a load displaces its own node most, and so does χ of a knot with the fall there.
 
-use super::columns::{LANES, blocks, blocks_mut};
+use super::columns::{Block, LANES};
 
-/// Solves A x = b for the columns `matrix` of A, each of `stride` numbers, with b behind them; x takes the place of b.
+/// Solves A x = b for the columns `matrix` of A, each of `stride` blocks, with b behind them; x takes the place of b.
 ///
 /// The pivot of column number k is row number `pivots[k]`, in growing order; other rows are of no account. False where a pivot is none.
 #[must_use]
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn solve(
-    matrix: &mut [f64],
-    stride: usize,
-    pivots: &[usize],
-    factors: &mut [f64],
-) -> bool {
-    let n = pivots.len();
+pub(super) fn solve(matrix: &mut [Block], stride: usize, pivots: &[usize]) -> bool {
     for (k, &pivot) in pivots.iter().enumerate() {
-        let (done, left) = matrix.split_at_mut((k + 1) * stride);
-        let own = &mut done[k * stride..];
-        let inverse = 1.0 / own[pivot];
+        let columns = &mut matrix[k * stride..(pivots.len() + 1) * stride];
+        let (block, lane) = (pivot / LANES, pivot % LANES);
+        let inverse = 1.0 / columns[block].0[lane];
         if !inverse.is_finite() {
             return false;
         }
-        let from = pivot / LANES;
-        let factors = &mut blocks_mut(factors)[from..];
-        let own = &mut blocks_mut(own)[from..][..factors.len()];
-        for i in 0..factors.len() {
-            factors[i] = own[i].map(|value| value * inverse);
-        }
-        // The rest of its vector is not to be taken for what is above the pivot.
-        own[0][pivot % LANES + 1..].fill(0.0);
-        factors[0][..=pivot % LANES].fill(0.0);
-        // A node without load moves nothing but itself.
-        if factors.as_flattened().iter().all(|&factor| factor == 0.0) {
-            continue;
-        }
-        let count = factors.len();
-        let mut fours = left[..(n - k) * stride].chunks_exact_mut(4 * stride);
-        for four in &mut fours {
-            let (one, others) = four.split_at_mut(2 * stride);
-            let ((a, b), (c, d)) = (one.split_at_mut(stride), others.split_at_mut(stride));
-            let shares = [a[pivot], b[pivot], c[pivot], d[pivot]];
-            let [a, b, c, d] = [a, b, c, d].map(|column| &mut blocks_mut(column)[from..][..count]);
-            for i in 0..count {
-                let factors = factors[i];
-                a[i] = less(a[i], shares[0], factors);
-                b[i] = less(b[i], shares[1], factors);
-                c[i] = less(c[i], shares[2], factors);
-                d[i] = less(d[i], shares[3], factors);
+        let mut from = block;
+        while from < stride {
+            let count = (stride - from).min(4);
+            // Numbers of blocks that are known stay in registers.
+            match count {
+                1 => eliminate::<1>(columns, stride, pivot, from, inverse),
+                2 => eliminate::<2>(columns, stride, pivot, from, inverse),
+                3 => eliminate::<3>(columns, stride, pivot, from, inverse),
+                _ => eliminate::<4>(columns, stride, pivot, from, inverse),
             }
+            from += count;
         }
-        for column in fours.into_remainder().chunks_exact_mut(stride) {
-            let share = column[pivot];
-            let column = &mut blocks_mut(column)[from..][..count];
-            for i in 0..count {
-                column[i] = less(column[i], share, factors[i]);
-            }
-        }
+        // The rest of its block is not to be taken for what is above the pivot.
+        columns[block].0[lane + 1..].fill(0.0);
     }
-    let (matrix, right) = matrix.split_at_mut(n * stride);
-    let right = &mut right[..stride];
-    for (k, &pivot) in pivots.iter().enumerate().rev() {
-        let column = &matrix[k * stride..(k + 1) * stride];
-        right[pivot] /= column[pivot];
-        let x = right[pivot];
-        let count = pivot / LANES + 1;
-        let (rows, column) = (&mut blocks_mut(right)[..count], &blocks(column)[..count]);
-        for i in 0..count {
-            rows[i] = less(rows[i], x, column[i]);
+    let (matrix, right) = matrix.split_at_mut(pivots.len() * stride);
+    for (column, &pivot) in matrix.chunks_exact(stride).zip(pivots).rev() {
+        let (block, lane) = (pivot / LANES, pivot % LANES);
+        let x = right[block].0[lane] / column[block].0[lane];
+        for (rows, values) in right[..=block].iter_mut().zip(column) {
+            *rows = less(rows, x, values);
         }
-        right[pivot] = x;
+        right[block].0[lane] = x;
     }
-    right.iter().all(|x| x.is_finite())
+    right[..stride].iter().all(|rows| rows.0.iter().all(|x| x.is_finite()))
 }
 
-/// A vector less `share` times the `factors`.
+/// Takes the first column out of `B` blocks of all others, those from number `from` on.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn less(mut from: [f64; LANES], share: f64, factors: [f64; LANES]) -> [f64; LANES] {
-    for i in 0..LANES {
-        from[i] -= share * factors[i];
+fn eliminate<const B: usize>(
+    columns: &mut [Block],
+    stride: usize,
+    pivot: usize,
+    from: usize,
+    inverse: f64,
+) {
+    let (own, others) = columns.split_at_mut(stride);
+    let (block, lane) = (pivot / LANES, pivot % LANES);
+    let mut factors = [Block::ZERO; B];
+    for (factors, own) in factors.iter_mut().zip(&own[from..]) {
+        *factors = own.times(inverse);
     }
-    from
+    if from == block {
+        factors[0].0[..=lane].fill(0.0);
+    }
+    // A node without load moves nothing but itself.
+    if factors.iter().all(|block| block.0.iter().all(|&factor| factor == 0.0)) {
+        return;
+    }
+    for column in others.chunks_exact_mut(stride) {
+        let share = column[block].0[lane];
+        for (rows, factors) in column[from..from + B].iter_mut().zip(&factors) {
+            *rows = less(rows, share, factors);
+        }
+    }
+}
+
+/// `rows` less `share` times the `factors`.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn less(rows: &Block, share: f64, factors: &Block) -> Block {
+    Block::of(|i| rows.0[i] - share * factors.0[i])
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::columns::row;
     use super::*;
     use approx::assert_relative_eq;
 
     #[test]
     fn a_system_with_rows_of_no_account_is_solved() {
-        for n in 1..=11usize {
+        for n in 1..=40usize {
             // Every third row counts for nothing.
             let pivots: Vec<usize> = (0..n).map(|k| k + k / 2).collect();
-            let stride = (pivots[n - 1] + 1).next_multiple_of(LANES);
+            let stride = pivots[n - 1] / LANES + 1;
             let entry =
-                |i: usize, j: usize| if i == j { 9.0 } else { ((7 * i + 3 * j) % 5) as f64 - 2.0 };
+                |i: usize, j: usize| if i == j { 99.0 } else { ((7 * i + 3 * j) % 5) as f64 - 2.0 };
             let x = |j: usize| 1.0 - 0.3 * j as f64;
-            let mut matrix = vec![0.0; (n + 1) * stride];
+            let mut matrix = vec![Block::ZERO; (n + 1) * stride];
+            let at = |column: usize, i: usize| column * stride * LANES + pivots[i];
             for i in 0..n {
                 for j in 0..n {
-                    matrix[j * stride + pivots[i]] = entry(i, j);
-                    matrix[n * stride + pivots[i]] += entry(i, j) * x(j);
+                    *row(&mut matrix, at(j, i)) = entry(i, j);
+                    *row(&mut matrix, at(n, i)) += entry(i, j) * x(j);
                 }
             }
-            assert!(solve(&mut matrix, stride, &pivots, &mut vec![0.0; stride]));
+            assert!(solve(&mut matrix, stride, &pivots));
             for j in 0..n {
-                assert_relative_eq!(
-                    matrix[n * stride + pivots[j]],
-                    x(j),
-                    max_relative = 1e-12,
-                    epsilon = 1e-13
-                );
+                let found = *row(&mut matrix, at(n, j));
+                assert_relative_eq!(found, x(j), max_relative = 1e-12, epsilon = 1e-13);
             }
         }
-        assert!(!solve(&mut [0.0; 2 * LANES], LANES, &[0], &mut [0.0; LANES]));
+        assert!(!solve(&mut [Block::ZERO; 2], 1, &[0]));
     }
 }

@@ -5,7 +5,7 @@
 
 use multiversion::multiversion;
 
-use super::columns::{Beside, LANES, Rows, Sources, Sums, add, scale};
+use super::columns::{Beside, Block, LANES, Rows, Sources, Sums, add, project, row};
 use super::elimination;
 use super::equations::{Pair, RULE, Scales, Strip, near_pair, plus, wanted_fall};
 use super::grid::Grid;
@@ -19,12 +19,8 @@ const LAST_CHANGE: f64 = 1e-5;
 /// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: more than the whole way to a solution, and less than
 /// where an exponential has left what its derivative tells.
 const MOST_CHANGE: [f64; 2] = [1.5, 0.5];
-/// Sources beside a node: the points of the rule on both sides.
-const NEAR: usize = 2 * RULE.len();
 
 /// Unknowns and memory for as many nodes as the solver was made for.
-///
-/// Rows are nodes, and behind them the knots.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     /// Unknowns: z at the nodes and χ at the knots.
@@ -42,39 +38,54 @@ pub(super) struct Newton {
     is_skewed: bool,
     /// The cells, and the points of the rule beside the nodes.
     far: Sources,
-    near: Sources,
     beside: Beside,
     sums: Sums,
+    /// What each cell does to displacements and falls per load per width, and its derivatives by the logarithm of its half length, by columns.
+    by_cells: [Vec<Block>; 2],
+    /// Derivatives of displacements and falls by the load per width and χ of the node under way.
+    by_node: [Vec<Block>; 2],
+    /// Sum of falls, taken to the knots.
+    by_falls: Vec<Block>,
     /// Displacements by the moments of cells, per load per width of each node, by columns.
-    moments: Vec<f64>,
-    /// First of both knots of each node, and what their equations have of its fall: share of load over the fall that is wanted.
-    falls: Vec<(usize, [f64; 2])>,
-    /// Derivatives of displacements by χ of a node, and of falls by its load per width and χ.
-    by_shape: Vec<f64>,
-    fall_by_load: Vec<f64>,
-    fall_by_shape: Vec<f64>,
-    knot_sums: Vec<f64>,
-    penalty: Vec<f64>,
+    moments: Vec<Block>,
+    moment: Vec<Block>,
+    /// Shares of the knots in each node, and what their equations have of its fall: shares of load over the fall that is wanted.
+    shares: Vec<Block>,
+    falls: Vec<Block>,
+    penalty: Vec<Block>,
     /// Derivatives of all equations by columns, and behind them minus their residuals, which become the step.
-    matrix: Vec<f64>,
+    matrix: Vec<Block>,
+    /// The row of each equation, and the number of rows of nodes, in whole blocks.
     pivots: Vec<usize>,
-    factors: Vec<f64>,
+    long: usize,
+    /// Blocks of a column.
+    stride: usize,
     /// Derivatives of the equations of the knots by their own χ.
     weights: Vec<f64>,
     /// Steps so far.
     pub steps: u64,
-    /// Length of a column over all nodes, in whole vectors, and with the knots.
-    column: usize,
-    stride: usize,
 }
 
 impl Newton {
     /// Memory for `n` nodes, the `knots` and `cells` cells.
     pub fn new(n: usize, knots: &Knots, cells: usize) -> Self {
         let m = knots.count();
-        let column = n.next_multiple_of(LANES);
-        let stride = column + m.next_multiple_of(LANES);
+        let (nodes, behind) = (n.div_ceil(LANES), m.div_ceil(LANES));
+        let stride = nodes + behind;
+        let mut penalty = vec![Block::ZERO; m * behind];
+        for (k, column) in penalty.chunks_exact_mut(behind).enumerate() {
+            for l in 0..m {
+                *row(column, l) = knots.penalty(k, l);
+            }
+        }
+        let mut shares = vec![Block::ZERO; nodes * LANES * behind];
+        for i in 0..n {
+            for (k, share) in knots.of(i) {
+                shares[k / LANES * nodes * LANES + i].0[k % LANES] = share;
+            }
+        }
         let numbers = |count: usize| vec![0.0; count];
+        let blocks = |count: usize| vec![Block::ZERO; count];
         Self {
             z: numbers(n),
             shape: numbers(m),
@@ -84,25 +95,24 @@ impl Newton {
             slenderness: numbers(n),
             strips: vec![Strip::default(); n],
             cells: vec![Strip::default(); cells],
-            rows: Rows::new(column),
+            rows: Rows::new(nodes),
             is_skewed: false,
-            far: Sources::new(cells, column),
-            near: Sources::new(NEAR, column),
-            beside: Beside::new(column),
-            sums: Sums::new(column),
-            moments: numbers(n * column),
-            falls: vec![(0, [0.0; 2]); n],
-            by_shape: numbers(column),
-            fall_by_load: numbers(column),
-            fall_by_shape: numbers(column),
-            knot_sums: numbers(stride - column),
-            penalty: (0..m * m).map(|i| knots.penalty(i / m, i % m)).collect(),
-            matrix: numbers((n + m + 1) * stride),
-            pivots: (0..n).chain(column..column + m).collect(),
-            factors: numbers(stride),
+            far: Sources::new(cells, nodes),
+            beside: Beside::new(RULE.len(), nodes),
+            sums: Sums::new(nodes),
+            by_cells: [blocks(cells * 2 * nodes), blocks(cells * 2 * nodes)],
+            by_node: [blocks(2 * nodes), blocks(2 * nodes)],
+            by_falls: blocks(behind),
+            moments: blocks(n * nodes),
+            moment: blocks(nodes),
+            shares,
+            falls: blocks(nodes * LANES * behind),
+            penalty,
+            matrix: blocks((n + m + 1) * stride),
+            pivots: (0..n).chain(nodes * LANES..nodes * LANES + m).collect(),
+            long: nodes * LANES,
             weights: numbers(m),
             steps: 0,
-            column,
             stride,
         }
     }
@@ -121,7 +131,7 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
-            match self.step(grid, &scales) {
+            match self.step(&scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
                     return true;
@@ -139,32 +149,32 @@ impl Newton {
     #[inline(always)]
     fn measure(&mut self, grid: &Grid, scales: &Scales) {
         let nodes = &grid.nodes;
+        let count = self.moment.len();
         self.is_skewed = grid.is_skewed();
-        for (row, node) in nodes.iter().enumerate() {
+        for (i, node) in nodes.iter().enumerate() {
             let [a, b] = node.place.tangent;
             for (column, value) in self.rows.places.iter_mut().zip([node.place.x, node.y, a, b]) {
-                column[row] = value;
+                *row(column, i) = value;
             }
         }
-        self.moments.fill(0.0);
+        self.moments.fill(Block::ZERO);
         for (c, cell) in grid.cells.iter().enumerate() {
-            let moments = &mut self.by_shape;
-            self.far.put_cell(c, cell, scales.length, &self.rows, moments);
+            self.far.put_cell(c, cell, scales.length, &self.rows, &mut self.moment);
             // The points of the rule take the place of cells beside a node.
             for &i in cell.nodes.iter().flatten() {
                 let nothing = Pair { along: 0.0, across: 1.0, factor: 0.0 };
                 self.far.put(c, i, &nothing);
-                moments[i] = 0.0;
+                *row(&mut self.moment, i) = 0.0;
             }
             for (end, sign) in cell.nodes.into_iter().zip([-1.0, 1.0]) {
                 let Some(j) = end else { continue };
-                add(sign, moments, &mut self.moments[j * self.column..(j + 1) * self.column]);
+                add(sign, &self.moment, &mut self.moments[j * count..(j + 1) * count]);
             }
         }
-        for slot in 0..NEAR {
+        for slot in 0..2 * RULE.len() {
             for i in 0..nodes.len() {
                 let pair = near_pair(nodes, i, slot / RULE.len(), slot % RULE.len());
-                self.near.put(slot, i, &pair);
+                self.beside.put(slot, i, &pair);
             }
         }
     }
@@ -198,159 +208,159 @@ impl Newton {
     #[inline(always)]
     fn linearise(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         self.place(grid, knots, scales);
-        let n = grid.nodes.len();
+        let (n, m) = (grid.nodes.len(), self.shape.len());
+        let (nodes, stride) = (self.moment.len(), self.stride);
         for (i, node) in grid.nodes.iter().enumerate() {
             let strip = &self.strips[i];
-            self.rows.lengths[i] = strip.half_length;
-            self.rows.loads[i] = strip.load;
-            self.rows.slenderness[i] = self.slenderness[i];
-            let scale = node.width * strip.load / (scales.total * wanted_fall(strip, node));
-            let [(k, left), (_, right)] = knots.of(i);
-            self.falls[i] = (k, [left * scale, right * scale]);
+            let wanted = wanted_fall(strip, node);
+            *row(&mut self.rows.lengths, i) = strip.half_length;
+            *row(&mut self.rows.loads, i) = strip.load;
+            *row(&mut self.rows.slenderness, i) = self.slenderness[i];
+            *row(&mut self.rows.length_by_load, i) = strip.length_by_load;
+            *row(&mut self.rows.wanted, i) = wanted;
+            let scale = node.width * strip.load / (scales.total * wanted);
+            let falls = self.falls[i..].iter_mut().step_by(self.long);
+            for (fall, share) in falls.zip(self.shares[i..].iter().step_by(self.long)) {
+                *fall = share.times(scale);
+            }
         }
         self.sums.clear();
-        self.matrix[n * self.stride..].fill(0.0);
         for (c, strip) in self.cells[..grid.cells.len()].iter().enumerate() {
-            self.far.act(c, strip, &self.rows, self.is_skewed, &mut self.sums);
+            let range = 2 * c * nodes..2 * (c + 1) * nodes;
+            let columns = self.by_cells.each_mut().map(|column| &mut column[range.clone()]);
+            if strip.load <= 0.0 {
+                for column in columns {
+                    column.fill(Block::ZERO);
+                }
+                continue;
+            }
+            let strip = [strip.load, 1.0 / strip.half_length].map(|value| Block([value; LANES]));
+            let rows = &self.rows;
+            self.far.act(c, |_| strip, rows, self.is_skewed, columns, &mut self.sums);
         }
+        self.add_near_cells(grid, scales);
+        for (j, load) in self.loads.iter().enumerate() {
+            add(*load, &self.moments[j * nodes..][..nodes], &mut self.sums.values[..nodes]);
+        }
+        self.matrix[n * stride..].fill(Block::ZERO);
         for j in 0..n {
-            self.gather(grid, knots, j);
+            self.gather(grid, knots, scales, j);
         }
-        self.add_near_cells(grid, knots, scales);
-        self.finish(grid, knots, scales);
+        let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
+        for (k, penalty) in self.penalty.chunks_exact(stride - nodes).enumerate() {
+            let column = &mut matrix[(n + k) * stride..][..stride];
+            add(-self.shape[k], penalty, &mut right[nodes..]);
+            add(1.0, penalty, &mut column[nodes..]);
+            self.weights[k] = row(column, self.long + k).abs();
+        }
+        let (displacements, falls) = self.sums.values.split_at_mut(nodes);
+        for (i, node) in grid.nodes.iter().enumerate() {
+            let gap = scales.gap * (self.loads[i] - self.z[i]);
+            *row(right, i) = node.place.overlap + gap - *row(displacements, i);
+        }
+        add(-1.0, &self.rows.wanted, falls);
+        project(falls, &self.falls, &mut self.by_falls);
+        add(-1.0, &self.by_falls, &mut right[nodes..]);
     }
 
-    /// Takes derivatives by the cells on both sides of node `j` to those by its load per width and by the knots.
+    /// What the two cells beside each node do to it.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn gather(&mut self, grid: &Grid, knots: &Knots, j: usize) {
-        let (long, stride) = (self.column, self.stride);
+    fn add_near_cells(&mut self, grid: &Grid, scales: &Scales) {
+        self.beside.clear();
+        for side in [0, 1] {
+            for (i, node) in grid.nodes.iter().enumerate() {
+                // Beyond the last node χ stays what it is.
+                let (load, slenderness) = match node.neighbours[side] {
+                    Some(j) => (self.loads[j], self.slenderness[j]),
+                    None => (0.0, self.slenderness[i]),
+                };
+                *row(&mut self.beside.other_loads, i) = load;
+                *row(&mut self.beside.other_slenderness, i) = slenderness;
+            }
+            for (k, [t, _]) in RULE.into_iter().enumerate() {
+                let (rows, sums) = (&self.rows, &mut self.sums);
+                let slot = [side * RULE.len() + k, side];
+                self.beside.act(slot, [t, scales.least_square], rows, self.is_skewed, sums);
+            }
+        }
+        let [[_, own], others @ ..] = &mut self.beside.ends;
+        for (i, node) in grid.nodes.iter().enumerate() {
+            for ([_, other], neighbour) in others.iter_mut().zip(node.neighbours) {
+                if neighbour.is_none() {
+                    *row(own, i) += *row(other, i);
+                    *row(own, i + self.long) += *row(other, i + self.long);
+                }
+            }
+        }
+        self.beside.add_own_lengths(&self.rows, &self.sums);
+    }
+
+    /// Derivatives of all equations by z of node `j`, and its part in those by the knots.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn gather(&mut self, grid: &Grid, knots: &Knots, scales: &Scales, j: usize) {
+        let (stride, nodes) = (self.stride, self.moment.len());
         let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
         let column = &mut matrix[j * stride..][..stride];
-        column.fill(0.0);
+        let slope = self.slopes[j];
+        let gap = scales.gap * (slope - 1.0);
         let first = grid.nodes[j].cell;
         if self.cells[first].load <= 0.0 && self.cells[first + 1].load <= 0.0 {
+            column.fill(Block::ZERO);
+            *row(column, j) = -gap;
             return;
         }
-        let shares = [first, first + 1].map(|c| {
+        let [[load_a, shape_a], [load_b, shape_b]] = [first, first + 1].map(|c| {
             let strip = &self.cells[c];
             let share = strip.load * strip.length_by_load;
             // Beyond the last node χ stays what it is.
             let all: f64 = grid.cells[c].nodes.iter().flatten().map(|&k| self.slenderness[k]).sum();
             [0.5 * share, -strip.load * share * self.slenderness[j] / all]
         });
-        let (by_load, of_knots) = column.split_at_mut(long);
-        let moments = &self.moments[j * long..(j + 1) * long];
-        self.far.gather(
-            first,
-            shares,
-            moments,
-            [by_load, &mut self.by_shape, &mut self.fall_by_load, &mut self.fall_by_shape],
-        );
-        add(self.loads[j], moments, &mut self.sums.displacement);
-        let slope = self.slopes[j];
-        scale(slope, by_load);
-        self.knot_sums.fill(0.0);
-        let falls = self.falls.iter().zip(&self.fall_by_load).zip(&self.fall_by_shape);
-        for ((&(k, [a, b]), value), shape) in falls {
-            let value = slope * value;
-            of_knots[k] += a * value;
-            of_knots[k + 1] += b * value;
-            self.knot_sums[k] += a * shape;
-            self.knot_sums[k + 1] += b * shape;
+        let [(value_a, value_b), (source_a, source_b)] = self
+            .by_cells
+            .each_ref()
+            .map(|columns| columns[2 * first * nodes..][..4 * nodes].split_at(2 * nodes));
+        let moments = &self.moments[j * nodes..][..nodes];
+        let [by_load, by_shape] = &mut self.by_node;
+        for b in 0..2 * nodes {
+            let (values, sources) = ([value_a[b].0, value_b[b].0], [source_a[b].0, source_b[b].0]);
+            let mut out = [[0.0; LANES]; 2];
+            for i in 0..LANES {
+                let (one, other) = (sources[0][i], sources[1][i]);
+                let mean = 0.5 * (values[0][i] + values[1][i]);
+                out[0][i] = mean + load_a * one + load_b * other;
+                out[1][i] = shape_a * one + shape_b * other;
+            }
+            [by_load[b], by_shape[b]] = out.map(Block);
         }
+        add(1.0, moments, &mut by_load[..nodes]);
+        let neighbours = grid.nodes[j].neighbours;
+        // It is on the left of the one on its right.
+        for (end, i) in [Some(j), neighbours[1], neighbours[0]].into_iter().enumerate() {
+            let Some(i) = i else { continue };
+            let (block, lane) = (i / LANES, i % LANES);
+            let ends = &self.beside.ends[end];
+            for (column, end) in [&mut *by_load, &mut *by_shape].into_iter().zip(ends) {
+                column[block].0[lane] += end[block].0[lane];
+                column[nodes + block].0[lane] += end[nodes + block].0[lane];
+            }
+        }
+        let (by_nodes, by_falls) = column.split_at_mut(nodes);
+        for (out, by_load) in by_nodes.iter_mut().zip(&*by_load) {
+            *out = by_load.times(slope);
+        }
+        project(&by_load[nodes..], &self.falls, by_falls);
+        for out in by_falls {
+            *out = out.times(slope);
+        }
+        *row(by_nodes, j) -= gap;
+        project(&by_shape[nodes..], &self.falls, &mut self.by_falls);
         for (k, share) in knots.of(j) {
-            let by_knot = &mut by_knots[k * stride..(k + 1) * stride];
-            add(share, &self.by_shape, &mut by_knot[..long]);
-            add(share, &self.knot_sums, &mut by_knot[long..]);
-        }
-    }
-
-    /// Adds what the two cells beside each node do to it.
-    #[allow(clippy::inline_always)]
-    #[inline(always)]
-    fn add_near_cells(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
-        let (n, long, stride) = (grid.nodes.len(), self.column, self.stride);
-        self.beside.clear();
-        for side in [0, 1] {
-            let Beside { other_loads, other_slenderness, .. } = &mut self.beside;
-            for (i, node) in grid.nodes.iter().enumerate() {
-                // Beyond the last node χ stays what it is.
-                (other_loads[i], other_slenderness[i]) = match node.neighbours[side] {
-                    Some(j) => (self.loads[j], self.slenderness[j]),
-                    None => (0.0, self.slenderness[i]),
-                };
-            }
-            for (k, [t, _]) in RULE.into_iter().enumerate() {
-                let slot = [side * RULE.len() + k, side];
-                let (rows, sums) = (&self.rows, &mut self.sums);
-                let shares = [t, scales.least_square];
-                self.beside.act(&mut self.near, slot, shares, rows, self.is_skewed, sums);
-            }
-        }
-        let (matrix, by_knots) = self.matrix.split_at_mut(n * stride);
-        let Beside { own, others: [left, right], .. } = &self.beside;
-        for (i, node) in grid.nodes.iter().enumerate() {
-            let (first, [a, b]) = self.falls[i];
-            let neighbours = node.neighbours;
-            let ends = [(Some(i), own), (neighbours[0], left), (neighbours[1], right)];
-            for (j, [by_load, by_shape, fall_by_load, fall_by_shape]) in ends {
-                if let Some(j) = j.filter(|&j| self.slopes[j] > 0.0) {
-                    let column = &mut matrix[j * stride..][..stride];
-                    column[i] += self.slopes[j] * by_load[i];
-                    let value = self.slopes[j] * fall_by_load[i];
-                    column[long + first] += a * value;
-                    column[long + first + 1] += b * value;
-                }
-                for (k, part) in knots.of(j.unwrap_or(i)) {
-                    let column = &mut by_knots[k * stride..][..stride];
-                    column[i] += part * by_shape[i];
-                    let value = part * fall_by_shape[i];
-                    column[long + first] += a * value;
-                    column[long + first + 1] += b * value;
-                }
-            }
-        }
-    }
-
-    /// Residuals, what the equations of the knots have from the nodes' own half lengths and weights, and the gaps.
-    #[allow(clippy::inline_always)]
-    #[inline(always)]
-    fn finish(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
-        let (n, m, long, stride) = (grid.nodes.len(), self.shape.len(), self.column, self.stride);
-        let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
-        for (i, node) in grid.nodes.iter().enumerate() {
-            let own = &self.strips[i];
-            if own.load <= 0.0 {
-                continue;
-            }
-            let (fallen, wanted) = (self.sums.fall[i], wanted_fall(own, node));
-            let error = fallen / wanted - 1.0;
-            let weight = node.width / scales.total;
-            let by_length = weight * own.load * (self.sums.fall_by_node[i] - 2.0 * fallen) / wanted;
-            let by_load = by_length * own.length_by_load + weight * error;
-            let by_shape = -(by_length * own.length_by_load * own.load);
-            for (k, share) in knots.of(i) {
-                right[long + k] -= weight * own.load * error * share;
-                matrix[i * stride + long + k] += share * by_load * self.slopes[i];
-                for (other, part) in knots.of(i) {
-                    matrix[(n + other) * stride + long + k] += share * part * by_shape;
-                }
-            }
-        }
-        for k in 0..m {
-            let column = &mut matrix[(n + k) * stride + long..][..m];
-            for (other, value) in column.iter_mut().enumerate() {
-                let penalty = self.penalty[other * m + k];
-                right[long + other] -= penalty * self.shape[k];
-                *value += penalty;
-            }
-            self.weights[k] = column[k].abs();
-        }
-        for (i, node) in grid.nodes.iter().enumerate() {
-            let gap = scales.gap * (self.loads[i] - self.z[i]);
-            right[i] = node.place.overlap + gap - self.sums.displacement[i];
-            matrix[i * stride + i] -= scales.gap * (self.slopes[i] - 1.0);
+            let (by_nodes, by_falls) = by_knots[k * stride..][..stride].split_at_mut(nodes);
+            add(share, by_shape, by_nodes);
+            add(share, &self.by_falls, by_falls);
         }
     }
 
@@ -360,11 +370,11 @@ impl Newton {
         self.linearise(grid, knots, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
-        for row in 0..n {
-            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row] / grid.depth));
-        }
-        for row in self.column..self.column + m {
-            matrix.extend((0..n + m).map(|j| self.matrix[j * self.stride + row]));
+        for &row in &self.pivots {
+            let (block, lane) = (row / LANES, row % LANES);
+            let scale = if row < self.long { grid.depth } else { 1.0 };
+            let columns = self.matrix.chunks_exact(self.stride).take(n + m);
+            matrix.extend(columns.map(|column| column[block].0[lane] / scale));
         }
         n + m
     }
@@ -372,15 +382,15 @@ impl Newton {
     /// One step; its greatest change, or nothing where the equations have no solution.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step(&mut self, grid: &Grid, scales: &Scales) -> Option<f64> {
-        let (n, m) = (grid.nodes.len(), self.shape.len());
-        if !elimination::solve(&mut self.matrix, self.stride, &self.pivots, &mut self.factors) {
+    fn step(&mut self, scales: &Scales) -> Option<f64> {
+        if !elimination::solve(&mut self.matrix, self.stride, &self.pivots) {
             return None;
         }
-        let change = &self.matrix[(n + m) * self.stride..];
+        let change = &mut self.matrix[self.pivots.len() * self.stride..];
         let mut greatest = 0.0f64;
         let most = MOST_CHANGE[0] * scales.load;
-        for ((z, slope), change) in self.z.iter_mut().zip(&self.slopes).zip(change) {
+        for (i, (z, slope)) in self.z.iter_mut().zip(&self.slopes).enumerate() {
+            let change = *row(change, i);
             *z += change.clamp(-most, most);
             // Nodes without load have their gap from all the others.
             if *slope > 0.0 {
@@ -388,8 +398,8 @@ impl Newton {
             }
         }
         let heaviest = self.weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let changes = change[self.column..].iter().zip(&self.weights);
-        for (shape, (change, weight)) in self.shape.iter_mut().zip(changes) {
+        for (k, (shape, weight)) in self.shape.iter_mut().zip(&self.weights).enumerate() {
+            let change = *row(change, self.long + k);
             *shape += change.clamp(-MOST_CHANGE[1], MOST_CHANGE[1]);
             greatest = greatest.max(change.abs() * weight / heaviest);
         }
