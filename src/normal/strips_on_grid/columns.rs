@@ -182,26 +182,34 @@ impl Sources {
     /// per load per width, with the derivatives by the logarithm of the half length of the source.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn act(
+    pub fn act<'a>(
         &self,
         c: usize,
         strip: impl Fn(usize) -> [Block; 2],
         rows: &Rows,
         is_skewed: bool,
-        [value, by_source]: [&mut [Block]; 2],
-        sums: &mut Sums,
+        [value, by_source]: [&'a mut [Block]; 2],
+        sums: &'a mut Sums,
     ) {
-        let (value, fall) = value.split_at_mut(self.nodes);
-        let (by_source, fall_by_source) = by_source.split_at_mut(self.nodes);
-        let (sum, fall_sum) = sums.values.split_at_mut(self.nodes);
+        // Of lengths that are seen to be equal, so that they are not checked block by block.
+        let n = self.nodes;
+        let halves = |column: &'a mut [Block]| {
+            let (one, other) = column.split_at_mut(n);
+            (&mut one[..n], &mut other[..n])
+        };
+        let (value, fall) = halves(value);
+        let (by_source, fall_by_source) = halves(by_source);
+        let (sum, fall_sum) = halves(&mut sums.values);
+        let (lengths, fall_by_node) = (&rows.lengths[..n], &mut sums.fall_by_node[..n]);
         let range = c * self.nodes..(c + 1) * self.nodes;
         let (along, across) = (&self.along[range.clone()], &self.across[range.clone()]);
         let factors = &self.factors[range];
-        for b in 0..self.nodes {
+        let (along, across, factors) = (&along[..n], &across[..n], &factors[..n]);
+        for b in 0..n {
             // Copies, so that nothing is read again after something has been written.
             let [load, Block(inverse)] = strip(b);
             let (Block(along), Block(across), Block(factor)) = (along[b], across[b], factors[b]);
-            let Block(length) = rows.lengths[b];
+            let Block(length) = lengths[b];
             let mut centre = [[0.0; LANES]; 2];
             let mut out = [[0.0; LANES]; 5];
             if is_skewed {
@@ -238,7 +246,7 @@ impl Sources {
             (value[b], by_source[b], fall[b], fall_by_source[b]) = (one, two, three, four);
             sum[b].add(&load, &one);
             fall_sum[b].add(&load, &three);
-            sums.fall_by_node[b].add(&load, &by_node);
+            fall_by_node[b].add(&load, &by_node);
         }
     }
 }

@@ -318,13 +318,15 @@ impl Newton {
             let all: f64 = grid.cells[c].nodes.iter().flatten().map(|&k| self.slenderness[k]).sum();
             [0.5 * share, -strip.load * share * self.slenderness[j] / all]
         });
-        let [(value_a, value_b), (source_a, source_b)] = self
+        // Of lengths that are seen to be equal, so that they are not checked block by block.
+        let long = 2 * nodes;
+        let [[value_a, value_b], [source_a, source_b]] = self
             .by_cells
             .each_ref()
-            .map(|columns| columns[2 * first * nodes..][..4 * nodes].split_at(2 * nodes));
+            .map(|columns| [first, first + 1].map(|c| &columns[c * long..][..long]));
         let moments = &self.moments[j * nodes..][..nodes];
-        let [by_load, by_shape] = &mut self.by_node;
-        for b in 0..2 * nodes {
+        let [by_load, by_shape] = self.by_node.each_mut().map(|column| &mut column[..long]);
+        for b in 0..long {
             let (values, sources) = ([value_a[b].0, value_b[b].0], [source_a[b].0, source_b[b].0]);
             let mut out = [[0.0; LANES]; 2];
             for i in 0..LANES {
