@@ -10,13 +10,14 @@
 //! The grid moves with the pose as it is laid: nodes have derivatives too.
 
 use super::GridSolver;
-use super::equations::{Scales, plus, residuals};
+use super::equations::residuals;
 use super::grid::Grid;
 use super::line::OverlapLine;
 use super::overlap::MOST_OVERLAPS;
 use super::zones::Loads;
 use crate::math::dual::Dual;
 use crate::math::linear_system::Factors;
+use crate::math::room::Room;
 use crate::normal::Strips;
 
 /// Most turns, and the last change of derivatives, over the greatest of the same kind.
@@ -29,6 +30,7 @@ pub struct GridFollower<T> {
     grid: Option<Grid<T>>,
     z: Vec<T>,
     shape: Vec<T>,
+    slender: Room<T>,
     residuals: Vec<T>,
     matrix: Vec<f64>,
     factors: Factors,
@@ -41,6 +43,7 @@ impl<T> Default for GridFollower<T> {
             grid: None,
             z: Vec::new(),
             shape: Vec::new(),
+            slender: Room::new(200),
             residuals: Vec::new(),
             matrix: Vec::new(),
             factors: Factors::default(),
@@ -74,7 +77,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
-            residuals(grid, &solver.knots, z, shape, &mut self.residuals);
+            residuals(grid, &solver.knots, z, shape, &mut self.slender, &mut self.residuals);
             let mut worst = 0.0f64;
             for direction in 0..N {
                 self.right.clear();
@@ -99,10 +102,8 @@ impl<const N: usize> GridFollower<Dual<N>> {
                 break;
             }
         }
-        let corner = Scales::new(grid).corner;
-        let loads: Vec<Dual<N>> = self.z.iter().map(|&z| plus(z, corner)[0]).collect();
         let shapes: Vec<Dual<N>> = (0..count).map(|i| solver.knots.value(i, &self.shape)).collect();
-        Loads { grid, per_width: &loads, shapes: &shapes }.emit(contact_modulus, strips);
+        Loads { grid, z: &self.z, shapes: &shapes }.emit(contact_modulus, strips);
         true
     }
 }

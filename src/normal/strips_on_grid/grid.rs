@@ -149,7 +149,8 @@ impl<T: Real> Grid<T> {
             }
         }
         let total: T = self.samples.iter().map(Sample::nodes).sum();
-        let share = total / (count + 1) as f64;
+        // Half a share before the first and behind the last, so that these lie beyond the edges.
+        let share = total / count as f64;
         let mut passed = T::from(0.0);
         let mut next = 0;
         for (interval, pair) in ends.iter().enumerate() {
@@ -160,7 +161,7 @@ impl<T: Real> Grid<T> {
                 next += 1;
                 let own = sample.nodes();
                 while self.nodes.len() < count {
-                    let ahead = share * (self.nodes.len() + 1) as f64 - passed;
+                    let ahead = share * (self.nodes.len() as f64 + 0.5) - passed;
                     let is_here = ahead < own;
                     if !is_here {
                         break;

@@ -105,8 +105,8 @@ impl GridSolver {
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
-        let Newton { loads, shapes, .. } = &self.newton;
-        Loads { grid: &self.grid, per_width: loads, shapes }.emit(contact_modulus, strips)
+        let Newton { z, shapes, .. } = &self.newton;
+        Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips)
     }
 }
 
