@@ -82,10 +82,9 @@ pub(super) fn project(falls: &[Block], shares: &[Block], knots: &mut [Block]) {
 pub(super) struct Rows {
     /// Places along and across and unit tangents (y, z).
     pub places: [Vec<Block>; 4],
-    /// Half lengths, loads per width and 1/c.
+    /// Half lengths and loads per width.
     pub lengths: Vec<Block>,
     pub loads: Vec<Block>,
-    pub slenderness: Vec<Block>,
     /// Derivatives of the logarithms of half lengths by loads per width, and falls that the wheel wants.
     pub length_by_load: Vec<Block>,
     pub wanted: Vec<Block>,
@@ -99,10 +98,20 @@ impl Rows {
             places: [blocks(), vec![Block([BEYOND; LANES]); count], blocks(), blocks()],
             lengths: blocks(),
             loads: blocks(),
-            slenderness: blocks(),
             length_by_load: blocks(),
             wanted: blocks(),
         }
+    }
+}
+
+impl Rows {
+    /// No nodes.
+    pub fn clear(&mut self) {
+        let Self { places: [x, y, a, b], lengths, loads, length_by_load, wanted } = self;
+        for column in [x, a, b, lengths, loads, length_by_load, wanted] {
+            column.fill(Block::ZERO);
+        }
+        y.fill(Block([BEYOND; LANES]));
     }
 }
 
@@ -113,7 +122,7 @@ pub(super) struct Sources {
     across: Vec<Block>,
     factors: Vec<Block>,
     /// Blocks of nodes.
-    nodes: usize,
+    pub nodes: usize,
 }
 
 /// Displacements of all nodes and behind them their falls, by all sources, and the derivatives of falls by the logarithms of the half lengths of the nodes.
@@ -178,17 +187,19 @@ impl Sources {
         }
     }
 
-    /// What source number `c` does, whose load per width and reciprocal of the half length `strip` gives for each block of nodes, added to `sums`; and
-    /// per load per width, with the derivatives by the logarithm of the half length of the source.
+    /// What source number `c` does, added to `sums`; and per load per width, with the derivatives by the logarithm of the half length of the source, and that of
+    /// the fall by that of the node into `own`. `strip` gives for each block of nodes its load per width, the reciprocal of its half length, by how much its
+    /// distances are longer and the share with which it counts.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn act<'a>(
         &self,
         c: usize,
-        strip: impl Fn(usize) -> [Block; 2],
+        strip: impl Fn(usize) -> [Block; 4],
         rows: &Rows,
         is_skewed: bool,
         [value, by_source]: [&'a mut [Block]; 2],
+        own: &mut [Block],
         sums: &'a mut Sums,
     ) {
         // Of lengths that are seen to be equal, so that they are not checked block by block.
@@ -201,14 +212,17 @@ impl Sources {
         let (by_source, fall_by_source) = halves(by_source);
         let (sum, fall_sum) = halves(&mut sums.values);
         let (lengths, fall_by_node) = (&rows.lengths[..n], &mut sums.fall_by_node[..n]);
+        let own = &mut own[..n];
         let range = c * self.nodes..(c + 1) * self.nodes;
         let (along, across) = (&self.along[range.clone()], &self.across[range.clone()]);
         let factors = &self.factors[range];
         let (along, across, factors) = (&along[..n], &across[..n], &factors[..n]);
         for b in 0..n {
             // Copies, so that nothing is read again after something has been written.
-            let [load, Block(inverse)] = strip(b);
-            let (Block(along), Block(across), Block(factor)) = (along[b], across[b], factors[b]);
+            let [load, Block(inverse), Block(scale), Block(part)] = strip(b);
+            let along = Block::of(|i| scale[i] * along[b].0[i]).0;
+            let across = Block::of(|i| scale[i] * across[b].0[i]).0;
+            let factor = Block::of(|i| part[i] * factors[b].0[i]).0;
             let Block(length) = lengths[b];
             let mut centre = [[0.0; LANES]; 2];
             let mut out = [[0.0; LANES]; 5];
@@ -244,6 +258,7 @@ impl Sources {
             }
             let [one, two, three, four, by_node] = out.map(Block);
             (value[b], by_source[b], fall[b], fall_by_source[b]) = (one, two, three, four);
+            own[b] = by_node;
             sum[b].add(&load, &one);
             fall_sum[b].add(&load, &three);
             fall_by_node[b].add(&load, &by_node);
@@ -251,18 +266,28 @@ impl Sources {
     }
 }
 
+/// The cells on one side of all nodes.
+#[derive(Clone, Debug)]
+pub(super) struct Side {
+    /// Loads per width of the nodes at their other ends.
+    pub other_loads: Vec<Block>,
+    /// 1/c in them, its derivatives by z of the node and of the other one, and those by χ.
+    pub slenderness: [Vec<Block>; 5],
+    /// Where their loaded parts begin and how long they are, as shares, with the derivatives by z of the node and of the other one.
+    pub from: [Vec<Block>; 3],
+    pub part: [Vec<Block>; 3],
+}
+
 /// What the sources in both cells beside each node do to it.
 #[derive(Clone, Debug)]
 pub(super) struct Beside {
     sources: Sources,
     effect: [Vec<Block>; 2],
-    /// Loads per width and 1/c at the other ends of the cell under way.
-    pub other_loads: Vec<Block>,
-    pub other_slenderness: Vec<Block>,
-    /// Load per width of the source under way and reciprocal of its half length; the load times the derivative of the logarithm of the half length
-    /// by it, and the share of the other end in 1/c.
+    by_node: Vec<Block>,
     strips: Vec<[Block; 4]>,
-    /// Derivatives of displacements and falls by the loads per width and χ of the node and of those at both other ends.
+    /// The cells on the side under way.
+    pub side: Side,
+    /// Derivatives of displacements and falls by z and χ of the node and of those at both other ends.
     pub ends: [[Vec<Block>; 2]; 3],
 }
 
@@ -271,13 +296,35 @@ impl Beside {
     pub fn new(points: usize, nodes: usize) -> Self {
         let blocks = || vec![Block::ZERO; nodes];
         let both = || vec![Block::ZERO; 2 * nodes];
+        // Rows without a node have a cell too.
+        let whole = || vec![Block([1.0; LANES]); nodes];
         Self {
             sources: Sources::new(2 * points, nodes),
             effect: [both(), both()],
-            other_loads: blocks(),
-            other_slenderness: blocks(),
+            by_node: blocks(),
             strips: vec![[Block::ZERO; 4]; nodes],
+            side: Side {
+                other_loads: blocks(),
+                slenderness: [whole(), blocks(), blocks(), blocks(), blocks()],
+                from: [blocks(), blocks(), blocks()],
+                part: [whole(), blocks(), blocks()],
+            },
             ends: [[both(), both()], [both(), both()], [both(), both()]],
+        }
+    }
+
+    /// Takes `nodes` blocks of nodes, none of which has a cell that is loaded.
+    pub fn fit(&mut self, nodes: usize) {
+        self.sources.nodes = nodes;
+        self.sources.factors.fill(Block::ZERO);
+        self.sources.across.fill(Block([1.0; LANES]));
+        let Side { other_loads, slenderness: [mean, slopes @ ..], from, part: [part, parts @ ..] } =
+            &mut self.side;
+        for column in [other_loads].into_iter().chain(slopes).chain(from).chain(parts) {
+            column.fill(Block::ZERO);
+        }
+        for column in [mean, part] {
+            column.fill(Block([1.0; LANES]));
         }
     }
 
@@ -294,7 +341,7 @@ impl Beside {
         self.sources.put(c, node, pair);
     }
 
-    /// What source number `c` does, which is at a share `t` of the way through the cell on a `side`.
+    /// What source number `c` does, which is at a share `t` of the way through the loaded part of the cell on a `side`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn act(
@@ -305,63 +352,92 @@ impl Beside {
         is_skewed: bool,
         sums: &mut Sums,
     ) {
-        for (b, strip) in self.strips.iter_mut().enumerate() {
-            let (Block(loads), Block(slenderness)) = (rows.loads[b], rows.slenderness[b]);
-            let Block(other_loads) = self.other_loads[b];
-            let Block(other_slenderness) = self.other_slenderness[b];
+        let cells = &self.side;
+        let nodes = self.sources.nodes;
+        for (b, strip) in self.strips[..nodes].iter_mut().enumerate() {
+            let (Block(loads), Block(other_loads)) = (rows.loads[b], cells.other_loads[b]);
+            let Block(slender) = cells.slenderness[0][b];
+            let (Block(from), Block(part)) = (cells.from[0][b], cells.part[0][b]);
             let mut out = [[0.0; LANES]; 4];
             for i in 0..LANES {
-                let between = loads[i] + (other_loads[i] - loads[i]) * t;
-                let [own, other] = [(1.0 - t) * slenderness[i], t * other_slenderness[i]];
-                let strip = Strip::new(between, own + other, least_square);
-                out[0][i] = strip.load;
-                out[1][i] = 1.0 / strip.half_length;
-                out[2][i] = strip.load * strip.length_by_load;
-                out[3][i] = other / (own + other);
+                let load = loads[i] + (other_loads[i] - loads[i]) * t;
+                out[0][i] = load;
+                out[1][i] = 1.0 / Strip::new(load, slender[i], least_square).half_length;
+                out[2][i] = (from[i] + part[i] * t) / t;
+                out[3][i] = part[i];
             }
             *strip = out.map(Block);
         }
-        let (strips, nodes) = (&self.strips, self.strips.len());
+        let strips = &self.strips;
         let effect = self.effect.each_mut().map(Vec::as_mut_slice);
-        self.sources.act(c, |b| [strips[b][0], strips[b][1]], rows, is_skewed, effect, sums);
-        let [[own_load, own_shape], others @ ..] = &mut self.ends;
-        let [by_load, by_shape] = &mut others[side];
+        let by_node = self.by_node.as_mut_slice();
+        self.sources.act(c, |b| strips[b], rows, is_skewed, effect, by_node, sums);
+        let [[own_z, own_shape], others @ ..] = &mut self.ends;
+        let [other_z, other_shape] = &mut others[side];
         let [values, by_sources] = &self.effect;
-        for b in 0..2 * nodes {
-            let [Block(load), _, Block(share), Block(part)] =
-                strips[if b < nodes { b } else { b - nodes }];
-            let (Block(value), Block(by_source)) = (values[b], by_sources[b]);
-            let mut out = [own_load[b].0, own_shape[b].0, by_load[b].0, by_shape[b].0];
+        for b in 0..nodes {
+            let [Block(load), Block(inverse), Block(scale), Block(part)] = strips[b];
+            let (Block(loads), Block(other_loads)) = (rows.loads[b], cells.other_loads[b]);
+            let [slender, by_own, by_other, by_own_shape, by_other_shape] =
+                cells.slenderness.each_ref().map(|column| column[b].0);
+            let [_, from_own, from_other] = cells.from.each_ref().map(|column| column[b].0);
+            let [_, part_own, part_other] = cells.part.each_ref().map(|column| column[b].0);
+            // Factors of the value and of its derivatives by the logarithms of the half length and of the distances, in the derivatives by z of the
+            // node and of the other one; and of that by the half length in those by χ.
+            let mut factors = [[[0.0; LANES]; 3]; 2];
+            let mut shapes = [[0.0; LANES]; 2];
             for i in 0..LANES {
-                let pull = share[i] * by_source[i];
-                let (slope, by_other) = (value[i] + pull, load[i] * pull * part[i]);
-                out[0][i] += (1.0 - t) * slope;
-                out[1][i] -= load[i] * pull - by_other;
-                out[2][i] += t * slope;
-                out[3][i] -= by_other;
+                let square = inverse[i] * inverse[i] * std::f64::consts::FRAC_1_PI;
+                let along = 1.0 / (scale[i] * t);
+                let [own, other] = [loads[i], other_loads[i]].map(|load| f64::from(u8::from(load > 0.0)));
+                let [own, other] = [(1.0 - t) * own, t * other];
+                factors[0][0][i] = own + load[i] * part_own[i] / part[i];
+                factors[1][0][i] = other + load[i] * part_other[i] / part[i];
+                factors[0][1][i] = load[i] * square * (slender[i] * own + load[i] * by_own[i]);
+                factors[1][1][i] = load[i] * square * (slender[i] * other + load[i] * by_other[i]);
+                factors[0][2][i] = load[i] * along * (from_own[i] + part_own[i] * t);
+                factors[1][2][i] = load[i] * along * (from_other[i] + part_other[i] * t);
+                shapes[0][i] = load[i] * load[i] * square * by_own_shape[i];
+                shapes[1][i] = load[i] * load[i] * square * by_other_shape[i];
             }
-            [own_load[b], own_shape[b], by_load[b], by_shape[b]] = out.map(Block);
+            let Block(fall_by_node) = by_node[b];
+            for (row, by_node) in [(b, [0.0; LANES]), (nodes + b, fall_by_node)] {
+                let (Block(value), Block(by_source)) = (values[row], by_sources[row]);
+                let mut out = [own_z[row].0, other_z[row].0, own_shape[row].0, other_shape[row].0];
+                for i in 0..LANES {
+                    // All lengths scaled alike scale the influence by the reciprocal.
+                    let by_distance = -(value[i] + by_source[i] + by_node[i]);
+                    let of = |[a, b, c]: [f64; 3]| a * value[i] + b * by_source[i] + c * by_distance;
+                    out[0][i] += of(factors[0].map(|factor| factor[i]));
+                    out[1][i] += of(factors[1].map(|factor| factor[i]));
+                    out[2][i] += shapes[0][i] * by_source[i];
+                    out[3][i] += shapes[1][i] * by_source[i];
+                }
+                [own_z[row], other_z[row], own_shape[row], other_shape[row]] = out.map(Block);
+            }
         }
     }
 
-    /// Adds what falls change by with the half lengths of their own nodes, as errors over the loads that they count with.
+    /// Adds what falls change by with the half lengths of their own nodes, as errors over the weights that they count with.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn add_own_lengths(&mut self, rows: &Rows, sums: &Sums) {
-        let nodes = self.strips.len();
-        let [by_load, by_shape] = &mut self.ends[0];
+        let nodes = self.sources.nodes;
+        let [by_z, by_shape] = &mut self.ends[0];
         for b in 0..nodes {
             let (Block(load), Block(by)) = (rows.loads[b], rows.length_by_load[b]);
             let (Block(wanted), Block(fallen)) = (rows.wanted[b], sums.values[nodes + b]);
             let Block(by_node) = sums.fall_by_node[b];
-            let mut out = [by_load[nodes + b].0, by_shape[nodes + b].0];
+            let mut out = [by_z[nodes + b].0, by_shape[nodes + b].0];
             for i in 0..LANES {
                 let by_length = (by_node[i] - 2.0 * fallen[i]) * by[i];
                 let error = fallen[i] - wanted[i];
-                out[0][i] += by_length + if load[i] > 0.0 { error / load[i] } else { 0.0 };
+                // The weight goes with the power 3/2 of the load.
+                let change = by_length + 1.5 * error / load[i];
+                out[0][i] += if load[i] > 0.0 { change } else { 0.0 };
                 out[1][i] -= by_length * load[i];
             }
-            [by_load[nodes + b], by_shape[nodes + b]] = out.map(Block);
+            [by_z[nodes + b], by_shape[nodes + b]] = out.map(Block);
         }
     }
 }

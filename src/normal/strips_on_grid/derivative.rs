@@ -10,7 +10,7 @@
 //! The grid moves with the pose as it is laid: nodes have derivatives too.
 
 use super::GridSolver;
-use super::equations::{NodeStrips, Scales, plus, residuals};
+use super::equations::residuals;
 use super::grid::Grid;
 use super::line::OverlapLine;
 use super::overlap::MOST_OVERLAPS;
@@ -35,8 +35,7 @@ pub struct GridFollower<T> {
     matrix: Room<f64>,
     factors: Factors,
     right: Room<f64>,
-    nodes: NodeStrips<T>,
-    loads: Room<T>,
+    slender: Room<T>,
     shapes: Room<T>,
 }
 
@@ -44,18 +43,17 @@ impl<T: Real> GridFollower<T> {
     /// With room for the solutions of a solver.
     #[must_use]
     pub fn new(solver: &GridSolver) -> Self {
-        let (nodes, knots) = (solver.knots.nodes(), solver.knots.count());
+        let (nodes, knots) = (solver.grid.nodes.capacity(), solver.knots.count());
         let unknowns = nodes + knots;
         Self {
-            grid: Grid::new(nodes, MOST_OVERLAPS),
+            grid: Grid::new(solver.knots.nodes(), MOST_OVERLAPS),
             z: Room::new(nodes),
             shape: Room::new(knots),
             residuals: Room::new(unknowns),
             matrix: Room::new(unknowns * unknowns),
             factors: Factors::with_capacity(unknowns),
             right: Room::new(unknowns),
-            nodes: NodeStrips::new(nodes),
-            loads: Room::new(nodes),
+            slender: Room::new(nodes),
             shapes: Room::new(nodes),
         }
     }
@@ -73,9 +71,12 @@ impl<const N: usize> GridFollower<Dual<N>> {
         if solver.overlaps.is_empty() || solver.grid.nodes.is_empty() {
             return true;
         }
-        let count = solver.knots.nodes();
+        let count = solver.grid.nodes.len();
         let grid = &mut self.grid;
-        grid.lay(line, &solver.overlaps, count);
+        grid.lay(line, &solver.overlaps, solver.knots.nodes());
+        if grid.nodes.len() != count {
+            return false;
+        }
         let size = solver.newton.matrix_at(&solver.grid, &solver.knots, &mut self.matrix);
         if !self.factors.of(&self.matrix, size) {
             return false;
@@ -86,7 +87,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
-            residuals(grid, &solver.knots, z, shape, &mut self.nodes, &mut self.residuals);
+            residuals(grid, &solver.knots, z, shape, &mut self.slender, &mut self.residuals);
             let mut worst = 0.0f64;
             for direction in 0..N {
                 self.right.clear();
@@ -111,12 +112,10 @@ impl<const N: usize> GridFollower<Dual<N>> {
                 break;
             }
         }
-        let corner = Scales::new(grid).corner;
-        self.loads.clear();
-        self.loads.extend(self.z.iter().map(|&z| plus(z, corner)[0]));
         self.shapes.clear();
-        self.shapes.extend((0..count).map(|i| solver.knots.value(i, &self.shape)));
-        Loads { grid, per_width: &self.loads, shapes: &self.shapes }.emit(contact_modulus, strips);
+        let numbers = grid.nodes.iter().map(|node| node.number);
+        self.shapes.extend(numbers.map(|number| solver.knots.value(number, &self.shape)));
+        Loads { grid, z: &self.z, shapes: &self.shapes }.emit(contact_modulus, strips);
         true
     }
 }

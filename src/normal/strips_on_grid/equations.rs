@@ -26,12 +26,6 @@ use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::normal::hertz;
 
-/// Half of the width of the corner of plus, over the load per width in the middle of an ellipse of the same depth and area of overlap: wider corners
-/// add to the area of contact, narrower ones take Newton's method more steps.
-const CORNER: f64 = 0.02;
-/// Scale κ of what z is below zero: gap over depth for z over the load per width in the middle. Of the order of the influence of a
-/// node on itself, so that one step leads over the corner from either side.
-const GAP_SCALE: f64 = 0.3;
 /// Least half length over that of the ellipse: strips that hardly carry load stay longer than nothing.
 const LEAST_LENGTH: f64 = 0.02;
 /// Range of the ratio of the curvatures of the ellipse.
@@ -54,9 +48,7 @@ pub(super) struct Scales<T = f64> {
     pub shape: T,
     /// Overlap at its ends over that in the middle [-].
     pub level: T,
-    /// Half width of the corner of plus [m].
-    pub corner: T,
-    /// κ [-].
+    /// K: gap over the power 3/2 of what z is below zero [m^-1/2].
     pub gap: T,
     /// Square of the least half length [m²].
     pub least_square: T,
@@ -73,30 +65,25 @@ impl<T: Real> Scales<T> {
         let ellipse = hertz::ellipse(along, across, grid.depth, 1.0);
         let (a, b) = (ellipse.semi_axis_along, ellipse.semi_axis_across);
         let load = ellipse.max_pressure * a * (0.5 * PI);
+        let level = -(across * b * b / grid.depth) + 1.0;
+        // Beside the edge of a strip of pressure q sqrt(s) the gap is (4/3) q s^(3/2)/E*, and the load per width falls by 2 load/b.
+        let gap = (ellipse.max_pressure / a * (2.0 / PI)).sqrt() * (2.0 / 3.0) * b / load;
         Self {
             load,
             length: a,
             shape: (ellipse.max_pressure / a).ln(),
-            level: -(across * b * b / grid.depth) + 1.0,
-            corner: load * CORNER,
-            gap: grid.depth / load * GAP_SCALE,
+            level,
+            gap,
             least_square: a * a * (LEAST_LENGTH * LEAST_LENGTH),
             total: ellipse.load,
         }
     }
-}
 
-/// max(0, z), its corner rounded by a quartic within `corner` of it, and its derivative.
-pub(super) fn plus<T: Real>(z: T, corner: T) -> [T; 2] {
-    if z >= corner {
-        return [z, T::from(1.0)];
+    /// What the fall of the displacement at a node with the load per width `load` counts with: its share of the load, times the root of the load, so that a node
+    /// comes in without a bend.
+    pub fn weight(&self, node: &Node<T>, load: T) -> T {
+        node.width * load * (load / self.load).sqrt() / self.total
     }
-    if z <= -corner {
-        return [T::from(0.0); 2];
-    }
-    let x = z / corner;
-    let (up, square) = (x + 1.0, (x + 1.0) * (x + 1.0));
-    [corner * square * up * (-x + 3.0) * (1.0 / 16.0), square * (-x + 2.0) * 0.25]
 }
 
 /// The strip that a load per width makes: half length and what it changes by.
@@ -132,6 +119,17 @@ pub(super) struct Pair<T = f64> {
     pub across: T,
     /// Influence per load per width: (2/π²) h cos of the angle between their normals [m].
     pub factor: T,
+}
+
+impl<T: Real> Pair<T> {
+    /// Where it is if distances are `scale` times as large and the source counts with a share `part`.
+    pub fn in_part(self, scale: T, part: T) -> Self {
+        Self {
+            along: self.along * scale,
+            across: self.across * scale,
+            factor: self.factor * part,
+        }
+    }
 }
 
 /// A `cell` beside which the node (x, y, tangent) is not, as that sees it; and the displacement by the slope of the load in the cell, per difference of its
@@ -247,30 +245,77 @@ fn influence<T: Real>(
     (Displacement::of(centre, inverse), fall)
 }
 
-impl<T: Real> Cell<T> {
-    /// Its strip, with the loads per width and 1/c at the nodes.
-    pub fn strip(&self, loads: &[T], slenderness: &[T], least_square: T) -> Strip<T> {
-        let [a, b] = self.nodes.map(|node| node.map_or(T::from(0.0), |j| loads[j]));
-        // Beyond the last node the ratio stays what it is.
-        let slender: T = self.nodes.iter().flatten().map(|&j| slenderness[j]).sum();
-        let count = self.nodes.iter().flatten().count();
-        Strip::new((a + b) * 0.5, slender / count.max(1) as f64, least_square)
+/// The load of a cell: the positive part of the line between z at its ends.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct CellLoad<T = f64> {
+    /// Its mean over the cell, and that weighted by itself, which the half length goes by [m].
+    pub mean: T,
+    pub weighted: T,
+    /// Its first moment, as the difference of the ends of a line [m].
+    pub moment: T,
+    /// Derivatives of the three by z at both ends.
+    pub slopes: [[T; 3]; 2],
+}
+
+impl<T: Real> CellLoad<T> {
+    /// Of z at both ends.
+    pub fn new([a, b]: [T; 2]) -> Self {
+        let (zero, one) = (T::from(0.0), T::from(1.0));
+        if a <= 0.0 && b <= 0.0 {
+            return Self::default();
+        }
+        if a >= 0.0 && b >= 0.0 {
+            let sum = a + b;
+            let weighted = (a * a + a * b + b * b) / sum * (2.0 / 3.0);
+            let slope = |own: T, other: T| ((own * 2.0 + other) * (2.0 / 3.0) - weighted) / sum;
+            let half = T::from(0.5);
+            let slopes = [[half, slope(a, b), -one], [half, slope(b, a), one]];
+            return Self { mean: sum * 0.5, weighted, moment: b - a, slopes };
+        }
+        // One end carries load as far as the root.
+        let (side, sign) = if a > b { (0, -1.0) } else { (1, 1.0) };
+        let [own, other] = if side == 0 { [a, b] } else { [b, a] };
+        let rate = one / (own - other);
+        let t = own * rate;
+        let by_own = [t * (-t * 0.5 + 1.0), T::from(2.0 / 3.0), t * (t * t * 4.0 - t * 9.0 + 6.0) * sign];
+        let by_other = [t * t * 0.5, zero, t * t * (-(t * 4.0) + 3.0) * sign];
+        Self {
+            mean: own * t * 0.5,
+            weighted: own * (2.0 / 3.0),
+            moment: own * t * (-(t * 2.0) + 3.0) * sign,
+            slopes: if side == 0 { [by_own, by_other] } else { [by_other, by_own] },
+        }
     }
 }
 
-/// Loads, slenderness and strips of the nodes, while residuals are computed.
-#[derive(Clone, Debug)]
-pub(super) struct NodeStrips<T> {
-    loads: Room<T>,
-    slenderness: Room<T>,
-    strips: Room<Strip<T>>,
+/// The part of a cell that carries load, from the node with `own` z to the one with `other`: where it begins and how long it is, as shares of the cell, and the
+/// derivatives of both by both.
+pub(super) fn loaded_part<T: Real>(own: T, other: T) -> [[T; 3]; 2] {
+    let (zero, one) = (T::from(0.0), T::from(1.0));
+    if own > 0.0 && other < 0.0 {
+        let rate = one / (own - other);
+        let t = own * rate;
+        return [[zero; 3], [t, -other * rate * rate, t * rate]];
+    }
+    if own < 0.0 && other > 0.0 {
+        let rate = one / (own - other);
+        let t = own * rate;
+        let (by_own, by_other) = (-other * rate * rate, t * rate);
+        return [[t, by_own, by_other], [-t + 1.0, -by_own, -by_other]];
+    }
+    [[zero; 3], [one, zero, zero]]
 }
 
-impl<T> NodeStrips<T> {
-    /// With room for `count` nodes.
-    pub fn new(count: usize) -> Self {
-        let (loads, slenderness) = (Room::new(count), Room::new(count));
-        Self { loads, slenderness, strips: Room::new(count) }
+/// 1/c in a cell with the loads and 1/c of the nodes `a` and `b`: their mean, weighted by the squares of loads, so that a node without load does not count; and
+/// the weight of the first.
+pub(super) fn slenderness<T: Real>([load_a, a]: [T; 2], [load_b, b]: [T; 2]) -> [T; 2] {
+    let (square_a, square_b) = (load_a * load_a, load_b * load_b);
+    let sum = square_a + square_b;
+    if sum > 0.0 {
+        let share = square_a / sum;
+        [b + (a - b) * share, share]
+    } else {
+        [a, T::from(1.0)]
     }
 }
 
@@ -280,7 +325,7 @@ pub(super) fn residuals<T: Real>(
     knots: &Knots,
     z: &[T],
     shape: &[T],
-    NodeStrips { loads, slenderness, strips }: &mut NodeStrips<T>,
+    slender: &mut Room<T>,
     out: &mut Vec<T>,
 ) {
     let scales = Scales::new(grid);
@@ -288,50 +333,49 @@ pub(super) fn residuals<T: Real>(
     let n = nodes.len();
     let zero = T::from(0.0);
     let is_skewed = T::HAS_SLOPES || grid.is_skewed();
-    loads.clear();
-    loads.extend(z.iter().map(|&z| plus(z, scales.corner)[0]));
-    slenderness.clear();
-    slenderness.extend((0..n).map(|i| (-knots.value(i, shape)).exp()));
-    strips.clear();
-    strips.extend((0..n).map(|i| Strip::new(loads[i], slenderness[i], scales.least_square)));
-    let (loads, slenderness) = (&*loads, &*slenderness);
+    slender.clear();
+    slender.extend(nodes.iter().map(|node| (-knots.value(node.number, shape)).exp()));
     out.clear();
     out.resize(n + knots.count(), zero);
+    let end = |node: Option<usize>| node.map_or(-scales.load, |j| z[j]);
+    let of = |node: Option<usize>| node.map_or([zero, zero], |j| [z[j].at_least(0.0), slender[j]]);
     for (i, node) in nodes.iter().enumerate() {
-        let length = strips[i].half_length;
+        let own = Strip::new(z[i].at_least(0.0), slender[i], scales.least_square);
+        let length = own.half_length;
         let (mut displacement, mut fallen, mut moments) = (zero, zero, zero);
-        let mut add = |pair: &Pair<T>, strip: &Strip<T>| {
-            if strip.load > 0.0 {
-                let (own, fall) = influence(pair, strip.half_length, length, is_skewed);
-                displacement += pair.factor * strip.load * own.value;
-                fallen += pair.factor * strip.load * fall.value;
+        let mut add = |pair: &Pair<T>, load: T, half_length: T| {
+            if load > 0.0 {
+                let (own, fall) = influence(pair, half_length, length, is_skewed);
+                displacement += pair.factor * load * own.value;
+                fallen += pair.factor * load * fall.value;
             }
         };
         let [c, d] = node.place.tangent;
         for cell in grid.cells.iter().filter(|cell| !cell.nodes.contains(&Some(i))) {
             let (pair, moment) = far_pair([node.place.x, node.y, c, d], cell, scales.length);
-            let [a, b] = cell.nodes.map(|node| node.map_or(zero, |j| loads[j]));
-            moments += moment * (b - a);
-            add(&pair, &cell.strip(loads, slenderness, scales.least_square));
+            let load = CellLoad::new(cell.nodes.map(end));
+            moments += moment * load.moment;
+            let [slender, _] = slenderness(of(cell.nodes[0]), of(cell.nodes[1]));
+            let strip = Strip::new(load.weighted, slender, scales.least_square);
+            add(&pair, load.mean, strip.half_length);
         }
         for side in [0, 1] {
             let beside = node.neighbours[side];
-            let [load, slender] =
-                beside.map_or([zero, slenderness[i]], |j| [loads[j], slenderness[j]]);
+            let [[from, ..], [part, ..]] = loaded_part(z[i], end(beside));
+            let [[own, _], [other, _]] = [of(Some(i)), of(beside)];
+            let [slender, _] = slenderness(of(Some(i)), of(beside));
             for (k, [t, _]) in RULE.into_iter().enumerate() {
-                let between = |a: T, b: T| a + (b - a) * t;
-                let [load, slender] = [between(loads[i], load), between(slenderness[i], slender)];
-                add(&near_pair(nodes, i, side, k), &Strip::new(load, slender, scales.least_square));
+                let pair = near_pair(nodes, i, side, k).in_part((from + part * t) / t, part);
+                let load = own + (other - own) * t;
+                add(&pair, load, Strip::new(load, slender, scales.least_square).half_length);
             }
         }
-        out[i] = (displacement + moments - node.place.overlap - scales.gap * (loads[i] - z[i]))
-            / grid.depth;
-        if loads[i] > 0.0 {
-            let wanted = wanted_fall(&strips[i], node);
-            let error = fallen / wanted - 1.0;
-            let weight = node.width * loads[i] / scales.total;
-            for (k, share) in knots.of(i) {
-                out[n + k] += weight * error * share;
+        let below = (-z[i]).at_least(0.0);
+        out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves()) / grid.depth;
+        if z[i] > 0.0 {
+            let error = fallen / wanted_fall(&own, node) - 1.0;
+            for (k, share) in knots.of(node.number) {
+                out[n + k] += scales.weight(node, z[i]) * error * share;
             }
         }
     }

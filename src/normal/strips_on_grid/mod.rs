@@ -73,9 +73,10 @@ impl GridSolver {
     #[must_use]
     pub fn new(strips: usize) -> Self {
         let strips = strips.max(LEAST_STRIPS);
-        let knots = Knots::new(strips);
-        let grid = Grid::new(strips, MOST_OVERLAPS);
-        let newton = Newton::new(strips, &knots, grid.cells.capacity());
+        // The ends of an overlap are nodes too.
+        let knots = Knots::new(strips - 2);
+        let grid = Grid::new(strips - 2, MOST_OVERLAPS);
+        let newton = Newton::new(grid.nodes.capacity(), &knots, grid.cells.capacity());
         Self { knots, overlaps: Room::new(MOST_OVERLAPS), grid, newton, work: Work::default() }
     }
 
@@ -105,8 +106,8 @@ impl GridSolver {
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
-        let Newton { loads, shapes, .. } = &self.newton;
-        Loads { grid: &self.grid, per_width: loads, shapes }.emit(contact_modulus, strips)
+        let Newton { z, shapes, .. } = &self.newton;
+        Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips)
     }
 }
 

@@ -7,33 +7,38 @@ use multiversion::multiversion;
 
 use super::columns::{Beside, Block, LANES, Rows, Sources, Sums, add, project, row};
 use super::elimination;
-use super::equations::{Pair, RULE, Scales, Strip, near_pair, plus, wanted_fall};
+use super::equations::{
+    CellLoad, Pair, RULE, Scales, Strip, loaded_part, near_pair, slenderness, wanted_fall,
+};
 use super::grid::Grid;
 use super::shape::Knots;
+use crate::math::room::Room;
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
 const LAST_CHANGE: f64 = 1e-5;
-/// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: more than the whole way to a solution, and less than
-/// where an exponential has left what its derivative tells.
-const MOST_CHANGE: [f64; 2] = [1.5, 0.5];
+/// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: less than where the equations have left what their
+/// derivatives tell.
+const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
+/// Least slope of the gap, over that at the load in the middle of the ellipse: a node without load whose gap is nothing knows where to go.
+const LEAST_SLOPE: f64 = 1e-3;
 
 /// Unknowns and memory for as many nodes as the solver was made for.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     /// Unknowns: z at the nodes and χ at the knots.
-    pub z: Vec<f64>,
+    pub z: Room<f64>,
     pub shape: Vec<f64>,
-    /// Load per width at the nodes, its derivative by z, χ and 1/c there, and their strips.
-    pub loads: Vec<f64>,
-    slopes: Vec<f64>,
-    pub shapes: Vec<f64>,
-    slenderness: Vec<f64>,
-    strips: Vec<Strip>,
-    /// Strips of the cells.
-    cells: Vec<Strip>,
+    /// χ and 1/c at the nodes, and their strips.
+    pub shapes: Room<f64>,
+    slenderness: Room<f64>,
+    strips: Room<Strip>,
+    /// Loads of the cells, their strips, and the derivatives of the logarithms of half lengths by z and χ at both ends.
+    cells: Vec<CellLoad>,
+    cell_strips: Vec<Strip>,
+    cell_lengths: Vec<[[f64; 2]; 2]>,
     rows: Rows,
     is_skewed: bool,
     /// The cells, and the points of the rule beside the nodes.
@@ -46,28 +51,28 @@ pub(super) struct Newton {
     by_node: [Vec<Block>; 2],
     /// Sum of falls, taken to the knots.
     by_falls: Vec<Block>,
-    /// Displacements by the moments of cells, per load per width of each node, by columns.
+    by_length: Vec<Block>,
+    /// Displacements by the moments of cells, by columns.
     moments: Vec<Block>,
-    moment: Vec<Block>,
     /// Shares of the knots in each node, and what their equations have of its fall: shares of load over the fall that is wanted.
     shares: Vec<Block>,
     falls: Vec<Block>,
     penalty: Vec<Block>,
     /// Derivatives of all equations by columns, and behind them minus their residuals, which become the step.
     matrix: Vec<Block>,
-    /// The row of each equation, and the number of rows of nodes, in whole blocks.
-    pivots: Vec<usize>,
-    long: usize,
-    /// Blocks of a column.
-    stride: usize,
+    /// The row of each equation: nodes, and behind the block of the last of them the knots.
+    pivots: Room<usize>,
     /// Derivatives of the equations of the knots by their own χ.
     weights: Vec<f64>,
     /// Steps so far.
     pub steps: u64,
+    /// Blocks of nodes and of knots.
+    nodes: usize,
+    behind: usize,
 }
 
 impl Newton {
-    /// Memory for `n` nodes, the `knots` and `cells` cells.
+    /// Memory for up to `n` nodes, the `knots` and `cells` cells.
     pub fn new(n: usize, knots: &Knots, cells: usize) -> Self {
         let m = knots.count();
         let (nodes, behind) = (n.div_ceil(LANES), m.div_ceil(LANES));
@@ -78,23 +83,17 @@ impl Newton {
                 *row(column, l) = knots.penalty(k, l);
             }
         }
-        let mut shares = vec![Block::ZERO; nodes * LANES * behind];
-        for i in 0..n {
-            for (k, share) in knots.of(i) {
-                shares[k / LANES * nodes * LANES + i].0[k % LANES] = share;
-            }
-        }
         let numbers = |count: usize| vec![0.0; count];
         let blocks = |count: usize| vec![Block::ZERO; count];
         Self {
-            z: numbers(n),
+            z: Room::new(n),
             shape: numbers(m),
-            loads: numbers(n),
-            slopes: numbers(n),
-            shapes: numbers(n),
-            slenderness: numbers(n),
-            strips: vec![Strip::default(); n],
-            cells: vec![Strip::default(); cells],
+            shapes: Room::new(n),
+            slenderness: Room::new(n),
+            strips: Room::new(n),
+            cells: vec![CellLoad::default(); cells],
+            cell_strips: vec![Strip::default(); cells],
+            cell_lengths: vec![[[0.0; 2]; 2]; cells],
             rows: Rows::new(nodes),
             is_skewed: false,
             far: Sources::new(cells, nodes),
@@ -103,18 +102,38 @@ impl Newton {
             by_cells: [blocks(cells * 2 * nodes), blocks(cells * 2 * nodes)],
             by_node: [blocks(2 * nodes), blocks(2 * nodes)],
             by_falls: blocks(behind),
-            moments: blocks(n * nodes),
-            moment: blocks(nodes),
-            shares,
+            by_length: blocks(nodes),
+            moments: blocks(cells * nodes),
+            shares: blocks(nodes * LANES * behind),
             falls: blocks(nodes * LANES * behind),
             penalty,
             matrix: blocks((n + m + 1) * stride),
-            pivots: (0..n).chain(nodes * LANES..nodes * LANES + m).collect(),
-            long: nodes * LANES,
+            pivots: Room::new(n + m),
             weights: numbers(m),
             steps: 0,
-            stride,
+            nodes,
+            behind,
         }
+    }
+
+    /// Makes columns as long as the nodes of `grid` need.
+    fn fit(&mut self, grid: &Grid, knots: &Knots) {
+        let (n, m) = (grid.nodes.len(), knots.count());
+        self.nodes = n.div_ceil(LANES);
+        let long = self.nodes * LANES;
+        self.pivots.clear();
+        self.pivots.extend((0..n).chain(long..long + m));
+        self.rows.clear();
+        self.far.nodes = self.nodes;
+        self.beside.fit(self.nodes);
+        let shares = &mut self.shares[..long * self.behind];
+        shares.fill(Block::ZERO);
+        for (i, node) in grid.nodes.iter().enumerate() {
+            for (k, share) in knots.of(node.number) {
+                shares[k / LANES * long + i].0[k % LANES] = share;
+            }
+        }
+        self.falls[..long * self.behind].fill(Block::ZERO);
     }
 
     /// Solves the equations on `grid`; false where the last step was longer than it should be.
@@ -126,6 +145,7 @@ impl Newton {
     #[inline(always)]
     fn solve_here(&mut self, grid: &Grid, knots: &Knots) -> bool {
         let scales = Scales::new(grid);
+        self.fit(grid, knots);
         self.measure(grid, &scales);
         self.start(grid, &scales);
         for _ in 0..MOST_STEPS {
@@ -149,7 +169,7 @@ impl Newton {
     #[inline(always)]
     fn measure(&mut self, grid: &Grid, scales: &Scales) {
         let nodes = &grid.nodes;
-        let count = self.moment.len();
+        let count = self.nodes;
         self.is_skewed = grid.is_skewed();
         for (i, node) in nodes.iter().enumerate() {
             let [a, b] = node.place.tangent;
@@ -157,18 +177,14 @@ impl Newton {
                 *row(column, i) = value;
             }
         }
-        self.moments.fill(Block::ZERO);
         for (c, cell) in grid.cells.iter().enumerate() {
-            self.far.put_cell(c, cell, scales.length, &self.rows, &mut self.moment);
+            let moments = &mut self.moments[c * count..(c + 1) * count];
+            self.far.put_cell(c, cell, scales.length, &self.rows, moments);
             // The points of the rule take the place of cells beside a node.
             for &i in cell.nodes.iter().flatten() {
                 let nothing = Pair { along: 0.0, across: 1.0, factor: 0.0 };
                 self.far.put(c, i, &nothing);
-                *row(&mut self.moment, i) = 0.0;
-            }
-            for (end, sign) in cell.nodes.into_iter().zip([-1.0, 1.0]) {
-                let Some(j) = end else { continue };
-                add(sign, &self.moment, &mut self.moments[j * count..(j + 1) * count]);
+                *row(moments, i) = 0.0;
             }
         }
         for slot in 0..2 * RULE.len() {
@@ -181,10 +197,11 @@ impl Newton {
 
     /// The ellipse, cut to the overlap.
     fn start(&mut self, grid: &Grid, scales: &Scales) {
-        for (z, node) in self.z.iter_mut().zip(grid.nodes.iter()) {
+        self.z.clear();
+        self.z.extend(grid.nodes.iter().map(|node| {
             let level = (node.place.overlap / grid.depth - scales.level) / (1.0 - scales.level);
-            *z = scales.load * level.clamp(-1.0, 1.0);
-        }
+            scales.load * level.clamp(-1.0, 1.0)
+        }));
         self.shape.fill(scales.shape);
     }
 
@@ -192,15 +209,52 @@ impl Newton {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn place(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
-        for i in 0..grid.nodes.len() {
-            [self.loads[i], self.slopes[i]] = plus(self.z[i], scales.corner);
-            self.shapes[i] = knots.value(i, &self.shape);
-            self.slenderness[i] = (-self.shapes[i]).exp();
-            self.strips[i] = Strip::new(self.loads[i], self.slenderness[i], scales.least_square);
+        self.shapes.clear();
+        self.shapes.extend(grid.nodes.iter().map(|node| knots.value(node.number, &self.shape)));
+        self.slenderness.clear();
+        self.slenderness.extend(self.shapes.iter().map(|shape| (-shape).exp()));
+        self.strips.clear();
+        self.strips.extend(self.z.iter().zip(self.slenderness.iter()).map(|(&z, &slenderness)| {
+            Strip::new(z.max(0.0), slenderness, scales.least_square)
+        }));
+        for (c, cell) in grid.cells.iter().enumerate() {
+            let load = CellLoad::new(cell.nodes.map(|node| self.end(node, scales)));
+            let [slender, by_z, by_shape] = self.slenderness_between(cell.nodes);
+            let strip = Strip::new(load.weighted, slender[0], scales.least_square);
+            let by_slender = strip.length_by_load * load.weighted / slender[0];
+            self.cell_lengths[c] = [0, 1].map(|end| {
+                let by_load = strip.length_by_load * load.slopes[end][1];
+                [by_load + by_slender * by_z[end], by_slender * by_shape[end]]
+            });
+            (self.cells[c], self.cell_strips[c]) = (load, strip);
         }
-        for (strip, cell) in self.cells.iter_mut().zip(grid.cells.iter()) {
-            *strip = cell.strip(&self.loads, &self.slenderness, scales.least_square);
-        }
+    }
+
+    /// z at an end of a cell; before and behind an overlap nothing is loaded.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn end(&self, node: Option<usize>, scales: &Scales) -> f64 {
+        node.map_or(-scales.load, |j| self.z[j])
+    }
+
+    /// 1/c between two nodes, and its derivatives by z and by χ of both.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn slenderness_between(&self, nodes: [Option<usize>; 2]) -> [[f64; 2]; 3] {
+        let of = |node: Option<usize>| {
+            node.map_or([0.0; 2], |j| [self.z[j].max(0.0), self.slenderness[j]])
+        };
+        let [a, b] = nodes.map(of);
+        let [mean, share] = slenderness(a, b);
+        let squares = a[0] * a[0] + b[0] * b[0];
+        let by_z = if squares > 0.0 {
+            [2.0 * a[0] * (a[1] - mean) / squares, 2.0 * b[0] * (b[1] - mean) / squares]
+        } else {
+            [0.0; 2]
+        };
+        // Rows without load have some 1/c too.
+        let mean = if mean > 0.0 { mean } else { 1.0 };
+        [[mean; 2], by_z, [-share * a[1], (share - 1.0) * b[1]]]
     }
 
     /// Residuals at the present unknowns and all derivatives of them.
@@ -209,58 +263,58 @@ impl Newton {
     fn linearise(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
         self.place(grid, knots, scales);
         let (n, m) = (grid.nodes.len(), self.shape.len());
-        let (nodes, stride) = (self.moment.len(), self.stride);
+        let (nodes, stride) = (self.nodes, self.nodes + self.behind);
+        let long = nodes * LANES;
         for (i, node) in grid.nodes.iter().enumerate() {
             let strip = &self.strips[i];
             let wanted = wanted_fall(strip, node);
             *row(&mut self.rows.lengths, i) = strip.half_length;
             *row(&mut self.rows.loads, i) = strip.load;
-            *row(&mut self.rows.slenderness, i) = self.slenderness[i];
             *row(&mut self.rows.length_by_load, i) = strip.length_by_load;
             *row(&mut self.rows.wanted, i) = wanted;
-            let scale = node.width * strip.load / (scales.total * wanted);
-            let falls = self.falls[i..].iter_mut().step_by(self.long);
-            for (fall, share) in falls.zip(self.shares[i..].iter().step_by(self.long)) {
+            let scale = scales.weight(node, strip.load) / wanted;
+            let falls = self.falls[i..long * self.behind].iter_mut().step_by(long);
+            for (fall, share) in falls.zip(self.shares[i..].iter().step_by(long)) {
                 *fall = share.times(scale);
             }
         }
         self.sums.clear();
-        for (c, strip) in self.cells[..grid.cells.len()].iter().enumerate() {
+        for (c, load) in self.cells[..grid.cells.len()].iter().enumerate() {
             let range = 2 * c * nodes..2 * (c + 1) * nodes;
             let columns = self.by_cells.each_mut().map(|column| &mut column[range.clone()]);
-            if strip.load <= 0.0 {
+            if load.mean <= 0.0 {
                 for column in columns {
                     column.fill(Block::ZERO);
                 }
                 continue;
             }
-            let strip = [strip.load, 1.0 / strip.half_length].map(|value| Block([value; LANES]));
-            let rows = &self.rows;
-            self.far.act(c, |_| strip, rows, self.is_skewed, columns, &mut self.sums);
+            let half_length = self.cell_strips[c].half_length;
+            let strip = [load.mean, 1.0 / half_length, 1.0, 1.0].map(|value| Block([value; LANES]));
+            let (rows, own) = (&self.rows, &mut self.by_length);
+            self.far.act(c, |_| strip, rows, self.is_skewed, columns, own, &mut self.sums);
+            add(load.moment, &self.moments[c * nodes..][..nodes], &mut self.sums.values[..nodes]);
         }
         self.add_near_cells(grid, scales);
-        for (j, load) in self.loads.iter().enumerate() {
-            add(*load, &self.moments[j * nodes..][..nodes], &mut self.sums.values[..nodes]);
-        }
-        self.matrix[n * stride..].fill(Block::ZERO);
+        self.matrix[n * stride..(n + m + 1) * stride].fill(Block::ZERO);
         for j in 0..n {
             self.gather(grid, knots, scales, j);
         }
         let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
         for (k, penalty) in self.penalty.chunks_exact(stride - nodes).enumerate() {
             let column = &mut matrix[(n + k) * stride..][..stride];
-            add(-self.shape[k], penalty, &mut right[nodes..]);
+            add(-self.shape[k], penalty, &mut right[nodes..stride]);
             add(1.0, penalty, &mut column[nodes..]);
-            self.weights[k] = row(column, self.long + k).abs();
+            self.weights[k] = row(column, long + k).abs();
         }
-        let (displacements, falls) = self.sums.values.split_at_mut(nodes);
+        let (displacements, falls) = self.sums.values[..2 * nodes].split_at_mut(nodes);
         for (i, node) in grid.nodes.iter().enumerate() {
-            let gap = scales.gap * (self.loads[i] - self.z[i]);
+            let below = (-self.z[i]).max(0.0);
+            let gap = scales.gap * below * below.sqrt();
             *row(right, i) = node.place.overlap + gap - *row(displacements, i);
         }
         add(-1.0, &self.rows.wanted, falls);
         project(falls, &self.falls, &mut self.by_falls);
-        add(-1.0, &self.by_falls, &mut right[nodes..]);
+        add(-1.0, &self.by_falls, &mut right[nodes..stride]);
     }
 
     /// What the two cells beside each node do to it.
@@ -270,27 +324,26 @@ impl Newton {
         self.beside.clear();
         for side in [0, 1] {
             for (i, node) in grid.nodes.iter().enumerate() {
-                // Beyond the last node χ stays what it is.
-                let (load, slenderness) = match node.neighbours[side] {
-                    Some(j) => (self.loads[j], self.slenderness[j]),
-                    None => (0.0, self.slenderness[i]),
-                };
-                *row(&mut self.beside.other_loads, i) = load;
-                *row(&mut self.beside.other_slenderness, i) = slenderness;
+                let other = self.end(node.neighbours[side], scales);
+                let [mean, by_z, by_shape] = self.slenderness_between([Some(i), node.neighbours[side]]);
+                let [from, part] = loaded_part(self.z[i], other);
+                let cells = &mut self.beside.side;
+                *row(&mut cells.other_loads, i) = other.max(0.0);
+                let slenderness = [mean[0], by_z[0], by_z[1], by_shape[0], by_shape[1]];
+                for (column, value) in cells.slenderness.iter_mut().zip(slenderness) {
+                    *row(column, i) = value;
+                }
+                for ((from_column, from), (part_column, part)) in
+                    (cells.from.iter_mut().zip(from)).zip(cells.part.iter_mut().zip(part))
+                {
+                    *row(from_column, i) = from;
+                    *row(part_column, i) = part;
+                }
             }
             for (k, [t, _]) in RULE.into_iter().enumerate() {
                 let (rows, sums) = (&self.rows, &mut self.sums);
                 let slot = [side * RULE.len() + k, side];
                 self.beside.act(slot, [t, scales.least_square], rows, self.is_skewed, sums);
-            }
-        }
-        let [[_, own], others @ ..] = &mut self.beside.ends;
-        for (i, node) in grid.nodes.iter().enumerate() {
-            for ([_, other], neighbour) in others.iter_mut().zip(node.neighbours) {
-                if neighbour.is_none() {
-                    *row(own, i) += *row(other, i);
-                    *row(own, i + self.long) += *row(other, i + self.long);
-                }
             }
         }
         self.beside.add_own_lengths(&self.rows, &self.sums);
@@ -300,66 +353,63 @@ impl Newton {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn gather(&mut self, grid: &Grid, knots: &Knots, scales: &Scales, j: usize) {
-        let (stride, nodes) = (self.stride, self.moment.len());
+        let (stride, nodes) = (self.nodes + self.behind, self.nodes);
         let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
         let column = &mut matrix[j * stride..][..stride];
-        let slope = self.slopes[j];
-        let gap = scales.gap * (slope - 1.0);
+        let slope = |below: f64| 1.5 * scales.gap * below.sqrt();
+        let least = LEAST_SLOPE * slope(scales.load);
+        let gap = if self.z[j] < 0.0 { slope(-self.z[j]).max(least) } else { 0.0 };
         let first = grid.nodes[j].cell;
-        if self.cells[first].load <= 0.0 && self.cells[first + 1].load <= 0.0 {
+        if self.cells[first].mean <= 0.0 && self.cells[first + 1].mean <= 0.0 {
             column.fill(Block::ZERO);
-            *row(column, j) = -gap;
+            *row(column, j) = gap;
             return;
         }
-        let [[load_a, shape_a], [load_b, shape_b]] = [first, first + 1].map(|c| {
-            let strip = &self.cells[c];
-            let share = strip.load * strip.length_by_load;
-            // Beyond the last node χ stays what it is.
-            let all: f64 = grid.cells[c].nodes.iter().flatten().map(|&k| self.slenderness[k]).sum();
-            [0.5 * share, -strip.load * share * self.slenderness[j] / all]
-        });
+        // It is the right end of the cell on its left.
+        let [[mean_a, load_a, moment_a, shape_a], [mean_b, load_b, moment_b, shape_b]] =
+            [(first, 1), (first + 1, 0)].map(|(c, end)| {
+                let load = &self.cells[c];
+                let ([mean, _, moment], lengths) = (load.slopes[end], self.cell_lengths[c][end]);
+                [mean, load.mean * lengths[0], moment, load.mean * lengths[1]]
+            });
         // Of lengths that are seen to be equal, so that they are not checked block by block.
         let long = 2 * nodes;
         let [[value_a, value_b], [source_a, source_b]] = self
             .by_cells
             .each_ref()
             .map(|columns| [first, first + 1].map(|c| &columns[c * long..][..long]));
-        let moments = &self.moments[j * nodes..][..nodes];
-        let [by_load, by_shape] = self.by_node.each_mut().map(|column| &mut column[..long]);
+        let [by_z, by_shape] = self.by_node.each_mut().map(|column| &mut column[..long]);
         for b in 0..long {
             let (values, sources) = ([value_a[b].0, value_b[b].0], [source_a[b].0, source_b[b].0]);
             let mut out = [[0.0; LANES]; 2];
             for i in 0..LANES {
                 let (one, other) = (sources[0][i], sources[1][i]);
-                let mean = 0.5 * (values[0][i] + values[1][i]);
-                out[0][i] = mean + load_a * one + load_b * other;
+                let value = mean_a * values[0][i] + mean_b * values[1][i];
+                out[0][i] = value + load_a * one + load_b * other;
                 out[1][i] = shape_a * one + shape_b * other;
             }
-            [by_load[b], by_shape[b]] = out.map(Block);
+            [by_z[b], by_shape[b]] = out.map(Block);
         }
-        add(1.0, moments, &mut by_load[..nodes]);
+        for (c, moment) in [(first, moment_a), (first + 1, moment_b)] {
+            add(moment, &self.moments[c * nodes..][..nodes], &mut by_z[..nodes]);
+        }
         let neighbours = grid.nodes[j].neighbours;
         // It is on the left of the one on its right.
         for (end, i) in [Some(j), neighbours[1], neighbours[0]].into_iter().enumerate() {
             let Some(i) = i else { continue };
             let (block, lane) = (i / LANES, i % LANES);
             let ends = &self.beside.ends[end];
-            for (column, end) in [&mut *by_load, &mut *by_shape].into_iter().zip(ends) {
+            for (column, end) in [&mut *by_z, &mut *by_shape].into_iter().zip(ends) {
                 column[block].0[lane] += end[block].0[lane];
                 column[nodes + block].0[lane] += end[nodes + block].0[lane];
             }
         }
         let (by_nodes, by_falls) = column.split_at_mut(nodes);
-        for (out, by_load) in by_nodes.iter_mut().zip(&*by_load) {
-            *out = by_load.times(slope);
-        }
-        project(&by_load[nodes..], &self.falls, by_falls);
-        for out in by_falls {
-            *out = out.times(slope);
-        }
-        *row(by_nodes, j) -= gap;
+        by_nodes.copy_from_slice(&by_z[..nodes]);
+        project(&by_z[nodes..], &self.falls, by_falls);
+        *row(by_nodes, j) += gap;
         project(&by_shape[nodes..], &self.falls, &mut self.by_falls);
-        for (k, share) in knots.of(j) {
+        for (k, share) in knots.of(grid.nodes[j].number) {
             let (by_nodes, by_falls) = by_knots[k * stride..][..stride].split_at_mut(nodes);
             add(share, by_shape, by_nodes);
             add(share, &self.by_falls, by_falls);
@@ -372,10 +422,10 @@ impl Newton {
         self.linearise(grid, knots, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
-        for &row in &self.pivots {
+        for (k, &row) in self.pivots.iter().enumerate() {
             let (block, lane) = (row / LANES, row % LANES);
-            let scale = if row < self.long { grid.depth } else { 1.0 };
-            let columns = self.matrix.chunks_exact(self.stride).take(n + m);
+            let scale = if k < n { grid.depth } else { 1.0 };
+            let columns = self.matrix.chunks_exact(self.nodes + self.behind).take(n + m);
             matrix.extend(columns.map(|column| column[block].0[lane] / scale));
         }
         n + m
@@ -385,23 +435,29 @@ impl Newton {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn step(&mut self, scales: &Scales) -> Option<f64> {
-        if !elimination::solve(&mut self.matrix, self.stride, &self.pivots) {
+        let stride = self.nodes + self.behind;
+        if !elimination::solve(&mut self.matrix, stride, &self.pivots) {
             return None;
         }
-        let change = &mut self.matrix[self.pivots.len() * self.stride..];
+        let change = &mut self.matrix[self.pivots.len() * stride..];
         let mut greatest = 0.0f64;
-        let most = MOST_CHANGE[0] * scales.load;
-        for (i, (z, slope)) in self.z.iter_mut().zip(&self.slopes).enumerate() {
+        let (most, least) = (MOST_CHANGE[0] * scales.load, f64::EPSILON * scales.load);
+        for (i, z) in self.z.iter_mut().enumerate() {
             let change = *row(change, i);
+            let is_loaded = *z > 0.0;
             *z += change.clamp(-most, most);
+            // A load of nothing has no side.
+            if z.abs() < least {
+                *z = least;
+            }
             // Nodes without load have their gap from all the others.
-            if *slope > 0.0 {
+            if is_loaded {
                 greatest = greatest.max(change.abs() / scales.load);
             }
         }
         let heaviest = self.weights.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         for (k, (shape, weight)) in self.shape.iter_mut().zip(&self.weights).enumerate() {
-            let change = *row(change, self.long + k);
+            let change = *row(change, self.nodes * LANES + k);
             *shape += change.clamp(-MOST_CHANGE[1], MOST_CHANGE[1]);
             greatest = greatest.max(change.abs() * weight / heaviest);
         }

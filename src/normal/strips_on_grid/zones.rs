@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::equations::Strip;
+use super::equations::{Strip, loaded_part};
 use super::grid::Grid;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -11,8 +11,8 @@ use crate::normal::{Strips, Zone};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loads<'a, T = f64> {
     pub grid: &'a Grid<T>,
-    /// Load per width over the contact modulus [m], and χ, at each node.
-    pub per_width: &'a [T],
+    /// z, which is the load per width over the contact modulus where it is positive [m], and χ, at each node.
+    pub z: &'a [T],
     pub shapes: &'a [T],
 }
 
@@ -20,7 +20,8 @@ impl<T: Real> Loads<'_, T> {
     /// Hands neighbouring loaded nodes over as the strips of a zone; returns the number of zones that found no room.
     pub fn emit(&self, contact_modulus: f64, strips: &mut Strips<T>) -> usize {
         let nodes = &self.grid.nodes;
-        let is_loaded = |i: usize| self.per_width[i] > 0.0;
+        let is_loaded = |i: usize| self.z[i] > 0.0;
+        let parts = |i: usize| self.parts(i);
         let mut left_out = 0;
         let mut begin = 0;
         while begin < nodes.len() {
@@ -42,10 +43,11 @@ impl<T: Real> Loads<'_, T> {
             for i in first..end {
                 let node = &nodes[i];
                 // Without the least half length of the equations: strips that begin to carry load come out of nothing.
-                let strip = Strip::new(self.per_width[i], (-self.shapes[i]).exp(), T::from(0.0));
+                let strip = Strip::new(self.z[i], (-self.shapes[i]).exp(), T::from(0.0));
                 let length = strip.half_length;
                 strips.y.push(node.y);
-                strips.width.push(node.width);
+                // Half of the loaded parts of both cells: a line to the edge holds half of its height.
+                strips.width.push(parts(i).into_iter().sum::<T>() * 0.5);
                 strips.x.push(node.place.x);
                 strips.half_length.push(length);
                 strips.pressure.push(strip.load / length * (2.0 / PI * contact_modulus));
@@ -54,7 +56,7 @@ impl<T: Real> Loads<'_, T> {
             }
             strips.summarise(&mut zone);
             zone.max_pressure = self.greatest_pressure(first, end) * contact_modulus;
-            let [area, width] = self.extent(first, end);
+            let [area, width] = self.extent(first, end, [parts(first)[0], parts(end - 1)[1]]);
             (zone.area, zone.width) = (area, width);
             strips.zones.push(zone);
         }
@@ -63,7 +65,17 @@ impl<T: Real> Loads<'_, T> {
 
     /// Load per width at the node on a side of node `i`; none where there is no node.
     fn beside(&self, i: usize, side: usize) -> T {
-        self.grid.nodes[i].neighbours[side].map_or(T::from(0.0), |k| self.per_width[k])
+        self.grid.nodes[i].neighbours[side].map_or(T::from(0.0), |k| self.z[k].at_least(0.0))
+    }
+
+    /// Lengths of the loaded parts of both cells beside node `i`, which carries load.
+    fn parts(&self, i: usize) -> [T; 2] {
+        let node = &self.grid.nodes[i];
+        [0, 1].map(|side| {
+            let other = node.neighbours[side].map_or(T::from(0.0), |k| self.z[k]);
+            let [_, [part, ..]] = loaded_part(self.z[i], other);
+            part * (node.reach[side] - node.y).abs()
+        })
     }
 
     /// Greatest pressure over the contact modulus of the nodes from `first` to `end`: the vertex of the parabola of its square, exact on
@@ -74,7 +86,7 @@ impl<T: Real> Loads<'_, T> {
         let square = |i: usize| {
             let node = &self.grid.nodes[i];
             let [left, right] = [node.y - node.reach[0], node.reach[1] - node.y];
-            let own = self.per_width[i];
+            let own = self.z[i];
             let slopes = [(own - self.beside(i, 0)) / left, (self.beside(i, 1) - own) / right];
             let bend = (slopes[1] - slopes[0]) * 2.0 / (left + right);
             let load = own + bend.at_most(0.0) * left * right * (1.0 / 12.0);
@@ -95,32 +107,20 @@ impl<T: Real> Loads<'_, T> {
         (middle + vertex * (slope + bend * vertex)).max(middle).sqrt()
     }
 
-    /// Area and width of the nodes from `first` to `end`: the square of the half length is linear between nodes, and ends in the outer cells.
-    fn extent(&self, first: usize, end: usize) -> [T; 2] {
+    /// Area and width of the nodes from `first` to `end`, with the loaded parts of the outer cells: the square of the half length is linear between nodes and to
+    /// the edges.
+    fn extent(&self, first: usize, end: usize, parts: [T; 2]) -> [T; 2] {
         let nodes = &self.grid.nodes;
-        let square = |i: usize| self.per_width[i] * (-self.shapes[i]).exp() * (2.0 / PI);
+        let square = |i: usize| self.z[i] * (-self.shapes[i]).exp() * (2.0 / PI);
         let mut area = T::from(0.0);
         for i in first..end - 1 {
             let (p, q) = (square(i), square(i + 1));
             let (a, b) = (p.sqrt(), q.sqrt());
             area += (nodes[i + 1].y - nodes[i].y) * (p + a * b + q) / (a + b) * (4.0 / 3.0);
         }
-        let mut edges = [nodes[first].y, nodes[end - 1].y];
-        for (side, outer) in [first, end - 1].into_iter().enumerate() {
-            let inner = if side == 0 { outer + 1 } else { outer.wrapping_sub(1) };
-            let p = square(outer);
-            let cell = (nodes[outer].reach[side] - nodes[outer].y).abs();
-            let mut reach = cell;
-            if inner >= first && inner < end {
-                let fall = (square(inner) - p) / (nodes[inner].y - nodes[outer].y).abs();
-                // As far as the slope goes on, or as the load does: in between.
-                if fall > 0.0 {
-                    reach = (reach.min(p / fall) + cell) * 0.5;
-                }
-            }
-            area += reach * p.sqrt() * (4.0 / 3.0);
-            edges[side] += if side == 0 { -reach } else { reach };
+        for (part, outer) in parts.into_iter().zip([first, end - 1]) {
+            area += part * square(outer).sqrt() * (4.0 / 3.0);
         }
-        [area, edges[1] - edges[0]]
+        [area, nodes[end - 1].y - nodes[first].y + parts[0] + parts[1]]
     }
 }
