@@ -198,8 +198,7 @@ impl Sources {
         strip: impl Fn(usize) -> [Block; 4],
         rows: &Rows,
         is_skewed: bool,
-        [value, by_source]: [&'a mut [Block]; 2],
-        own: &mut [Block],
+        [value, by_source, own]: [&'a mut [Block]; 3],
         sums: &'a mut Sums,
     ) {
         // Of lengths that are seen to be equal, so that they are not checked block by block.
@@ -369,12 +368,12 @@ impl Beside {
             *strip = out.map(Block);
         }
         let strips = &self.strips;
-        let effect = self.effect.each_mut().map(Vec::as_mut_slice);
-        let by_node = self.by_node.as_mut_slice();
-        self.sources.act(c, |b| strips[b], rows, is_skewed, effect, by_node, sums);
+        let [value, by_source] = &mut self.effect;
+        let columns = [value, by_source, &mut self.by_node].map(Vec::as_mut_slice);
+        self.sources.act(c, |b| strips[b], rows, is_skewed, columns, sums);
         let [[own_z, own_shape], others @ ..] = &mut self.ends;
         let [other_z, other_shape] = &mut others[side];
-        let [values, by_sources] = &self.effect;
+        let ([values, by_sources], by_node) = (&self.effect, &self.by_node);
         for b in 0..nodes {
             let [Block(load), Block(inverse), Block(scale), Block(part)] = strips[b];
             let (Block(loads), Block(other_loads)) = (rows.loads[b], cells.other_loads[b]);
@@ -389,7 +388,8 @@ impl Beside {
             for i in 0..LANES {
                 let square = inverse[i] * inverse[i] * std::f64::consts::FRAC_1_PI;
                 let along = 1.0 / (scale[i] * t);
-                let [own, other] = [loads[i], other_loads[i]].map(|load| f64::from(u8::from(load > 0.0)));
+                let [own, other] =
+                    [loads[i], other_loads[i]].map(|load| f64::from(u8::from(load > 0.0)));
                 let [own, other] = [(1.0 - t) * own, t * other];
                 factors[0][0][i] = own + load[i] * part_own[i] / part[i];
                 factors[1][0][i] = other + load[i] * part_other[i] / part[i];
@@ -407,7 +407,8 @@ impl Beside {
                 for i in 0..LANES {
                     // All lengths scaled alike scale the influence by the reciprocal.
                     let by_distance = -(value[i] + by_source[i] + by_node[i]);
-                    let of = |[a, b, c]: [f64; 3]| a * value[i] + b * by_source[i] + c * by_distance;
+                    let of =
+                        |[a, b, c]: [f64; 3]| a * value[i] + b * by_source[i] + c * by_distance;
                     out[0][i] += of(factors[0].map(|factor| factor[i]));
                     out[1][i] += of(factors[1].map(|factor| factor[i]));
                     out[2][i] += shapes[0][i] * by_source[i];

@@ -214,9 +214,12 @@ impl Newton {
         self.slenderness.clear();
         self.slenderness.extend(self.shapes.iter().map(|shape| (-shape).exp()));
         self.strips.clear();
-        self.strips.extend(self.z.iter().zip(self.slenderness.iter()).map(|(&z, &slenderness)| {
-            Strip::new(z.max(0.0), slenderness, scales.least_square)
-        }));
+        self.strips.extend(
+            self.z
+                .iter()
+                .zip(self.slenderness.iter())
+                .map(|(&z, &slenderness)| Strip::new(z.max(0.0), slenderness, scales.least_square)),
+        );
         for (c, cell) in grid.cells.iter().enumerate() {
             let load = CellLoad::new(cell.nodes.map(|node| self.end(node, scales)));
             let [slender, by_z, by_shape] = self.slenderness_between(cell.nodes);
@@ -281,17 +284,17 @@ impl Newton {
         self.sums.clear();
         for (c, load) in self.cells[..grid.cells.len()].iter().enumerate() {
             let range = 2 * c * nodes..2 * (c + 1) * nodes;
-            let columns = self.by_cells.each_mut().map(|column| &mut column[range.clone()]);
+            let [value, by_source] =
+                self.by_cells.each_mut().map(|column| &mut column[range.clone()]);
             if load.mean <= 0.0 {
-                for column in columns {
-                    column.fill(Block::ZERO);
-                }
+                value.fill(Block::ZERO);
+                by_source.fill(Block::ZERO);
                 continue;
             }
             let half_length = self.cell_strips[c].half_length;
             let strip = [load.mean, 1.0 / half_length, 1.0, 1.0].map(|value| Block([value; LANES]));
-            let (rows, own) = (&self.rows, &mut self.by_length);
-            self.far.act(c, |_| strip, rows, self.is_skewed, columns, own, &mut self.sums);
+            let (rows, columns) = (&self.rows, [value, by_source, &mut self.by_length]);
+            self.far.act(c, |_| strip, rows, self.is_skewed, columns, &mut self.sums);
             add(load.moment, &self.moments[c * nodes..][..nodes], &mut self.sums.values[..nodes]);
         }
         self.add_near_cells(grid, scales);
@@ -325,7 +328,8 @@ impl Newton {
         for side in [0, 1] {
             for (i, node) in grid.nodes.iter().enumerate() {
                 let other = self.end(node.neighbours[side], scales);
-                let [mean, by_z, by_shape] = self.slenderness_between([Some(i), node.neighbours[side]]);
+                let [mean, by_z, by_shape] =
+                    self.slenderness_between([Some(i), node.neighbours[side]]);
                 let [from, part] = loaded_part(self.z[i], other);
                 let cells = &mut self.beside.side;
                 *row(&mut cells.other_loads, i) = other.max(0.0);
