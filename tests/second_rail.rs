@@ -250,7 +250,7 @@ fn a_check_rail_in_the_way_of_a_wheel_that_starts_is_told() {
     assert!(matches!(warning, StartWarning::InRail2 { overlap } if overlap > 2e-3), "{warning:?}");
     let words = warning.message("right.");
     assert!(words.contains("overlaps right.rail[2] by"), "{words}");
-    assert!(words.contains("move right.rail[2].position.y"), "{words}");
+    assert!(words.contains("move it by right.rail[2].position.y"), "{words}");
     // A tongue that carries the wheel from above is no hindrance.
     assert_eq!(element(&with_tongue(-1e-3)).start_warning(), None);
 }

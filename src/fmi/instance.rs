@@ -355,10 +355,8 @@ impl<S: Described> Instance<S> {
         {
             sunk += 1;
             if !self.told.wheel_is_sunk && logger.takes(Category::Warning) {
-                let message = format_args!(
-                    "{}; this is said once until it is out again",
-                    sunk_message(depth, prefix)
-                );
+                let place = sunk_message(depth, prefix);
+                let message = format_args!("{place}; this is said once until it is out again");
                 logger.log(Status::Warning, Category::Warning, message);
             }
         }
