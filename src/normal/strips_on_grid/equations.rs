@@ -1,21 +1,23 @@
 //! The equations of the strips.
 //!
-//! Unknowns are z at each node and χ at each knot. The load per width, over the contact modulus E*, is l = plus(z); what z is below zero is a gap:
+//! Unknowns are z at each node and χ at each knot. Between nodes z is linear; where it is positive it is the load per width over the contact modulus E*, and
+//! where it is negative it is a gap:
 //!
 //! ```text
-//! u(l, χ) - overlap - κ (plus(z) - z) = 0                                                   at each node
-//! Σ_i h_k(i) ω_i (2 R (u(0) - u(0.7 a))/(0.7 a)² - 1) + penalty = 0,  ω_i = w_i l_i/L       for each knot k, with its hat h_k
+//! u(l, χ) - overlap - K max(0, -z)^(3/2) = 0                                                at each node
+//! Σ_i h_k(i) ω_i (2 R (u(0) - u(0.7 a))/(0.7 a)² - 1) + penalty = 0,  ω_i ~ w_i l_i^(3/2)   for each knot k, with its hat h_k
 //! ```
 //!
 //! so that the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map: Robinson, Mathematics of Operations Research 17
-//! (1992) 691). A source with the load per width l, the half length a, a² = 2 l/(π c), and the width h displaces a node at the distance d by
+//! (1992) 691), and the edges of contact are the roots of z: beside an edge the load goes linearly and the gap with the power 3/2, and K is such that z has no
+//! bend there on an ellipse. A source with the load per width l, the half length a, a² = 2 l/(π c), and the width h displaces a node at the distance d by
 //!
 //! ```text
 //! u = (2/π²) h l D(d/a)/a     in units of E*, both bodies together
 //! ```
 //!
-//! Sources are the points of [`RULE`] in the two cells beside the node, and the middles of all other cells. The slope of the load in these acts by its
-//! moment, with the half length of the ellipse.
+//! Sources are the points of [`RULE`] in the loaded parts of the two cells beside the node, and the middles of all other cells. The slope of the load in these acts
+//! by its moment, with the half length of the ellipse.
 
 use std::f64::consts::PI;
 

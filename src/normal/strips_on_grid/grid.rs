@@ -2,9 +2,9 @@
 //!
 //! Nodes lie at equal shares of the integral of the curvature of the overlap to the power of 2/5 over all intervals in which the undeformed bodies
 //! overlap, by which the squared error of linear interpolation is least on the whole; fewer lie where the overlap is too small to carry load. The ends of the
-//! intervals are nodes without load. Nothing else is known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
+//! intervals are nodes too. Nothing else is known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
 //!
-//! The load per width is linear in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
+//! The load per width is the positive part of a line in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
 //! middles, with the half length that belongs to the load there.
 
 use super::equations::Scales;
