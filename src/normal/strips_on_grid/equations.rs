@@ -126,7 +126,11 @@ pub(super) struct Pair<T = f64> {
 impl<T: Real> Pair<T> {
     /// Where it is if distances are `scale` times as large and the source counts with a share `part`.
     pub fn in_part(self, scale: T, part: T) -> Self {
-        Self { along: self.along * scale, across: self.across * scale, factor: self.factor * part }
+        Self {
+            along: self.along * scale,
+            across: self.across * scale,
+            factor: self.factor * part,
+        }
     }
 }
 
@@ -275,8 +279,7 @@ impl<T: Real> CellLoad<T> {
         let [own, other] = if side == 0 { [a, b] } else { [b, a] };
         let rate = one / (own - other);
         let t = own * rate;
-        let by_own =
-            [t * (-t * 0.5 + 1.0), T::from(2.0 / 3.0), t * (t * t * 4.0 - t * 9.0 + 6.0) * sign];
+        let by_own = [t * (-t * 0.5 + 1.0), T::from(2.0 / 3.0), t * (t * t * 4.0 - t * 9.0 + 6.0) * sign];
         let by_other = [t * t * 0.5, zero, t * t * (-(t * 4.0) + 3.0) * sign];
         Self {
             mean: own * t * 0.5,
@@ -362,17 +365,15 @@ pub(super) fn residuals<T: Real>(
             let beside = node.neighbours[side];
             let [[from, ..], [part, ..]] = loaded_part(z[i], end(beside));
             let [[own, _], [other, _]] = [of(Some(i)), of(beside)];
-            let [[_, a], [_, b]] = [of(Some(i)), of(beside)];
+            let [slender, _] = slenderness(of(Some(i)), of(beside));
             for (k, [t, _]) in RULE.into_iter().enumerate() {
-                let [slender, _] = slenderness([own * (1.0 - t), a], [other * t, b]);
                 let pair = near_pair(nodes, i, side, k).in_part((from + part * t) / t, part);
                 let load = own + (other - own) * t;
                 add(&pair, load, Strip::new(load, slender, scales.least_square).half_length);
             }
         }
         let below = (-z[i]).at_least(0.0);
-        out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves())
-            / grid.depth;
+        out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves()) / grid.depth;
         if z[i] > 0.0 {
             let error = fallen / wanted_fall(&own, node) - 1.0;
             for (k, share) in knots.of(node.number) {

@@ -222,7 +222,7 @@ impl Newton {
         );
         for (c, cell) in grid.cells.iter().enumerate() {
             let load = CellLoad::new(cell.nodes.map(|node| self.end(node, scales)));
-            let [slender, by_z, by_shape] = self.slenderness_between(cell.nodes, [0.5; 2]);
+            let [slender, by_z, by_shape] = self.slenderness_between(cell.nodes);
             let strip = Strip::new(load.weighted, slender[0], scales.least_square);
             let by_slender = strip.length_by_load * load.weighted / slender[0];
             self.cell_lengths[c] = [0, 1].map(|end| {
@@ -240,20 +240,18 @@ impl Newton {
         node.map_or(-scales.load, |j| self.z[j])
     }
 
-    /// 1/c between two nodes, where their loads have the `shares`, and its derivatives by z and by χ of both.
+    /// 1/c between two nodes, and its derivatives by z and by χ of both.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn slenderness_between(&self, nodes: [Option<usize>; 2], shares: [f64; 2]) -> [[f64; 2]; 3] {
-        let of = |end: usize| {
-            let load = |j: usize| shares[end] * self.z[j].max(0.0);
-            nodes[end].map_or([0.0; 2], |j| [load(j), self.slenderness[j]])
+    fn slenderness_between(&self, nodes: [Option<usize>; 2]) -> [[f64; 2]; 3] {
+        let of = |node: Option<usize>| {
+            node.map_or([0.0; 2], |j| [self.z[j].max(0.0), self.slenderness[j]])
         };
-        let [a, b] = [of(0), of(1)];
+        let [a, b] = nodes.map(of);
         let [mean, share] = slenderness(a, b);
         let squares = a[0] * a[0] + b[0] * b[0];
         let by_z = if squares > 0.0 {
-            let slope = |end: [f64; 2]| 2.0 * end[0] * (end[1] - mean) / squares;
-            [shares[0] * slope(a), shares[1] * slope(b)]
+            [2.0 * a[0] * (a[1] - mean) / squares, 2.0 * b[0] * (b[1] - mean) / squares]
         } else {
             [0.0; 2]
         };
@@ -330,9 +328,15 @@ impl Newton {
         for side in [0, 1] {
             for (i, node) in grid.nodes.iter().enumerate() {
                 let other = self.end(node.neighbours[side], scales);
+                let [mean, by_z, by_shape] =
+                    self.slenderness_between([Some(i), node.neighbours[side]]);
                 let [from, part] = loaded_part(self.z[i], other);
                 let cells = &mut self.beside.side;
                 *row(&mut cells.other_loads, i) = other.max(0.0);
+                let slenderness = [mean[0], by_z[0], by_z[1], by_shape[0], by_shape[1]];
+                for (column, value) in cells.slenderness.iter_mut().zip(slenderness) {
+                    *row(column, i) = value;
+                }
                 for ((from_column, from), (part_column, part)) in
                     (cells.from.iter_mut().zip(from)).zip(cells.part.iter_mut().zip(part))
                 {
@@ -341,15 +345,6 @@ impl Newton {
                 }
             }
             for (k, [t, _]) in RULE.into_iter().enumerate() {
-                for (i, node) in grid.nodes.iter().enumerate() {
-                    let nodes = [Some(i), node.neighbours[side]];
-                    let [mean, by_z, by_shape] = self.slenderness_between(nodes, [1.0 - t, t]);
-                    let slenderness = [mean[0], by_z[0], by_z[1], by_shape[0], by_shape[1]];
-                    let columns = self.beside.side.slenderness.iter_mut();
-                    for (column, value) in columns.zip(slenderness) {
-                        *row(column, i) = value;
-                    }
-                }
                 let (rows, sums) = (&self.rows, &mut self.sums);
                 let slot = [side * RULE.len() + k, side];
                 self.beside.act(slot, [t, scales.least_square], rows, self.is_skewed, sums);
