@@ -126,11 +126,7 @@ pub(super) struct Pair<T = f64> {
 impl<T: Real> Pair<T> {
     /// Where it is if distances are `scale` times as large and the source counts with a share `part`.
     pub fn in_part(self, scale: T, part: T) -> Self {
-        Self {
-            along: self.along * scale,
-            across: self.across * scale,
-            factor: self.factor * part,
-        }
+        Self { along: self.along * scale, across: self.across * scale, factor: self.factor * part }
     }
 }
 
@@ -279,7 +275,8 @@ impl<T: Real> CellLoad<T> {
         let [own, other] = if side == 0 { [a, b] } else { [b, a] };
         let rate = one / (own - other);
         let t = own * rate;
-        let by_own = [t * (-t * 0.5 + 1.0), T::from(2.0 / 3.0), t * (t * t * 4.0 - t * 9.0 + 6.0) * sign];
+        let by_own =
+            [t * (-t * 0.5 + 1.0), T::from(2.0 / 3.0), t * (t * t * 4.0 - t * 9.0 + 6.0) * sign];
         let by_other = [t * t * 0.5, zero, t * t * (-(t * 4.0) + 3.0) * sign];
         Self {
             mean: own * t * 0.5,
@@ -373,7 +370,8 @@ pub(super) fn residuals<T: Real>(
             }
         }
         let below = (-z[i]).at_least(0.0);
-        out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves()) / grid.depth;
+        out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves())
+            / grid.depth;
         if z[i] > 0.0 {
             let error = fallen / wanted_fall(&own, node) - 1.0;
             for (k, share) in knots.of(node.number) {
