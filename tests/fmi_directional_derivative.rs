@@ -34,6 +34,16 @@ fn derivative(host: &Host, unknowns: &[&str], seeds: &[(&str, f64)]) -> Result<V
     let unknowns: Vec<ValueReference> = unknowns.iter().map(|n| reference(n)).collect();
     let knowns: Vec<ValueReference> = seeds.iter().map(|(n, _)| reference(n)).collect();
     let seeds: Vec<f64> = seeds.iter().map(|(_, seed)| *seed).collect();
+    asked(host, &unknowns, &knowns, &seeds)
+}
+
+/// The same by references.
+fn asked(
+    host: &Host,
+    unknowns: &[ValueReference],
+    knowns: &[ValueReference],
+    seeds: &[f64],
+) -> Result<Vec<f64>, Status> {
     let mut found = vec![f64::NAN; unknowns.len()];
     // SAFETY: FMI 2.0, 2.1.9: the arrays hold as many elements as the counts say.
     let status = unsafe {
@@ -273,20 +283,8 @@ fn every_advertised_pair_answers(unit: &'static Unit, stride: usize) {
         .map(|v| v.reference as ValueReference)
         .collect();
     let ask = |mode: &str, known: &Variable, unknowns: &[ValueReference]| {
-        let mut found = vec![f64::NAN; unknowns.len()];
-        // SAFETY: FMI 2.0, 2.1.9: the arrays hold as many elements as the counts say.
-        let status = unsafe {
-            fmi2GetDirectionalDerivative(
-                host.component,
-                unknowns.as_ptr(),
-                unknowns.len(),
-                &(known.reference as ValueReference),
-                1,
-                &1.0,
-                found.as_mut_ptr(),
-            )
-        };
-        assert_eq!(status, Status::Ok, "{mode}: {}: {}", known.name, host.last());
+        let found = asked(&host, unknowns, &[known.reference as ValueReference], &[1.0])
+            .unwrap_or_else(|_| panic!("{mode}: {}: {}", known.name, host.last()));
         assert!(found.iter().all(|rate| rate.is_finite()), "{mode}: {}: {found:?}", known.name);
     };
     let knowns = |causality: Causality| {
