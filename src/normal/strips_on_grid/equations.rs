@@ -61,8 +61,7 @@ pub(super) struct Scales<T = f64> {
 impl<T: Real> Scales<T> {
     pub fn new(grid: &Grid<T>) -> Self {
         let along = T::from(0.5) / grid.radius;
-        let half_width = grid.area / grid.depth * 0.75;
-        let across = grid.depth / (half_width * half_width);
+        let across = grid.depth / (grid.half_width * grid.half_width);
         let across = across.max(along / MOST_RATIO).min(along * MOST_RATIO);
         let ellipse = hertz::ellipse(along, across, grid.depth, 1.0);
         let (a, b) = (ellipse.semi_axis_along, ellipse.semi_axis_across);

@@ -17,8 +17,10 @@ use crate::math::room::Room;
 const PARTS: usize = 24;
 /// Parts between places at which the radius of the wheel is taken, which varies little.
 const RADII: usize = 6;
-/// Depth of a parabola over the mean of its overlap, weighted by the overlap.
-const DEPTH_OVER_MEAN: f64 = 1.25;
+/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
+const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+/// Half its width over the integral of the square of the overlap over the square of its depth.
+const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
 const UNLOADED: f64 = 0.6;
@@ -74,11 +76,10 @@ pub(super) struct Cell<T = f64> {
 pub(super) struct Grid<T = f64> {
     pub nodes: Room<Node<T>>,
     pub cells: Room<Cell<T>>,
-    /// Depth of the overlap: that of the parabola with the same mean overlap, weighted by itself [m].
+    /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
-    /// Integral of the overlap over the coordinate across [m²].
-    pub area: T,
-    /// Mean radius of the normal section of the wheel along x, weighted by the overlap [m].
+    pub half_width: T,
+    /// Mean radius of the normal section of the wheel along x, weighted by the square of the overlap [m].
     pub radius: T,
     samples: Room<Sample<T>>,
 }
@@ -122,7 +123,7 @@ impl<T: Real> Grid<T> {
             nodes: Room::new(nodes + 2 * intervals),
             cells: Room::new(nodes + 3 * intervals),
             depth: zero,
-            area: zero,
+            half_width: zero,
             radius: zero,
             samples: Room::new(intervals * PARTS),
         }
@@ -135,7 +136,7 @@ impl<T: Real> Grid<T> {
         self.sample(line, ends);
         // An overlap of the order of rounding, or of numbers that have none.
         let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
-        if ![self.depth, self.area, self.radius, self.area / self.depth].into_iter().all(is_size) {
+        if ![self.depth, self.half_width, self.radius, self.half_width / self.depth].into_iter().all(is_size) {
             return;
         }
         let level = Scales::new(self).level;
@@ -194,7 +195,7 @@ impl<T: Real> Grid<T> {
     fn sample(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) {
         self.samples.clear();
         let zero = T::from(0.0);
-        let (mut area, mut squares, mut radii) = (zero, zero, [zero; 2]);
+        let (mut squares, mut cubes, mut radii) = (zero, zero, [zero; 2]);
         for (interval, pair) in ends.iter().enumerate() {
             let [left, right] = [pair[0].moving(line), pair[1].moving(line)];
             let rate = (pair[1].u - pair[0].u) / (pair[1].y - pair[0].y);
@@ -207,13 +208,13 @@ impl<T: Real> Grid<T> {
                 // Simpson's rule.
                 let weight = if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
                 let depth = place.overlap.at_least(0.0);
-                let share = step * depth * (weight / 3.0);
+                let share = step * depth * depth * (weight / 3.0);
                 *overlap = place.overlap;
-                area += share;
-                squares += share * depth;
+                squares += share;
+                cubes += share * depth;
                 if k % RADII == 0 {
                     let weight = if k == 0 || k == PARTS { 0.5 } else { 1.0 };
-                    let share = step * depth * (weight * RADII as f64);
+                    let share = step * depth * depth * (weight * RADII as f64);
                     radii = [radii[0] + share * line.section_radius(place.u), radii[1] + share];
                 }
             }
@@ -234,9 +235,9 @@ impl<T: Real> Grid<T> {
                 });
             }
         }
-        self.area = area;
         self.radius = radii[0] / radii[1];
-        self.depth = squares / area * DEPTH_OVER_MEAN;
+        self.depth = cubes / squares * DEPTH_OVER_MEAN;
+        self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
     }
 
     /// Whether nodes are ahead of each other.

@@ -19,11 +19,15 @@ pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
 const LAST_CHANGE: f64 = 1e-5;
-/// Greatest change of z over the load per width in the middle of the ellipse, and of χ, in one step: less than where the equations have left what their
-/// derivatives tell.
+/// Greatest change in one step of z, over itself or the load per width in the middle of the ellipse, whichever is greater, and of χ: less than where the equations
+/// have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
-/// Least slope of the gap, over that at the load in the middle of the ellipse: a node without load whose gap is nothing knows where to go.
-const LEAST_SLOPE: f64 = 1e-3;
+/// Share of the way beyond zero that a node takes that begins to carry load: its gap, by which it goes there, is about as much flatter than its load where both are
+/// small, and it would come back and go again.
+const SHARE_ACROSS: f64 = 0.1;
+/// Least slope of the equation of a node over the greatest residual of all of them, both in units of the ellipse: a node of little load or little gap has an equation that
+/// is flat on both sides, and moves by no more than some loads of the ellipse. It goes to nothing with the residual, so that the last steps are Newton's.
+const LEAST_SLOPE: f64 = 0.2;
 
 /// Unknowns and memory for as many nodes as the solver was made for.
 #[derive(Clone, Debug)]
@@ -151,7 +155,7 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
-            match self.step(&scales) {
+            match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
                     return true;
@@ -200,7 +204,7 @@ impl Newton {
         self.z.clear();
         self.z.extend(grid.nodes.iter().map(|node| {
             let level = (node.place.overlap / grid.depth - scales.level) / (1.0 - scales.level);
-            scales.load * level.clamp(-1.0, 1.0)
+            scales.load * level.max(-1.0)
         }));
         self.shape.fill(scales.shape);
     }
@@ -360,9 +364,7 @@ impl Newton {
         let (stride, nodes) = (self.nodes + self.behind, self.nodes);
         let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
         let column = &mut matrix[j * stride..][..stride];
-        let slope = |below: f64| 1.5 * scales.gap * below.sqrt();
-        let least = LEAST_SLOPE * slope(scales.load);
-        let gap = if self.z[j] < 0.0 { slope(-self.z[j]).max(least) } else { 0.0 };
+        let gap = 1.5 * scales.gap * (-self.z[j]).max(0.0).sqrt();
         let first = grid.nodes[j].cell;
         if self.cells[first].mean <= 0.0 && self.cells[first + 1].mean <= 0.0 {
             column.fill(Block::ZERO);
@@ -435,21 +437,40 @@ impl Newton {
         n + m
     }
 
+    /// Makes the equations of nodes as steep as they have to be.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn steepen(&mut self, grid: &Grid, scales: &Scales) {
+        let (n, stride) = (grid.nodes.len(), self.nodes + self.behind);
+        let (matrix, right) = self.matrix.split_at_mut(self.pivots.len() * stride);
+        let greatest = (0..n).map(|i| row(right, i).abs()).fold(0.0, f64::max);
+        let least = LEAST_SLOPE * greatest.min(grid.depth) / scales.load;
+        for (i, column) in matrix.chunks_exact_mut(stride).take(n).enumerate() {
+            let slope = row(column, i);
+            *slope = slope.max(least);
+        }
+    }
+
     /// One step; its greatest change, or nothing where the equations have no solution.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn step(&mut self, scales: &Scales) -> Option<f64> {
+    fn step(&mut self, grid: &Grid, scales: &Scales) -> Option<f64> {
         let stride = self.nodes + self.behind;
+        self.steepen(grid, scales);
         if !elimination::solve(&mut self.matrix, stride, &self.pivots) {
             return None;
         }
         let change = &mut self.matrix[self.pivots.len() * stride..];
         let mut greatest = 0.0f64;
-        let (most, least) = (MOST_CHANGE[0] * scales.load, f64::EPSILON * scales.load);
+        let least = f64::EPSILON * scales.load;
         for (i, z) in self.z.iter_mut().enumerate() {
             let change = *row(change, i);
             let is_loaded = *z > 0.0;
+            let most = MOST_CHANGE[0] * scales.load.max(z.abs());
             *z += change.clamp(-most, most);
+            if !is_loaded && *z > 0.0 {
+                *z *= SHARE_ACROSS;
+            }
             // A load of nothing has no side.
             if z.abs() < least {
                 *z = least;
