@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 
 use super::grid::{Cell, Grid, Node};
 use super::influence::{Influence, STATION, centred_at, shifted_at};
+use super::samples::Samples;
 use super::shape::Knots;
 use crate::math::real::Real;
 use crate::math::room::Room;
@@ -59,7 +60,7 @@ pub(super) struct Scales<T = f64> {
 }
 
 impl<T: Real> Scales<T> {
-    pub fn new(grid: &Grid<T>) -> Self {
+    pub fn new(grid: &Samples<T>) -> Self {
         let along = T::from(0.5) / grid.radius;
         let across = grid.depth / (grid.half_width * grid.half_width);
         let across = across.max(along / MOST_RATIO).min(along * MOST_RATIO);
@@ -326,7 +327,7 @@ pub(super) fn residuals<T: Real>(
     slender: &mut Room<T>,
     out: &mut Vec<T>,
 ) {
-    let scales = Scales::new(grid);
+    let scales = Scales::new(&grid.samples);
     let nodes = &grid.nodes;
     let n = nodes.len();
     let zero = T::from(0.0);
@@ -370,7 +371,7 @@ pub(super) fn residuals<T: Real>(
         }
         let below = (-z[i]).at_least(0.0);
         out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves())
-            / grid.depth;
+            / grid.samples.depth;
         if z[i] > 0.0 {
             let error = fallen / wanted_fall(&own, node) - 1.0;
             for (k, share) in knots.of(node.number) {

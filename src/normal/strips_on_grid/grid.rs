@@ -10,32 +10,9 @@
 use super::equations::Scales;
 use super::line::{OverlapLine, Place};
 use super::overlap::End;
+use super::samples::{Samples, nodes_between, share_behind};
 use crate::math::real::Real;
 use crate::math::room::Room;
-
-/// Parts of an interval of overlap, in each of which the density of nodes is linear: it rises from nothing to its own within a few of them.
-const PARTS: usize = 24;
-/// Parts between places at which the radius of the wheel is taken, which varies little.
-const RADII: usize = 6;
-/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
-/// Half its width over the integral of the square of the overlap over the square of its depth.
-const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
-
-/// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
-const UNLOADED: f64 = 0.6;
-/// Power of the squared curvature that nodes are laid by: the squared error of linear interpolation is least on the whole with 2/5 of the curvature.
-const DENSITY_POWER: f64 = 0.2;
-/// Least overlap over the depth where nodes are laid by it.
-const LEAST_OVERLAP: f64 = 1e-3;
-
-/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of the contact region being near `level`: fewer where no
-/// load is to be expected.
-fn density<T: Real>(overlap: T, level: T) -> T {
-    let beyond = level / overlap * UNLOADED;
-    let square = beyond * beyond;
-    T::from(1.0) / (square * square + 1.0)
-}
 
 /// A node: one unknown load per width.
 #[derive(Clone, Copy, Debug)]
@@ -76,56 +53,16 @@ pub(super) struct Cell<T = f64> {
 pub(super) struct Grid<T = f64> {
     pub nodes: Room<Node<T>>,
     pub cells: Room<Cell<T>>,
-    /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
-    pub depth: T,
-    pub half_width: T,
-    /// Mean radius of the normal section of the wheel along x, weighted by the square of the overlap [m].
-    pub radius: T,
-    samples: Room<Sample<T>>,
-}
-
-/// One step between samples of the overlap.
-#[derive(Clone, Copy, Debug)]
-struct Sample<T> {
-    /// Number of the interval of overlap.
-    interval: usize,
-    /// Coordinate across at its beginning, and its width [m].
-    y: T,
-    step: T,
-    /// Parameters of the line at its ends [m].
-    parameters: [f64; 2],
-    /// Square of the curvature of the overlap [1/m²], and the overlap [m], at its ends.
-    curvatures2: [T; 2],
-    overlaps: [T; 2],
-    /// Nodes wanted at its ends, per length.
-    densities: [T; 2],
-}
-
-impl<T: Real> Sample<T> {
-    /// Nodes wanted in it: their density is linear.
-    fn nodes(&self) -> T {
-        self.step * (self.densities[0] + self.densities[1]) * 0.5
-    }
-
-    /// Share of its width behind which there are as many `nodes`, which are no more than all.
-    fn behind(&self, nodes: T) -> T {
-        let [first, last] = self.densities;
-        let wanted = nodes / self.step * 2.0;
-        wanted / (first + (first * first + (last - first) * wanted).at_least(0.0).sqrt())
-    }
+    pub samples: Samples<T>,
 }
 
 impl<T: Real> Grid<T> {
     /// Room for `nodes` nodes within `intervals` intervals, whose ends are nodes too.
     pub fn new(nodes: usize, intervals: usize) -> Self {
-        let zero = T::from(0.0);
         Self {
             nodes: Room::new(nodes + 2 * intervals),
             cells: Room::new(nodes + 3 * intervals),
-            depth: zero,
-            half_width: zero,
-            radius: zero,
-            samples: Room::new(intervals * PARTS),
+            samples: Samples::new(),
         }
     }
 
@@ -133,111 +70,47 @@ impl<T: Real> Grid<T> {
     pub fn lay(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]], count: usize) {
         self.nodes.clear();
         self.cells.clear();
-        self.sample(line, ends);
         // An overlap of the order of rounding, or of numbers that have none.
-        let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
-        if ![self.depth, self.half_width, self.radius, self.half_width / self.depth].into_iter().all(is_size) {
+        if !self.samples.take(line, ends) {
             return;
         }
-        let level = Scales::new(self).level;
-        let depth = self.depth;
-        let width: T = self.samples.iter().map(|s| s.step).sum();
-        // Where the bodies are parallel there is no curvature to go by.
-        let least = depth / (width * width);
-        for sample in self.samples.iter_mut() {
-            for end in 0..2 {
-                let overlap = (sample.overlaps[end] / depth).at_least(LEAST_OVERLAP);
-                let bend = (sample.curvatures2[end] + least * least).normal_ln() * DENSITY_POWER;
-                sample.densities[end] = bend.exp() * density(overlap, level);
-            }
-        }
-        let total: T = self.samples.iter().map(Sample::nodes).sum();
-        let share = total / (count + 1) as f64;
+        let scales = Scales::new(&self.samples);
+        let share = self.samples.lay(&scales) / (count + 1) as f64;
         let mut passed = T::from(0.0);
         let (mut next, mut laid) = (0, 0);
-        for interval in 0..ends.len() {
-            let begin = next;
+        while next < self.samples.list.len() {
             let (first, before) = (self.nodes.len(), laid);
-            while next < self.samples.len() && self.samples[next].interval == interval {
-                let sample = self.samples[next];
-                if next == begin {
-                    self.push_node(line, sample.y, sample.parameters[0], laid);
-                }
+            let begin = self.samples.list[next];
+            self.push_node(line, begin.y, begin.u, laid);
+            let mut last = begin;
+            next += 1;
+            while let Some(&sample) = self.samples.list.get(next).filter(|s| s.interval == begin.interval) {
+                let pair = [&last, &sample];
                 next += 1;
-                let own = sample.nodes();
+                let own = nodes_between(pair);
                 while laid < count {
                     let ahead = share * (laid + 1) as f64 - passed;
                     let is_here = ahead < own;
                     // Rounding may leave the last node beyond all samples.
-                    if !is_here && next < self.samples.len() {
+                    if !is_here && next < self.samples.list.len() {
                         break;
                     }
-                    let behind = if is_here { sample.behind(ahead) } else { T::from(1.0) };
-                    let [from, to] = sample.parameters;
-                    let parameter = from + (to - from) * behind.value();
-                    self.push_node(line, sample.y + sample.step * behind, parameter, laid);
+                    let behind = if is_here { share_behind(pair, ahead) } else { T::from(1.0) };
+                    let parameter = last.u + (sample.u - last.u) * behind.value();
+                    self.push_node(line, last.y + (sample.y - last.y) * behind, parameter, laid);
                     laid += 1;
                 }
                 passed += own;
+                last = sample;
             }
             if laid == before {
                 // Nothing is known of an overlap in which no node lies.
                 self.nodes.truncate(first);
                 continue;
             }
-            let last = self.samples[next - 1];
-            self.push_node(line, last.y + last.step, last.parameters[1], laid - 1);
+            self.push_node(line, last.y, last.u, laid - 1);
             self.link(first);
         }
-    }
-
-    /// Takes the curvatures of all intervals, their depth, their area and their radius.
-    fn sample(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) {
-        self.samples.clear();
-        let zero = T::from(0.0);
-        let (mut squares, mut cubes, mut radii) = (zero, zero, [zero; 2]);
-        for (interval, pair) in ends.iter().enumerate() {
-            let [left, right] = [pair[0].moving(line), pair[1].moving(line)];
-            let rate = (pair[1].u - pair[0].u) / (pair[1].y - pair[0].y);
-            let parameter = |y: f64| pair[0].u + rate * (y - pair[0].y);
-            let step = (right - left) * (1.0 / PARTS as f64);
-            let y = |k: usize| left + step * k as f64;
-            let mut overlaps = [zero; PARTS + 1];
-            for (k, overlap) in overlaps.iter_mut().enumerate() {
-                let place = line.at(y(k), parameter(y(k).value()));
-                // Simpson's rule.
-                let weight = if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
-                let depth = place.overlap.at_least(0.0);
-                let share = step * depth * depth * (weight / 3.0);
-                *overlap = place.overlap;
-                squares += share;
-                cubes += share * depth;
-                if k % RADII == 0 {
-                    let weight = if k == 0 || k == PARTS { 0.5 } else { 1.0 };
-                    let share = step * depth * depth * (weight * RADII as f64);
-                    radii = [radii[0] + share * line.section_radius(place.u), radii[1] + share];
-                }
-            }
-            let curvature2 = |k: usize| {
-                let k = k.clamp(1, PARTS - 1);
-                let bend = (overlaps[k - 1] - overlaps[k] * 2.0 + overlaps[k + 1]) / (step * step);
-                bend * bend
-            };
-            for k in 0..PARTS {
-                self.samples.push(Sample {
-                    interval,
-                    y: y(k),
-                    step,
-                    parameters: [k, k + 1].map(|k| parameter(y(k).value())),
-                    curvatures2: [k, k + 1].map(curvature2),
-                    overlaps: [overlaps[k], overlaps[k + 1]],
-                    densities: [zero; 2],
-                });
-            }
-        }
-        self.radius = radii[0] / radii[1];
-        self.depth = cubes / squares * DEPTH_OVER_MEAN;
-        self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
     }
 
     /// Whether nodes are ahead of each other.

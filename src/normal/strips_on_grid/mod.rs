@@ -24,6 +24,7 @@ mod influence;
 mod line;
 mod newton;
 mod overlap;
+mod samples;
 mod shape;
 mod zones;
 

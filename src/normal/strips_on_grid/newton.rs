@@ -148,7 +148,7 @@ impl Newton {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn solve_here(&mut self, grid: &Grid, knots: &Knots) -> bool {
-        let scales = Scales::new(grid);
+        let scales = Scales::new(&grid.samples);
         self.fit(grid, knots);
         self.measure(grid, &scales);
         self.start(grid, &scales);
@@ -203,7 +203,7 @@ impl Newton {
     fn start(&mut self, grid: &Grid, scales: &Scales) {
         self.z.clear();
         self.z.extend(grid.nodes.iter().map(|node| {
-            let level = (node.place.overlap / grid.depth - scales.level) / (1.0 - scales.level);
+            let level = (node.place.overlap / grid.samples.depth - scales.level) / (1.0 - scales.level);
             scales.load * level.max(-1.0)
         }));
         self.shape.fill(scales.shape);
@@ -424,13 +424,13 @@ impl Newton {
 
     /// The derivatives of all residuals by all unknowns at the present ones, by rows, into `matrix`; returns their number.
     pub fn matrix_at(&mut self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
-        let scales = Scales::new(grid);
+        let scales = Scales::new(&grid.samples);
         self.linearise(grid, knots, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
         for (k, &row) in self.pivots.iter().enumerate() {
             let (block, lane) = (row / LANES, row % LANES);
-            let scale = if k < n { grid.depth } else { 1.0 };
+            let scale = if k < n { grid.samples.depth } else { 1.0 };
             let columns = self.matrix.chunks_exact(self.nodes + self.behind).take(n + m);
             matrix.extend(columns.map(|column| column[block].0[lane] / scale));
         }
@@ -444,7 +444,7 @@ impl Newton {
         let (n, stride) = (grid.nodes.len(), self.nodes + self.behind);
         let (matrix, right) = self.matrix.split_at_mut(self.pivots.len() * stride);
         let greatest = (0..n).map(|i| row(right, i).abs()).fold(0.0, f64::max);
-        let least = LEAST_SLOPE * greatest.min(grid.depth) / scales.load;
+        let least = LEAST_SLOPE * greatest.min(grid.samples.depth) / scales.load;
         for (i, column) in matrix.chunks_exact_mut(stride).take(n).enumerate() {
             let slope = row(column, i);
             *slope = slope.max(least);
