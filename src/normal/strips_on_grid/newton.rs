@@ -155,6 +155,7 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
+            if std::env::var("DBG").is_ok() { eprintln!("depth {:e} half {:e} gap {:e} step {} y {:?}\n z {:?}\n   chi {:?}", grid.samples.depth, grid.samples.half_width, scales.gap, self.steps, grid.nodes.iter().map(|n| (n.y * 1e6 * 10.0).round() / 10.0).collect::<Vec<_>>(), self.z.iter().map(|z| (z / scales.load * 100000.0).round() / 100000.0).collect::<Vec<_>>(), self.shape.iter().map(|z| ((z - scales.shape) * 100.0).round() / 100.0).collect::<Vec<_>>()); }
             match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
@@ -467,7 +468,10 @@ impl Newton {
             let change = *row(change, i);
             let is_loaded = *z > 0.0;
             let most = MOST_CHANGE[0] * scales.load.max(z.abs());
-            *z += change.clamp(-most, most);
+            let g: f64 = std::env::var("G").map_or(0.5, |v| v.parse().unwrap());
+            let gm: f64 = std::env::var("GM").map_or(0.5, |v| v.parse().unwrap());
+            let up = if *z > 0.0 { (gm * *z).max(g * scales.load) } else { most };
+            *z += change.clamp(-most, up);
             if !is_loaded && *z > 0.0 {
                 *z *= SHARE_ACROSS;
             }

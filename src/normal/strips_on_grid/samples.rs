@@ -1,23 +1,22 @@
 //! The overlap at places across, and how many nodes are wanted there.
 //!
 //! Nodes are wanted by the curvature of the overlap to the power of 2/5, by which the squared error of linear interpolation is least on the whole, and fewer where the
-//! overlap is too small to carry load. Curvatures are second differences between places that stand still on the rail, so that the density is one of the place alone:
-//! where two intervals of overlap join, nodes stay where they are.
+//! overlap is too small to carry load. The overlap is taken at equal distances from the middle of all overlaps, with parabolas in between, whatever belongs to which
+//! interval: where two of them join, nodes stay where they are.
 
 use super::equations::Scales;
-use super::line::{OverlapLine, Place};
+use super::line::OverlapLine;
 use super::overlap::{End, MOST_OVERLAPS};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
-/// Parts of an interval of overlap: those that Simpson's rule for its integrals takes, and the fewest by which the density is taken.
-const PARTS: usize = 24;
-/// Parts between places at which the radius of the wheel is taken, which varies little.
-const RADII: usize = 6;
-/// Distance between the places that curvatures are taken by, about that of points in measured profiles [m]; and the greatest number of them, beyond which it is
-/// doubled.
-const SPACING: f64 = 5e-4;
-const MOST_BENDS: usize = 256;
+/// Distance between the places that the overlap is taken at, over the width of all overlaps; and how far they are apart at most, about as far as points in measured
+/// profiles, but in that many places at most.
+const SPACING: f64 = 1.0 / 24.0;
+const MOST_SPACING: f64 = 5e-4;
+const MOST_PLACES: usize = 256;
+/// Parts between two of them, in each of which the density is linear.
+const PARTS: usize = 6;
 
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
@@ -47,11 +46,28 @@ pub(super) struct Sample<T> {
     pub y: T,
     /// Parameter of the line [m].
     pub u: f64,
-    /// Overlap [m], and the square of its curvature [1/m²].
+    /// Overlap [m], and its second derivative [1/m].
     overlap: T,
-    bend2: T,
+    bend: T,
     /// Nodes wanted per length.
     density: T,
+}
+
+impl<T: Real> Sample<T> {
+    /// At a share of the way to an `other` one: a parabola, whose bend is that in the middle.
+    fn towards(&self, other: &Self, share: f64) -> Self {
+        let mix = |a: T, b: T| a + (b - a) * share;
+        let width = other.y - self.y;
+        let bulge = width * width * (self.bend + other.bend) * (0.25 * share * (1.0 - share));
+        Self {
+            interval: self.interval,
+            y: self.y + width * share,
+            u: self.u + (other.u - self.u) * share,
+            overlap: mix(self.overlap, other.overlap) - bulge,
+            bend: mix(self.bend, other.bend),
+            density: self.density,
+        }
+    }
 }
 
 /// Nodes wanted between two samples, their density being linear.
@@ -73,125 +89,137 @@ pub(super) struct Samples<T = f64> {
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
-    /// Mean radius of the normal section of the wheel along x, weighted by the square of the overlap [m].
+    /// Radius of the normal section of the wheel along x in the middle of the square of the overlap [m].
     pub radius: T,
-    /// Overlaps at the places that stand still beside and within the interval under way; the number of the first.
-    still: Room<Place<T>>,
-    first: f64,
-    spacing: f64,
+    /// Ends of the intervals of overlap [m].
+    ends: Room<[T; 2]>,
+    /// Overlaps at the places beside and within the interval under way.
+    still: Room<T>,
 }
 
 impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new(MOST_OVERLAPS * (PARTS + 1) + MOST_BENDS),
+            list: Room::new((MOST_PLACES + 2 * MOST_OVERLAPS) * PARTS),
             depth: zero,
             half_width: zero,
             radius: zero,
-            still: Room::new(MOST_BENDS + 4),
-            first: 0.0,
-            spacing: SPACING,
+            ends: Room::new(MOST_OVERLAPS),
+            still: Room::new(MOST_PLACES + 4),
         }
     }
 
     /// Takes the intervals of overlap between `ends`; false where there is nothing but rounding, or no numbers.
     pub fn take(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) -> bool {
         self.list.clear();
-        let zero = T::from(0.0);
-        let (mut squares, mut cubes, mut radii) = (zero, zero, [zero; 2]);
-        let width: f64 = ends.iter().map(|[left, right]| right.y - left.y).sum();
-        self.spacing = SPACING;
-        while width > self.spacing * MOST_BENDS as f64 {
-            self.spacing *= 2.0;
+        self.ends.clear();
+        self.ends.extend(ends.iter().map(|pair| [0, 1].map(|end| pair[end].moving(line))));
+        let width: T = self.ends.iter().map(|&[left, right]| right - left).sum();
+        let middle = self.ends.iter().map(|&[left, right]| (right - left) * (left + right)).sum::<T>() * 0.5 / width;
+        let spacing = (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
+        for (interval, ends) in ends.iter().enumerate() {
+            self.take_interval(line, interval, ends, [middle, spacing]);
         }
-        for (interval, [one, other]) in ends.iter().enumerate() {
-            let [left, right] = [one.moving(line), other.moving(line)];
-            let rate = (other.u - one.u) / (other.y - one.y);
-            let parameter = |y: f64| one.u + rate * (y - one.y);
-            self.take_still(line, [one.y, other.y], parameter);
-            let step = (right - left) * (1.0 / PARTS as f64);
-            let mut next = (one.y / self.spacing).floor() + 1.0;
-            for k in 0..=PARTS {
-                let y = left + step * k as f64;
-                while next * self.spacing < y.value() {
-                    let place = self.still[(next - self.first) as usize];
-                    self.push(interval, T::from(next * self.spacing), place);
-                    next += 1.0;
-                }
-                let place = line.at(y, parameter(y.value()));
-                self.push(interval, y, place);
-                // Simpson's rule.
-                let weight = if k == 0 || k == PARTS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
-                let depth = place.overlap.at_least(0.0);
-                let share = step * depth * depth * (weight / 3.0);
-                squares += share;
-                cubes += share * depth;
-                if k % RADII == 0 {
-                    let weight = if k == 0 || k == PARTS { 0.5 } else { 1.0 };
-                    let share = step * depth * depth * (weight * RADII as f64);
-                    radii = [radii[0] + share * line.section_radius(place.u), radii[1] + share];
-                }
+        let zero = T::from(0.0);
+        let [mut squares, mut cubes, mut moment, mut parameter] = [zero; 4];
+        for pair in self.list.windows(2).filter(|pair| pair[0].interval == pair[1].interval) {
+            let width = pair[1].y - pair[0].y;
+            let middle = pair[0].towards(&pair[1], 0.5);
+            // Simpson's rule.
+            for (sample, weight) in [(&pair[0], 1.0), (&middle, 4.0), (&pair[1], 1.0)] {
+                let depth = sample.overlap.at_least(0.0);
+                let square = width * depth * depth * (weight / 6.0);
+                squares += square;
+                cubes += square * depth;
+                moment += square * sample.y;
+                parameter += square * sample.u;
             }
         }
-        self.radius = radii[0] / radii[1];
         self.depth = cubes / squares * DEPTH_OVER_MEAN;
         self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
+        let middle = line.at(moment / squares, (parameter / squares).value());
+        self.radius = line.section_radius(middle.u);
         let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
         [self.depth, self.half_width, self.radius, self.half_width / self.depth]
             .into_iter()
             .all(is_size)
     }
 
-    /// Takes the places that stand still between two coordinates, and two on both sides.
-    fn take_still(
+    /// Takes the interval of a number between its ends.
+    fn take_interval(
         &mut self,
         line: &mut impl OverlapLine<T>,
-        [left, right]: [f64; 2],
-        parameter: impl Fn(f64) -> f64,
+        interval: usize,
+        [one, other]: &[End; 2],
+        [middle, spacing]: [T; 2],
     ) {
+        let rate = (other.u - one.u) / (other.y - one.y);
+        let parameter = |y: f64| one.u + rate * (y - one.y);
+        let [left, right] = self.ends[interval];
+        let number = |y: T| ((y - middle) / spacing).value().floor();
+        // Two places beyond both ends.
+        let first = number(left) - 1.0;
+        let count = (number(right) + 3.0 - first) as usize;
+        let place = |k: usize| middle + spacing * (first + k as f64);
         self.still.clear();
-        self.first = (left / self.spacing).floor() - 1.0;
-        let count = (right / self.spacing).floor() + 2.0 - self.first;
-        for k in 0..=count as usize {
-            let y = (self.first + k as f64) * self.spacing;
-            self.still.push(line.at(T::from(y), parameter(y)));
+        for k in 0..count {
+            let y = place(k);
+            self.still.push(line.at(y, parameter(y.value())).overlap);
         }
-    }
-
-    /// Adds a place of an interval.
-    fn push(&mut self, interval: usize, y: T, place: Place<T>) {
-        let at = y / self.spacing - self.first;
-        // Rounding may leave an end on the other side of a place that stands still.
-        let k = (at.value() as usize).clamp(1, self.still.len() - 3);
-        let bend = |k: usize| {
-            let [a, b, c] = [k - 1, k, k + 1].map(|k| self.still[k].overlap);
-            (a - b * 2.0 + c) / (self.spacing * self.spacing)
+        let still = &self.still;
+        let bend_at =
+            |k: usize| (still[k - 1] - still[k] * 2.0 + still[k + 1]) / (spacing * spacing);
+        let density = T::from(0.0);
+        let mut end = |end: &End, y: T, k: usize| {
+            let (before, behind) = (bend_at(k), bend_at(k + 1));
+            let bend = before + (behind - before) * ((y - place(k)) / spacing);
+            // A body may end before the overlap does.
+            let overlap =
+                if end.slope.is_some() { T::from(0.0) } else { line.at(y, end.u).overlap };
+            Sample { interval, y, u: end.u, overlap, bend, density }
         };
-        let (one, other) = (bend(k), bend(k + 1));
-        let bend = one + (other - one) * (at - k as f64);
-        self.list.push(Sample {
-            interval,
-            y,
-            u: place.u.value(),
-            overlap: place.overlap,
-            bend2: bend * bend,
-            density: T::from(0.0),
-        });
+        let (begin, last) = (end(one, left, 1), end(other, right, count - 3));
+        self.list.push(begin);
+        for k in 2..count - 2 {
+            let y = place(k);
+            let (overlap, bend) = (still[k], bend_at(k));
+            self.list.push(Sample { interval, y, u: parameter(y.value()), overlap, bend, density });
+        }
+        self.list.push(last);
     }
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
+        self.part();
         let depth = self.depth;
         let width = self.sum_of(|[a, b]| b.y - a.y);
         // Where the bodies are parallel there is no curvature to go by.
         let least = depth / (width * width);
         for sample in self.list.iter_mut() {
             let overlap = (sample.overlap / depth).at_least(LEAST_OVERLAP);
-            let bend = (sample.bend2 + least * least).normal_ln() * DENSITY_POWER;
-            sample.density = bend.exp() * share_loaded(overlap, scales.level);
+            let square = sample.bend * sample.bend + least * least;
+            let bend = (square.normal_ln() * DENSITY_POWER).exp();
+            sample.density = bend * share_loaded(overlap, scales.level);
         }
         self.sum_of(nodes_between)
+    }
+
+    /// Puts samples of parabolas between all samples.
+    fn part(&mut self) {
+        let before = self.list.len();
+        let zero = Sample { density: T::from(0.0), ..self.list[0] };
+        self.list.resize(before * PARTS, zero);
+        for k in (0..before).rev() {
+            let one = self.list[k];
+            let other = if k + 1 < before { self.list[(k + 1) * PARTS] } else { one };
+            for part in 0..PARTS {
+                // Behind the last sample of an interval there is nothing.
+                let share = part as f64 / PARTS as f64;
+                let between = if other.interval == one.interval { one.towards(&other, share) } else { one };
+                self.list[k * PARTS + part] = between;
+            }
+        }
     }
 
     /// Sum over all pairs of neighbours of an interval.
