@@ -88,6 +88,8 @@ pub(super) struct Rows {
     /// Derivatives of the logarithms of half lengths by loads per width, and falls that the wheel wants.
     pub length_by_load: Vec<Block>,
     pub wanted: Vec<Block>,
+    /// Derivatives of the logarithms of loaded widths by z of the node and of those on both sides.
+    pub widths: [Vec<Block>; 3],
 }
 
 impl Rows {
@@ -100,6 +102,7 @@ impl Rows {
             loads: blocks(),
             length_by_load: blocks(),
             wanted: blocks(),
+            widths: [blocks(), blocks(), blocks()],
         }
     }
 }
@@ -107,8 +110,9 @@ impl Rows {
 impl Rows {
     /// No nodes.
     pub fn clear(&mut self) {
-        let Self { places: [x, y, a, b], lengths, loads, length_by_load, wanted } = self;
-        for column in [x, a, b, lengths, loads, length_by_load, wanted] {
+        let Self { places: [x, y, a, b], lengths, loads, length_by_load, wanted, widths } = self;
+        let columns = [x, a, b, lengths, loads, length_by_load, wanted];
+        for column in columns.into_iter().chain(widths) {
             column.fill(Block::ZERO);
         }
         y.fill(Block([BEYOND; LANES]));
@@ -424,21 +428,27 @@ impl Beside {
     #[inline(always)]
     pub fn add_own_lengths(&mut self, rows: &Rows, sums: &Sums) {
         let nodes = self.sources.nodes;
-        let [by_z, by_shape] = &mut self.ends[0];
+        let [[by_z, by_shape], [by_left, _], [by_right, _]] = &mut self.ends;
         for b in 0..nodes {
+            let widths = rows.widths.each_ref().map(|column| column[b].0);
             let (Block(load), Block(by)) = (rows.loads[b], rows.length_by_load[b]);
             let (Block(wanted), Block(fallen)) = (rows.wanted[b], sums.values[nodes + b]);
             let Block(by_node) = sums.fall_by_node[b];
-            let mut out = [by_z[nodes + b].0, by_shape[nodes + b].0];
+            let columns = [&by_z, &by_shape, &by_left, &by_right];
+            let mut out = columns.map(|column| column[nodes + b].0);
             for i in 0..LANES {
                 let by_length = (by_node[i] - 2.0 * fallen[i]) * by[i];
                 let error = fallen[i] - wanted[i];
-                // The weight goes with the power 3/2 of the load.
-                let change = by_length + 1.5 * error / load[i];
-                out[0][i] += if load[i] > 0.0 { change } else { 0.0 };
+                // The weight goes with the power 3/2 of the load, and with the loaded width.
+                let change = by_length + (1.5 / load[i] + widths[0][i]) * error;
+                let is_loaded = load[i] > 0.0;
+                out[0][i] += if is_loaded { change } else { 0.0 };
                 out[1][i] -= by_length * load[i];
+                out[2][i] += if is_loaded { widths[1][i] * error } else { 0.0 };
+                out[3][i] += if is_loaded { widths[2][i] * error } else { 0.0 };
             }
-            [by_z[nodes + b], by_shape[nodes + b]] = out.map(Block);
+            [by_z[nodes + b], by_shape[nodes + b], by_left[nodes + b], by_right[nodes + b]] =
+                out.map(Block);
         }
     }
 }

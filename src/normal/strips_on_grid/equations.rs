@@ -81,11 +81,22 @@ impl<T: Real> Scales<T> {
         }
     }
 
-    /// What the fall of the displacement at a node with the load per width `load` counts with: its share of the load, times the root of the load, so that a node
-    /// comes in without a bend.
-    pub fn weight(&self, node: &Node<T>, load: T) -> T {
-        node.width * load * (load / self.load).sqrt() / self.total
+    /// What the fall of the displacement at a node counts with that has the load per width `load` and half of both loaded parts beside it as its `width`: its share of
+    /// the load, times the root of the load, so that a node comes in without a bend.
+    pub fn weight(&self, width: T, load: T) -> T {
+        width * load * (load / self.load).sqrt() / self.total
     }
+}
+
+/// Half of the loaded parts of both cells beside a node with `own` z, its neighbours having the `others` [m]; and its derivatives by all three.
+pub(super) fn loaded_width<T: Real>(node: &Node<T>, own: T, others: [T; 2]) -> [T; 4] {
+    let sides = [0, 1].map(|side| {
+        let [_, part] = loaded_part(own, others[side]);
+        let half = (node.reach[side] - node.y).abs() * 0.5;
+        part.map(|part| part * half)
+    });
+    let [[one, by_own, by_one], [two, by_own_too, by_two]] = sides;
+    [one + two, by_own + by_own_too, by_one, by_two]
 }
 
 /// The strip that a load per width makes: half length and what it changes by.
@@ -374,8 +385,9 @@ pub(super) fn residuals<T: Real>(
             / grid.samples.depth;
         if z[i] > 0.0 {
             let error = fallen / wanted_fall(&own, node) - 1.0;
+            let [width, ..] = loaded_width(node, z[i], node.neighbours.map(end));
             for (k, share) in knots.of(node.number) {
-                out[n + k] += scales.weight(node, z[i]) * error * share;
+                out[n + k] += scales.weight(width, z[i]) * error * share;
             }
         }
     }

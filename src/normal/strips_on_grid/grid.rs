@@ -24,8 +24,6 @@ pub(super) struct Node<T = f64> {
     pub place: Place<T>,
     /// Radius of the normal section of the wheel along x [m].
     pub radius: T,
-    /// Width that its load per width counts with: half of both cells [m].
-    pub width: T,
     /// Coordinates of the other ends of its cells, across and along [m].
     pub reach: [T; 2],
     pub reach_x: [T; 2],
@@ -84,7 +82,9 @@ impl<T: Real> Grid<T> {
             self.push_node(line, begin.y, begin.u, laid);
             let mut last = begin;
             next += 1;
-            while let Some(&sample) = self.samples.list.get(next).filter(|s| s.interval == begin.interval) {
+            while let Some(&sample) =
+                self.samples.list.get(next).filter(|s| s.interval == begin.interval)
+            {
                 let pair = [&last, &sample];
                 next += 1;
                 let own = nodes_between(pair);
@@ -122,9 +122,9 @@ impl<T: Real> Grid<T> {
     fn push_node(&mut self, line: &mut impl OverlapLine<T>, y: T, parameter: f64, number: usize) {
         let place = line.at(y, parameter);
         let radius = line.section_radius(place.u);
-        let (width, reach, reach_x) = (T::from(0.0), [y; 2], [place.x; 2]);
+        let (reach, reach_x) = ([y; 2], [place.x; 2]);
         let (cell, neighbours) = (0, [None; 2]);
-        self.nodes.push(Node { y, number, place, radius, width, reach, reach_x, cell, neighbours });
+        self.nodes.push(Node { y, number, place, radius, reach, reach_x, cell, neighbours });
     }
 
     /// Links the nodes from number `first` on, which are those of one interval, by cells; before and behind them are cells of no width.
@@ -143,7 +143,6 @@ impl<T: Real> Grid<T> {
                 if side == 1 {
                     node.cell = self.cells.len();
                 }
-                node.width += width * 0.5;
                 node.reach[1 - side] = beside.y;
                 node.reach_x[1 - side] = beside.place.x;
                 node.neighbours[1 - side] = nodes[1 - side];

@@ -8,7 +8,8 @@ use multiversion::multiversion;
 use super::columns::{Beside, Block, LANES, Rows, Sources, Sums, add, project, row};
 use super::elimination;
 use super::equations::{
-    CellLoad, Pair, RULE, Scales, Strip, loaded_part, near_pair, slenderness, wanted_fall,
+    CellLoad, Pair, RULE, Scales, Strip, loaded_part, loaded_width, near_pair, slenderness,
+    wanted_fall,
 };
 use super::grid::Grid;
 use super::shape::Knots;
@@ -22,6 +23,9 @@ const LAST_CHANGE: f64 = 1e-5;
 /// Greatest change in one step of z, over itself or the load per width in the middle of the ellipse, whichever is greater, and of χ: less than where the equations
 /// have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
+/// Greatest growth in one step of a load that is next to nothing, over that in the middle of the ellipse; others double at most. The displacement by such a load goes with its
+/// square.
+const MOST_GROWTH: f64 = 0.1;
 /// Share of the way beyond zero that a node takes that begins to carry load: its gap, by which it goes there, is about as much flatter than its load where both are
 /// small, and it would come back and go again.
 const SHARE_ACROSS: f64 = 0.1;
@@ -155,7 +159,6 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
-            if std::env::var("DBG").is_ok() { eprintln!("depth {:e} half {:e} gap {:e} step {} y {:?}\n z {:?}\n   chi {:?}", grid.samples.depth, grid.samples.half_width, scales.gap, self.steps, grid.nodes.iter().map(|n| (n.y * 1e6 * 10.0).round() / 10.0).collect::<Vec<_>>(), self.z.iter().map(|z| (z / scales.load * 100000.0).round() / 100000.0).collect::<Vec<_>>(), self.shape.iter().map(|z| ((z - scales.shape) * 100.0).round() / 100.0).collect::<Vec<_>>()); }
             match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
@@ -204,7 +207,8 @@ impl Newton {
     fn start(&mut self, grid: &Grid, scales: &Scales) {
         self.z.clear();
         self.z.extend(grid.nodes.iter().map(|node| {
-            let level = (node.place.overlap / grid.samples.depth - scales.level) / (1.0 - scales.level);
+            let level =
+                (node.place.overlap / grid.samples.depth - scales.level) / (1.0 - scales.level);
             scales.load * level.max(-1.0)
         }));
         self.shape.fill(scales.shape);
@@ -280,7 +284,12 @@ impl Newton {
             *row(&mut self.rows.loads, i) = strip.load;
             *row(&mut self.rows.length_by_load, i) = strip.length_by_load;
             *row(&mut self.rows.wanted, i) = wanted;
-            let scale = scales.weight(node, strip.load) / wanted;
+            let others = node.neighbours.map(|other| self.end(other, scales));
+            let [width, by_width @ ..] = loaded_width(node, self.z[i], others);
+            for (column, by) in self.rows.widths.iter_mut().zip(by_width) {
+                *row(column, i) = by / width;
+            }
+            let scale = scales.weight(width, strip.load) / wanted;
             let falls = self.falls[i..long * self.behind].iter_mut().step_by(long);
             for (fall, share) in falls.zip(self.shares[i..].iter().step_by(long)) {
                 *fall = share.times(scale);
@@ -468,10 +477,8 @@ impl Newton {
             let change = *row(change, i);
             let is_loaded = *z > 0.0;
             let most = MOST_CHANGE[0] * scales.load.max(z.abs());
-            let g: f64 = std::env::var("G").map_or(0.5, |v| v.parse().unwrap());
-            let gm: f64 = std::env::var("GM").map_or(0.5, |v| v.parse().unwrap());
-            let up = if *z > 0.0 { (gm * *z).max(g * scales.load) } else { most };
-            *z += change.clamp(-most, up);
+            let growth = if is_loaded { z.max(MOST_GROWTH * scales.load) } else { most };
+            *z += change.clamp(-most, growth);
             if !is_loaded && *z > 0.0 {
                 *z *= SHARE_ACROSS;
             }

@@ -116,8 +116,11 @@ impl<T: Real> Samples<T> {
         self.ends.clear();
         self.ends.extend(ends.iter().map(|pair| [0, 1].map(|end| pair[end].moving(line))));
         let width: T = self.ends.iter().map(|&[left, right]| right - left).sum();
-        let middle = self.ends.iter().map(|&[left, right]| (right - left) * (left + right)).sum::<T>() * 0.5 / width;
-        let spacing = (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
+        let middle =
+            self.ends.iter().map(|&[left, right]| (right - left) * (left + right)).sum::<T>() * 0.5
+                / width;
+        let spacing =
+            (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
         for (interval, ends) in ends.iter().enumerate() {
             self.take_interval(line, interval, ends, [middle, spacing]);
         }
@@ -216,7 +219,8 @@ impl<T: Real> Samples<T> {
             for part in 0..PARTS {
                 // Behind the last sample of an interval there is nothing.
                 let share = part as f64 / PARTS as f64;
-                let between = if other.interval == one.interval { one.towards(&other, share) } else { one };
+                let between =
+                    if other.interval == one.interval { one.towards(&other, share) } else { one };
                 self.list[k * PARTS + part] = between;
             }
         }
