@@ -10,7 +10,7 @@
 use super::equations::Scales;
 use super::line::{OverlapLine, Place};
 use super::overlap::End;
-use super::samples::{Samples, nodes_between, share_behind};
+use super::samples::{MOST_VALLEYS, Samples, nodes_between, share_behind};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -58,8 +58,8 @@ impl<T: Real> Grid<T> {
     /// Room for `nodes` nodes within `intervals` intervals, whose ends are nodes too.
     pub fn new(nodes: usize, intervals: usize) -> Self {
         Self {
-            nodes: Room::new(nodes + 2 * intervals),
-            cells: Room::new(nodes + 3 * intervals),
+            nodes: Room::new(nodes + 2 * intervals + MOST_VALLEYS),
+            cells: Room::new(nodes + 3 * intervals + MOST_VALLEYS),
             samples: Samples::new(),
         }
     }
@@ -75,7 +75,7 @@ impl<T: Real> Grid<T> {
         let scales = Scales::new(&self.samples);
         let share = self.samples.lay(&scales) / (count + 1) as f64;
         let mut passed = T::from(0.0);
-        let (mut next, mut laid) = (0, 0);
+        let (mut next, mut laid, mut valley) = (0, 0, 0);
         while next < self.samples.list.len() {
             let (first, before) = (self.nodes.len(), laid);
             let begin = self.samples.list[next];
@@ -97,7 +97,9 @@ impl<T: Real> Grid<T> {
                     }
                     let behind = if is_here { share_behind(pair, ahead) } else { T::from(1.0) };
                     let parameter = last.u + (sample.u - last.u) * behind.value();
-                    self.push_node(line, last.y + (sample.y - last.y) * behind, parameter, laid);
+                    let y = last.y + (sample.y - last.y) * behind;
+                    self.push_valleys(line, &mut valley, y, laid);
+                    self.push_node(line, y, parameter, laid);
                     laid += 1;
                 }
                 passed += own;
@@ -108,6 +110,7 @@ impl<T: Real> Grid<T> {
                 self.nodes.truncate(first);
                 continue;
             }
+            self.push_valleys(line, &mut valley, last.y, laid - 1);
             self.push_node(line, last.y, last.u, laid - 1);
             self.link(first);
         }
@@ -116,6 +119,20 @@ impl<T: Real> Grid<T> {
     /// Whether nodes are ahead of each other.
     pub fn is_skewed(&self) -> bool {
         self.nodes.iter().any(|node| node.place.x != self.nodes[0].place.x)
+    }
+
+    /// Adds nodes in the valleys from number `next` on that come before `y`, with the `number` of a node beside them.
+    fn push_valleys(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        next: &mut usize,
+        y: T,
+        number: usize,
+    ) {
+        while let Some(&valley) = self.samples.valleys.get(*next).filter(|valley| valley.y < y) {
+            self.push_node(line, valley.y, valley.u, number);
+            *next += 1;
+        }
     }
 
     /// Adds the node number `number` at `y`, where the line has about the `parameter`.

@@ -15,6 +15,8 @@ use crate::math::room::Room;
 const SPACING: f64 = 1.0 / 24.0;
 const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
+/// Most valleys of the overlap: as many as it has intervals at most.
+pub(super) const MOST_VALLEYS: usize = MOST_OVERLAPS;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
 
@@ -22,19 +24,16 @@ const PARTS: usize = 6;
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
-/// Overlap over that at the edge of an ellipse at which half of the nodes are left out, as an ellipse does not tell the edge.
-const UNLOADED: f64 = 0.6;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
 const LEAST_OVERLAP: f64 = 1e-3;
 
-/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of the contact region being near `level`: fewer where no
-/// load is to be expected.
+/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an ellipse being `level`: half of them there, and fewer where no load is
+/// to be expected.
 fn share_loaded<T: Real>(overlap: T, level: T) -> T {
-    let beyond = level / overlap * UNLOADED;
-    let square = beyond * beyond;
-    T::from(1.0) / (square * square + 1.0)
+    let beyond = level / overlap;
+    T::from(1.0) / (beyond * beyond + 1.0)
 }
 
 /// A place in an overlap.
@@ -86,6 +85,8 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 #[derive(Clone, Debug)]
 pub(super) struct Samples<T = f64> {
     pub list: Room<Sample<T>>,
+    /// Least overlaps between two greater ones, as long as they are less than that at the edge of an ellipse.
+    pub valleys: Room<Sample<T>>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
@@ -102,6 +103,7 @@ impl<T: Real> Samples<T> {
         let zero = T::from(0.0);
         Self {
             list: Room::new((MOST_PLACES + 2 * MOST_OVERLAPS) * PARTS),
+            valleys: Room::new(MOST_VALLEYS),
             depth: zero,
             half_width: zero,
             radius: zero,
@@ -194,6 +196,7 @@ impl<T: Real> Samples<T> {
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
+        self.take_valleys(self.depth * scales.level);
         self.part();
         let depth = self.depth;
         let width = self.sum_of(|[a, b]| b.y - a.y);
@@ -206,6 +209,31 @@ impl<T: Real> Samples<T> {
             sample.density = bend * share_loaded(overlap, scales.level);
         }
         self.sum_of(nodes_between)
+    }
+
+    /// Takes the valleys in which the overlap is less than `most`: vertices of parabolas through three samples.
+    fn take_valleys(&mut self, most: T) {
+        self.valleys.clear();
+        for three in self.list.windows(3).filter(|three| three[0].interval == three[2].interval) {
+            let [left, middle, right] = [&three[0], &three[1], &three[2]];
+            let is_valley = left.overlap >= middle.overlap && middle.overlap < right.overlap;
+            let (before, behind) = (middle.y - left.y, right.y - middle.y);
+            if !is_valley || self.valleys.len() == self.valleys.capacity() {
+                continue;
+            }
+            let slopes = [
+                (middle.overlap - left.overlap) / before,
+                (right.overlap - middle.overlap) / behind,
+            ];
+            let bend = (slopes[1] - slopes[0]) / (before + behind);
+            let slope = slopes[0] + bend * before;
+            let way = slope * -0.5 / bend;
+            let overlap = middle.overlap + slope * way * 0.5;
+            if overlap < most {
+                let u = middle.u + (right.u - left.u) * (way / (before + behind)).value();
+                self.valleys.push(Sample { y: middle.y + way, u, overlap, ..*middle });
+            }
+        }
     }
 
     /// Puts samples of parabolas between all samples.
