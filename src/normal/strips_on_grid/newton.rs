@@ -159,7 +159,6 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
-            if std::env::var("DBG").is_ok() {
                 eprintln!(
                     "depth {:e} half {:e} gap {:e} step {} y {:?}\n z {:?}\n   chi {:?}",
                     grid.samples.depth,

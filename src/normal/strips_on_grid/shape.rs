@@ -6,9 +6,9 @@
 use crate::math::real::Real;
 
 /// Nodes for each knot.
-const NODES_PER_KNOT: usize = 4;
+const NODES_PER_KNOT: f64 = 3.5;
 /// Knots that a field has at least besides.
-const LEAST_KNOTS: usize = 3;
+const LEAST_KNOTS: usize = 2;
 /// Weights of squared second and first differences of the field between knots against squared relative errors of the fall of the displacement, weighted by the
 /// share of load: they matter where there is no load, and extend the field there.
 const PENALTIES: [f64; 2] = [1e-3, 1e-4];
@@ -24,7 +24,7 @@ pub(super) struct Knots {
 impl Knots {
     /// Knots for `nodes` nodes.
     pub fn new(nodes: usize) -> Self {
-        let count = LEAST_KNOTS + nodes / NODES_PER_KNOT;
+        let count = LEAST_KNOTS + (nodes as f64 / NODES_PER_KNOT) as usize;
         let place = |i: usize| {
             let at = (i * (count - 1)) as f64 / (nodes - 1) as f64;
             let first = (at as usize).min(count - 2);
