@@ -159,26 +159,6 @@ impl Newton {
         for _ in 0..MOST_STEPS {
             self.steps += 1;
             self.linearise(grid, knots, &scales);
-                eprintln!(
-                    "depth {:e} half {:e} gap {:e} step {} y {:?}\n z {:?}\n   chi {:?}",
-                    grid.samples.depth,
-                    grid.samples.half_width,
-                    scales.gap,
-                    self.steps,
-                    grid.nodes
-                        .iter()
-                        .map(|n| (n.y * 1e6 * 10.0).round() / 10.0)
-                        .collect::<Vec<_>>(),
-                    self.z
-                        .iter()
-                        .map(|z| (z / scales.load * 100000.0).round() / 100000.0)
-                        .collect::<Vec<_>>(),
-                    self.shape
-                        .iter()
-                        .map(|z| ((z - scales.shape) * 100.0).round() / 100.0)
-                        .collect::<Vec<_>>()
-                );
-            }
             match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
                     self.place(grid, knots, &scales);
