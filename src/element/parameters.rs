@@ -201,7 +201,7 @@ impl Default for Parameters {
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
-            strips: 20,
+            strips: 16,
             normal_elements: [40, 40],
             damping: 1e5,
             creepage_model: CreepageModel::default(),

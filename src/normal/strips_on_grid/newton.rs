@@ -19,7 +19,7 @@ use crate::math::room::Room;
 pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
-const LAST_CHANGE: f64 = 1e-5;
+const LAST_CHANGE: f64 = 1e-6;
 /// Greatest change in one step of z, over itself or the load per width in the middle of the ellipse, whichever is greater, and of χ: less than where the equations
 /// have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];

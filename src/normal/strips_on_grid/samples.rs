@@ -24,15 +24,16 @@ const PARTS: usize = 6;
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
+/// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
+const UNLOADED: f64 = 0.8;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
 const LEAST_OVERLAP: f64 = 1e-3;
 
-/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an ellipse being `level`: half of them there, and fewer where no load is
-/// to be expected.
+/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an ellipse being `level`: fewer where no load is to be expected.
 fn share_loaded<T: Real>(overlap: T, level: T) -> T {
-    let beyond = level / overlap;
+    let beyond = level / overlap * UNLOADED;
     T::from(1.0) / (beyond * beyond + 1.0)
 }
 
@@ -123,8 +124,9 @@ impl<T: Real> Samples<T> {
                 / width;
         let spacing =
             (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
+        // Not in the middle itself, or the ends of a single interval would be places too, on this side or that by rounding.
         for (interval, ends) in ends.iter().enumerate() {
-            self.take_interval(line, interval, ends, [middle, spacing]);
+            self.take_interval(line, interval, ends, [middle + spacing * 0.5, spacing]);
         }
         let zero = T::from(0.0);
         let [mut squares, mut cubes, mut moment, mut parameter] = [zero; 4];
@@ -157,16 +159,16 @@ impl<T: Real> Samples<T> {
         line: &mut impl OverlapLine<T>,
         interval: usize,
         [one, other]: &[End; 2],
-        [middle, spacing]: [T; 2],
+        [origin, spacing]: [T; 2],
     ) {
         let rate = (other.u - one.u) / (other.y - one.y);
         let parameter = |y: f64| one.u + rate * (y - one.y);
         let [left, right] = self.ends[interval];
-        let number = |y: T| ((y - middle) / spacing).value().floor();
+        let number = |y: T| ((y - origin) / spacing).value().floor();
         // Two places beyond both ends.
         let first = number(left) - 1.0;
         let count = (number(right) + 3.0 - first) as usize;
-        let place = |k: usize| middle + spacing * (first + k as f64);
+        let place = |k: usize| origin + spacing * (first + k as f64);
         self.still.clear();
         for k in 0..count {
             let y = place(k);
