@@ -8,11 +8,11 @@ use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{
+use wheelrail::fmi::v2::types::{
     CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
     TRUE, Text, ValueReference,
 };
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Causality, Kind, Unit, Value, WHEEL, WHEELSET};
 
 /// Messages that came.

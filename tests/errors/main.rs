@@ -17,8 +17,8 @@ use std::ptr::null_mut;
 use host::{Arguments, Host};
 use table::{as_cell, code, compare, rows};
 use tempfile::TempDir;
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, VARIABLES, find};
 
 /// Everything that an instance remembers, as bytes.
