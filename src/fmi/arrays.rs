@@ -111,7 +111,7 @@ impl<S: Described> Instance<S> {
                 Target::Elements(_) => {
                     let variable = &S::UNIT.variables[reference as usize];
                     if !belongs(variable.kind) {
-                        return Err(wrong_type(Interface::V3, variable));
+                        return Err(wrong_type(self.interface, variable));
                     }
                 }
                 Target::Time | Target::EventIndicator if belongs(Kind::Real) => {}
@@ -212,7 +212,7 @@ impl<S: Described> Instance<S> {
                 Target::Elements([_]) => {}
                 Target::Elements(_) => {
                     let array = &S::UNIT.variables[reference as usize];
-                    return Err(FmiError::Computed(Interface::V3.name(array)));
+                    return Err(FmiError::Computed(self.interface.name(array)));
                 }
                 Target::Time => return Err(FmiError::Computed(TIME)),
                 Target::EventIndicator => return Err(FmiError::Computed(EVENT_INDICATOR)),

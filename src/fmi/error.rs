@@ -154,7 +154,7 @@ pub enum FmiError {
         given: String,
     },
     /// A function of the other version of the standard.
-    #[error("the instance is one of {own}Instantiate…: call the functions that begin with {own}")]
+    #[error("the instance was made through FMI {}: call the functions that begin with {own}", own.version())]
     OtherInterface {
         /// Through which the instance was made.
         own: Interface,

@@ -25,6 +25,14 @@ impl Display for Interface {
 }
 
 impl Interface {
+    /// Its number.
+    pub fn version(self) -> &'static str {
+        match self {
+            Self::V2 => "2.0",
+            Self::V3 => "3.0",
+        }
+    }
+
     /// The name of a type of variables.
     pub fn type_name(self, kind: Kind) -> &'static str {
         match (self, kind) {

@@ -4,9 +4,12 @@
 #![allow(unsafe_code)]
 
 mod calls;
+mod calls3;
 mod files;
 #[path = "../host/mod.rs"]
 mod host;
+#[path = "../host3/mod.rs"]
+mod host3;
 mod table;
 
 use std::fs;

@@ -41,7 +41,7 @@ fn derivatives(
 #[test]
 fn derivatives_of_arrays_are_those_of_their_elements() {
     let (old, new) = (Host::stepping(), Host3::stepping(&WHEEL));
-    let knowns = ["wheel.z", "wheel.yaw"].map(|name| reference(name));
+    let knowns = ["wheel.z", "wheel.yaw"].map(reference);
     let names: Vec<String> = (1..=8).map(|k| format!("patch[{k}].normal_force")).collect();
     let unknowns: Vec<ValueReference> =
         names.iter().map(|name| reference(name)).chain([reference("wheel.force.x")]).collect();

@@ -101,10 +101,10 @@ fn a_run_goes_through_its_states_and_back() {
     assert_eq!(host.step(0.25, 1e-3), Status::Error);
     assert!(host.last().contains("call fmi3ExitInitializationMode first"), "{}", host.last());
     assert!(host.get_real("nominal.wheel_z") < -0.4597);
-    assert_eq!(host.get_real("time"), 0.25);
+    assert!(host.reads("time", 0.25));
     assert_eq!(fmi3ExitInitializationMode(c), Status::Ok);
     assert_eq!(host.step_to(0.25, 0.5), (Status::Ok, [FALSE; 3], 0.75));
-    assert_eq!(host.get_real("time"), 0.75);
+    assert!(host.reads("time", 0.75));
     assert_eq!(host.step(0.75, -1.0), Status::Error);
     assert!(host.last().contains("communicationStepSize = -1"), "{}", host.last());
     assert_eq!(host.set_reals(&[("track.gauge", 1.5)]), Status::Error);
@@ -134,7 +134,7 @@ fn a_step_without_room_for_its_answers_is_not_made() {
     let status = unsafe {
         fmi3DoStep(host.component, 0.0, 1e-3, TRUE, event, end, null_mut(), &raw mut time)
     };
-    assert_eq!((status, host.get_real("time")), (Status::Error, 0.0));
+    assert!(status == Status::Error && host.reads("time", 0.0));
     assert!(host.last().contains("argument earlyReturn is null"), "{}", host.last());
 }
 
@@ -173,11 +173,15 @@ fn handles_of_others_do_no_harm() {
     assert_eq!(fmi2Reset(new.component), Status::Error);
     assert_eq!(
         new.last(),
-        "fmi2Reset: the instance is one of fmi3Instantiate…: call the functions that begin with fmi3"
+        "fmi2Reset: the instance was made through FMI 3.0: call the functions that begin with fmi3"
     );
     assert_eq!(fmi2DoStep(new.component, 0.0, 1e-3, 1), Status::Error);
     assert_eq!(fmi3Terminate(old.component), Status::Error);
-    assert!(old.last().contains("fmi3Terminate: the instance is one of fmi2"), "{}", old.last());
+    assert!(
+        old.last().contains("fmi3Terminate: the instance was made through FMI 2.0"),
+        "{}",
+        old.last()
+    );
     assert_eq!((new.step(0.0, 1e-3), old.step(0.0, 1e-3)), (Status::Ok, Status::Ok));
 }
 

@@ -8,6 +8,7 @@ mod derivatives;
 mod exchange;
 #[path = "../host/mod.rs"]
 mod host;
+#[path = "../host3/mod.rs"]
 mod host3;
 mod life;
 mod memory;

@@ -181,6 +181,11 @@ impl Host3 {
         self.get_reals(&[name], 1).unwrap_or_else(|_| panic!("{}", self.last()))[0]
     }
 
+    /// Whether a variable has that very value.
+    pub fn reads(&self, name: &str, value: f64) -> bool {
+        self.get_real(name).to_bits() == value.to_bits()
+    }
+
     pub fn get_integers(&self, names: &[&str], count: usize) -> Result<Vec<i32>, Status> {
         let (references, mut values) = (self.references(names), vec![-7; count]);
         // SAFETY: FMI 3.0, 2.2.6: both arrays hold as many elements as the counts say.
