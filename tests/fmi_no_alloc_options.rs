@@ -264,9 +264,8 @@ fn worn_profiles_are_made_and_taken_back_in_fixed_memory() {
     let depths = || {
         let mut values = [0.0; 2];
         // SAFETY: FMI 2.0, 2.1.7: arrays of two elements.
-        assert!(
-            unsafe { fmi2GetReal(c, depth.as_ptr(), 2, values.as_mut_ptr()) } <= Status::Warning
-        );
+        let status = unsafe { fmi2GetReal(c, depth.as_ptr(), 2, values.as_mut_ptr()) };
+        assert!(status <= Status::Warning);
         values
     };
     let mut state = null_mut();
