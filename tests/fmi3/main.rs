@@ -3,7 +3,10 @@
 
 #[path = "../allocations/mod.rs"]
 mod allocations;
+mod any_order;
 mod arrays;
+#[path = "../common/mod.rs"]
+mod common;
 mod derivatives;
 mod exchange;
 #[path = "../host/mod.rs"]
