@@ -109,6 +109,10 @@ pub struct Instance<S: Described> {
 impl<S: Described> Instance<S> {
     /// An instance with start values; profiles are looked for in the folders, in order.
     pub fn new(interface: Interface, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+        let most_flattened = match interface {
+            Interface::V2 => 0,
+            Interface::V3 => S::UNIT.variables.len(),
+        };
         Self {
             interface,
             purpose,
@@ -127,7 +131,7 @@ impl<S: Described> Instance<S> {
             derivatives: None,
             held: Held::new::<S>(),
             told: Told::default(),
-            flattened: [(); 2].map(|()| Vec::with_capacity(S::UNIT.variables.len())),
+            flattened: [(); 2].map(|()| Vec::with_capacity(most_flattened)),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
