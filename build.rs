@@ -1,5 +1,5 @@
 //! Makes from `modelDescription` the variable tables of the library, and in release builds with the feature
-//! `package` the archives `WheelRail.fmu` and `WheelSet.fmu` beside the binaries.
+//! `package` the archives `WheelRail.fmu`, `WheelSet.fmu` and their kin beside the binaries.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -16,11 +16,17 @@ mod package;
 #[cfg(feature = "package")]
 #[path = "build/platforms.rs"]
 mod platforms;
+#[cfg(feature = "package")]
+#[path = "build/terminals.rs"]
+mod terminals;
 #[path = "build/wheelset.rs"]
 mod wheelset;
 #[cfg(feature = "package")]
 #[path = "build/xml.rs"]
 mod xml;
+#[cfg(feature = "package")]
+#[path = "build/xml3.rs"]
+mod xml3;
 
 fn main() {
     println!("cargo::rerun-if-changed=modelDescription");

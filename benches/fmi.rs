@@ -13,8 +13,8 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use host::Host;
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::fmi::abi::{fmi2DoStep, fmi2GetReal, fmi2SetReal};
-use wheelrail::fmi::types::{Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::types::{Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::{fmi2DoStep, fmi2GetReal, fmi2SetReal};
 use wheelrail::variables::{Causality, Kind, WHEELSET};
 use wheelrail::wheelset::{self, Wheelset};
 

@@ -17,8 +17,8 @@ use common::random::Random;
 use common::wheel::{pressed, rolling};
 use host::{Arguments, Host};
 use wheelrail::element::{Element, Input, Parameters};
-use wheelrail::fmi::abi::{fmi2DoStep, fmi2ExitInitializationMode, fmi2GetReal, fmi2SetReal};
-use wheelrail::fmi::types::{Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::types::{Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::{fmi2DoStep, fmi2ExitInitializationMode, fmi2GetReal, fmi2SetReal};
 use wheelrail::variables::{Causality, Kind, Unit, WHEEL, WHEELSET};
 
 /// Poses of one walk.

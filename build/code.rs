@@ -156,7 +156,8 @@ fn table(out: &mut String, declaration: &Declaration, name: &str) {
             &format!(
                 "Variable {{ name: {:?}, description: {:?}, reference: {reference}, kind: {kind}, \
                  causality: Causality::{causality}, unit: {:?}, min: {}, max: {}, nominal: {}, start: {start}, \
-                 dependencies: &{:?}, on_request: {}, is_counter: {}, allowed: {:?} }},",
+                 dependencies: &{:?}, on_request: {}, is_counter: {}, allowed: {:?}, array: {:?}, \
+                 elements: &{:?} }},",
                 v.name,
                 v.description,
                 v.unit.as_deref().unwrap_or(""),
@@ -167,6 +168,8 @@ fn table(out: &mut String, declaration: &Declaration, name: &str) {
                 v.on_request,
                 v.is_counter,
                 allowed(declaration, v),
+                v.array.as_ref().map(|array| &array.name),
+                declaration.elements(reference),
             ),
         );
     }

@@ -155,6 +155,15 @@ pub enum Kind {
     Enumeration(usize, Option<i32>),
 }
 
+/// Variables that are one in FMI 3.0.
+#[derive(Clone)]
+#[cfg_attr(not(feature = "package"), allow(dead_code))]
+pub struct Array {
+    pub name: String,
+    /// That of an element with k for its number.
+    pub description: String,
+}
+
 /// One variable; its value reference is its place in the list.
 #[derive(Clone)]
 #[cfg_attr(not(feature = "package"), allow(dead_code))]
@@ -179,6 +188,8 @@ pub struct Variable {
     pub is_counter: bool,
     /// Its number among those that are there several times, counted from 1; 0 for others.
     pub number: usize,
+    /// The array of FMI 3.0 of which it is an element.
+    pub array: Option<Array>,
     /// Places in the list of the variables on which an unknown depends at initialization.
     pub dependencies: Vec<usize>,
 }
@@ -194,6 +205,20 @@ pub struct Declaration {
     pub enumerations: Vec<Enumeration>,
     pub variables: Vec<Variable>,
     pub repeats: Vec<Repeat>,
+}
+
+impl Declaration {
+    /// Of the variable of FMI 3.0 with the reference `place` the places of its elements: itself alone, or all of the array that it begins;
+    /// none within an array.
+    pub fn elements(&self, place: usize) -> Vec<usize> {
+        let Some(array) = &self.variables[place].array else { return vec![place] };
+        let all = self.variables.iter().enumerate();
+        let is_element =
+            |v: &Variable| v.array.as_ref().is_some_and(|other| other.name == array.name);
+        let places: Vec<usize> =
+            all.filter(|(_, v)| is_element(v)).map(|(place, _)| place).collect();
+        if places[0] == place { places } else { Vec::new() }
+    }
 }
 
 impl File {
@@ -242,6 +267,9 @@ impl Declaration {
     }
 }
 
+/// What is there this many times is an array in FMI 3.0. The two rails are not: each is a body with connections of its own.
+const ARRAYED: &str = "REPORTED_PATCHES";
+
 /// One variable of a group; `index` is its number in a repeated one.
 pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> Variable {
     let name = template.name.replace('#', &(index + 1).to_string());
@@ -279,6 +307,10 @@ pub fn expand(file: &File, group: &Group, template: &Template, index: usize) -> 
         on_request: template.on_request,
         is_counter: template.counter,
         number: group.repeat.as_ref().map_or(0, |_| index + 1),
+        array: group.repeat.as_ref().filter(|repeat| repeat.constant == ARRAYED).map(|_| Array {
+            name: template.name.replace("[#]", ""),
+            description: template.description.replace('#', "k"),
+        }),
         dependencies: Vec::new(),
         name,
     }

@@ -1,5 +1,5 @@
-//! Packs `WheelRail.fmu` and `WheelSet.fmu`, and `WheelRailPlain.fmu` and `WheelSetPlain.fmu` with a shorter description of the same: builds
-//! the library once more without the packaging, and puts it into an archive for each description, with profiles, documentation, icon and licences.
+//! Packs `WheelRail.fmu` and `WheelSet.fmu`, `WheelRailPlain.fmu` and `WheelSetPlain.fmu` with a shorter description of the same, and
+//! `WheelRail3.fmu` and `WheelSet3.fmu` for FMI 3.0: builds the library once more without the packaging, and puts it into an archive for each description, with profiles, documentation, icon and licences.
 //!
 //! The library of this very build does not exist yet when its build script runs, hence the inner build.
 //! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
@@ -16,6 +16,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 use crate::declaration::Declaration;
 use crate::platforms::{self, Library};
 use crate::xml::{self, Style};
+use crate::{terminals, xml3};
 
 /// What goes into the archives, beside what `src` and the declaration become.
 const SOURCES: [&str; 7] =
@@ -40,10 +41,11 @@ pub fn pack(declarations: &[&Declaration]) {
     for license in LICENSES {
         shared.push((format!("documentation/licenses/{license}"), read(&root.join(license))));
     }
-    shared.push(("model.png".into(), read(&root.join("fmu/model.png"))));
-    let styles = [(Style::Full, ""), (Style::Plain, "Plain")];
-    for (declaration, (style, suffix)) in
-        declarations.iter().flat_map(|d| styles.map(|style| (d, style)))
+    let icon = read(&root.join("fmu/model.png"));
+    let forms =
+        [(Form::Fmi2(Style::Full), ""), (Form::Fmi2(Style::Plain), "Plain"), (Form::Fmi3, "3")];
+    for (declaration, (form, suffix)) in
+        declarations.iter().flat_map(|d| forms.map(|form| (d, form)))
     {
         // `modelIdentifier`: name of the library in the archive.
         let identifier = &declaration.model.name;
@@ -51,15 +53,35 @@ pub fn pack(declarations: &[&Declaration]) {
         // An archive that somebody deleted is made again.
         println!("cargo::rerun-if-changed={}", archive.display());
         let mut entries = shared.clone();
-        let description = xml::generate(declaration, &version, style)
-            .unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
+        let described = match form {
+            Form::Fmi2(style) => {
+                entries.push(("model.png".into(), icon.clone()));
+                xml::generate(declaration, &version, style)
+            }
+            Form::Fmi3 => {
+                let terminals = terminals::generate(declaration)
+                    .unwrap_or_else(|e| panic!("terminalsAndIcons.xml: {e}"));
+                entries.push(("terminalsAndIcons/terminalsAndIcons.xml".into(), terminals));
+                entries.push(("terminalsAndIcons/icon.png".into(), icon.clone()));
+                xml3::generate(declaration, &version)
+            }
+        };
+        let description = described.unwrap_or_else(|e| panic!("modelDescription.xml: {e}"));
         entries.push(("modelDescription.xml".into(), description));
-        for Library { platform, extension, path } in &libraries {
-            entries.push((format!("binaries/{platform}/{identifier}.{extension}"), read(path)));
+        for Library { platform, tuple, extension, path } in &libraries {
+            let folder = if form == Form::Fmi3 { tuple } else { *platform };
+            entries.push((format!("binaries/{folder}/{identifier}.{extension}"), read(path)));
         }
         let bytes = zip(entries).unwrap_or_else(|e| panic!("packing {}: {e}", archive.display()));
         write(&archive, &bytes, newest(&root));
     }
+}
+
+/// What an archive is for.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    Fmi2(Style),
+    Fmi3,
 }
 
 /// Licences of the crate; those of what is linked into the library are in `fmu/documentation`.

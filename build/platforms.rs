@@ -34,6 +34,8 @@ struct Job {
 pub struct Library {
     /// Folder in `binaries`, as FMI 2.0 names it.
     pub platform: &'static str,
+    /// The same as FMI 3.0 names it: processor and system.
+    pub tuple: String,
     /// Extension of libraries there.
     pub extension: &'static str,
     /// Where it was built.
@@ -67,12 +69,13 @@ pub fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     });
     let packed: Vec<String> =
         jobs.iter().map(|job| format!("{} ({})", job.platform, job.runs_on)).collect();
-    println!("cargo::warning=WheelRail.fmu and WheelSet.fmu hold {}", packed.join(", "));
+    println!("cargo::warning=WheelRail.fmu, WheelSet.fmu and their kin hold {}", packed.join(", "));
     for missing in missing {
         println!("cargo::warning={missing}");
     }
     let library = |(job, path): (&Job, PathBuf)| Library {
         platform: job.platform,
+        tuple: tuple(&job.target),
         extension: job.file.rsplit('.').next().unwrap_or_default(),
         path,
     };
@@ -141,6 +144,22 @@ fn own(target: &str) -> Job {
         zigbuild: false,
         runs_on: runs_on.into(),
     }
+}
+
+/// The platform tuple of FMI 3.0 (2.5.1.4.2) for a target that [`own`] has a name for.
+fn tuple(target: &str) -> String {
+    let processor = match target.split('-').next().unwrap_or_default() {
+        "i586" | "i686" => "x86",
+        other => other,
+    };
+    let system = if target.contains("windows") {
+        "windows"
+    } else if target.contains("apple-darwin") {
+        "darwin"
+    } else {
+        "linux"
+    };
+    format!("{processor}-{system}")
 }
 
 fn zigbuild_is_there() -> Result<(), String> {

@@ -3,7 +3,8 @@
 use serde::Deserialize;
 
 use crate::declaration::{
-    Causality, Declaration, File, Group, Kind, Model, Variable, dependencies, expand, guid, start,
+    Array, Causality, Declaration, File, Group, Kind, Model, Variable, dependencies, expand, guid,
+    start,
 };
 
 /// The file, as written.
@@ -161,10 +162,15 @@ fn stands_for(entry: &str, name: &str) -> bool {
 fn on_side(v: &Variable, side: &str, place: usize) -> Variable {
     let mut initial = side.chars();
     let capital: String = initial.next().into_iter().flat_map(char::to_uppercase).collect();
+    let of_side = |description: &str| format!("{capital}{} side: {description}", initial.as_str());
     Variable {
         name: format!("{side}.{}", v.name),
         field: field_on_side(&v.field, place),
-        description: format!("{capital}{} side: {}", initial.as_str(), v.description),
+        description: of_side(&v.description),
+        array: v.array.as_ref().map(|array| Array {
+            name: format!("{side}.{}", array.name),
+            description: of_side(&array.description),
+        }),
         dependencies: Vec::new(),
         ..v.clone()
     }

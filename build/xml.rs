@@ -96,7 +96,7 @@ pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Resul
     Ok(text)
 }
 
-fn list<W: Write, T>(
+pub fn list<W: Write, T>(
     writer: &mut Writer<W>,
     name: &str,
     entries: &[T],
@@ -107,7 +107,7 @@ fn list<W: Write, T>(
     Ok(())
 }
 
-fn unit<W: Write>(writer: &mut Writer<W>, unit: &Unit) -> Result<()> {
+pub fn unit<W: Write>(writer: &mut Writer<W>, unit: &Unit) -> Result<()> {
     let element = writer.create_element("Unit").with_attribute(("name", &*unit.name));
     element.write_inner_content(|w| {
         // The standard fixes the order of neither attributes nor exponents.
@@ -216,7 +216,7 @@ fn variable<W: Write>(
     Ok(())
 }
 
-fn optional<'a, W: Write>(
+pub fn optional<'a, W: Write>(
     element: ElementWriter<'a, W>,
     name: &str,
     value: Option<String>,

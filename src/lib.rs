@@ -2,7 +2,7 @@
 //!
 //! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is asked for, it holds no history: an evaluation finds where the two
 //! profiles overlap, the pressure there (strips that all meet the contact condition, Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM, corrected
-//! by tables), and sums them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI 2.0 units `WheelRail.fmu` and
+//! by tables), and sums them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI units `WheelRail.fmu` and
 //! `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and their limits: `docs/theory.md`.
 //!
 //! ```
@@ -86,7 +86,7 @@
 //! wheelset    two of them on one axle
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
-//! fmi         the C interface of FMI 2.0 for co-simulation and model exchange
+//! fmi         the C interfaces of FMI 2.0 and 3.0 for co-simulation and model exchange
 //! ```
 //!
 //! # Features

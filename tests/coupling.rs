@@ -11,8 +11,8 @@ use std::ptr::null_mut;
 
 use host::{Arguments, Host};
 use nalgebra::{Matrix3, Vector3};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::Status;
+use wheelrail::fmi::v2::types::Status;
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Unit, WHEEL, WHEELSET};
 
 /// Half of a wheelset [kg], and what rests on it together with its weight [N].

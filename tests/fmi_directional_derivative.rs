@@ -5,11 +5,11 @@ mod host;
 
 use host::{Arguments, Host, reference};
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::fmi::abi::{
+use wheelrail::fmi::v2::types::{Status, ValueReference};
+use wheelrail::fmi::v2::{
     fmi2EnterContinuousTimeMode, fmi2ExitInitializationMode, fmi2GetDirectionalDerivative,
     fmi2Terminate,
 };
-use wheelrail::fmi::types::{Status, ValueReference};
 use wheelrail::variables::{Causality, Kind, Unit, VARIABLES, Variable, WHEEL, WHEELSET};
 
 const PRESSED: [(&str, f64); 5] = [

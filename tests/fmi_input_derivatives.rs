@@ -6,8 +6,8 @@ mod host;
 use std::ptr::null_mut;
 
 use host::{Host, reference};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::Status;
+use wheelrail::fmi::v2::types::Status;
+use wheelrail::fmi::v2::*;
 
 fn derivatives(host: &Host, values: &[(&str, i32, f64)]) -> Status {
     let references: Vec<u32> = values.iter().map(|v| reference(v.0)).collect();

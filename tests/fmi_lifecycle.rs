@@ -7,8 +7,10 @@ use std::ffi::CStr;
 use std::ptr::{null, null_mut, without_provenance_mut};
 
 use host::{Host, reference};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{Component, FALSE, Status, TRUE, Text, ValueReference, status_kind};
+use wheelrail::fmi::v2::types::{
+    Component, FALSE, Status, TRUE, Text, ValueReference, status_kind,
+};
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, VARIABLES};
 
 const PRESSED: [(&str, f64); 4] =

@@ -7,8 +7,8 @@ use std::path::PathBuf;
 
 use host::Host;
 use wheelrail::element::Element;
-use wheelrail::fmi::abi::fmi2ExitInitializationMode;
-use wheelrail::fmi::types::Status;
+use wheelrail::fmi::v2::fmi2ExitInitializationMode;
+use wheelrail::fmi::v2::types::Status;
 use wheelrail::variables::{Causality, VARIABLES, Value, Values, WHEELSET, find};
 
 #[test]

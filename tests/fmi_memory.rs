@@ -5,7 +5,7 @@ mod allocations;
 mod host;
 
 use host::Host;
-use wheelrail::fmi::types::Status;
+use wheelrail::fmi::v2::types::Status;
 
 /// Life of one instance: made, run, its state saved, freed.
 fn live() {

@@ -8,8 +8,8 @@ use std::ptr::{null, null_mut, without_provenance_mut};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use host::{Arguments, Host};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{CallbackFunctions, FALSE, Status, TRUE, Text};
+use wheelrail::fmi::v2::types::{CallbackFunctions, FALSE, Status, TRUE, Text};
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::LOG_CATEGORIES;
 
 #[test]

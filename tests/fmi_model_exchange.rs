@@ -6,8 +6,8 @@ mod host;
 use std::ptr::{null, null_mut};
 
 use host::{Arguments, Host};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{EventInfo, FALSE, Status, TRUE};
+use wheelrail::fmi::v2::types::{EventInfo, FALSE, Status, TRUE};
+use wheelrail::fmi::v2::*;
 
 const PRESSED: [(&str, f64); 5] = [
     ("wheel.z", -0.4597),

@@ -5,10 +5,10 @@ mod allocations;
 mod host;
 
 use host::{Host, reference};
-use wheelrail::fmi::abi::{
+use wheelrail::fmi::v2::types::{Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::{
     fmi2DoStep, fmi2GetFMUstate, fmi2GetInteger, fmi2GetReal, fmi2SetFMUstate, fmi2SetReal,
 };
-use wheelrail::fmi::types::{Status, TRUE, ValueReference};
 use wheelrail::variables::{Causality, Kind, VARIABLES};
 
 #[test]

@@ -1,5 +1,5 @@
-//! Memory is fixed after initialization: with every option on, from the first call of each kind, warnings included, nothing is allocated. Updates of
-//! worn profiles, which lay out new outlines, are left out: they do allocate.
+//! Memory is fixed after initialization: with every option on, from the first call of each kind, warnings and updates of worn profiles included,
+//! nothing is allocated.
 #![allow(unsafe_code)]
 
 mod allocations;
@@ -8,11 +8,11 @@ use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{
+use wheelrail::fmi::v2::types::{
     CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
     TRUE, Text, ValueReference,
 };
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Causality, Kind, Unit, Value, WHEEL, WHEELSET};
 
 /// Messages that came.
@@ -202,7 +202,8 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
             integer("wear.model", model),
             integer("wear.distribution", distribution),
             real("wear.acceleration_factor", 1e5),
-            real("wear.update_interval", 1e6),
+            // A fifth of the steps ends with new profiles.
+            real("wear.update_interval", 5e-3),
             monitor,
         ]
     };
@@ -240,10 +241,51 @@ fn a_wheelset_runs_in_fixed_memory() {
     for settings in [
         vec![monitor],
         vec![monitor, integer("vertical.mode", 2)],
-        vec![integer("wear.model", 2), real("wear.update_interval", 1e6)],
+        vec![
+            integer("wear.model", 2),
+            real("wear.acceleration_factor", 1e5),
+            real("wear.update_interval", 5e-3),
+        ],
     ] {
         assert_eq!(rounds(&WHEELSET, &settings, 40).0, [], "{settings:?}");
     }
+}
+
+#[test]
+fn worn_profiles_are_made_and_taken_back_in_fixed_memory() {
+    let settings = [
+        integer("wear.model", 2),
+        real("wear.acceleration_factor", 1e6),
+        real("wear.update_interval", 3e-3),
+    ];
+    let host = Silent::new(&WHEEL, CO_SIMULATION, &settings);
+    let c = host.component;
+    let depth = [host.reference("wear.wheel.depth"), host.reference("wear.rail[1].depth")];
+    let depths = || {
+        let mut values = [0.0; 2];
+        // SAFETY: FMI 2.0, 2.1.7: arrays of two elements.
+        let status = unsafe { fmi2GetReal(c, depth.as_ptr(), 2, values.as_mut_ptr()) };
+        assert!(status <= Status::Warning);
+        values
+    };
+    let mut state = null_mut();
+    // SAFETY: FMI 2.0, 2.1.8: a pointer to one state pointer.
+    assert_eq!(unsafe { fmi2GetFMUstate(c, &raw mut state) }, Status::Ok);
+    let before = allocations::count();
+    let mut deepest = [0.0; 2];
+    for round in 0..3 {
+        for i in 0..30 {
+            assert!(fmi2DoStep(c, 1e-3 * f64::from(i), 1e-3, FALSE) <= Status::Warning);
+        }
+        let worn = depths();
+        assert!(worn.iter().all(|depth| *depth > 0.0), "{worn:?}");
+        // Back to the unworn profiles, and worn again to the same depth.
+        assert!(round == 0 || worn.map(f64::to_bits) == deepest.map(f64::to_bits));
+        deepest = worn;
+        assert_eq!(fmi2SetFMUstate(c, state), Status::Ok);
+        assert!(depths().iter().all(|depth| *depth <= 0.0));
+    }
+    assert_eq!(allocations::count(), before);
 }
 
 #[test]

@@ -7,8 +7,8 @@ use std::ffi::c_char;
 use std::ptr::{null_mut, without_provenance_mut};
 
 use host::Host;
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, VARIABLES};
 
 /// A loaded wheel that creeps, at a lateral position.

@@ -10,8 +10,8 @@ use std::ptr::null_mut;
 
 use host::{Arguments, Host};
 use tempfile::TempDir;
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{FALSE, FmuState, MODEL_EXCHANGE, Status};
+use wheelrail::fmi::v2::types::{FALSE, FmuState, MODEL_EXCHANGE, Status};
+use wheelrail::fmi::v2::*;
 use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::{load_profile, save_profile};
 use wheelrail::variables::{Kind, VARIABLES, WHEELSET};

@@ -10,8 +10,8 @@ use std::ffi::c_char;
 use std::ptr::null_mut;
 
 use host::{Arguments, Host};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{FALSE, FmuState, MODEL_EXCHANGE, Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::types::{FALSE, FmuState, MODEL_EXCHANGE, Status, TRUE, ValueReference};
+use wheelrail::fmi::v2::*;
 use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::load_profile;
 use wheelrail::variables::{Causality, Kind, Unit, Value, WHEEL, WHEELSET, WheelsetValues};

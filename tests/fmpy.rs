@@ -31,6 +31,11 @@ fn fmpy_gets_from_a_wheelset_what_two_wheels_give() {
     check("check_wheelset.py");
 }
 
+#[test]
+fn fmpy_gets_through_fmi_3_what_it_gets_through_fmi_2() {
+    check("check_fmi3.py");
+}
+
 /// Needs a C compiler, `cc`, besides.
 #[test]
 fn fmpy_runs_a_system_of_a_wheelset_and_a_mass() {

@@ -7,7 +7,7 @@ mod packaged;
 mod tolerance;
 
 use std::fs::{self, File};
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
@@ -57,6 +57,22 @@ fn the_library_for_linux_runs_on_an_old_glibc() {
     let versions = glibc_versions(&library);
     assert!(!versions.is_empty());
     assert!(versions.iter().all(|&version| version <= (2, 17)), "{versions:?}");
+}
+
+#[test]
+#[ignore = "needs tools of other platforms"]
+fn the_unit_of_fmi_3_holds_the_same_libraries_in_folders_of_its_own() {
+    let archive = packaged::for_platforms("linux64,win64").with_file_name("WheelRail3.fmu");
+    let mut archive = zip::ZipArchive::new(File::open(archive).unwrap()).unwrap();
+    for (old, new) in [
+        ("binaries/linux64/WheelRail.so", "binaries/x86_64-linux/WheelRail.so"),
+        ("binaries/win64/WheelRail.dll", "binaries/x86_64-windows/WheelRail.dll"),
+    ] {
+        let mut bytes = Vec::new();
+        archive.by_name(new).unwrap().read_to_end(&mut bytes).unwrap();
+        assert!(bytes == fs::read(unpacked().join(old)).unwrap(), "{new}");
+        assert!(archive.by_name(old).is_err());
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 
 use host::Host;
-use wheelrail::fmi::types::Status;
+use wheelrail::fmi::v2::types::Status;
 
 /// Targets, the compiler for each, and what runs its programs here.
 const TARGETS: [(&str, &str, Option<&str>); 2] = [

@@ -5,13 +5,13 @@ use std::error::Error;
 use std::ffi::CString;
 use std::ptr::null_mut;
 
-use wheelrail::fmi::abi::{
+use wheelrail::fmi::v2::types::{
+    CO_SIMULATION, CallbackFunctions, Component, FALSE, FmuState, Status, ValueReference,
+};
+use wheelrail::fmi::v2::{
     fmi2DoStep, fmi2EnterInitializationMode, fmi2ExitInitializationMode, fmi2FreeInstance,
     fmi2GetDirectionalDerivative, fmi2GetFMUstate, fmi2GetReal, fmi2Instantiate, fmi2SetFMUstate,
     fmi2SetInteger, fmi2SetReal, fmi2SetRealInputDerivatives, fmi2SetupExperiment,
-};
-use wheelrail::fmi::types::{
-    CO_SIMULATION, CallbackFunctions, Component, FALSE, FmuState, Status, ValueReference,
 };
 use wheelrail::variables::{GUID, find};
 

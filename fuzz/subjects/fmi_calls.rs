@@ -5,10 +5,10 @@ use std::ffi::{CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut};
 
 use arbitrary::{Result, Unstructured};
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{
+use wheelrail::fmi::v2::types::{
     CallbackFunctions, Component, EventInfo, FmuState, Status, Text, ValueReference,
 };
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Causality, Kind, Unit, WHEEL, WHEELSET};
 
 use super::values::{any, within};

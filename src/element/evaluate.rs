@@ -161,6 +161,7 @@ impl Element {
             remarks,
             memory: None,
         };
+        element.reserve_for_wear();
         element.set_start(start);
         Ok(element)
     }

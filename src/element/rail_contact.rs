@@ -49,6 +49,9 @@ const MOST_DEPTH: f64 = 2.5e-2;
 pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
 const STEEPEST: f64 = 0.05;
+/// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side and to the length of its arc [m].
+const MOST_WIDER: f64 = 0.01;
+const MOST_LONGER: f64 = 0.1;
 /// Most stretches of a contact line that are searched apart from each other.
 const MOST_RANGES: usize = 32;
 
@@ -101,12 +104,22 @@ impl RailContact {
         self.rail.profile_point(point)
     }
 
-    /// Puts other curves in the place of those of wheel and placed rail; nothing moves.
-    pub fn put_curves(&mut self, wheel: &Curve, rail: Curve) {
-        self.clearance = Clearance::new(wheel, self.nominal_radius, &rail);
-        self.search = ContactSearch::new(wheel);
-        self.wheel.curve = wheel.clone();
-        self.rail.put_curve(rail);
+    /// Puts other curves in the place of those of wheel and placed rail; nothing moves. `rail` fills in that of the rail. Within the room
+    /// of [`reserve_for_wear`](Self::reserve_for_wear) nothing is allocated.
+    pub fn put_curves<T>(&mut self, wheel: &Curve, rail: impl FnOnce(&mut Curve) -> T) -> T {
+        self.wheel.curve.copy_from(wheel);
+        let put = self.rail.put_curve(rail);
+        self.clearance.put_curves(wheel, self.rail.curve());
+        self.search.put_wheel(wheel);
+        put
+    }
+
+    /// Makes room for curves of wheel and rail through so many knots, and for what wear may make of their lengths.
+    pub fn reserve_for_wear(&mut self, wheel_knots: usize, rail_knots: usize) {
+        self.wheel.curve.reserve(wheel_knots);
+        self.rail.reserve(rail_knots);
+        self.clearance.reserve(MOST_WIDER);
+        self.search.reserve(MOST_LONGER);
     }
 
     /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no contact is left, by their penetrations

@@ -64,6 +64,8 @@ pub struct WearSums {
     pub clock: f64,
     pub wheel: WornArc,
     pub rails: [Option<WornArc>; RAILS],
+    /// The curve of the wheel in use, from which its contacts take it over.
+    pub wheel_curve: Curve,
     /// Time for which the evaluation under way stands, times the acceleration factor [s]; 0 where it is none of a step.
     duration: f64,
     /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of each strip.
@@ -94,6 +96,7 @@ impl WearSums {
             clock: 0.0,
             wheel: WornArc::new(wheel, Body::Wheel { nominal_radius }),
             rails: rails.map(|rail| rail.map(|rail| WornArc::new(rail, Body::Rail { distance }))),
+            wheel_curve: wheel.clone(),
             duration: 0.0,
             first: 0,
             dissipation: Room::new(strips),

@@ -7,14 +7,13 @@ use super::parameters::{RAILS, Side, VerticalMode};
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
 use crate::error::ContactError;
+use crate::geometry::curve::Curve;
 use crate::geometry::profile::Profile;
 
 impl Element {
     /// Evaluates the forces and wears off what their patches wear off in a time of `duration` ≥ 0 [s]; where an interval between
     /// updates ends with it, the profiles are updated and the forces evaluated anew, on the new ones. Without a wear law it is
     /// [`evaluate`](Self::evaluate).
-    ///
-    /// Only an update allocates.
     ///
     /// # Errors
     /// The input at fault, by its FMU name, or a duration that is negative or not finite; nothing is worn off then.
@@ -75,6 +74,18 @@ impl Element {
         Ok(())
     }
 
+    /// Makes room for worn profiles, so that updates allocate nothing.
+    pub(super) fn reserve_for_wear(&mut self) {
+        let Some(wear) = &mut self.models.wear else { return };
+        let wheel_knots = wear.wheel.knot_count();
+        wear.wheel_curve.reserve(wheel_knots);
+        for (contact, rail) in self.rails.iter_mut().zip(&wear.rails) {
+            if let (Some(contact), Some(rail)) = (contact, rail) {
+                contact.reserve_for_wear(wheel_knots, rail.knot_count());
+            }
+        }
+    }
+
     fn record_for(&mut self, duration: f64) {
         if let Some(wear) = &mut self.models.wear {
             wear.record_for(duration);
@@ -104,13 +115,13 @@ impl Element {
     fn put_worn_profiles(&mut self) {
         let Some(wear) = &mut self.models.wear else { return };
         let smoothing = wear.parameters.smoothing;
-        let (wheel, report) = wear.wheel.worn_curve(smoothing);
+        let report = wear.wheel.put_worn_curve(smoothing, &mut wear.wheel_curve);
         self.fallbacks += u64::from(report.is_worn_through);
         for (contact, rail) in self.rails.iter_mut().zip(&mut wear.rails) {
             let (Some(contact), Some(rail)) = (contact, rail) else { continue };
-            let (curve, report) = rail.worn_curve(smoothing);
+            let put = |curve: &mut Curve| rail.put_worn_curve(smoothing, curve);
+            let report = contact.put_curves(&wear.wheel_curve, put);
             self.fallbacks += u64::from(report.is_worn_through);
-            contact.put_curves(&wheel, curve);
         }
     }
 

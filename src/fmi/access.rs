@@ -4,8 +4,9 @@ use std::ffi::{CString, c_char};
 
 use super::error::FmiError;
 use super::instance::{Instance, State};
+use super::interface::Interface;
 use super::logger::Logger;
-use super::types::{Boolean, FALSE, Status, TRUE, ValueReference};
+use super::types::{Status, ValueReference};
 use crate::variables::{Causality, Described, Kind, Unit, Value, Variable, admits, check};
 
 impl<S: Described> Instance<S> {
@@ -16,7 +17,7 @@ impl<S: Described> Instance<S> {
         out: &mut [f64],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_real, logger)?;
+        let status = self.prepare_to_read(references.iter().copied(), is_real, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
             // Read at every step: by its type, which was checked.
             if let Some(value) = S::real(&self.values, reference as usize) {
@@ -33,32 +34,29 @@ impl<S: Described> Instance<S> {
         out: &mut [i32],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_integer, logger)?;
+        let status = self.prepare_to_read(references.iter().copied(), is_integer, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
-            let held = self.held.value(reference).filter(|_| self.state == State::ContinuousTime);
-            if let Some(held) = held {
-                *out = held;
-            } else if let Value::Integer(value) =
-                self.values.get(&S::UNIT.variables[reference as usize])
-            {
-                *out = value;
-            }
+            *out = self.integer_at(reference);
         }
         Ok(status)
     }
 
-    /// Reads boolean variables.
+    /// An integer or an enumeration; in continuous-time mode one that belongs to events is that of the last one.
+    pub(super) fn integer_at(&self, place: ValueReference) -> i32 {
+        let held = self.held.value(place).filter(|_| self.state == State::ContinuousTime);
+        held.or_else(|| S::integer(&self.values, place as usize)).unwrap_or_default()
+    }
+
+    /// Reads boolean variables, each of which `out` takes over.
     pub fn get_boolean(
         &mut self,
         references: &[ValueReference],
-        out: &mut [Boolean],
+        mut out: impl FnMut(usize, bool),
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_boolean, logger)?;
-        for (out, &reference) in out.iter_mut().zip(references) {
-            if let Value::Boolean(value) = self.values.get(&S::UNIT.variables[reference as usize]) {
-                *out = if value { TRUE } else { FALSE };
-            }
+        let status = self.prepare_to_read(references.iter().copied(), is_boolean, logger)?;
+        for (place, &reference) in references.iter().enumerate() {
+            out(place, S::boolean(&self.values, reference as usize).unwrap_or_default());
         }
         Ok(status)
     }
@@ -70,7 +68,7 @@ impl<S: Described> Instance<S> {
         out: &mut [*const c_char],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references, is_text, logger)?;
+        let status = self.prepare_to_read(references.iter().copied(), is_text, logger)?;
         let texts =
             references.iter().map(|&r| match self.values.get(&S::UNIT.variables[r as usize]) {
                 // A text that was set holds no null character.
@@ -97,7 +95,7 @@ impl<S: Described> Instance<S> {
                 admits(v, value(i)) && !(fixed && v.causality == Causality::Parameter)
             });
             if !accepted {
-                return Err(refusal(S::UNIT, reference, value(i)));
+                return Err(refusal(self.interface, S::UNIT, reference, value(i)));
             }
         }
         for (i, &reference) in references.iter().enumerate() {
@@ -112,22 +110,31 @@ impl<S: Described> Instance<S> {
     }
 
     /// Checks references and types, and brings up to date what they depend on.
-    fn prepare_to_read(
+    ///
+    /// # Errors
+    /// An output before there is anything that could be evaluated; what is at fault with a reference or with the parameters.
+    pub(super) fn prepare_to_read(
         &mut self,
-        references: &[ValueReference],
+        references: impl Iterator<Item = ValueReference>,
         belongs: fn(Kind) -> bool,
         logger: &Logger,
     ) -> Result<Status, FmiError> {
         let (mut outputs, mut nominal, mut requested) = (false, false, false);
-        for &reference in references {
+        for reference in references {
             let known = S::UNIT.variables.get(reference as usize).filter(|v| belongs(v.kind));
-            let Some(variable) = known else { return Err(unreadable(S::UNIT, reference)) };
+            let Some(variable) = known else {
+                return Err(unreadable(self.interface, S::UNIT, reference));
+            };
             outputs |= variable.causality == Causality::Output;
             requested |= variable.on_request;
             nominal |= variable.causality == Causality::CalculatedParameter;
         }
-        if self.state == State::Initialization && (outputs || nominal) {
-            self.prepare_element(nominal)?;
+        if outputs || nominal {
+            match self.state {
+                State::Initialization => self.prepare_element(nominal)?,
+                State::Instantiated => return Err(FmiError::too_early(self.interface)),
+                _ => {}
+            }
         }
         let status =
             if outputs && self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
@@ -149,13 +156,18 @@ pub(super) fn variable(
 
 /// Why a variable is not read: there is none, or it has another type.
 #[cold]
-fn unreadable(unit: &'static Unit, reference: ValueReference) -> FmiError {
-    variable(unit, reference).map_or_else(|error| error, wrong_type)
+fn unreadable(interface: Interface, unit: &'static Unit, reference: ValueReference) -> FmiError {
+    variable(unit, reference).map_or_else(|error| error, |v| wrong_type(interface, v))
 }
 
 /// Why a value is not accepted; after initialization, if there is nothing else against it.
 #[cold]
-fn refusal(unit: &'static Unit, reference: ValueReference, value: Value) -> FmiError {
+fn refusal(
+    interface: Interface,
+    unit: &'static Unit,
+    reference: ValueReference,
+    value: Value,
+) -> FmiError {
     let variable = match variable(unit, reference) {
         Ok(variable) => variable,
         Err(error) => return error,
@@ -167,35 +179,30 @@ fn refusal(unit: &'static Unit, reference: ValueReference, value: Value) -> FmiE
         Value::Text(_) => is_text(variable.kind),
     };
     if !belongs {
-        return wrong_type(variable);
+        return wrong_type(interface, variable);
     }
-    check(variable, value).map_or_else(FmiError::from, |()| FmiError::Fixed(variable.name))
+    let fixed = |()| FmiError::Fixed { name: variable.name, interface };
+    check(variable, value).map_or_else(FmiError::from, fixed)
 }
 
 pub(super) fn is_real(kind: Kind) -> bool {
     matches!(kind, Kind::Real)
 }
 
-fn is_integer(kind: Kind) -> bool {
+pub(super) fn is_integer(kind: Kind) -> bool {
     matches!(kind, Kind::Integer | Kind::Enumeration(_))
 }
 
-fn is_boolean(kind: Kind) -> bool {
+pub(super) fn is_boolean(kind: Kind) -> bool {
     matches!(kind, Kind::Boolean)
 }
 
-fn is_text(kind: Kind) -> bool {
+pub(super) fn is_text(kind: Kind) -> bool {
     matches!(kind, Kind::Text)
 }
 
 #[cold]
-pub(super) fn wrong_type(variable: &Variable) -> FmiError {
-    let kind = match variable.kind {
-        Kind::Real => "Real",
-        Kind::Integer => "Integer",
-        Kind::Boolean => "Boolean",
-        Kind::Text => "String",
-        Kind::Enumeration(_) => "Enumeration (set and read as Integer)",
-    };
-    FmiError::WrongType { name: variable.name, kind }
+pub(super) fn wrong_type(interface: Interface, variable: &Variable) -> FmiError {
+    let kind = interface.type_name(variable.kind);
+    FmiError::WrongType { name: interface.name(variable), kind }
 }

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use super::instance::{Instance, Purpose, State};
+use super::interface::Interface;
 use crate::element::Element;
 use crate::variables::{Described, Unit};
 use crate::wheelset::Wheelset;
 
-/// What an `fmi2Component` stands for.
+/// What an `fmi2Component` or an `fmi3Instance` stands for.
 #[derive(Debug)]
 pub enum AnyInstance {
     /// Of `WheelRail.fmu`.
@@ -29,11 +30,16 @@ pub(super) use on_instance;
 
 impl AnyInstance {
     /// An instance of `unit` with start values.
-    pub fn new(unit: &Unit, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+    pub fn new(
+        unit: &Unit,
+        interface: Interface,
+        purpose: Purpose,
+        profile_folders: Vec<PathBuf>,
+    ) -> Self {
         if unit.guid == Wheelset::UNIT.guid {
-            Self::Wheelset(Box::new(Instance::new(purpose, profile_folders)))
+            Self::Wheelset(Box::new(Instance::new(interface, purpose, profile_folders)))
         } else {
-            Self::Wheel(Box::new(Instance::new(purpose, profile_folders)))
+            Self::Wheel(Box::new(Instance::new(interface, purpose, profile_folders)))
         }
     }
 
@@ -41,6 +47,12 @@ impl AnyInstance {
     #[inline]
     pub fn state(&self) -> State {
         on_instance!(self, |instance| instance.state)
+    }
+
+    /// Through which it was made.
+    #[inline]
+    pub fn interface(&self) -> Interface {
+        on_instance!(self, |instance| instance.interface)
     }
 
     /// Moves to another place in the life cycle.

@@ -128,11 +128,9 @@ fn text(bytes: &mut Vec<u8>, text: &str) {
 /// Bytes that are damaged, no state at all, or of another version of the unit.
 pub fn read<S: Described>(bytes: &[u8]) -> Result<Snapshot<S>, FmiError> {
     let bad = |problem: &str| FmiError::BadBytes(problem.into());
-    let damaged = || bad("is damaged: fewer or other bytes than fmi2SerializeFMUstate has written");
+    let damaged = || bad("is damaged: fewer or other bytes than were serialized");
     let Some(rest) = bytes.strip_prefix(TAG) else {
-        return Err(bad(
-            "is no state of this unit: it does not begin as fmi2SerializeFMUstate writes it",
-        ));
+        return Err(bad("is no state of this unit: it does not begin as a serialized one does"));
     };
     // Before the checksum: what is not known cannot be told from damage.
     let mut head = Reader(rest);
@@ -313,11 +311,12 @@ mod tests {
     use super::*;
     use crate::element::Element;
     use crate::fmi::instance::Instance;
+    use crate::fmi::interface::Interface;
     use crate::fmi::logger::Logger;
     use crate::wheelset::Wheelset;
 
     fn saved<S: Described>() -> Snapshot<S> {
-        let mut instance = Instance::<S>::new(Purpose::CoSimulation, Vec::new());
+        let mut instance = Instance::<S>::new(Interface::V2, Purpose::CoSimulation, Vec::new());
         instance.setup_experiment(None, 0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization(&Logger::silent()).unwrap();

@@ -1,9 +1,10 @@
-//! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0, 2.1.9).
+//! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0, 2.1.9; FMI 3.0, 2.2.11).
 
 use super::access::{is_real, variable, wrong_type};
 use super::differences::{Beside, Wanted};
 use super::error::FmiError;
 use super::instance::{Instance, State};
+use super::interface::Interface;
 use super::types::ValueReference;
 use crate::element::subject::Subject;
 use crate::error::ContactError;
@@ -52,7 +53,7 @@ impl<S: Described + Subject> Instance<S> {
         let asked = self.asked(unknowns)?;
         let mut by_parameters = false;
         for (&reference, &seed) in knowns.iter().zip(seed) {
-            let known = known(S::UNIT, reference, self.state)?;
+            let known = known(self.interface, S::UNIT, reference, self.state)?;
             if !seed.is_finite() {
                 return Err(FmiError::BadSeed { name: known.name, seed });
             }
@@ -163,10 +164,14 @@ impl<S: Described + Subject> Instance<S> {
         for &reference in unknowns {
             let variable = variable(S::UNIT, reference)?;
             let refuse = |reason| {
-                Err(FmiError::NoDerivative { name: variable.name, role: "unknown", reason })
+                Err(FmiError::NoDerivative {
+                    name: self.interface.name(variable),
+                    role: "unknown",
+                    reason,
+                })
             };
             match variable.causality {
-                _ if !is_real(variable.kind) => return Err(wrong_type(variable)),
+                _ if !is_real(variable.kind) => return Err(wrong_type(self.interface, variable)),
                 Causality::Output if variable.on_request => {
                     asked.slopes |= self.values.coupling.monitor;
                 }
@@ -186,19 +191,21 @@ impl<S: Described + Subject> Instance<S> {
 
 /// The variable behind a reference, if derivatives are taken by it.
 fn known(
+    interface: Interface,
     unit: &'static Unit,
     reference: ValueReference,
     state: State,
 ) -> Result<&'static Variable, FmiError> {
     let variable = variable(unit, reference)?;
-    let refuse =
-        |reason| Err(FmiError::NoDerivative { name: variable.name, role: "known", reason });
+    let refuse = |reason| {
+        Err(FmiError::NoDerivative { name: interface.name(variable), role: "known", reason })
+    };
     match variable.causality {
         Causality::Parameter if state != State::Initialization => {
             refuse("it is fixed after initialization")
         }
         Causality::Input | Causality::Parameter if is_real(variable.kind) => Ok(variable),
-        Causality::Input | Causality::Parameter => Err(wrong_type(variable)),
+        Causality::Input | Causality::Parameter => Err(wrong_type(interface, variable)),
         _ => refuse("it is no input and no parameter"),
     }
 }

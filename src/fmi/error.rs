@@ -1,6 +1,19 @@
 //! Why a call through the interface is refused.
 
+use super::interface::Interface;
 use crate::error::ContactError;
+
+impl FmiError {
+    /// That of a call which needs initialization mode at least.
+    pub fn too_early(interface: Interface) -> Self {
+        let first = match interface {
+            Interface::V2 => "fmi2SetupExperiment and fmi2EnterInitializationMode",
+            Interface::V3 => "fmi3EnterInitializationMode",
+        };
+        let remedy = format!("call {first} first");
+        Self::WrongState { state: "before initialization".into(), remedy }
+    }
+}
 
 /// A refusal; the message goes to the host's logger.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -12,9 +25,9 @@ pub enum FmiError {
     #[error("not allowed {state}: {remedy}")]
     WrongState {
         /// Where in its life the instance is, as an adverbial.
-        state: &'static str,
+        state: String,
         /// What to call.
-        remedy: &'static str,
+        remedy: String,
     },
     /// A pointer that must not be null.
     #[error("argument {0} is null")]
@@ -70,8 +83,13 @@ pub enum FmiError {
         value: f64,
     },
     /// A parameter set after initialization.
-    #[error("{0} is fixed after initialization: call fmi2Reset to change it")]
-    Fixed(&'static str),
+    #[error("{name} is fixed after initialization: call {interface}Reset to change it")]
+    Fixed {
+        /// The parameter.
+        name: &'static str,
+        /// Whose function resets.
+        interface: Interface,
+    },
     /// A time or step that is not admitted.
     #[error("argument {name} = {value} is not admitted: {allowed}")]
     BadArgument {
@@ -95,9 +113,12 @@ pub enum FmiError {
     UnknownCategory(String),
     /// A library and a description that do not belong together.
     #[error(
-        "the GUID is \"{given}\", but this library is of \"{wheel}\" (WheelRail) and \"{wheelset}\" (WheelSet): use the modelDescription.xml packed with it"
+        "the {} is \"{given}\", but this library is of \"{wheel}\" (WheelRail) and \"{wheelset}\" (WheelSet): use the modelDescription.xml packed with it",
+        interface.identity()
     )]
     WrongGuid {
+        /// Through which the host came.
+        interface: Interface,
         /// What the host read.
         given: String,
         /// That of the wheel unit of the library.
@@ -122,9 +143,48 @@ pub enum FmiError {
     BadBytes(String),
     /// A resource location that cannot be used.
     #[error(
-        "fmuResourceLocation \"{0}\" is not a file: URI; profiles are looked for in the working directory only"
+        "{} \"{given}\" is not {}; profiles are looked for in the working directory only",
+        interface.location_argument().0,
+        interface.location_argument().1
     )]
-    BadLocation(String),
+    BadLocation {
+        /// Through which the host came.
+        interface: Interface,
+        /// What the host gave.
+        given: String,
+    },
+    /// A function of the other version of the standard.
+    #[error("the instance was made through FMI {}: call the functions that begin with {own}", own.version())]
+    OtherInterface {
+        /// Through which the instance was made.
+        own: Interface,
+    },
+    /// A function for what the unit has none of.
+    #[error("the unit has no {0}: see modelDescription.xml")]
+    None(&'static str),
+    /// A reference within an array.
+    #[error("value reference {reference} does not exist: that of {array} is {first}")]
+    WithinArray {
+        /// The reference.
+        reference: u32,
+        /// The array.
+        array: &'static str,
+        /// Its reference.
+        first: u32,
+    },
+    /// A variable that is computed, whatever its value.
+    #[error("{0} is computed by the element and cannot be set")]
+    Computed(&'static str),
+    /// An array of values that is too long or too short.
+    #[error("argument {name} = {given}, but the variables have {wanted} elements")]
+    WrongCount {
+        /// The argument.
+        name: &'static str,
+        /// Its value.
+        given: usize,
+        /// What it has to be.
+        wanted: usize,
+    },
     /// A panic, which is a fault of this library.
     #[error("internal fault; the instance is closed: free it, and please report this")]
     Panic,

@@ -10,8 +10,6 @@ use super::logger::Logger;
 use super::types::{Status, ValueReference};
 use crate::variables::{Causality, Described, Kind, Variable};
 
-/// Number of event indicators.
-pub const INDICATORS: usize = 1;
 /// What the indicator is while nothing has changed; and with the other sign where something has.
 const UNCHANGED: f64 = 1.0;
 
@@ -60,17 +58,27 @@ impl<S: Described> Instance<S> {
         Ok(status)
     }
 
-    /// The event indicator.
+    /// Puts the event indicator into `out`, which is that of the argument `name` of as many elements.
+    ///
+    /// # Errors
+    /// Another number of elements than there are indicators; what is at fault with the inputs.
     pub fn event_indicators(
         &mut self,
+        name: &'static str,
         out: &mut [f64],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        if out.len() != INDICATORS {
+        let [out] = out else {
             let allowed = "1: there is one event indicator";
-            let value = out.len() as f64;
-            return Err(FmiError::BadArgument { name: "ni", value, allowed });
-        }
+            return Err(FmiError::BadArgument { name, value: out.len() as f64, allowed });
+        };
+        let (status, indicator) = self.event_indicator(logger)?;
+        *out = indicator;
+        Ok(status)
+    }
+
+    /// The event indicator.
+    pub fn event_indicator(&mut self, logger: &Logger) -> Result<(Status, f64), FmiError> {
         let mut status = Status::Ok;
         let mut is_changed = false;
         if self.state == State::ContinuousTime {
@@ -82,7 +90,6 @@ impl<S: Described> Instance<S> {
                 S::integer(&self.values, v.reference) != self.held.value(v.reference as u32)
             });
         }
-        out[0] = if is_changed { -UNCHANGED } else { UNCHANGED };
-        Ok(status)
+        Ok((status, if is_changed { -UNCHANGED } else { UNCHANGED }))
     }
 }

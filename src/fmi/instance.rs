@@ -8,6 +8,7 @@ use super::directional::DerivativeScratch;
 use super::error::FmiError;
 use super::events::Held;
 use super::extrapolation::Extrapolation;
+use super::interface::Interface;
 use super::logger::{Category, Logger};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
@@ -68,6 +69,8 @@ struct Told {
 /// An instance of one unit.
 #[derive(Debug)]
 pub struct Instance<S: Described> {
+    /// Through which it was made.
+    pub interface: Interface,
     /// What it is made for.
     pub purpose: Purpose,
     /// Place in the life cycle.
@@ -95,7 +98,9 @@ pub struct Instance<S: Described> {
     pub(super) held: Held,
     /// What the host was told of the outputs evaluated last.
     told: Told,
-    /// Texts handed out by the last `fmi2GetString`.
+    /// Places of the elements of unknowns and knowns of a derivative through FMI 3.0.
+    pub(super) flattened: [Vec<ValueReference>; 2],
+    /// Texts handed out by the last call that read texts.
     pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
     pub snapshots: Slots<Snapshot<S>>,
@@ -103,8 +108,13 @@ pub struct Instance<S: Described> {
 
 impl<S: Described> Instance<S> {
     /// An instance with start values; profiles are looked for in the folders, in order.
-    pub fn new(purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+    pub fn new(interface: Interface, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+        let most_flattened = match interface {
+            Interface::V2 => 0,
+            Interface::V3 => S::UNIT.variables.len(),
+        };
         Self {
+            interface,
             purpose,
             state: State::Instantiated,
             values: ValuesOf::default(),
@@ -121,6 +131,7 @@ impl<S: Described> Instance<S> {
             derivatives: None,
             held: Held::new::<S>(),
             told: Told::default(),
+            flattened: [(); 2].map(|()| Vec::with_capacity(most_flattened)),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }
@@ -131,7 +142,7 @@ impl<S: Described> Instance<S> {
         let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
         *self = Self {
             snapshots,
-            ..Self::new(self.purpose, std::mem::take(&mut self.profile_folders))
+            ..Self::new(self.interface, self.purpose, std::mem::take(&mut self.profile_folders))
         };
     }
 
@@ -162,9 +173,9 @@ impl<S: Described> Instance<S> {
 
     /// Enters initialization mode.
     pub fn enter_initialization(&mut self) -> Result<(), FmiError> {
-        let experiment = self.experiment.ok_or(FmiError::WrongState {
-            state: "while the start time is undefined",
-            remedy: "call fmi2SetupExperiment first",
+        let experiment = self.experiment.ok_or_else(|| FmiError::WrongState {
+            state: "while the start time is undefined".into(),
+            remedy: "call fmi2SetupExperiment first".into(),
         })?;
         self.time = experiment.start;
         self.state = State::Initialization;

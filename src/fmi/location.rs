@@ -1,12 +1,12 @@
-//! The folder of resources from the URI that the host hands over.
+//! The folder of resources from what the host hands over.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The folder that a `file:` URI in any of its forms, or a plain absolute path, names.
 ///
 /// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or without
 /// a slash at the end, percent-encoded or not. `None` for anything else.
-pub fn folder(uri: &str) -> Option<PathBuf> {
+pub fn of_uri(uri: &str) -> Option<PathBuf> {
     let has_scheme = uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"));
     let path = if has_scheme {
         let rest = &uri[5..];
@@ -31,6 +31,11 @@ pub fn folder(uri: &str) -> Option<PathBuf> {
     let path = if has_drive { &path[1..] } else { path };
     let trimmed = path.trim_end_matches('/');
     Some(PathBuf::from(if trimmed.is_empty() { "/" } else { trimmed }))
+}
+
+/// The folder that a path of this system names (FMI 3.0, 2.3.1); `None` if it is not absolute.
+pub fn of_path(path: &str) -> Option<PathBuf> {
+    Some(PathBuf::from(path)).filter(|path| Path::is_absolute(path))
 }
 
 /// Replaces `%20` and the like; a percent sign that starts no code stays. `None` if not UTF-8.
@@ -70,22 +75,32 @@ mod tests {
             "FILE:///srv/my%20fmu/resources",
             "/srv/my fmu/resources",
         ] {
-            assert_eq!(folder(uri), Some("/srv/my fmu/resources".into()), "{uri}");
+            assert_eq!(of_uri(uri), Some("/srv/my fmu/resources".into()), "{uri}");
         }
     }
 
     #[test]
     fn drive_letters_umlauts_and_odd_percents_survive() {
-        assert_eq!(folder("file:///C:/fmu/resources"), Some("C:/fmu/resources".into()));
-        assert_eq!(folder("file:///r%C3%A4der"), Some("/räder".into()));
-        assert_eq!(folder("file:///100%/x"), Some("/100%/x".into()));
-        assert_eq!(folder("file:///"), Some("/".into()));
+        assert_eq!(of_uri("file:///C:/fmu/resources"), Some("C:/fmu/resources".into()));
+        assert_eq!(of_uri("file:///r%C3%A4der"), Some("/räder".into()));
+        assert_eq!(of_uri("file:///100%/x"), Some("/100%/x".into()));
+        assert_eq!(of_uri("file:///"), Some("/".into()));
     }
 
     #[test]
     fn what_is_no_file_is_refused() {
         for uri in ["http://host/x", "relative/x", "file:relative", "file:///%ff", "fil", "ä"] {
-            assert_eq!(folder(uri), None, "{uri}");
+            assert_eq!(of_uri(uri), None, "{uri}");
+        }
+    }
+
+    #[test]
+    fn a_path_is_taken_as_it_stands() {
+        let root = std::env::current_dir().unwrap();
+        let path = root.join("100%20 räder/resources/");
+        assert_eq!(of_path(path.to_str().unwrap()), Some(path));
+        for path in ["resources", "", "file:///srv/resources"] {
+            assert_eq!(of_path(path), None, "{path}");
         }
     }
 }

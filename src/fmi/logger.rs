@@ -1,13 +1,13 @@
 //! Messages to the host.
-#![allow(unsafe_code)]
 
-use std::ffi::CString;
-use std::fmt::{self, Arguments, Write};
+use std::ffi::{CStr, CString};
+use std::fmt::{self, Arguments, Debug, Write};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, PoisonError, TryLockError};
 
 use super::error::FmiError;
-use super::types::{CallbackFunctions, CallbackLogger, Status};
+use super::interface::Interface;
+use super::types::Status;
 use crate::variables::{LOG_CATEGORIES, shortened};
 
 /// Categories of messages, in the order of the declaration.
@@ -29,21 +29,27 @@ impl Category {
     }
 }
 
-/// Enabled in any case unless turned off by name.
-const ALWAYS: u8 = Category::Error.bit() | Category::Warning.bit();
 const ALL: u8 = (1 << LOG_CATEGORIES.len()) - 1;
 
 /// Room for a message without asking for memory [bytes]; errors with names of files may be longer.
 const ROOM: usize = 2048;
 
+/// The host's function for messages, in the form that its version of the standard has given it.
+pub trait Callback: Debug + Send + Sync {
+    /// Whether the host takes the message as a format of C.
+    fn takes_a_format(&self) -> bool;
+
+    /// Hands a message over; the host copies it.
+    fn call(&self, status: Status, category: &CStr, message: &CStr);
+}
+
 /// Where the messages of one instance go, and which of them.
 #[derive(Debug)]
 pub struct Logger {
-    callback: Option<CallbackLogger>,
-    /// The host's pointer as a number: it is only ever handed back.
-    environment: usize,
-    instance_name: CString,
+    callback: Option<Box<dyn Callback>>,
     enabled: AtomicU8,
+    /// Enabled unless turned off by name, whether or not the host has turned messages on.
+    always: u8,
     /// Names of the categories as the host gets them.
     categories: Vec<CString>,
     /// The message under way; locked while the host reads it.
@@ -51,13 +57,22 @@ pub struct Logger {
 }
 
 impl Logger {
-    /// A logger for the host's callback functions.
-    pub fn new(functions: &CallbackFunctions, instance_name: CString, logging_on: bool) -> Self {
+    /// A logger for the host's callback function.
+    ///
+    /// FMI 3.0, 2.3.1, wants silence where messages are not turned on; FMI 2.0 leaves it open, and errors and warnings come in any case.
+    pub fn new(
+        callback: Option<Box<dyn Callback>>,
+        interface: Interface,
+        logging_on: bool,
+    ) -> Self {
+        let always = match interface {
+            Interface::V2 => Category::Error.bit() | Category::Warning.bit(),
+            Interface::V3 => 0,
+        };
         Self {
-            callback: functions.logger,
-            environment: functions.component_environment.expose_provenance(),
-            instance_name,
-            enabled: AtomicU8::new(if logging_on { ALL } else { ALWAYS }),
+            callback,
+            enabled: AtomicU8::new(if logging_on { ALL } else { always }),
+            always,
             categories: category_names(),
             text: Mutex::new(Vec::with_capacity(ROOM)),
         }
@@ -66,20 +81,13 @@ impl Logger {
     /// A logger that nobody listens to.
     #[cfg(test)]
     pub fn silent() -> Self {
-        Self {
-            callback: None,
-            environment: 0,
-            instance_name: CString::default(),
-            enabled: AtomicU8::new(0),
-            categories: category_names(),
-            text: Mutex::default(),
-        }
+        Self::new(None, Interface::V3, false)
     }
 
-    /// Turns categories on or off as `fmi2SetDebugLogging` asks.
+    /// Turns categories on or off as `fmi2SetDebugLogging` and `fmi3SetDebugLogging` ask.
     ///
-    /// On with names: those, with errors and warnings. Off with names: exactly those no more. Without
-    /// names: all, or only errors and warnings.
+    /// On with names: those, with what comes in any case. Off with names: exactly those no more. Without
+    /// names: all, or only what comes in any case.
     pub fn set_categories(&self, on: bool, names: &[&str]) -> Result<(), FmiError> {
         let mut named = 0;
         for name in names {
@@ -88,8 +96,8 @@ impl Logger {
         }
         let enabled = match (on, names.is_empty()) {
             (true, true) => ALL,
-            (true, false) => named | ALWAYS,
-            (false, true) => ALWAYS,
+            (true, false) => named | self.always,
+            (false, true) => self.always,
             (false, false) => self.enabled.load(Ordering::Relaxed) & !named,
         };
         self.enabled.store(enabled, Ordering::Relaxed);
@@ -110,7 +118,13 @@ impl Logger {
         }
     }
 
-    /// The same from a call that finds the instance busy: nothing if that is with a message, perhaps that of which this one is a
+    /// Passes on why no instance is made, whatever is enabled: the host has nothing else to go by.
+    pub fn explain(&self, message: Arguments) {
+        let mut text = self.text.lock().unwrap_or_else(PoisonError::into_inner);
+        self.pass_on(&mut text, Status::Error, Category::Error, message);
+    }
+
+    /// The same as [`log`](Self::log) from a call that finds the instance busy: nothing if that is with a message, perhaps that of which this one is a
     /// consequence, and so on.
     pub fn log_unless_logging(&self, status: Status, category: Category, message: Arguments) {
         let mut text = match self.text.try_lock() {
@@ -124,22 +138,13 @@ impl Logger {
     }
 
     fn pass_on(&self, text: &mut Vec<u8>, status: Status, category: Category, message: Arguments) {
-        let Some(callback) = self.callback else { return };
+        let Some(callback) = &self.callback else { return };
         text.clear();
         // A vector takes everything.
-        let _ = Escaped(text).write_fmt(message);
+        let _ = Escaped { text, doubles_percents: callback.takes_a_format() }.write_fmt(message);
         text.push(0);
-        // SAFETY: FMI 2.0, 2.1.5: the logger takes the host's own environment, the instance name, and
-        // null-terminated texts that it does not keep. The message is the format, with percent signs doubled and without
-        // arguments, as hosts that do not read variable arguments pass it on.
-        unsafe {
-            callback(
-                std::ptr::with_exposed_provenance_mut(self.environment),
-                self.instance_name.as_ptr(),
-                status,
-                self.categories[category as usize].as_ptr(),
-                text.as_ptr().cast(),
-            );
+        if let Ok(message) = CStr::from_bytes_until_nul(text) {
+            callback.call(status, &self.categories[category as usize], message);
         }
     }
 }
@@ -148,17 +153,21 @@ fn category_names() -> Vec<CString> {
     LOG_CATEGORIES.iter().map(|(name, _)| CString::new(*name).unwrap_or_default()).collect()
 }
 
-/// Writes a text as a format of C that stands for it.
-struct Escaped<'a>(&'a mut Vec<u8>);
+/// Writes a text without nulls, and where that is wanted as a format of C without arguments that stands for it: hosts that do not
+/// read variable arguments pass it on as it is.
+struct Escaped<'a> {
+    text: &'a mut Vec<u8>,
+    doubles_percents: bool,
+}
 
 impl Write for Escaped<'_> {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         for byte in text.bytes() {
             match byte {
-                b'%' => self.0.extend_from_slice(b"%%"),
+                b'%' if self.doubles_percents => self.text.extend_from_slice(b"%%"),
                 // A text from the host cannot hold a null, but a file name in a message may.
-                0 => self.0.push(b'?'),
-                other => self.0.push(other),
+                0 => self.text.push(b'?'),
+                other => self.text.push(other),
             }
         }
         Ok(())
@@ -183,10 +192,15 @@ mod tests {
     }
 
     #[test]
-    fn a_message_is_a_format_without_arguments() {
-        let mut text = Vec::new();
+    fn a_message_is_a_format_without_arguments_where_one_is_wanted() {
         let shares = ["100 %s", "5%"];
-        write!(Escaped(&mut text), "{} of {}\0", shares[0], shares[1]).unwrap();
-        assert_eq!(text, b"100 %%s of 5%%?");
+        for (doubles_percents, expected) in
+            [(true, &b"100 %%s of 5%%?"[..]), (false, b"100 %s of 5%?")]
+        {
+            let mut text = Vec::new();
+            let mut escaped = Escaped { text: &mut text, doubles_percents };
+            write!(escaped, "{} of {}\0", shares[0], shares[1]).unwrap();
+            assert_eq!(text, expected);
+        }
     }
 }

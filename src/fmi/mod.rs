@@ -1,36 +1,45 @@
-//! Wheel and wheelset behind the C interface of FMI 2.0 for co-simulation and model exchange.
+//! Wheel and wheelset behind the C interfaces of FMI 2.0 and FMI 3.0 for co-simulation and model exchange.
 //!
-//! One library serves both units, `WheelRail.fmu` and `WheelSet.fmu`: the GUID of an instance says which variables it has.
+//! One library serves all units, `WheelRail.fmu` and `WheelSet.fmu`, `WheelRail3.fmu` and `WheelSet3.fmu`: the GUID or instantiation
+//! token of an instance says which variables it has, the function that makes it through which interface.
 //!
 //! ```text
-//! abi        the exported functions: raw pointers in, one guarded call each
+//! v2, v3     the exported functions of each interface: raw pointers in, one guarded call each
+//! both       what functions do that both interfaces have with the same arguments
+//! arguments  raw pointers as slices and texts
 //! guard      finds the instance, checks that the call is legal now, stops panics, logs
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
 //! any_instance   an instance of one unit or the other
 //! instance   a wheel or a wheelset with its variables and its place in the life cycle
 //! access     its variables by reference
+//! arrays     the same as FMI 3.0 has them: patches as arrays, time and event indicator as variables
 //! coupling   energy residual, stiffness and damping
 //! extrapolation   inputs that go on with their time derivatives
-//! snapshot   what is remembered of it by `fmi2GetFMUstate`
+//! directional, differences   derivatives of outputs
+//! events     whole numbers between the events of model exchange
+//! snapshot   what is remembered of it by `fmi2GetFMUstate` and `fmi3GetFMUState`
 //! bytes      the same as bytes
 //! logger     messages to the host
 //! error      why a call is refused
-//! location   the folder of resources from its URI
-//! types      the types of `fmi2TypesPlatform.h` and `fmi2FunctionTypes.h`
+//! interface  what messages have to know of the version of the standard
+//! location   the folder of resources from its URI or path
+//! types      the types that both interfaces have
 //! ```
 //!
 //! The contact is quasi-static: outputs follow from the inputs set last, so that they are evaluated when
-//! they are first read after a set, and `fmi2DoStep` only moves the time. A host may therefore read
+//! they are first read after a set, and a step only moves the time. A host may therefore read
 //! forces for inputs it has just set, and repeat or take back a step, with or without a saved state.
 //!
 //! What FMI leaves open is decided so: a call that is refused changes nothing and the instance goes on;
-//! a panic closes the instance. Errors and warnings are logged whether or not `loggingOn` was given,
-//! unless `fmi2SetDebugLogging` turns off their categories by name.
+//! a panic closes the instance. Through FMI 2.0 errors and warnings are logged whether or not `loggingOn` was given,
+//! unless `fmi2SetDebugLogging` turns off their categories by name; FMI 3.0 wants silence without it.
 
-pub mod abi;
 mod access;
 mod any_instance;
+mod arguments;
+mod arrays;
+mod both;
 mod bytes;
 mod coupling;
 mod differences;
@@ -41,9 +50,12 @@ mod extrapolation;
 mod guard;
 mod handle;
 mod instance;
+mod interface;
 mod location;
 mod logger;
 mod slots;
 mod snapshot;
-pub mod types;
+mod types;
+pub mod v2;
+pub mod v3;
 mod worn_files;

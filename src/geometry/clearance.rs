@@ -30,8 +30,10 @@ const PADDING: usize = 1 << (LEVELS - 1);
 /// Where a wheel with one profile can touch one rail.
 #[derive(Clone, Debug)]
 pub struct Clearance {
-    /// For each level the height (z) of the rail's top over its cells and the padding [m].
-    tops: Vec<Vec<f64>>,
+    /// Height (z) of the rail's top over its cells and the padding [m].
+    top: Vec<f64>,
+    /// For each level the least of it over the cells within reach [m].
+    tops: [Vec<f64>; LEVELS],
     /// Lateral position of the first cell of `tops` in the rail's frame [m].
     rail_start: f64,
     /// Greatest z of the wheel profile over each of its cells [m].
@@ -76,48 +78,72 @@ impl Clearance {
     /// The tables for a wheel profile and a rail curve in the frame of its marker.
     #[must_use]
     pub fn new(wheel: &Curve, nominal_radius: f64, rail: &Curve) -> Self {
-        let (wheel, rail) = (samples(wheel), samples(rail));
-        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(&wheel);
-        let [[rail_left, rail_right], [rail_top, rail_low]] = extent(&rail);
+        let mut tables = Self {
+            top: Vec::new(),
+            tops: [const { Vec::new() }; LEVELS],
+            rail_start: 0.0,
+            lows: Vec::new(),
+            block_lows: Vec::new(),
+            spans: Vec::new(),
+            wheel_start: 0.0,
+            rail_top: 0.0,
+            wheel_low: 0.0,
+            nominal_radius,
+            wheel_extent: [0.0; 2],
+            chord: 0.0,
+        };
+        tables.put_curves(wheel, rail);
+        tables
+    }
+
+    /// Makes the tables anew for other curves; allocates nothing within the room that they have.
+    pub fn put_curves(&mut self, wheel: &Curve, rail: &Curve) {
+        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(wheel);
+        let [[rail_left, rail_right], [rail_top, rail_low]] = extent(rail);
         let cells = cell_count(wheel_left, wheel_right);
-        let (mut lows, mut spans) =
-            (vec![f64::NEG_INFINITY; cells], vec![[f64::MAX, f64::MIN]; cells]);
-        for &([y, z], s) in &wheel {
+        let Self { top, tops, lows, block_lows, spans, .. } = self;
+        lows.clear();
+        lows.resize(cells, f64::NEG_INFINITY);
+        spans.clear();
+        spans.resize(cells, [f64::MAX, f64::MIN]);
+        for ([y, z], s) in samples(wheel) {
             let cell = ((y - wheel_left) / CELL) as usize;
             lows[cell] = lows[cell].max(z);
             spans[cell] = [spans[cell][0].min(s - SAMPLE), spans[cell][1].max(s + SAMPLE)];
         }
         let count = cell_count(rail_left, rail_right);
-        let mut top = vec![f64::INFINITY; count + 2 * PADDING];
-        for &([y, z], _) in &rail {
+        top.clear();
+        top.resize(count + 2 * PADDING, f64::INFINITY);
+        for ([y, z], _) in samples(rail) {
             let cell = &mut top[PADDING + ((y - rail_left) / CELL) as usize];
             *cell = cell.min(z);
         }
         // Level 0 is the least over one cell to either side, each further level doubles the reach.
-        let mut tops = vec![least_within(&top, 1)];
+        put_least_within(top, 1, &mut tops[0]);
         for level in 1..LEVELS {
-            tops.push(least_within(&tops[level - 1], 1 << (level - 1)));
+            let (known, further) = tops.split_at_mut(level);
+            put_least_within(&known[level - 1], 1 << (level - 1), &mut further[0]);
         }
+        block_lows.clear();
+        let lowest = |block: &[f64]| block.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        block_lows.extend(lows.chunks(BLOCK).map(lowest));
         let reach = (rail_low - rail_top) + (wheel_low - wheel_top);
-        Self {
-            tops,
-            rail_start: rail_left - PADDING as f64 * CELL,
-            block_lows: lows
-                .chunks(BLOCK)
-                .map(|block| block.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-                .collect(),
-            lows,
-            spans,
-            wheel_start: wheel_left,
-            rail_top,
-            wheel_low,
-            nominal_radius,
-            wheel_extent: [
-                wheel_left.abs().max(wheel_right.abs()),
-                wheel_top.abs().max(wheel_low.abs()),
-            ],
-            chord: (2.0 * (nominal_radius + wheel_low) * reach).sqrt(),
-        }
+        self.rail_start = rail_left - PADDING as f64 * CELL;
+        self.wheel_start = wheel_left;
+        (self.rail_top, self.wheel_low) = (rail_top, wheel_low);
+        self.wheel_extent =
+            [wheel_left.abs().max(wheel_right.abs()), wheel_top.abs().max(wheel_low.abs())];
+        self.chord = (2.0 * (self.nominal_radius + wheel_low) * reach).sqrt();
+    }
+
+    /// Makes room for curves that reach `further` [m] to either side.
+    pub fn reserve(&mut self, further: f64) {
+        let cells = (2.0 * further / CELL).ceil() as usize;
+        self.top.reserve(cells);
+        self.tops.iter_mut().for_each(|top| top.reserve(cells));
+        self.lows.reserve(cells);
+        self.spans.reserve(cells);
+        self.block_lows.reserve(cells.div_ceil(BLOCK));
     }
 
     /// Marker z above which (smaller z) no wheel with this roll [rad] touches, wherever it stands [m].
@@ -248,21 +274,18 @@ fn level_within(cells: f64) -> Option<usize> {
 }
 
 /// Points of a curve with their parameters.
-fn samples(curve: &Curve) -> Vec<([f64; 2], f64)> {
+fn samples(curve: &Curve) -> impl Iterator<Item = ([f64; 2], f64)> {
     let length = curve.end() - curve.start();
     let count = (length / SAMPLE).ceil() as usize;
     (0..=count)
-        .map(|i| curve.start() + length * i as f64 / count as f64)
+        .map(move |i| curve.start() + length * i as f64 / count as f64)
         .map(|s| (curve.at(s).point, s))
-        .collect()
 }
 
-/// Least and greatest y and z.
-fn extent(points: &[([f64; 2], f64)]) -> [[f64; 2]; 2] {
-    [0, 1].map(|i| {
-        points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (p, _)| {
-            [low.min(p[i]), high.max(p[i])]
-        })
+/// Least and greatest y and z of the samples.
+fn extent(curve: &Curve) -> [[f64; 2]; 2] {
+    samples(curve).fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |extent, (p, _)| {
+        [0, 1].map(|i| [extent[i][0].min(p[i]), extent[i][1].max(p[i])])
     })
 }
 
@@ -270,13 +293,12 @@ fn cell_count(left: f64, right: f64) -> usize {
     ((right - left) / CELL) as usize + 1
 }
 
-/// Least of each value and its neighbours up to `reach` to either side, where values within less are known already.
-fn least_within(values: &[f64], reach: usize) -> Vec<f64> {
-    (0..values.len())
-        .map(|i| {
-            let before = values[i.saturating_sub(reach)];
-            let after = values[(i + reach).min(values.len() - 1)];
-            values[i].min(before).min(after)
-        })
-        .collect()
+/// Fills `least` with the least of each value and its neighbours up to `reach` to either side, where values within less are known already.
+fn put_least_within(values: &[f64], reach: usize, least: &mut Vec<f64>) {
+    least.clear();
+    least.extend((0..values.len()).map(|i| {
+        let before = values[i.saturating_sub(reach)];
+        let after = values[(i + reach).min(values.len() - 1)];
+        values[i].min(before).min(after)
+    }));
 }

@@ -117,10 +117,28 @@ impl ContactSearch {
     /// A search for wheels with the profile `wheel`.
     #[must_use]
     pub fn new(wheel: &Curve) -> Self {
+        let mut search = Self {
+            concavity: Vec::new(),
+            stretch: Vec::new(),
+            interval: Room::new(MOST_PROBES),
+            probes: Room::new(MOST_PROBES),
+            contacts: Room::new(MOST_CONTACTS),
+            evaluations: 0,
+            left_out: 0,
+        };
+        search.put_wheel(wheel);
+        search
+    }
+
+    /// Becomes a new search for wheels with another profile; allocates nothing within the room that there is.
+    pub fn put_wheel(&mut self, wheel: &Curve) {
         let count = ((wheel.end() - wheel.start()) / BIN).ceil() as usize + 1;
-        let (mut concave, mut stretch) = (vec![0.0f64; count + 1], vec![0.0f64; count + 1]);
-        let knots: Vec<f64> = wheel.knots().collect();
-        for pair in knots.windows(2) {
+        let Self { concavity: concave, stretch, .. } = self;
+        for bins in [&mut *concave, &mut *stretch] {
+            bins.clear();
+            bins.resize(count + 1, 0.0);
+        }
+        for pair in wheel.spans() {
             // Curvature is close to linear over a piece; a long one still has to reach every bin.
             let count = ((pair[1] - pair[0]) / (0.5 * BIN)) as usize + 4;
             for i in 0..=count {
@@ -132,17 +150,24 @@ impl ContactSearch {
                 stretch[bin] = stretch[bin].max(ContactLine::stretch_factor(&p));
             }
         }
-        let with_next =
-            |own: &[f64]| own.windows(2).map(|pair| pair[0].max(pair[1])).collect::<Vec<f64>>();
-        Self {
-            concavity: with_next(&concave),
-            stretch: with_next(&stretch),
-            interval: Room::new(MOST_PROBES),
-            probes: Room::new(MOST_PROBES),
-            contacts: Room::new(MOST_CONTACTS),
-            evaluations: 0,
-            left_out: 0,
+        // Each bin with the next.
+        for bins in [concave, stretch] {
+            for i in 0..count {
+                bins[i] = bins[i].max(bins[i + 1]);
+            }
+            bins.truncate(count);
         }
+        self.interval.clear();
+        self.probes.clear();
+        self.contacts.clear();
+        (self.evaluations, self.left_out) = (0, 0);
+    }
+
+    /// Makes room for wheels whose profile is `longer` [m] than the one there is.
+    pub fn reserve(&mut self, longer: f64) {
+        let bins = (longer / BIN).ceil() as usize + 1;
+        self.concavity.reserve(bins);
+        self.stretch.reserve(bins);
     }
 
     /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the given stretches of the line, which are in

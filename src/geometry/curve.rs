@@ -69,23 +69,56 @@ impl Curve {
     /// With fewer than two knots or parameters that do not grow: profiles are checked before.
     #[must_use]
     pub fn through(knots: &[Knot]) -> Self {
+        let mut curve = Self {
+            pieces: Vec::new(),
+            start: 0.0,
+            end: 0.0,
+            bins: Vec::new(),
+            bins_per_length: 0.0,
+            last_bin: 0.0,
+        };
+        curve.put_through(knots);
+        curve
+    }
+
+    /// Becomes the curve through other knots; allocates nothing within the room that there is.
+    ///
+    /// # Panics
+    /// As [`through`](Self::through).
+    pub fn put_through(&mut self, knots: &[Knot]) {
         assert!(knots.len() >= 2, "a curve needs two knots");
         assert!(knots.windows(2).all(|k| k[1].s > k[0].s), "knot parameters must grow");
-        let mut pieces: Vec<Piece> = knots.windows(2).map(|k| piece(&k[0], &k[1])).collect();
+        let Self { pieces, bins, .. } = self;
+        pieces.clear();
+        pieces.extend(knots.windows(2).map(|k| piece(&k[0], &k[1])));
         if let Some(last) = pieces.last_mut() {
             last.next = f64::NAN;
         }
         let (start, end) = (knots[0].s, knots[knots.len() - 1].s);
         let count = BINS_PER_PIECE * pieces.len();
         let bins_per_length = count as f64 / (end - start);
-        let bins = (0..=count)
-            .map(|bin| {
-                // A bin holds what is rounded to its number; a little more makes up for rounding errors.
-                let s = start + (bin as f64 - 0.51) / bins_per_length;
-                (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
-            })
-            .collect();
-        Self { pieces, start, end, bins, bins_per_length, last_bin: count as f64 }
+        bins.clear();
+        bins.extend((0..=count).map(|bin| {
+            // A bin holds what is rounded to its number; a little more makes up for rounding errors.
+            let s = start + (bin as f64 - 0.51) / bins_per_length;
+            (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
+        }));
+        (self.start, self.end) = (start, end);
+        (self.bins_per_length, self.last_bin) = (bins_per_length, count as f64);
+    }
+
+    /// Becomes `other`; allocates nothing within the room that there is.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.pieces.clone_from(&other.pieces);
+        self.bins.clone_from(&other.bins);
+        (self.start, self.end) = (other.start, other.end);
+        (self.bins_per_length, self.last_bin) = (other.bins_per_length, other.last_bin);
+    }
+
+    /// Makes room for curves through `knots` knots.
+    pub fn reserve(&mut self, knots: usize) {
+        self.pieces.reserve(knots.saturating_sub(self.pieces.len()));
+        self.bins.reserve((BINS_PER_PIECE * knots).saturating_sub(self.bins.len()));
     }
 
     /// Smallest admitted parameter [m].
@@ -137,6 +170,11 @@ impl Curve {
     /// Parameters at which the pieces meet, both ends included [m].
     pub fn knots(&self) -> impl Iterator<Item = f64> + '_ {
         self.pieces.iter().map(|p| p.start).chain(std::iter::once(self.end))
+    }
+
+    /// First and last parameter of each piece [m].
+    pub fn spans(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.knots().zip(self.knots().skip(1)).map(|(from, to)| [from, to])
     }
 
     #[allow(clippy::inline_always)]

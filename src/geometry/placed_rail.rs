@@ -94,7 +94,7 @@ impl PlacedRail {
             }
         }
         let curve = Curve::through(&knots);
-        let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve));
+        let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve).collect());
         let hand = if mirrored { -1.0 } else { 1.0 };
         Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse }
     }
@@ -115,9 +115,19 @@ impl PlacedRail {
     }
 
     /// Puts another curve in the place of the rail's, in the frame of the marker; the marker stays where it is.
-    pub fn put_curve(&mut self, curve: Curve) {
-        (self.concavity, self.coarse) = (greatest_concavity(&curve), coarse_points(&curve));
-        self.curve = curve;
+    ///
+    /// `put` fills it in; allocates nothing itself.
+    pub fn put_curve<T>(&mut self, put: impl FnOnce(&mut Curve) -> T) -> T {
+        let put = put(&mut self.curve);
+        self.concavity = greatest_concavity(&self.curve);
+        self.coarse.clear();
+        self.coarse.extend(coarse_points(&self.curve));
+        put
+    }
+
+    /// Makes room for curves through `knots` knots.
+    pub fn reserve(&mut self, knots: usize) {
+        self.curve.reserve(knots);
     }
 
     /// A curve in the frame of the marker as it was before it was inclined, placed and mirrored.
@@ -229,11 +239,10 @@ impl PlacedRail {
 }
 
 /// Points at equal steps of the parameter.
-fn coarse_points(curve: &Curve) -> Vec<[f64; 2]> {
+fn coarse_points(curve: &Curve) -> impl Iterator<Item = [f64; 2]> {
     let (start, length) = (curve.start(), curve.end() - curve.start());
     (0..=COARSE_POINTS)
-        .map(|i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
-        .collect()
+        .map(move |i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
 }
 
 /// The point of least z, exact within its cubic piece.
@@ -279,9 +288,8 @@ fn gauge_face(curve: &Curve, depth: f64) -> Option<f64> {
 
 /// Greatest concave curvature over the ends and middles of all pieces, ≥ 0.
 fn greatest_concavity(curve: &Curve) -> f64 {
-    let knots: Vec<f64> = curve.knots().collect();
-    knots
-        .windows(2)
+    curve
+        .spans()
         .flat_map(|k| [0.001, 0.25, 0.5, 0.75, 0.999].map(|share| k[0] + share * (k[1] - k[0])))
         .map(|s| -curve.at(s).curvature())
         .fold(0.0, f64::max)

@@ -31,10 +31,27 @@ pub struct KnotValues {
 /// grow.
 #[must_use]
 pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2]) -> Vec<f64> {
+    let mut slopes = Vec::new();
+    put_interpolating_slopes(knots, values, ends, &mut Vec::new(), &mut slopes);
+    slopes
+}
+
+/// As [`interpolating_slopes`], into `slopes` and with the scratch `rows`: allocates nothing within the room that they have.
+///
+/// # Panics
+/// As there.
+pub fn put_interpolating_slopes(
+    knots: &[f64],
+    values: &[f64],
+    ends: [SplineEnd; 2],
+    rows: &mut Vec<[f64; 4]>,
+    slopes: &mut Vec<f64>,
+) {
     let n = knots.len();
     check(knots, values);
     // Rows of the tridiagonal system for the slopes: lower, diagonal, upper, right-hand side.
-    let mut rows = vec![[0.0; 4]; n];
+    rows.clear();
+    rows.resize(n, [0.0; 4]);
     let h = |i: usize| knots[i + 1] - knots[i];
     let chord = |i: usize| (values[i + 1] - values[i]) / h(i);
     rows[0] = match ends[0] {
@@ -56,12 +73,12 @@ pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2])
         rows[i][1] -= factor * rows[i - 1][2];
         rows[i][3] -= factor * rows[i - 1][3];
     }
-    let mut slopes = vec![0.0; n];
+    slopes.clear();
+    slopes.resize(n, 0.0);
     slopes[n - 1] = rows[n - 1][3] / rows[n - 1][1];
     for i in (0..n - 1).rev() {
         slopes[i] = (rows[i][3] - rows[i][2] * slopes[i + 1]) / rows[i][1];
     }
-    slopes
 }
 
 /// Penalty that halves the amplitude of a wave of the given length.

@@ -124,6 +124,11 @@ pub struct Variable {
     pub is_counter: bool,
     /// What is admitted, in words.
     pub allowed: &'static str,
+    /// Name of the array of FMI 3.0 of which it is an element.
+    pub array: Option<&'static str>,
+    /// Of the variable of FMI 3.0 with this reference the places of its elements: itself alone, or all of the array that it begins; none
+    /// within an array.
+    pub elements: &'static [u32],
 }
 
 impl Variable {
@@ -198,6 +203,42 @@ mod tests {
             }
         }
         assert_ne!(WHEEL.guid, WHEELSET.guid);
+    }
+
+    #[test]
+    fn each_variable_is_an_element_of_one_variable_of_fmi_3() {
+        for unit in UNITS {
+            let mut places: Vec<u32> =
+                unit.variables.iter().flat_map(|v| v.elements).copied().collect();
+            places.sort_unstable();
+            assert!(places.into_iter().eq(0..unit.variables.len() as u32));
+            for first in unit.variables.iter().filter(|v| !v.elements.is_empty()) {
+                assert_eq!(first.elements[0] as usize, first.reference);
+                for (number, &place) in first.elements.iter().enumerate() {
+                    let element = &unit.variables[place as usize];
+                    let Some(array) = first.array else {
+                        assert_eq!(first.elements.len(), 1, "{}", first.name);
+                        continue;
+                    };
+                    assert_eq!(element.array, Some(array));
+                    assert_eq!(element.name.replace(&format!("[{}]", number + 1), ""), array);
+                    assert_eq!((element.kind, element.unit), (first.kind, first.unit));
+                    // Arrays are read alone.
+                    assert_eq!(element.causality, Causality::Output, "{array}");
+                }
+            }
+        }
+        let arrays = |unit: &Unit| {
+            unit.variables
+                .iter()
+                .filter(|v| v.elements.len() > 1)
+                .map(|v| v.array.unwrap())
+                .collect()
+        };
+        let (wheel, wheelset): (Vec<&str>, Vec<&str>) = (arrays(&WHEEL), arrays(&WHEELSET));
+        assert!(wheel.contains(&"patch.normal_force") && wheel.contains(&"patch.rail"));
+        assert_eq!(wheelset.len(), 2 * wheel.len());
+        assert!(wheelset.contains(&"left.patch.creepage.spin"));
     }
 
     #[test]

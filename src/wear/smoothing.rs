@@ -5,22 +5,30 @@ const DEVIATION: f64 = 0.187_390_6;
 /// Half length of the kernel in standard deviations: beyond lie 6e-7 of it, which go to the rest.
 const KERNEL_REACH: f64 = 5.0;
 
-/// The sums `total` of cells of length `cell` [m] under a Gaussian kernel that halves waves of `wavelength` [m]; at the ends they go on
-/// mirrored, so that nothing is lost.
-pub(super) fn smoothed(total: &[f64], cell: f64, wavelength: f64) -> Vec<f64> {
+/// Puts the sums `total` of cells of length `cell` [m] under a Gaussian kernel that halves waves of `wavelength` [m] into `smoothed`; at the
+/// ends they go on mirrored, so that nothing is lost. `kernel` is scratch of at most as many numbers.
+pub(super) fn smooth(
+    total: &[f64],
+    cell: f64,
+    wavelength: f64,
+    kernel: &mut Vec<f64>,
+    smoothed: &mut Vec<f64>,
+) {
+    smoothed.clear();
     let deviation = DEVIATION * wavelength / cell;
     let reach = ((KERNEL_REACH * deviation).ceil() as usize).min(total.len() - 1);
     if reach == 0 {
-        return total.to_vec();
+        smoothed.extend_from_slice(total);
+        return;
     }
-    let mut kernel: Vec<f64> =
-        (0..=reach).map(|i| (-0.5 * (i as f64 / deviation).powi(2)).exp()).collect();
+    kernel.clear();
+    kernel.extend((0..=reach).map(|i| (-0.5 * (i as f64 / deviation).powi(2)).exp()));
     let sum = 2.0 * kernel.iter().sum::<f64>() - kernel[0];
-    for weight in &mut kernel {
+    for weight in &mut *kernel {
         *weight /= sum;
     }
     let last = total.len() as isize - 1;
-    let mut smoothed = vec![0.0; total.len()];
+    smoothed.resize(total.len(), 0.0);
     for (i, value) in total.iter().enumerate().filter(|(_, value)| **value > 0.0) {
         for (offset, weight) in kernel.iter().enumerate() {
             let ends = if offset == 0 { 1 } else { 2 };
@@ -32,7 +40,6 @@ pub(super) fn smoothed(total: &[f64], cell: f64, wavelength: f64) -> Vec<f64> {
             }
         }
     }
-    smoothed
 }
 
 #[cfg(test)]
@@ -46,7 +53,8 @@ mod tests {
         let (n, cell) = (800, 2.5e-4);
         let wave = |i: usize| 1.0 + (std::f64::consts::TAU * i as f64 * cell / 4e-3).cos();
         let total: Vec<f64> = (0..n).map(wave).collect();
-        let smoothed = smoothed(&total, cell, 4e-3);
+        let (mut kernel, mut smoothed) = (Vec::new(), Vec::new());
+        smooth(&total, cell, 4e-3, &mut kernel, &mut smoothed);
         assert_relative_eq!(
             smoothed.iter().sum::<f64>(),
             total.iter().sum::<f64>(),

@@ -12,12 +12,12 @@
 //! volume between the two curves exactly that of the law. Depths run as a cubic spline, so that the new curve is as smooth as the unworn
 //! one, and equal to it where nothing is worn off.
 
-use super::section::{POINTS, Station, arc_length, hermite, moments};
-use super::smoothing::smoothed;
+use super::section::{Station, arc_length, hermite, moments};
+use super::smoothing::smooth;
 use super::worn_arc::{Body, WornArc};
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
-use crate::math::spline::{SplineEnd, interpolating_slopes};
+use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
 const MOST_DEPTH: f64 = 0.01;
@@ -29,6 +29,40 @@ pub struct UpdateReport {
     pub volume: f64,
     /// Whether some of the worn off material was more than can be taken off: the profile is worn through there.
     pub is_worn_through: bool,
+}
+
+/// Memory for an update: all of it is filled before it is read.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    /// Weights of the smoothing kernel.
+    kernel: Vec<f64>,
+    /// Smoothed totals, and the depth that they give, in each cell [m³/m, m].
+    smoothed: Vec<f64>,
+    depths: Vec<f64>,
+    /// A spline through the depths: its knots, its system and its slopes.
+    middles: Vec<f64>,
+    rows: Vec<[f64; 4]>,
+    slopes: Vec<f64>,
+    /// Depth and its derivative at each knot of the worn curve, and those knots.
+    at_knots: Vec<[f64; 2]>,
+    knots: Vec<Knot>,
+}
+
+impl Scratch {
+    /// Room for that many cells and knots of the worn curve.
+    pub fn new(cells: usize, knots: usize) -> Self {
+        let numbers = || Vec::with_capacity(cells);
+        Self {
+            kernel: numbers(),
+            smoothed: numbers(),
+            depths: numbers(),
+            middles: numbers(),
+            rows: Vec::with_capacity(cells),
+            slopes: numbers(),
+            at_knots: Vec::with_capacity(knots),
+            knots: Vec::with_capacity(knots),
+        }
+    }
 }
 
 impl WornArc {
@@ -43,19 +77,28 @@ impl WornArc {
     /// The curve that the totals leave of the unworn one, with `smoothing` the wavelength of which half is kept [m]; from now on
     /// it is the curve in use.
     pub fn worn_curve(&mut self, smoothing: f64) -> (Curve, UpdateReport) {
+        let mut curve = self.base.clone();
+        let report = self.put_worn_curve(smoothing, &mut curve);
+        (curve, report)
+    }
+
+    /// As [`worn_curve`](Self::worn_curve), into `curve`: allocates nothing where that has room for the knots.
+    pub fn put_worn_curve(&mut self, smoothing: f64, curve: &mut Curve) -> UpdateReport {
         let wanted: f64 = self.state.total.iter().sum::<f64>() * self.cell;
         if wanted <= 0.0 {
             self.worn_knots.clone_from(&self.base_knots);
             (self.area, self.depth) = (0.0, 0.0);
-            return (self.base.clone(), UpdateReport::default());
+            curve.copy_from(&self.base);
+            return UpdateReport::default();
         }
-        let smoothed = smoothed(&self.state.total, self.cell, smoothing);
-        let (depths, is_worn_through) = self.depths(&smoothed);
-        let depths = self.depths_at_knots(&depths);
-        let rule = GaussLegendre::new(POINTS);
+        // Out of the arc while it is worked with.
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let is_worn_through = self.smoothed_depths(smoothing, &mut scratch);
+        self.depths_at_knots(&mut scratch);
+        let Scratch { at_knots: depths, knots, .. } = &mut scratch;
         let mut factor = 1.0;
-        let mut knots = self.offset(&depths, factor);
-        let mut lost = self.lost(&depths, &knots, &rule);
+        self.offset(depths, factor, knots);
+        let mut lost = self.lost(depths, knots, &self.rule);
         if !is_worn_through {
             // Volume is close to proportional to the depth: each turn leaves the square of the error.
             for _ in 0..MOST_TURNS {
@@ -63,71 +106,82 @@ impl WornArc {
                     break;
                 }
                 factor *= wanted / lost[0];
-                knots = self.offset(&depths, factor);
-                lost = self.lost(&depths, &knots, &rule);
+                self.offset(depths, factor, knots);
+                lost = self.lost(depths, knots, &self.rule);
             }
         }
         let [volume, area] = lost;
         self.area = area;
         self.depth = depths.iter().map(|[depth, _]| factor * depth).fold(0.0, f64::max);
-        self.worn_knots = knots.iter().map(|k| k.s).collect();
-        (Curve::through(&knots), UpdateReport { volume, is_worn_through })
+        self.worn_knots.clear();
+        self.worn_knots.extend(knots.iter().map(|k| k.s));
+        curve.put_through(knots);
+        self.scratch = scratch;
+        UpdateReport { volume, is_worn_through }
     }
 
     /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of each cell's middle and depth [m].
     #[must_use]
     pub fn depth_over_arc(&self, smoothing: f64) -> Vec<[f64; 2]> {
-        let (depths, _) = self.depths(&smoothed(&self.state.total, self.cell, smoothing));
+        let mut scratch = Scratch::default();
+        self.smoothed_depths(smoothing, &mut scratch);
         let middle = |i: usize| self.start + (i as f64 + 0.5) * self.cell;
-        depths.iter().enumerate().map(|(i, &depth)| [middle(i), depth]).collect()
+        scratch.depths.iter().enumerate().map(|(i, &depth)| [middle(i), depth]).collect()
     }
 
-    /// Depth in the middle of each cell for volumes per length of arc [m], and whether some were too much.
-    fn depths(&self, volumes: &[f64]) -> (Vec<f64>, bool) {
+    /// Fills `depths` of `scratch` with the depth in the middle of each cell for the smoothed totals [m]; whether some were too much.
+    fn smoothed_depths(&self, smoothing: f64, scratch: &mut Scratch) -> bool {
+        let Scratch { kernel, smoothed, depths, .. } = scratch;
+        smooth(&self.state.total, self.cell, smoothing, kernel, smoothed);
         let mut is_worn_through = false;
-        let depths = volumes.iter().zip(&self.spread).enumerate().map(|(i, (volume, spread))| {
-            if *volume <= 0.0 {
-                return 0.0;
-            }
-            let [bulge, shrinking] = self.bending[i];
-            let most = MOST_DEPTH.min(MOST_OF_RADIUS / bulge.max(1e-9));
-            let layer = |d: f64| {
-                d - (shrinking + bulge) * d * d / 2.0 + shrinking * bulge * d * d * d / 3.0
-            };
-            let wanted = volume / spread;
-            if wanted >= layer(most) {
-                is_worn_through = true;
-                return most;
-            }
-            // The layer grows with the depth throughout: Newton within the bracket.
-            let (mut low, mut high) = (0.0, most);
-            let mut depth = wanted.min(most);
-            for _ in 0..MOST_STEPS {
-                let excess = layer(depth) - wanted;
-                if excess > 0.0 {
-                    high = depth;
-                } else {
-                    low = depth;
+        depths.clear();
+        depths.extend(smoothed.iter().zip(&self.spread).enumerate().map(
+            |(i, (volume, spread))| {
+                if *volume <= 0.0 {
+                    return 0.0;
                 }
-                let growth = (1.0 - shrinking * depth) * (1.0 - bulge * depth);
-                let next = depth - excess / growth;
-                let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-                if (next - depth).abs() <= 1e-15 * most {
-                    break;
+                let [bulge, shrinking] = self.bending[i];
+                let most = MOST_DEPTH.min(MOST_OF_RADIUS / bulge.max(1e-9));
+                let layer = |d: f64| {
+                    d - (shrinking + bulge) * d * d / 2.0 + shrinking * bulge * d * d * d / 3.0
+                };
+                let wanted = volume / spread;
+                if wanted >= layer(most) {
+                    is_worn_through = true;
+                    return most;
                 }
-                depth = next;
-            }
-            depth
-        });
-        let depths = depths.collect();
-        (depths, is_worn_through)
+                // The layer grows with the depth throughout: Newton within the bracket.
+                let (mut low, mut high) = (0.0, most);
+                let mut depth = wanted.min(most);
+                for _ in 0..MOST_STEPS {
+                    let excess = layer(depth) - wanted;
+                    if excess > 0.0 {
+                        high = depth;
+                    } else {
+                        low = depth;
+                    }
+                    let growth = (1.0 - shrinking * depth) * (1.0 - bulge * depth);
+                    let next = depth - excess / growth;
+                    let next = if next > low && next < high { next } else { 0.5 * (low + high) };
+                    if (next - depth).abs() <= 1e-15 * most {
+                        break;
+                    }
+                    depth = next;
+                }
+                depth
+            },
+        ));
+        is_worn_through
     }
 
-    /// Depth at each knot of the unworn curve [m] and its derivative by the arc, by a spline through the middles of the cells.
-    fn depths_at_knots(&self, depths: &[f64]) -> Vec<[f64; 2]> {
+    /// Fills `at_knots` of `scratch` with the depth at each knot of the unworn curve [m] and its derivative by the arc, by a spline
+    /// through the middles of the cells.
+    fn depths_at_knots(&self, scratch: &mut Scratch) {
+        let Scratch { depths, middles, rows, slopes, at_knots, .. } = scratch;
         let first = self.start + 0.5 * self.cell;
-        let middles: Vec<f64> = (0..depths.len()).map(|i| first + i as f64 * self.cell).collect();
-        let slopes = interpolating_slopes(&middles, depths, [SplineEnd::Natural; 2]);
+        middles.clear();
+        middles.extend((0..depths.len()).map(|i| first + i as f64 * self.cell));
+        put_interpolating_slopes(middles, depths, [SplineEnd::Natural; 2], rows, slopes);
         let last = depths.len() - 2;
         let at = |s: &f64| {
             let place = ((s - first) / self.cell).clamp(0.0, (last + 1) as f64);
@@ -139,33 +193,30 @@ impl WornArc {
             let values = [depths[i], depths[i + 1]];
             hermite(place - i as f64, self.cell, values, [slopes[i], slopes[i + 1]])
         };
-        self.base_knots.iter().map(at).collect()
+        at_knots.clear();
+        at_knots.extend(self.base_knots.iter().map(at));
     }
 
-    /// The knots of the unworn curve moved inwards by `factor` times their depths.
-    fn offset(&self, depths: &[[f64; 2]], factor: f64) -> Vec<Knot> {
-        let mut knots: Vec<Knot> = self
-            .stations
-            .iter()
-            .zip(depths)
-            .zip(&self.base_knots)
-            .map(|((station, depth), &s)| {
-                let Station { point, first, inward, curvature, .. } = station;
-                let [depth, slope] = depth.map(|d| factor * d);
-                if depth == 0.0 && slope == 0.0 {
-                    return Knot { s, point: *point, tangent: *first };
-                }
-                let length = first[0].hypot(first[1]);
-                let along = 1.0 - curvature * depth;
-                let turned = [0, 1].map(|i| along * first[i] / length + slope * inward[i]);
-                let scale = length / turned[0].hypot(turned[1]);
-                Knot {
-                    s,
-                    point: [0, 1].map(|i| point[i] + depth * inward[i]),
-                    tangent: turned.map(|t| t * scale),
-                }
-            })
-            .collect();
+    /// Fills `knots` with those of the unworn curve moved inwards by `factor` times their depths.
+    fn offset(&self, depths: &[[f64; 2]], factor: f64, knots: &mut Vec<Knot>) {
+        knots.clear();
+        let unworn = self.stations.iter().zip(depths).zip(&self.base_knots);
+        knots.extend(unworn.map(|((station, depth), &s)| {
+            let Station { point, first, inward, curvature, .. } = station;
+            let [depth, slope] = depth.map(|d| factor * d);
+            if depth == 0.0 && slope == 0.0 {
+                return Knot { s, point: *point, tangent: *first };
+            }
+            let length = first[0].hypot(first[1]);
+            let along = 1.0 - curvature * depth;
+            let turned = [0, 1].map(|i| along * first[i] / length + slope * inward[i]);
+            let scale = length / turned[0].hypot(turned[1]);
+            Knot {
+                s,
+                point: [0, 1].map(|i| point[i] + depth * inward[i]),
+                tangent: turned.map(|t| t * scale),
+            }
+        }));
         // The parameter stays as close to the arc as it was.
         let mut s = knots[0].s;
         for i in 1..knots.len() {
@@ -180,7 +231,6 @@ impl WornArc {
             s += length * stretch;
             knots[i].s = s;
         }
-        knots
     }
 
     /// Volume and area of the section between the unworn curve and the one through `knots` [m³, m²].

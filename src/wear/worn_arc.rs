@@ -4,8 +4,10 @@
 //! belongs to the unworn profile; places are given by parameters of the curve in use and carried over. Depths are those of the
 //! layer along the inward normal of the unworn profile.
 
-use super::section::{Station, bulge, shrinking, stations};
+use super::section::{POINTS, Station, bulge, shrinking, stations};
+use super::update::Scratch;
 use crate::geometry::curve::Curve;
+use crate::math::quadrature::GaussLegendre;
 
 /// Length of the cells [m]: the narrowest patches of a flange are ten of them.
 pub const CELL: f64 = 2e-4;
@@ -83,6 +85,8 @@ pub struct WornArc {
     /// Worn area of the cross section and greatest depth of the curve in use [m², m].
     pub(super) area: f64,
     pub(super) depth: f64,
+    pub(super) rule: GaussLegendre,
+    pub(super) scratch: Scratch,
 }
 
 impl WornArc {
@@ -109,6 +113,7 @@ impl WornArc {
             })
             .collect();
         let stations = stations(base, body, &base_knots);
+        let knot_count = base_knots.len();
         let state = ArcState {
             total: vec![0.0; count],
             pending: vec![0.0; count],
@@ -129,7 +134,15 @@ impl WornArc {
             state,
             area: 0.0,
             depth: 0.0,
+            rule: GaussLegendre::new(POINTS),
+            scratch: Scratch::new(count, knot_count),
         }
+    }
+
+    /// Number of knots of the worn curve.
+    #[must_use]
+    pub fn knot_count(&self) -> usize {
+        self.base_knots.len()
     }
 
     /// What is worn off.

@@ -2,7 +2,7 @@
 
 use super::*;
 use host::reference;
-use wheelrail::fmi::types::TRUE;
+use wheelrail::fmi::v2::types::TRUE;
 
 /// The message of an instance that is not made.
 fn not_made(change: impl FnOnce(&mut Arguments)) -> String {

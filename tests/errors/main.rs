@@ -4,9 +4,12 @@
 #![allow(unsafe_code)]
 
 mod calls;
+mod calls3;
 mod files;
 #[path = "../host/mod.rs"]
 mod host;
+#[path = "../host3/mod.rs"]
+mod host3;
 mod table;
 
 use std::fs;
@@ -17,8 +20,8 @@ use std::ptr::null_mut;
 use host::{Arguments, Host};
 use table::{as_cell, code, compare, rows};
 use tempfile::TempDir;
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::types::{FALSE, FmuState, Status};
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, VARIABLES, find};
 
 /// Everything that an instance remembers, as bytes.

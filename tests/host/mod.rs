@@ -7,11 +7,11 @@ use std::ffi::{CStr, CString, c_void};
 use std::ptr::null_mut;
 use std::sync::Mutex;
 
-use wheelrail::fmi::abi::*;
-use wheelrail::fmi::types::{
+use wheelrail::fmi::v2::types::{
     CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
     TRUE, Text, ValueReference,
 };
+use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Unit, WHEEL, WHEELSET, find};
 
 /// One message as the logger got it.

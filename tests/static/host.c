@@ -2,6 +2,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "wheelrail.h"
 
@@ -19,6 +20,25 @@ static void check(const char *what, int fine) {
     }
 }
 
+/* The last pressure once more through FMI 3.0, as the first element of an array. */
+static void pressure_is_the_same_through_fmi_3(double last) {
+    static const fmi3ValueReference inputs[] = {WheelRail_wheel_y, WheelRail_wheel_yaw};
+    static const fmi3ValueReference output = WheelRail_patch_max_pressure;
+    double values[2] = {0.75 + 49 / 8192.0, (99 % 16 - 8) / 4096.0}, pressures[8], reached;
+    bool event, end, early;
+    fmi3Instance wheel = fmi3InstantiateCoSimulation("wheel", WheelRail_GUID, NULL, false, false, false, false,
+                                                     NULL, 0, NULL, NULL, NULL);
+    check("fmi3InstantiateCoSimulation", wheel != NULL);
+    check("fmi3EnterInitializationMode",
+          fmi3EnterInitializationMode(wheel, false, 0.0, 0.0, false, 0.0) == fmi3OK);
+    check("fmi3ExitInitializationMode", fmi3ExitInitializationMode(wheel) == fmi3OK);
+    check("fmi3SetFloat64", fmi3SetFloat64(wheel, inputs, 2, values, 2) == fmi3OK);
+    check("fmi3DoStep", fmi3DoStep(wheel, 0.0, 1e-3, true, &event, &end, &early, &reached) == fmi3OK);
+    check("fmi3GetFloat64", fmi3GetFloat64(wheel, &output, 1, pressures, 8) == fmi3OK);
+    check("the same pressure", memcmp(&pressures[0], &last, sizeof last) == 0);
+    fmi3FreeInstance(wheel);
+}
+
 int main(void) {
     static const fmi2CallbackFunctions callbacks = {logger, calloc, free, NULL, NULL};
     static const fmi2ValueReference inputs[] = {WheelRail_wheel_y, WheelRail_wheel_yaw};
@@ -27,6 +47,7 @@ int main(void) {
     fmi2Component wheel =
         fmi2Instantiate("wheel", fmi2CoSimulation, WheelRail_GUID, NULL, &callbacks, 0, 0);
     int i, k;
+    double last = 0.0;
     check("fmi2Instantiate", wheel != NULL);
     check("fmi2SetupExperiment", fmi2SetupExperiment(wheel, 0, 0.0, 0.0, 0, 0.0) == fmi2OK);
     check("fmi2EnterInitializationMode", fmi2EnterInitializationMode(wheel) == fmi2OK);
@@ -39,7 +60,9 @@ int main(void) {
         check("fmi2GetReal", fmi2GetReal(wheel, outputs, 4, forces) == fmi2OK);
         for (k = 0; k < 4; k++)
             printf("%.17g%c", forces[k], k < 3 ? ' ' : '\n');
+        last = forces[3];
     }
+    pressure_is_the_same_through_fmi_3(last);
     check("fmi2Terminate", fmi2Terminate(wheel) == fmi2OK);
     fmi2FreeInstance(wheel);
     return 0;

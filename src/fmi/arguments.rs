@@ -1,4 +1,5 @@
 //! Raw arguments of the host as slices, texts and targets.
+#![allow(unsafe_code)]
 
 use std::ffi::CStr;
 use std::slice;
@@ -9,7 +10,7 @@ use crate::fmi::types::{Status, Text};
 /// An array of the host as a slice; count 0 accepts null.
 ///
 /// # Safety
-/// FMI 2.0, 2.1.7: an argument array holds as many elements as its count says and stays for the call.
+/// FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an argument array holds as many elements as its count says and stays for the call.
 pub unsafe fn array<'a, T>(
     name: &'static str,
     start: *const T,
@@ -19,7 +20,7 @@ pub unsafe fn array<'a, T>(
     if count == 0 {
         return Ok(&[]);
     }
-    // SAFETY: FMI 2.0, 2.1.7, see above; null, alignment and size were checked.
+    // SAFETY: FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6, see above; null, alignment and size were checked.
     Ok(unsafe { slice::from_raw_parts(start, count) })
 }
 
@@ -36,7 +37,7 @@ pub unsafe fn array_mut<'a, T>(
     if count == 0 {
         return Ok(&mut []);
     }
-    // SAFETY: FMI 2.0, 2.1.7, see above; null, alignment and size were checked.
+    // SAFETY: FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6, see above; null, alignment and size were checked.
     Ok(unsafe { slice::from_raw_parts_mut(start, count) })
 }
 
@@ -54,12 +55,12 @@ fn check_array<T>(name: &'static str, start: *const T, count: usize) -> Result<(
 /// A text of the host.
 ///
 /// # Safety
-/// FMI 2.0, 2.1.2: an `fmi2String` is null or null-terminated, and stays for the call.
+/// FMI 2.0, 2.1.2, and FMI 3.0, 2.2.3: a text is null or null-terminated, and stays for the call.
 pub unsafe fn text<'a>(name: &'static str, start: Text) -> Result<&'a str, FmiError> {
     if start.is_null() {
         return Err(FmiError::NullPointer(name));
     }
-    // SAFETY: FMI 2.0, 2.1.2, see above; null was checked.
+    // SAFETY: FMI 2.0, 2.1.2, and FMI 3.0, 2.2.3, see above; null was checked.
     unsafe { CStr::from_ptr(start) }.to_str().map_err(|_| FmiError::NotUnicode(name))
 }
 
@@ -81,7 +82,7 @@ pub unsafe fn texts<'a>(
 /// # Safety
 /// As for [`array_mut`] with one element.
 pub unsafe fn write<T>(name: &'static str, target: *mut T, value: T) -> Result<Status, FmiError> {
-    // SAFETY: FMI 2.0, 2.1.7: the caller's promise.
+    // SAFETY: FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: the caller's promise.
     unsafe { array_mut(name, target, 1)?[0] = value };
     Ok(Status::Ok)
 }

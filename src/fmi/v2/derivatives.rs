@@ -2,11 +2,12 @@
 
 use std::ffi::c_int;
 
-use super::arguments::{array, array_mut};
+use super::calls;
+use super::types::{Component, Status, ValueReference};
 use crate::fmi::any_instance::on_instance;
+use crate::fmi::arguments::{array, array_mut};
 use crate::fmi::error::FmiError;
-use crate::fmi::guard::{Call, guard};
-use crate::fmi::types::{Component, Status, ValueReference};
+use crate::fmi::guard::guard;
 
 /// `fmi2GetDirectionalDerivative`.
 #[unsafe(no_mangle)]
@@ -19,7 +20,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     seed: *const f64,
     sensitivity: *mut f64,
 ) -> Status {
-    guard(component, Call::DIRECTIONAL_DERIVATIVE, |instance, _| {
+    guard(component, calls::DIRECTIONAL_DERIVATIVE, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.9: the arrays hold `nUnknown` or `nKnown` elements, and what is written overlaps with none.
         let (unknowns, knowns, seed, sensitivity) = unsafe {
             (
@@ -43,7 +44,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     orders: *const c_int,
     values: *const f64,
 ) -> Status {
-    guard(component, Call::SET_INPUT_DERIVATIVES, |instance, _| {
+    guard(component, calls::SET_INPUT_DERIVATIVES, |instance, _| {
         // SAFETY: FMI 2.0, 4.2.1: all arrays hold `nvr` elements.
         let (references, orders, values) = unsafe {
             (
@@ -66,7 +67,7 @@ pub extern "C" fn fmi2GetRealOutputDerivatives(
     _orders: *const c_int,
     _values: *mut f64,
 ) -> Status {
-    guard(component, Call::GET_OUTPUT_DERIVATIVES, |_, _| {
+    guard(component, calls::GET_OUTPUT_DERIVATIVES, |_, _| {
         Err(FmiError::NotSupported("maxOutputDerivativeOrder"))
     })
 }

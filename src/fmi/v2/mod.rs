@@ -6,12 +6,14 @@
 // The names are the standard's, and so is the contract of their pointers.
 #![allow(non_snake_case, clippy::missing_safety_doc)]
 
-mod arguments;
+mod callback;
+mod calls;
 mod derivatives;
 mod life;
 mod model_exchange;
 mod states;
 mod step;
+pub mod types;
 mod values;
 
 pub use derivatives::*;

@@ -2,11 +2,12 @@
 
 use std::ffi::c_int;
 
-use super::arguments::write;
+use super::calls;
+use super::types::{Boolean, Component, FALSE, Status, Text, status_kind};
 use crate::fmi::any_instance::on_instance;
-use crate::fmi::guard::{Call, guard};
+use crate::fmi::arguments::write;
+use crate::fmi::guard::guard;
 use crate::fmi::logger::{Category, Logger};
-use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, status_kind};
 
 /// `fmi2DoStep`: any length from zero on.
 #[unsafe(no_mangle)]
@@ -16,7 +17,7 @@ pub extern "C" fn fmi2DoStep(
     communication_step_size: f64,
     _no_set_fmu_state_prior_to_current_point: Boolean,
 ) -> Status {
-    guard(component, Call::DO_STEP, |instance, logger| {
+    guard(component, calls::DO_STEP, |instance, logger| {
         on_instance!(instance, |i| i.step(
             current_communication_point,
             communication_step_size,
@@ -28,7 +29,7 @@ pub extern "C" fn fmi2DoStep(
 /// `fmi2CancelStep`: no step is ever pending.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2CancelStep(component: Component) -> Status {
-    guard(component, Call::CANCEL_STEP, |_, _| Ok(Status::Ok))
+    guard(component, calls::CANCEL_STEP, |_, _| Ok(Status::Ok))
 }
 
 /// `fmi2GetStatus`: of the last step, which was made.
@@ -38,7 +39,7 @@ pub unsafe extern "C" fn fmi2GetStatus(
     kind: c_int,
     value: *mut Status,
 ) -> Status {
-    guard(component, Call::GET_STATUS, |_, logger| match kind {
+    guard(component, calls::GET_STATUS, |_, logger| match kind {
         // SAFETY: FMI 2.0, 4.2.3: `value` points to one status.
         status_kind::DO_STEP => unsafe { write("value", value, Status::Ok) },
         _ => Ok(no_such_status(kind, logger)),
@@ -52,7 +53,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(
     kind: c_int,
     value: *mut f64,
 ) -> Status {
-    guard(component, Call::GET_REAL_STATUS, |instance, logger| match kind {
+    guard(component, calls::GET_REAL_STATUS, |instance, logger| match kind {
         // SAFETY: FMI 2.0, 4.2.3: `value` points to one real.
         status_kind::LAST_SUCCESSFUL_TIME => unsafe {
             write("value", value, on_instance!(instance, |i| i.time()))
@@ -68,7 +69,7 @@ pub extern "C" fn fmi2GetIntegerStatus(
     kind: c_int,
     _value: *mut c_int,
 ) -> Status {
-    guard(component, Call::GET_INTEGER_STATUS, |_, logger| Ok(no_such_status(kind, logger)))
+    guard(component, calls::GET_INTEGER_STATUS, |_, logger| Ok(no_such_status(kind, logger)))
 }
 
 /// `fmi2GetBooleanStatus`: the unit never wants to end the simulation.
@@ -78,7 +79,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
     kind: c_int,
     value: *mut Boolean,
 ) -> Status {
-    guard(component, Call::GET_BOOLEAN_STATUS, |_, logger| match kind {
+    guard(component, calls::GET_BOOLEAN_STATUS, |_, logger| match kind {
         // SAFETY: FMI 2.0, 4.2.3: `value` points to one boolean.
         status_kind::TERMINATED => unsafe { write("value", value, FALSE) },
         _ => Ok(no_such_status(kind, logger)),
@@ -92,7 +93,7 @@ pub extern "C" fn fmi2GetStringStatus(
     kind: c_int,
     _value: *mut Text,
 ) -> Status {
-    guard(component, Call::GET_STRING_STATUS, |_, logger| Ok(no_such_status(kind, logger)))
+    guard(component, calls::GET_STRING_STATUS, |_, logger| Ok(no_such_status(kind, logger)))
 }
 
 #[cold]

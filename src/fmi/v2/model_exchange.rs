@@ -2,17 +2,17 @@
 //!
 //! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole numbers among them change at events.
 
-use super::arguments::{array, array_mut, write};
-use crate::fmi::any_instance::on_instance;
-use crate::fmi::error::FmiError;
-use crate::fmi::guard::{Call, guard};
+use super::calls;
+use super::types::{Boolean, Component, EventInfo, FALSE, Status};
+use crate::fmi::arguments::write;
+use crate::fmi::both;
+use crate::fmi::guard::guard;
 use crate::fmi::instance::State;
-use crate::fmi::types::{Boolean, Component, EventInfo, FALSE, Status};
 
 /// `fmi2EnterEventMode`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterEventMode(component: Component) -> Status {
-    guard(component, Call::ENTER_EVENT_MODE, |instance, _| {
+    guard(component, calls::ENTER_EVENT_MODE, |instance, _| {
         instance.put_into(State::EventMode);
         Ok(Status::Ok)
     })
@@ -24,7 +24,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(
     component: Component,
     event_info: *mut EventInfo,
 ) -> Status {
-    guard(component, Call::NEW_DISCRETE_STATES, |_, _| {
+    guard(component, calls::NEW_DISCRETE_STATES, |_, _| {
         // SAFETY: FMI 2.0, 3.2.2: the argument points to one event info.
         unsafe { write("eventInfo", event_info, EventInfo::default()) }
     })
@@ -33,9 +33,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(
 /// `fmi2EnterContinuousTimeMode`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterContinuousTimeMode(component: Component) -> Status {
-    guard(component, Call::ENTER_CONTINUOUS_TIME_MODE, |instance, logger| {
-        on_instance!(instance, |i| i.enter_continuous_time(logger))
-    })
+    both::enter_continuous_time(calls::ENTER_CONTINUOUS_TIME_MODE, component)
 }
 
 /// `fmi2CompletedIntegratorStep`: need not be called, no event follows.
@@ -46,7 +44,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
     enter_event_mode: *mut Boolean,
     terminate_simulation: *mut Boolean,
 ) -> Status {
-    guard(component, Call::COMPLETED_INTEGRATOR_STEP, |_, _| {
+    guard(component, calls::COMPLETED_INTEGRATOR_STEP, |_, _| {
         // SAFETY: FMI 2.0, 3.2.2: both arguments point to one boolean.
         unsafe {
             write("enterEventMode", enter_event_mode, FALSE)?;
@@ -58,10 +56,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
 /// `fmi2SetTime`: forces do not depend on it.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2SetTime(component: Component, time: f64) -> Status {
-    guard(component, Call::SET_TIME, |instance, _| {
-        on_instance!(instance, |i| i.set_time(time))?;
-        Ok(Status::Ok)
-    })
+    both::set_time(calls::SET_TIME, component, time)
 }
 
 /// `fmi2SetContinuousStates`: there are none.
@@ -71,10 +66,8 @@ pub unsafe extern "C" fn fmi2SetContinuousStates(
     states: *const f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::SET_CONTINUOUS_STATES, |_, _| {
-        // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
-        none("nx", unsafe { array("x", states, count)? })
-    })
+    let states = ("x", states.is_null());
+    both::no_states(calls::SET_CONTINUOUS_STATES, component, ("nx", count), states)
 }
 
 /// `fmi2GetDerivatives`: there are none.
@@ -84,10 +77,8 @@ pub unsafe extern "C" fn fmi2GetDerivatives(
     derivatives: *mut f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::GET_DERIVATIVES, |_, _| {
-        // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
-        none("nx", unsafe { array_mut("derivatives", derivatives, count)? })
-    })
+    let derivatives = ("derivatives", derivatives.is_null());
+    both::no_states(calls::GET_DERIVATIVES, component, ("nx", count), derivatives)
 }
 
 /// `fmi2GetEventIndicators`: negative where outputs that are whole numbers are others than at the last event.
@@ -97,11 +88,9 @@ pub unsafe extern "C" fn fmi2GetEventIndicators(
     indicators: *mut f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::GET_EVENT_INDICATORS, |instance, logger| {
-        // SAFETY: FMI 2.0, 3.2.2: the array holds `ni` elements.
-        let indicators = unsafe { array_mut("eventIndicators", indicators, count)? };
-        on_instance!(instance, |i| i.event_indicators(indicators, logger))
-    })
+    let call = calls::GET_EVENT_INDICATORS;
+    // SAFETY: FMI 2.0, 3.2.2: the array holds `ni` elements.
+    unsafe { both::event_indicators(call, component, "ni", indicators, count) }
 }
 
 /// `fmi2GetContinuousStates`: there are none.
@@ -111,10 +100,8 @@ pub unsafe extern "C" fn fmi2GetContinuousStates(
     states: *mut f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::GET_CONTINUOUS_STATES, |_, _| {
-        // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
-        none("nx", unsafe { array_mut("x", states, count)? })
-    })
+    let states = ("x", states.is_null());
+    both::no_states(calls::GET_CONTINUOUS_STATES, component, ("nx", count), states)
 }
 
 /// `fmi2GetNominalsOfContinuousStates`: there are none.
@@ -124,17 +111,6 @@ pub unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(
     nominals: *mut f64,
     count: usize,
 ) -> Status {
-    guard(component, Call::GET_NOMINALS, |_, _| {
-        // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
-        none("nx", unsafe { array_mut("x_nominal", nominals, count)? })
-    })
-}
-
-/// Accepts an array without elements.
-fn none(count: &'static str, elements: &[f64]) -> Result<Status, FmiError> {
-    if elements.is_empty() {
-        return Ok(Status::Ok);
-    }
-    let allowed = "0: the unit has no continuous states";
-    Err(FmiError::BadArgument { name: count, value: elements.len() as f64, allowed })
+    let nominals = ("x_nominal", nominals.is_null());
+    both::no_states(calls::GET_NOMINALS, component, ("nx", count), nominals)
 }

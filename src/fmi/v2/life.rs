@@ -3,11 +3,19 @@
 use std::ffi::{CStr, c_int};
 use std::ptr::null_mut;
 
-use super::arguments::{text, texts};
+use super::callback::Callback;
+use super::calls;
+use super::types::{
+    Boolean, CO_SIMULATION, CallbackFunctions, Component, FALSE, MODEL_EXCHANGE, Status, Text,
+};
 use crate::fmi::any_instance::on_instance;
-use crate::fmi::guard::{self, Call, Request, guard};
-use crate::fmi::logger::{Category, Logger};
-use crate::fmi::types::{Boolean, CallbackFunctions, Component, FALSE, Status, Text};
+use crate::fmi::arguments::text;
+use crate::fmi::both;
+use crate::fmi::error::FmiError;
+use crate::fmi::guard::{self, Request, guard};
+use crate::fmi::instance::Purpose;
+use crate::fmi::interface::Interface;
+use crate::fmi::logger::Logger;
 
 /// `fmi2GetTypesPlatform`: the types of the standard.
 #[unsafe(no_mangle)]
@@ -53,8 +61,21 @@ pub unsafe extern "C" fn fmi2Instantiate(
         };
         (text("fmuGUID", guid), location)
     };
-    let logger = Logger::new(&functions, name.into(), logging_on != FALSE);
-    guard::instantiate(Request { instance_name: name, fmu_type, guid, resource_location }, logger)
+    let purpose = match fmu_type {
+        MODEL_EXCHANGE => Ok(Purpose::ModelExchange),
+        CO_SIMULATION => Ok(Purpose::CoSimulation),
+        other => Err(FmiError::WrongFmuType(other)),
+    };
+    let callback = Callback::of(&functions, name.into());
+    let logger = Logger::new(callback, Interface::V2, logging_on != FALSE);
+    let request = Request {
+        call: calls::INSTANTIATE,
+        instance_name: name,
+        purpose,
+        identity: guid,
+        location: resource_location,
+    };
+    guard::instantiate(request, logger)
 }
 
 /// `fmi2FreeInstance`: null, freed and forged handles do nothing.
@@ -71,12 +92,9 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     count: usize,
     categories: *const Text,
 ) -> Status {
-    guard(component, Call::SET_DEBUG_LOGGING, |_, logger| {
-        // SAFETY: FMI 2.0, 2.1.5: `categories` holds `nCategories` texts.
-        let names = unsafe { texts("categories", categories, count)? };
-        logger.set_categories(logging_on != FALSE, &names)?;
-        Ok(Status::Ok)
-    })
+    let (call, on) = (calls::SET_DEBUG_LOGGING, logging_on != FALSE);
+    // SAFETY: FMI 2.0, 2.1.5: `categories` holds `nCategories` texts.
+    unsafe { both::set_debug_logging(call, component, on, count, categories) }
 }
 
 /// `fmi2SetupExperiment`: the tolerance is checked and not used, there is nothing to integrate.
@@ -89,7 +107,7 @@ pub extern "C" fn fmi2SetupExperiment(
     stop_time_defined: Boolean,
     stop_time: f64,
 ) -> Status {
-    guard(component, Call::SETUP_EXPERIMENT, |instance, _| {
+    guard(component, calls::SETUP_EXPERIMENT, |instance, _| {
         let stop = (stop_time_defined != FALSE).then_some(stop_time);
         let tolerance = (tolerance_defined != FALSE).then_some(tolerance);
         on_instance!(instance, |i| i.setup_experiment(tolerance, start_time, stop))?;
@@ -100,7 +118,7 @@ pub extern "C" fn fmi2SetupExperiment(
 /// `fmi2EnterInitializationMode`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
-    guard(component, Call::ENTER_INITIALIZATION, |instance, _| {
+    guard(component, calls::ENTER_INITIALIZATION, |instance, _| {
         on_instance!(instance, |i| i.enter_initialization())?;
         Ok(Status::Ok)
     })
@@ -109,29 +127,17 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
 /// `fmi2ExitInitializationMode`: loads the profiles; if one of them cannot be had, the mode is not left.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
-    guard(component, Call::EXIT_INITIALIZATION, |instance, logger| {
-        let status = on_instance!(instance, |i| i.exit_initialization(logger))?;
-        logger.log(Status::Ok, Category::Events, format_args!("initialized"));
-        Ok(status)
-    })
+    both::exit_initialization(calls::EXIT_INITIALIZATION, component)
 }
 
 /// `fmi2Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the run is not ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Terminate(component: Component) -> Status {
-    guard(component, Call::TERMINATE, |instance, logger| {
-        on_instance!(instance, |i| i.terminate())?;
-        logger.log(Status::Ok, Category::Events, format_args!("terminated"));
-        Ok(Status::Ok)
-    })
+    both::terminate(calls::TERMINATE, component)
 }
 
 /// `fmi2Reset`: as after `fmi2Instantiate`; log categories stay.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Reset(component: Component) -> Status {
-    guard(component, Call::RESET, |instance, logger| {
-        on_instance!(instance, |i| i.reset());
-        logger.log(Status::Ok, Category::Events, format_args!("reset"));
-        Ok(Status::Ok)
-    })
+    both::reset(calls::RESET, component)
 }

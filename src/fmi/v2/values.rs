@@ -2,10 +2,11 @@
 
 use std::ffi::c_char;
 
-use super::arguments::{array, array_mut, texts};
+use super::calls;
+use super::types::{Boolean, Component, FALSE, Status, TRUE, Text, ValueReference};
 use crate::fmi::any_instance::on_instance;
-use crate::fmi::guard::{Call, guard};
-use crate::fmi::types::{Boolean, Component, FALSE, Status, Text, ValueReference};
+use crate::fmi::arguments::{array, array_mut, texts};
+use crate::fmi::guard::guard;
 use crate::variables::Value;
 
 /// `fmi2GetReal`.
@@ -16,7 +17,7 @@ pub unsafe extern "C" fn fmi2GetReal(
     count: usize,
     values: *mut f64,
 ) -> Status {
-    guard(component, Call::GET_REAL, |instance, logger| {
+    guard(component, calls::GET_REAL, |instance, logger| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
@@ -32,7 +33,7 @@ pub unsafe extern "C" fn fmi2SetReal(
     count: usize,
     values: *const f64,
 ) -> Status {
-    guard(component, Call::SET_REAL, |instance, _| {
+    guard(component, calls::SET_REAL, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
@@ -48,7 +49,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
     count: usize,
     values: *mut i32,
 ) -> Status {
-    guard(component, Call::GET_INTEGER, |instance, logger| {
+    guard(component, calls::GET_INTEGER, |instance, logger| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
@@ -64,7 +65,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
     count: usize,
     values: *const i32,
 ) -> Status {
-    guard(component, Call::SET_INTEGER, |instance, _| {
+    guard(component, calls::SET_INTEGER, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
@@ -80,11 +81,12 @@ pub unsafe extern "C" fn fmi2GetBoolean(
     count: usize,
     values: *mut Boolean,
 ) -> Status {
-    guard(component, Call::GET_BOOLEAN, |instance, logger| {
+    guard(component, calls::GET_BOOLEAN, |instance, logger| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
-        on_instance!(instance, |i| i.get_boolean(references, values, logger))
+        let mut out = |place: usize, value| values[place] = if value { TRUE } else { FALSE };
+        on_instance!(instance, |i| i.get_boolean(references, &mut out, logger))
     })
 }
 
@@ -96,7 +98,7 @@ pub unsafe extern "C" fn fmi2SetBoolean(
     count: usize,
     values: *const Boolean,
 ) -> Status {
-    guard(component, Call::SET_BOOLEAN, |instance, _| {
+    guard(component, calls::SET_BOOLEAN, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
@@ -112,7 +114,7 @@ pub unsafe extern "C" fn fmi2GetString(
     count: usize,
     values: *mut *const c_char,
 ) -> Status {
-    guard(component, Call::GET_STRING, |instance, logger| {
+    guard(component, calls::GET_STRING, |instance, logger| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements and do not overlap.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array_mut("value", values, count)?) };
@@ -128,7 +130,7 @@ pub unsafe extern "C" fn fmi2SetString(
     count: usize,
     values: *const Text,
 ) -> Status {
-    guard(component, Call::SET_STRING, |instance, _| {
+    guard(component, calls::SET_STRING, |instance, _| {
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, texts("value", values, count)?) };

@@ -1,0 +1,337 @@
+//! Variables as FMI 3.0 has them: patches as arrays, time and event indicator as variables of their own.
+//!
+//! A variable has the reference of FMI 2.0, an array that of its first element. Time comes after all variables of the table, and the event
+//! indicator after time.
+
+use std::ffi::c_char;
+
+use super::access::{is_boolean, is_integer, is_real, is_text, wrong_type};
+use super::error::FmiError;
+use super::instance::Instance;
+use super::interface::Interface;
+use super::logger::Logger;
+use super::types::{Status, ValueReference};
+use crate::variables::{Described, Kind, Unit, Value};
+
+/// What a reference stands for.
+#[derive(Clone, Copy, Debug)]
+enum Target {
+    /// Elements of the table, by their places.
+    Elements(&'static [ValueReference]),
+    /// The independent variable.
+    Time,
+    /// The event indicator.
+    EventIndicator,
+}
+
+/// Names of the variables that are not in the table; `build/xml3.rs` declares them.
+const TIME: &str = "time";
+const EVENT_INDICATOR: &str = "event_indicator";
+
+impl Target {
+    fn of(unit: &'static Unit, reference: ValueReference) -> Result<Self, FmiError> {
+        let beyond = unit.variables.len();
+        match reference as usize {
+            place if place < beyond => match unit.variables[place].elements {
+                [] => Err(within_array(unit, reference)),
+                elements => Ok(Self::Elements(elements)),
+            },
+            place if place == beyond => Ok(Self::Time),
+            place if place == beyond + 1 => Ok(Self::EventIndicator),
+            _ => Err(FmiError::UnknownReference { reference, last: beyond + 1 }),
+        }
+    }
+
+    fn len(self) -> usize {
+        match self {
+            Self::Elements(elements) => elements.len(),
+            Self::Time | Self::EventIndicator => 1,
+        }
+    }
+}
+
+#[cold]
+fn within_array(unit: &'static Unit, reference: ValueReference) -> FmiError {
+    let array = unit.variables[reference as usize].array.unwrap_or_default();
+    let first = unit.variables.iter().find(|v| v.array == Some(array));
+    let first = first.map_or(reference, |v| v.reference as ValueReference);
+    FmiError::WithinArray { reference, array, first }
+}
+
+/// Places of the elements in the table, in the order of the references.
+fn places(
+    unit: &'static Unit,
+    references: &[ValueReference],
+) -> impl Iterator<Item = ValueReference> {
+    let elements = move |&r: &ValueReference| match Target::of(unit, r) {
+        Ok(Target::Elements(elements)) => elements,
+        _ => &[],
+    };
+    references.iter().flat_map(elements).copied()
+}
+
+fn is_whole(kind: Kind) -> bool {
+    kind == Kind::Integer
+}
+
+fn is_choice(kind: Kind) -> bool {
+    is_integer(kind) && !is_whole(kind)
+}
+
+/// A type of variables that the unit has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WholeNumber {
+    /// `fmi3Int32`.
+    Integer,
+    /// An enumeration, as `fmi3Int64`.
+    Choice,
+}
+
+impl WholeNumber {
+    fn belongs(self) -> fn(Kind) -> bool {
+        match self {
+            Self::Integer => is_whole,
+            Self::Choice => is_choice,
+        }
+    }
+}
+
+impl<S: Described> Instance<S> {
+    /// Checks that the references are of variables of a type, and that they have as many elements as there are values.
+    fn survey(
+        &self,
+        references: &[ValueReference],
+        (name, given): (&'static str, usize),
+        belongs: fn(Kind) -> bool,
+    ) -> Result<(), FmiError> {
+        let mut wanted = 0;
+        for &reference in references {
+            let target = Target::of(S::UNIT, reference)?;
+            match target {
+                Target::Elements(_) => {
+                    let variable = &S::UNIT.variables[reference as usize];
+                    if !belongs(variable.kind) {
+                        return Err(wrong_type(self.interface, variable));
+                    }
+                }
+                Target::Time | Target::EventIndicator if belongs(Kind::Real) => {}
+                Target::Time => return Err(not_real(TIME)),
+                Target::EventIndicator => return Err(not_real(EVENT_INDICATOR)),
+            }
+            wanted += target.len();
+        }
+        if wanted == given { Ok(()) } else { Err(FmiError::WrongCount { name, given, wanted }) }
+    }
+
+    /// Reads real variables.
+    pub fn get_reals(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [f64],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        self.survey(references, ("nValues", out.len()), is_real)?;
+        let mut status = self.prepare_to_read(places(S::UNIT, references), is_real, logger)?;
+        let mut out = out.iter_mut();
+        for &reference in references {
+            let one = match Target::of(S::UNIT, reference)? {
+                Target::Elements(elements) => {
+                    for (&place, out) in elements.iter().zip(&mut out) {
+                        *out = S::real(&self.values, place as usize).unwrap_or_default();
+                    }
+                    continue;
+                }
+                Target::Time => self.time(),
+                Target::EventIndicator => {
+                    let (found, indicator) = self.event_indicator(logger)?;
+                    status = status.max(found);
+                    indicator
+                }
+            };
+            if let Some(out) = out.next() {
+                *out = one;
+            }
+        }
+        Ok(status)
+    }
+
+    /// Reads whole numbers, each of which `out` takes over.
+    pub fn get_whole_numbers(
+        &mut self,
+        kind: WholeNumber,
+        references: &[ValueReference],
+        count: usize,
+        mut out: impl FnMut(usize, i32),
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        self.survey(references, ("nValues", count), kind.belongs())?;
+        let read = places(S::UNIT, references);
+        let status = self.prepare_to_read(read, kind.belongs(), logger)?;
+        for (i, place) in places(S::UNIT, references).enumerate() {
+            out(i, self.integer_at(place));
+        }
+        Ok(status)
+    }
+
+    /// Reads boolean variables, each of which `out` takes over.
+    pub fn get_booleans(
+        &mut self,
+        references: &[ValueReference],
+        count: usize,
+        out: impl FnMut(usize, bool),
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        self.survey(references, ("nValues", count), is_boolean)?;
+        // Each is a variable by itself.
+        self.get_boolean(references, out, logger)
+    }
+
+    /// Reads text variables; the pointers are good until the next call on this instance.
+    pub fn get_texts(
+        &mut self,
+        references: &[ValueReference],
+        out: &mut [*const c_char],
+        logger: &Logger,
+    ) -> Result<Status, FmiError> {
+        self.survey(references, ("nValues", out.len()), is_text)?;
+        // Each is a variable by itself.
+        self.get_text(references, out, logger)
+    }
+
+    /// Sets variables; all or, if one of the values is refused, none.
+    fn set_all<'a>(
+        &mut self,
+        references: &[ValueReference],
+        count: usize,
+        belongs: fn(Kind) -> bool,
+        value: impl Fn(usize) -> Value<'a>,
+    ) -> Result<Status, FmiError> {
+        // What can be set is a variable by itself.
+        for &reference in references {
+            match Target::of(S::UNIT, reference)? {
+                Target::Elements([_]) => {}
+                Target::Elements(_) => {
+                    let array = &S::UNIT.variables[reference as usize];
+                    return Err(FmiError::Computed(self.interface.name(array)));
+                }
+                Target::Time => return Err(FmiError::Computed(TIME)),
+                Target::EventIndicator => return Err(FmiError::Computed(EVENT_INDICATOR)),
+            }
+        }
+        self.survey(references, ("nValues", count), belongs)?;
+        self.set(references, value)
+    }
+
+    /// Sets real variables.
+    pub fn set_reals(
+        &mut self,
+        references: &[ValueReference],
+        values: &[f64],
+    ) -> Result<Status, FmiError> {
+        self.set_all(references, values.len(), is_real, |i| Value::Real(values[i]))
+    }
+
+    /// Sets whole numbers.
+    pub fn set_whole_numbers(
+        &mut self,
+        kind: WholeNumber,
+        references: &[ValueReference],
+        count: usize,
+        value: impl Fn(usize) -> i32,
+    ) -> Result<Status, FmiError> {
+        self.set_all(references, count, kind.belongs(), |i| Value::Integer(value(i)))
+    }
+
+    /// Sets boolean variables.
+    pub fn set_booleans(
+        &mut self,
+        references: &[ValueReference],
+        count: usize,
+        value: impl Fn(usize) -> bool,
+    ) -> Result<Status, FmiError> {
+        self.set_all(references, count, is_boolean, |i| Value::Boolean(value(i)))
+    }
+
+    /// Sets text variables.
+    pub fn set_texts(
+        &mut self,
+        references: &[ValueReference],
+        values: &[&str],
+    ) -> Result<Status, FmiError> {
+        self.set_all(references, values.len(), is_text, |i| Value::Text(values[i]))
+    }
+
+    /// Accepts no variables of a type that the unit has none of.
+    pub fn accept_none(
+        &self,
+        references: &[ValueReference],
+        (name, count): (&'static str, usize),
+    ) -> Result<Status, FmiError> {
+        self.survey(references, (name, count), |_| false)?;
+        Ok(Status::Ok)
+    }
+
+    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, element by element, as
+    /// [`directional_derivative`](Self::directional_derivative) does. The event indicator moves in steps: its derivative is 0 in between.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn directional_derivative_of_arrays(
+        &mut self,
+        unknowns: &[ValueReference],
+        knowns: &[ValueReference],
+        seed: &[f64],
+        sensitivity: &mut [f64],
+    ) -> Result<(), FmiError> {
+        self.survey(unknowns, ("nSensitivity", sensitivity.len()), |_| true)?;
+        self.survey(knowns, ("nSeed", seed.len()), |_| true)?;
+        for (references, role, reason) in [
+            (unknowns, "unknown", "it is no output"),
+            (knowns, "known", "it is no input and no parameter"),
+        ] {
+            for &reference in references {
+                let name = match Target::of(S::UNIT, reference)? {
+                    Target::Time => TIME,
+                    Target::EventIndicator if role == "known" => EVENT_INDICATOR,
+                    _ => continue,
+                };
+                return Err(FmiError::NoDerivative { name, role, reason });
+            }
+        }
+        // Out of the instance while it is worked with.
+        let [mut unknown_places, mut known_places] = std::mem::take(&mut self.flattened);
+        unknown_places.clear();
+        unknown_places.extend(places(S::UNIT, unknowns));
+        known_places.clear();
+        known_places.extend(places(S::UNIT, knowns));
+        let in_table = unknown_places.len();
+        let found = self.directional_derivative(
+            &unknown_places,
+            &known_places,
+            seed,
+            &mut sensitivity[..in_table],
+        );
+        self.flattened = [unknown_places, known_places];
+        found?;
+        // From the last to the first, to leave room for event indicators.
+        let (mut from, mut to) = (in_table, sensitivity.len());
+        for &reference in unknowns.iter().rev() {
+            let target = Target::of(S::UNIT, reference)?;
+            for _ in 0..target.len() {
+                to -= 1;
+                sensitivity[to] = match target {
+                    Target::Elements(_) => {
+                        from -= 1;
+                        sensitivity[from]
+                    }
+                    Target::Time | Target::EventIndicator => 0.0,
+                };
+            }
+        }
+        Ok(())
+    }
+}
+
+fn not_real(name: &'static str) -> FmiError {
+    FmiError::WrongType { name, kind: Interface::V3.type_name(Kind::Real) }
+}
