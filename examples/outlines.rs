@@ -110,6 +110,7 @@ fn patch(
         indentation: Indentation::Approach(1e-3 * approach),
         creepage: [0.0; 3],
         friction: 0.3,
+        friction_across: &[],
         wheel_material: STEEL,
         rail_material: STEEL,
         normal_model,
@@ -122,6 +123,7 @@ fn patch(
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
         friction_law: FrictionLaw::default(),
+        gauge_face_law: FrictionLaw::default(),
         speed: 0.0,
     };
     let mut regions = Vec::new();

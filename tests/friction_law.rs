@@ -5,7 +5,7 @@ mod tolerance;
 
 use approx::assert_relative_eq;
 use common::planar::{HertzRow, steel_case};
-use wheelrail::element::parameters::{FrictionLaw, TangentialModel};
+use wheelrail::element::parameters::{FallingLaw, FrictionLaw, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;
 use wheelrail::planar::{PlanarCase, PlanarResult, solve};
@@ -19,6 +19,7 @@ const BOUNDED: [TangentialModel; 5] = [
 ];
 
 const FALLING: FrictionLaw = FrictionLaw {
+    falling_law: FallingLaw::Exponential,
     falling_share: 0.38,
     falling_decay: 0.7,
     reduction: 1.0,

@@ -45,6 +45,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
         },
         creepage: [size(u, 1e-3)?, size(u, 1e-3)?, size(u, 0.3)?],
         friction: within(u, 2.0)?,
+        friction_across: &[],
         wheel_material: material(u)?,
         rail_material: material(u)?,
         normal_model: *u.choose(&[
@@ -69,6 +70,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
         bound: *u.choose(&[TractionBound::Elliptic, TractionBound::Parabolic])?,
         flexibilities: *u.choose(&[Flexibilities::Three, Flexibilities::Blended])?,
         friction_law: FrictionLaw::default(),
+        gauge_face_law: FrictionLaw::default(),
         speed: 0.0,
     };
     if let Ok(found) = solve(&case) {

@@ -17,6 +17,7 @@ pub use boundary_element::ElementPressure;
 pub use shape_correction::ShapeFit;
 pub use zones::Edge;
 
+use crate::friction::StripFriction;
 use crate::geometry::separation::{FrameSeparation, Probe, Separation};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
@@ -82,6 +83,8 @@ pub struct Strips<T = f64> {
     pub pressure: Room<T>,
     /// Parameter of the contact line [m].
     pub u: Room<T>,
+    /// Coefficient of friction, where strips have their own: filled in once the strips are there; empty for one coefficient.
+    pub friction: Room<StripFriction<T>>,
     /// The elements that the strips were made from, if the normal model has them.
     pub elements: Option<Box<ElementPressure>>,
 }
@@ -99,6 +102,7 @@ impl<T: Real> Strips<T> {
             half_length: column(),
             pressure: column(),
             u: column(),
+            friction: Room::new(zones * strips),
             elements: None,
         }
     }
@@ -106,6 +110,7 @@ impl<T: Real> Strips<T> {
     /// Forgets all zones and strips, keeps the room.
     pub fn clear(&mut self) {
         self.elements = None;
+        self.friction.clear();
         self.zones.clear();
         for column in [
             &mut self.y,
