@@ -107,6 +107,49 @@ impl<T: Real> Strips<T> {
         }
     }
 
+    /// The same in other numbers; without the elements.
+    #[must_use]
+    pub fn in_other_numbers<O: Real>(&self) -> Strips<O>
+    where
+        T: Into<O>,
+    {
+        let column = |own: &Room<T>| {
+            let mut other = Room::new(own.len());
+            other.extend(own.iter().map(|&value| value.into()));
+            other
+        };
+        let mut zones = Room::new(self.zones.len());
+        zones.extend(self.zones.iter().map(|zone| Zone {
+            first: zone.first,
+            count: zone.count,
+            load: zone.load.into(),
+            max_pressure: zone.max_pressure.into(),
+            length: zone.length.into(),
+            width: zone.width.into(),
+            area: zone.area.into(),
+            x: zone.x.into(),
+            y: zone.y.into(),
+            u: zone.u.into(),
+        }));
+        let mut friction = Room::new(self.friction.len());
+        friction.extend(self.friction.iter().map(|own| StripFriction {
+            tread: own.tread.into(),
+            gauge_face: own.gauge_face.into(),
+            gauge_face_share: own.gauge_face_share.into(),
+        }));
+        Strips {
+            zones,
+            y: column(&self.y),
+            width: column(&self.width),
+            x: column(&self.x),
+            half_length: column(&self.half_length),
+            pressure: column(&self.pressure),
+            u: column(&self.u),
+            friction,
+            elements: None,
+        }
+    }
+
     /// Forgets all zones and strips, keeps the room.
     pub fn clear(&mut self) {
         self.elements = None;

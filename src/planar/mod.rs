@@ -5,8 +5,10 @@
 
 mod case;
 mod line;
+mod pressed_contact;
 
 pub use case::{Indentation, PlanarCase};
+pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
 
 use crate::error::ContactError;
 use crate::friction::StripFriction;

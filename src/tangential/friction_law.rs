@@ -49,19 +49,19 @@ pub enum FallingLaw {
 
 /// How friction and initial slope depend on the creepage.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionLaw {
+pub struct FrictionLaw<P = f64> {
     /// How friction falls.
     pub falling_law: FallingLaw,
     /// A: friction at infinite sliding speed over that without sliding, 0 to 1 [-].
-    pub falling_share: f64,
+    pub falling_share: P,
     /// B: decay with the sliding speed, ≥ 0 [s/m].
-    pub falling_decay: f64,
+    pub falling_decay: P,
     /// k₀: initial slope over that of clean bodies, above 0 to 1 [-].
-    pub reduction: f64,
+    pub reduction: P,
     /// α: what is left of k₀ at great creepages, 0 to 1 [-].
-    pub reduction_share: f64,
+    pub reduction_share: P,
     /// β: decay from the one to the other with the creepage over that of saturation, ≥ 0 [-].
-    pub reduction_decay: f64,
+    pub reduction_decay: P,
 }
 
 impl Default for FrictionLaw {
@@ -80,7 +80,7 @@ impl Default for FrictionLaw {
 /// Least shear modulus over that of the bodies: creepages stay finite.
 const LEAST_REDUCTION: f64 = 1e-9;
 
-impl FrictionLaw {
+impl<P: Real> FrictionLaw<P> {
     fn falls(&self) -> bool {
         self.falling_share < 1.0 && self.falling_decay > 0.0
     }
@@ -97,19 +97,23 @@ impl FrictionLaw {
 
     /// Friction of `zone` in `state` over that without sliding [-].
     #[must_use]
-    pub fn factor<T: Real>(&self, zone: &Zone<T>, state: &RollingState<T>) -> T {
+    pub fn factor<T: Real>(&self, zone: &Zone<T>, state: &RollingState<T>) -> T
+    where
+        P: Into<T>,
+    {
         if !self.falls() {
             return T::from(1.0);
         }
         let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
         let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
         let speed = state.speed * slip.hypot(spin);
+        let (share, decay): (T, T) = (self.falling_share.into(), self.falling_decay.into());
         let left = match self.falling_law {
-            FallingLaw::Exponential => (speed * -self.falling_decay).exp(),
-            FallingLaw::Rational => T::from(1.0) / (speed * self.falling_decay + 1.0),
-            FallingLaw::Linear => (speed * -self.falling_decay + 1.0).at_least(0.0),
+            FallingLaw::Exponential => (speed * -decay).exp(),
+            FallingLaw::Rational => T::from(1.0) / (speed * decay + 1.0),
+            FallingLaw::Linear => (speed * -decay + 1.0).at_least(0.0),
         };
-        left * (1.0 - self.falling_share) + self.falling_share
+        left * (-share + 1.0) + share
     }
 
     /// Shear modulus over that of clean bodies for `zone` in `state`, whose friction is that of its slip [-].
@@ -119,20 +123,24 @@ impl FrictionLaw {
         zone: &Zone<T>,
         material: &MaterialPair<T>,
         state: &RollingState<T>,
-    ) -> T {
+    ) -> T
+    where
+        P: Into<T>,
+    {
         if !self.reduces() {
             return T::from(1.0);
         }
         let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
-        let share = self.reduction_share;
+        let (k0, share, decay): (T, T, T) =
+            (self.reduction.into(), self.reduction_share.into(), self.reduction_decay.into());
         let c11 = kalker_coefficients(zone.length / zone.width, material.poisson_ratio).c11;
         let ab = zone.area / PI;
-        let stiffness = material.shear_modulus * PI * ab * self.reduction * c11;
+        let stiffness = material.shear_modulus * PI * ab * k0 * c11;
         let limit = state.friction * 4.0 * zone.load * state.load_factor;
         // Without friction any creepage is great.
         let over = if slip > 0.0 { stiffness * slip / limit } else { T::from(0.0) };
-        let left = T::from(1.0 - share) / (over * self.reduction_decay + 1.0);
-        let k = (left + share) * self.reduction;
+        let left = (-share + 1.0) / (over * decay + 1.0);
+        let k = (left + share) * k0;
         k.at_least(LEAST_REDUCTION)
     }
 }
