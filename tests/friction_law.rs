@@ -5,7 +5,7 @@ mod tolerance;
 
 use approx::assert_relative_eq;
 use common::planar::{HertzRow, steel_case};
-use wheelrail::element::parameters::{FallingLaw, FrictionLaw, TangentialModel};
+use wheelrail::element::parameters::{FallingLaw, FrictionLaw, TangentialModel, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;
 use wheelrail::planar::{PlanarCase, PlanarResult, solve};
@@ -120,4 +120,28 @@ fn parameters_out_of_range_are_refused_by_name() {
     ] {
         assert!(message.starts_with(name), "{message}");
     }
+}
+
+#[test]
+fn sliding_wears_by_what_it_slides_whatever_friction_is_left() {
+    // Archard: the power over what friction is left, so that wear of a wheel that slides as a whole does not depend on friction.
+    let worn = |law: FrictionLaw| {
+        let mut parameters = Parameters {
+            friction_law: law,
+            tangential_model: TangentialModel::Fastsim,
+            ..Parameters::default()
+        };
+        parameters.wear.model = WearModel::Archard;
+        let mut input = Input::default();
+        let mut element = Element::new(&parameters, &input, &[]).unwrap();
+        input.wheel.position[2] = element.nominal_wheel_z() + 5e-5;
+        input.wheel.velocity[0] = 20.0;
+        input.wheel.pitch_rate = -1.1 * 20.0 / 0.46;
+        let mut output = Output::default();
+        element.advance(&input, &mut output, 1e-3).unwrap();
+        output.wheel_wear.volume
+    };
+    let plain = worn(FrictionLaw::default());
+    assert!(plain > 0.0);
+    assert_relative_eq!(worn(FALLING), plain, max_relative = tolerance::FULL_SLIDING);
 }

@@ -12,9 +12,9 @@ pub struct Changeover {
 }
 
 impl Default for Changeover {
-    /// From 20 to 40 degrees: between the gauge corner of a new rail and its face.
+    /// From 19 to 39 degrees: between the gauge corner of a new rail and its face.
     fn default() -> Self {
-        Self { inclination: (-30.0_f64).to_radians(), width: 20.0_f64.to_radians() }
+        Self { inclination: -0.5, width: 0.35 }
     }
 }
 

@@ -103,11 +103,11 @@ fn profile(content: &str, rail: usize) -> Result<FrictionProfile, String> {
             .filter(|row| row.len() == columns.count && row.iter().all(|value| value.is_finite()));
         let row = row.ok_or_else(|| at(format!("{} finite numbers in a row", columns.count)))?;
         if let Some(column) = columns.rail {
-            let own = row[column];
-            if own != 1.0 && own != 2.0 {
+            let is = |number: usize| row[column].total_cmp(&(number as f64)).is_eq();
+            if !is(1) && !is(2) {
                 return Err(at("1 or 2 in the column rail".into()));
             }
-            if own != rail as f64 {
+            if !is(rail) {
                 continue;
             }
         }
