@@ -12,6 +12,7 @@ use wheelrail::material::Material;
 use wheelrail::normal::{NormalModel, ShapeFit};
 use wheelrail::planar::{Indentation, PlanarCase, fields};
 use wheelrail::tangential::fastsim::TractionBound;
+use wheelrail::tangential::flash_temperature::FlashTemperature;
 use wheelrail::tangential::friction_law::FrictionLaw;
 use wheelrail::tangential::{Flexibilities, TangentialModel};
 
@@ -124,6 +125,7 @@ fn patch(
         flexibilities: Flexibilities::Three,
         friction_law: FrictionLaw::default(),
         gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     };
     let mut regions = Vec::new();

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use wheelrail::element::parameters::{
-    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+    FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
 use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
@@ -71,6 +71,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
         flexibilities: *u.choose(&[Flexibilities::Three, Flexibilities::Blended])?,
         friction_law: FrictionLaw::default(),
         gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     };
     if let Ok(found) = solve(&case) {

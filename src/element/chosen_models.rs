@@ -50,6 +50,7 @@ impl Parameters {
             flexibilities: self.flexibilities,
             friction_law: self.friction_law,
             gauge_face_law: self.gauge_face_law,
+            flash_temperature: self.flash_temperature,
             speed: 0.0,
         }
     }

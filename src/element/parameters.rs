@@ -8,6 +8,7 @@ pub use crate::geometry::point_noise::AUTOMATIC_SMOOTHING;
 pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
+pub use crate::tangential::flash_temperature::FlashTemperature;
 pub use crate::tangential::friction_law::{FallingLaw, FrictionLaw};
 pub use crate::tangential::{Flexibilities, TangentialModel};
 pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
@@ -165,6 +166,8 @@ pub struct Parameters {
     pub friction_law: FrictionLaw,
     /// The same of the gauge face, where friction is not uniform.
     pub gauge_face_law: FrictionLaw,
+    /// How friction falls with the temperature that sliding makes.
+    pub flash_temperature: FlashTemperature,
     /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
     pub shear_yield: f64,
     /// Wear.
@@ -236,6 +239,7 @@ impl Default for Parameters {
             friction_changeover: Changeover::default(),
             friction_law: FrictionLaw::default(),
             gauge_face_law: FrictionLaw::default(),
+            flash_temperature: FlashTemperature::default(),
             shear_yield: 3e8,
             wear: WearParameters::default(),
         }

@@ -5,6 +5,7 @@ use crate::friction::StripFriction;
 use crate::material::Material;
 use crate::normal::{NormalModel, ShapeFit};
 use crate::tangential::fastsim::TractionBound;
+use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
 use crate::tangential::{Flexibilities, TangentialModel};
 
@@ -58,7 +59,9 @@ pub struct PlanarCase<'a> {
     pub friction_law: FrictionLaw,
     /// The same of the gauge face.
     pub gauge_face_law: FrictionLaw,
-    /// Rolling speed, ≥ 0: of falling friction alone [m/s].
+    /// How friction falls with the temperature that sliding makes.
+    pub flash_temperature: FlashTemperature,
+    /// Rolling speed, ≥ 0: of friction that falls with speed or temperature alone [m/s].
     pub speed: f64,
 }
 
@@ -150,6 +153,16 @@ impl PlanarCase<'_> {
             }
             let fits = (1e-3..=1.0).contains(&law.reduction);
             require("reduction", law.reduction, fits, "0.001 to 1")?;
+        }
+        let heat = &self.flash_temperature;
+        require("flash share", heat.share, (0.0..=1.0).contains(&heat.share), "0 to 1")?;
+        require("flash onset", heat.onset, heat.onset >= 0.0, "a finite number, at least 0")?;
+        for (name, value) in [
+            ("flash range", heat.range),
+            ("conductivity", heat.conductivity),
+            ("heat capacity", heat.heat_capacity),
+        ] {
+            require(name, value, value > 0.0, "a finite number greater than 0")?;
         }
         let epsilon = self.virtual_penetration;
         require("virtual_penetration", epsilon, epsilon > 0.0 && epsilon < 1.0, "between 0 and 1")?;

@@ -216,6 +216,7 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
         case.elements,
     )
     .with_laws([case.friction_law, case.gauge_face_law])
+    .with_flash_temperature(case.flash_temperature)
 }
 
 /// How a zone with its centroid at `y` rolls.

@@ -104,9 +104,7 @@ impl<P: Real> FrictionLaw<P> {
         if !self.falls() {
             return T::from(1.0);
         }
-        let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
-        let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
-        let speed = state.speed * slip.hypot(spin);
+        let speed = sliding_speed(zone, state);
         let (share, decay): (T, T) = (self.falling_share.into(), self.falling_decay.into());
         let left = match self.falling_law {
             FallingLaw::Exponential => (speed * -decay).exp(),
@@ -143,6 +141,13 @@ impl<P: Real> FrictionLaw<P> {
         let k = (left + share) * k0;
         k.at_least(LEAST_REDUCTION)
     }
+}
+
+/// Sliding speed s of the rigid slip of `zone` in `state` [m/s].
+pub(super) fn sliding_speed<T: Real>(zone: &Zone<T>, state: &RollingState<T>) -> T {
+    let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
+    let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
+    state.speed * slip.hypot(spin)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ pub mod fastrip;
 pub mod fastsim;
 pub mod fastsim_correction;
 pub mod field;
+pub mod flash_temperature;
 pub mod flexibility;
 mod forces;
 pub mod friction_law;
@@ -33,6 +34,7 @@ use boundary_element::LoadedElements;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use fastsim_correction::EllipseStrips;
+use flash_temperature::FlashTemperature;
 use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
 use tables::CreepForceTable;
@@ -123,6 +125,8 @@ pub struct Tangential {
     ellipse_strips: Option<EllipseStrips>,
     /// Of tread and gauge face, where slip changes friction or bodies are not clean.
     laws: Option<[FrictionLaw; 2]>,
+    /// Where heat changes friction.
+    flash_temperature: Option<FlashTemperature>,
 }
 
 impl Tangential {
@@ -147,6 +151,7 @@ impl Tangential {
             ellipse_strips: (model == TangentialModel::FastsimCorrected)
                 .then(EllipseStrips::default),
             laws: None,
+            flash_temperature: None,
         }
     }
 
@@ -160,6 +165,12 @@ impl Tangential {
     #[must_use]
     pub fn with_laws(self, laws: [FrictionLaw; 2]) -> Self {
         Self { laws: laws.iter().any(FrictionLaw::is_on).then_some(laws), ..self }
+    }
+
+    /// The same with friction that falls with temperature.
+    #[must_use]
+    pub fn with_flash_temperature(self, heat: FlashTemperature) -> Self {
+        Self { flash_temperature: heat.is_on().then_some(heat), ..self }
     }
 
     /// The model.

@@ -1,4 +1,4 @@
-//! A zone under the laws of friction: what slip makes of its coefficients and of the stiffness of the bodies.
+//! A zone under the laws of friction: what slip and heat make of its coefficients, and slip of the stiffness of the bodies.
 
 use super::friction_law::FrictionLaw;
 use super::own_friction::mean;
@@ -14,7 +14,7 @@ pub struct UnderLaw<T = f64> {
     pub state: RollingState<T>,
     /// As soft in shear as what lies between the bodies makes them seem.
     pub material: MaterialPair<T>,
-    /// By what slip changes the coefficients of tread and gauge face [-].
+    /// By what slip and heat change the coefficients of tread and gauge face [-].
     pub factors: [T; 2],
 }
 
@@ -31,24 +31,26 @@ impl Tangential {
         let one = T::from(1.0);
         let mut found = UnderLaw { state: *state, material: *material, factors: [one; 2] };
         let has_own = !strips.friction.is_empty();
-        let Some(laws) = &self.laws else {
-            if has_own {
-                found.state.friction =
-                    mean(zone, strips, |own| own.under(&found.factors)).unwrap_or(state.friction);
-            }
-            return found;
-        };
-        let [tread, gauge_face] = laws;
-        let of_both = |of: &dyn Fn(&FrictionLaw) -> T| {
-            let first = of(tread);
+        let of_both = |laws: &[FrictionLaw; 2], of: &dyn Fn(&FrictionLaw) -> T| {
+            let first = of(&laws[0]);
             // Laws that are alike are evaluated once.
-            [first, if has_own && gauge_face != tread { of(gauge_face) } else { first }]
+            [first, if has_own && laws[1] != laws[0] { of(&laws[1]) } else { first }]
         };
-        found.factors = of_both(&|law| law.factor(zone, state));
+        if let Some(laws) = &self.laws {
+            found.factors = of_both(laws, &|law| law.factor(zone, state));
+        } else if !has_own && self.flash_temperature.is_none() {
+            return found;
+        }
         found.state.friction = mean(zone, strips, |own| own.under(&found.factors))
             .unwrap_or(state.friction * found.factors[0]);
-        if laws.iter().any(FrictionLaw::reduces) {
-            let [first, second] = of_both(&|law| law.reduced(zone, material, &found.state));
+        if let Some(heat) = &self.flash_temperature {
+            let hot = heat.factor(found.state.friction, heat.rise(zone, strips, state));
+            found.factors = found.factors.map(|factor| factor * hot);
+            found.state.friction *= hot;
+        }
+        if let Some(laws) = self.laws.as_ref().filter(|laws| laws.iter().any(FrictionLaw::reduces))
+        {
+            let [first, second] = of_both(laws, &|law| law.reduced(zone, material, &found.state));
             let share = mean(zone, strips, |own| own.gauge_face_share);
             let share = share.unwrap_or(T::from(0.0));
             found.material.shear_modulus *= first + share * (second - first);

@@ -1,7 +1,7 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
 use wheelrail::element::parameters::{
-    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+    FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::normal::hertz;
@@ -84,6 +84,7 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         flexibilities: Flexibilities::Three,
         friction_law: FrictionLaw::default(),
         gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     }
 }

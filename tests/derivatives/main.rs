@@ -85,6 +85,8 @@ fn of_other_options() {
     judge("friction_law", &parameters, &[]);
     parameters.tangential_model = TangentialModel::Tables;
     judge("friction_law_tables", &parameters, &[]);
+    parameters.flash_temperature.share = 0.4;
+    judge("flash_temperature", &parameters, &[]);
     parameters = Parameters {
         bound: TractionBound::Parabolic,
         flexibilities: Flexibilities::Three,
