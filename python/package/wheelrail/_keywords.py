@@ -219,6 +219,16 @@ class ElementParameters(TypedDict, total=False):
     """What is left of friction.reduction.initial at great creepages [-]."""
     friction_reduction_decay: float
     """Rate at which the reduction goes from the one to the other with the creepage over that of saturation [-]."""
+    friction_temperature_share: float
+    """Friction of a hot patch over that of a cold one; 1 is friction that does not depend on temperature [-]."""
+    friction_temperature_onset: float
+    """Mean rise of temperature in the patch, above that of the bodies, from which on friction falls [K]."""
+    friction_temperature_range: float
+    """Further rise over which it falls to friction.temperature.share, linearly [K]."""
+    friction_temperature_conductivity: float
+    """Conductivity of heat of wheel and rails [W/(m.K)]."""
+    friction_temperature_heat_capacity: float
+    """Heat capacity of wheel and rails for each volume; of steel 450 J/(kg K) [J/(m3.K)]."""
     rail_shear_yield: float
     """Yield stress of the rails in shear, for patch[1].surface_fatigue_index [Pa]."""
     wear_model: Literal["off", "frictional_work", "usfd", "british_rail", "zobory", "archard"]
@@ -565,6 +575,16 @@ class WheelSetParameters(TypedDict, total=False):
     """What is left of friction.reduction.initial at great creepages [-]."""
     friction_reduction_decay: float
     """Rate at which the reduction goes from the one to the other with the creepage over that of saturation [-]."""
+    friction_temperature_share: float
+    """Friction of a hot patch over that of a cold one; 1 is friction that does not depend on temperature [-]."""
+    friction_temperature_onset: float
+    """Mean rise of temperature in the patch, above that of the bodies, from which on friction falls [K]."""
+    friction_temperature_range: float
+    """Further rise over which it falls to friction.temperature.share, linearly [K]."""
+    friction_temperature_conductivity: float
+    """Conductivity of heat of wheel and rails [W/(m.K)]."""
+    friction_temperature_heat_capacity: float
+    """Heat capacity of wheel and rails for each volume; of steel 450 J/(kg K) [J/(m3.K)]."""
     rail_shear_yield: float
     """Yield stress of the rails in shear, for patch[1].surface_fatigue_index [Pa]."""
     wear_model: Literal["off", "frictional_work", "usfd", "british_rail", "zobory", "archard"]
