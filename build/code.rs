@@ -73,6 +73,7 @@ pub fn ranges(declaration: &Declaration) -> String {
     }
     format!(
         "/// Name, value, range and what is admitted in words.\n\
+         #[allow(clippy::too_many_lines)] // one for each number\n\
          fn ranges(parameters: &Parameters) -> [(&'static str, f64, [f64; 2], &'static str); {count}] {{ [{rows}] }}\n"
     )
 }

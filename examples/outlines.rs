@@ -12,6 +12,7 @@ use wheelrail::material::Material;
 use wheelrail::normal::{NormalModel, ShapeFit};
 use wheelrail::planar::{Indentation, PlanarCase, fields};
 use wheelrail::tangential::fastsim::TractionBound;
+use wheelrail::tangential::flash_temperature::FlashTemperature;
 use wheelrail::tangential::friction_law::FrictionLaw;
 use wheelrail::tangential::{Flexibilities, TangentialModel};
 
@@ -110,6 +111,7 @@ fn patch(
         indentation: Indentation::Approach(1e-3 * approach),
         creepage: [0.0; 3],
         friction: 0.3,
+        friction_across: &[],
         wheel_material: STEEL,
         rail_material: STEEL,
         normal_model,
@@ -122,6 +124,8 @@ fn patch(
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
         friction_law: FrictionLaw::default(),
+        gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     };
     let mut regions = Vec::new();

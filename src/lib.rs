@@ -76,7 +76,8 @@
 //! material    elastic constants
 //! boundary_element  pressure and tractions of the half-space on rectangular elements
 //! error       why something is refused
-//! io          profiles from files: SIMPACK, MiniProf, two columns
+//! friction    coefficients over the surface of a rail and along the track
+//! io          profiles from files: SIMPACK, MiniProf, two columns; deviations; friction
 //! kinematics  motion of wheel and rail to creepage
 //! normal      hertz, piotrowski_kik, strips_on_grid, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
@@ -99,6 +100,7 @@ pub mod conicity;
 pub mod element;
 pub mod error;
 pub mod fmi;
+pub mod friction;
 pub mod geometry;
 pub mod io;
 pub mod kinematics;

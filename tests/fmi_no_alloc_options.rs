@@ -210,6 +210,7 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
     let mut options: Vec<Vec<Setting>> = vec![
         vec![],
         vec![monitor],
+        vec![integer("friction.distribution", 2), falling[0], falling[1]],
         vec![monitor, second_rail],
         vec![monitor, corrugation, falling[0], falling[1]],
         vec![monitor, real("wheel.flat.length", 0.04), real("wheel.out_of_round.amplitude", 1e-4)],

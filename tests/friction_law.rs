@@ -5,7 +5,9 @@ mod tolerance;
 
 use approx::assert_relative_eq;
 use common::planar::{HertzRow, steel_case};
-use wheelrail::element::parameters::{FrictionLaw, TangentialModel};
+use wheelrail::element::parameters::{
+    FallingLaw, FlashTemperature, FrictionLaw, TangentialModel, WearModel,
+};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;
 use wheelrail::planar::{PlanarCase, PlanarResult, solve};
@@ -19,6 +21,7 @@ const BOUNDED: [TangentialModel; 5] = [
 ];
 
 const FALLING: FrictionLaw = FrictionLaw {
+    falling_law: FallingLaw::Exponential,
     falling_share: 0.38,
     falling_decay: 0.7,
     reduction: 1.0,
@@ -118,5 +121,88 @@ fn parameters_out_of_range_are_refused_by_name() {
         (refused(|law| law.reduction_decay = -0.1), "friction.reduction.decay"),
     ] {
         assert!(message.starts_with(name), "{message}");
+    }
+}
+
+#[test]
+fn sliding_wears_by_what_it_slides_whatever_friction_is_left() {
+    // Archard: the power over what friction is left, so that wear of a wheel that slides as a whole does not depend on friction.
+    let worn = |law: FrictionLaw| {
+        let mut parameters = Parameters {
+            friction_law: law,
+            tangential_model: TangentialModel::Fastsim,
+            ..Parameters::default()
+        };
+        parameters.wear.model = WearModel::Archard;
+        let mut input = Input::default();
+        let mut element = Element::new(&parameters, &input, &[]).unwrap();
+        input.wheel.position[2] = element.nominal_wheel_z() + 5e-5;
+        input.wheel.velocity[0] = 20.0;
+        input.wheel.pitch_rate = -1.1 * 20.0 / 0.46;
+        let mut output = Output::default();
+        element.advance(&input, &mut output, 1e-3).unwrap();
+        output.wheel_wear.volume
+    };
+    let plain = worn(FrictionLaw::default());
+    assert!(plain > 0.0);
+    assert_relative_eq!(worn(FALLING), plain, max_relative = tolerance::FULL_SLIDING);
+}
+
+/// A steel ellipse of a/b = 1 whose friction falls to two fifths between 20 and 220 K.
+fn heated(model: TangentialModel, speed: f64, creepage: f64) -> f64 {
+    let row = HertzRow::with_ratio(1.0);
+    let separation = row.separation();
+    let found = solve(&PlanarCase {
+        tangential_model: model,
+        flash_temperature: HOT,
+        creepage: [creepage, 0.0, 0.0],
+        speed,
+        ..steel_case(&separation, 0.5 / row.along, row.approach)
+    });
+    let found = found.unwrap();
+    -found.fx / found.normal_force
+}
+
+const HOT: FlashTemperature = FlashTemperature {
+    share: 0.4,
+    onset: 20.0,
+    range: 200.0,
+    conductivity: 50.0,
+    heat_capacity: 3.5325e6,
+};
+
+#[test]
+fn a_hot_patch_has_the_friction_of_its_temperature() {
+    let row = HertzRow::with_ratio(1.0);
+    // Mean of q sqrt(a) over the load of a Hertzian ellipse, whose strips have both in proportion to their chord c: of c^1.5 over c².
+    let mean = |power: f64| {
+        let n = 4000;
+        let chord = |i: i32| {
+            let y = -1.0 + (2.0 * f64::from(i) + 1.0) / f64::from(n);
+            (1.0 - y * y).sqrt()
+        };
+        (0..n).map(|i| chord(i).powf(power)).sum::<f64>()
+    };
+    let greatest = row.max_pressure * row.semi_axes[0].sqrt();
+    let source = greatest * mean(3.5) / mean(2.0);
+    for model in BOUNDED {
+        for (speed, creepage) in [(5.0, 0.05), (20.0, 0.05), (20.0, 0.2), (60.0, 0.5)] {
+            let spread = 2.0 * (50.0 * 3.5325e6 * std::f64::consts::PI * speed).sqrt();
+            let rise = speed * creepage * source * 1.572_023_357 / spread;
+            let found = heated(model, speed, creepage);
+            let temperature = found * rise;
+            let expected = 0.3 * (1.0 - 0.6 * (temperature - 20.0) / 200.0).clamp(0.4, 1.0);
+            // Of twenty strips.
+            assert_relative_eq!(found, expected, max_relative = 3e-3);
+        }
+    }
+}
+
+#[test]
+fn what_adheres_stays_cold() {
+    for model in BOUNDED {
+        let plain = rolled(model, FrictionLaw::default(), [1e-6, 0.0, 0.0]).unwrap();
+        let cold = -plain.fx / plain.normal_force;
+        assert_relative_eq!(heated(model, 10.0, 1e-6), cold, max_relative = 1e-12);
     }
 }

@@ -104,8 +104,8 @@ fn table_1_of_the_paper_comes_out() {
     }
 }
 
-fn corrected(case: PlanarCase<'_>) -> PlanarCase<'_> {
-    PlanarCase { normal_model: NormalModel::PiotrowskiKikCorrected, strips: 40, ..case }
+fn corrected<'a>(case: &PlanarCase<'a>) -> PlanarCase<'a> {
+    PlanarCase { normal_model: NormalModel::PiotrowskiKikCorrected, strips: 40, ..*case }
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn the_corrected_area_of_hertzian_bodies_has_the_ratio_of_the_hertzian_ellipse()
         let separation = row.separation();
         let plain = steel_case(&separation, 0.5 / row.along, row.approach);
         let plain = PlanarCase { normal_model: NormalModel::PiotrowskiKik, strips: 40, ..plain };
-        let (before, after) = (solve(&plain).unwrap(), solve(&corrected(plain)).unwrap());
+        let (before, after) = (solve(&plain).unwrap(), solve(&corrected(&plain)).unwrap());
         let ratio = after.length / after.width;
         assert_relative_eq!(ratio, row.axis_ratio, max_relative = tolerance::CORRECTED_RATIO);
         assert_relative_eq!(after.area, before.area, max_relative = tolerance::ROUNDING);
@@ -142,7 +142,7 @@ fn two_dents(lower: f64, ridge: f64) -> (f64, usize) {
             [y, f.max(0.0) + if t > 1.0 { 1e-4 * (t - 1.0).powi(2) } else { 0.0 }]
         })
         .collect();
-    let result = solve(&corrected(steel_case(&points, 0.46, 6e-5))).unwrap();
+    let result = solve(&corrected(&steel_case(&points, 0.46, 6e-5))).unwrap();
     (result.normal_force, result.patches)
 }
 
@@ -177,7 +177,7 @@ fn the_corrected_force_is_smooth_where_length_and_width_are_equal() {
     let force = |radius: f64| {
         let points: Vec<[f64; 2]> =
             (-60..=60).map(|i| 1e-4 * f64::from(i)).map(|y| [y, 0.5 * y * y / 0.3]).collect();
-        solve(&corrected(steel_case(&points, radius, 6e-5))).unwrap().normal_force
+        solve(&corrected(&steel_case(&points, radius, 6e-5))).unwrap().normal_force
     };
     let slope = |radius: f64| (force(radius + 1e-5) - force(radius - 1e-5)) / 2e-5;
     let [below, at, above] = [0.2995, 0.3, 0.3005].map(slope);

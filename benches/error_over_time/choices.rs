@@ -147,7 +147,7 @@ impl Choice {
     }
 
     /// A planar case by these models.
-    pub fn of_case(self, case: PlanarCase) -> PlanarCase {
+    pub fn of_case<'a>(self, case: &PlanarCase<'a>) -> PlanarCase<'a> {
         let Self { normal, rolling } = self;
         PlanarCase {
             normal_model: normal.model,
@@ -157,7 +157,7 @@ impl Choice {
             elements_along: rolling.count,
             bound: rolling.bound,
             flexibilities: rolling.flexibilities,
-            ..case
+            ..*case
         }
     }
 

@@ -90,7 +90,7 @@ impl Sets {
             creepage,
             ..steel_case(separation, 1e-3 * v("radius_mm"), 1e-3 * v("approach_mm"))
         };
-        solve(&choice.of_case(case)).expect("a good case")
+        solve(&choice.of_case(&case)).expect("a good case")
     }
 
     /// Errors of the normal model on the 32 planar cases, approach given; how often it fell back.
@@ -147,7 +147,7 @@ impl Sets {
                 ],
                 ..steel_case(&separation, radius, 0.0)
             };
-            let found = solve(&choice.of_case(case)).expect("a good case");
+            let found = solve(&choice.of_case(&case)).expect("a good case");
             let limit = FRICTION * load;
             (found.fx / limit - v("fx_over_mu_n")).hypot(found.fy / limit - v("fy_over_mu_n"))
         });

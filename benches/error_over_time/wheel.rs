@@ -130,7 +130,7 @@ fn solved(choice: Choice, contact: &FlatContact, creepage: [f64; 3]) -> PlanarRe
         creepage,
         ..steel_case(&contact.separation, contact.radius, contact.penetration)
     };
-    solve(&choice.of_case(case)).expect("a good case")
+    solve(&choice.of_case(&case)).expect("a good case")
 }
 
 /// Errors of a choice on all cases.

@@ -1,7 +1,8 @@
-//! A file of corrugation or of an out-of-round wheel, of any content.
+//! A file of corrugation, of an out-of-round wheel or of friction, of any content.
 
 use std::fs;
 
+use wheelrail::element::parameters::FrictionDistribution;
 use wheelrail::element::{Element, Input, Parameters};
 
 use super::values::evaluate;
@@ -12,12 +13,21 @@ pub fn check(data: &[u8]) {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("file.csv"), content).expect("a file");
     let mut parameters = Parameters { strips: 8, elements_along: 8, ..Parameters::default() };
-    let parameter = if first % 2 == 0 {
-        parameters.rails[0].corrugation.file = "file.csv".into();
-        "rail[1].corrugation.file"
-    } else {
-        parameters.wheel.out_of_round.file = "file.csv".into();
-        "wheel.out_of_round.file"
+    let name = || "file.csv".to_owned();
+    let parameter = match first % 3 {
+        0 => {
+            parameters.rails[0].corrugation.file = name();
+            "rail[1].corrugation.file"
+        }
+        1 => {
+            parameters.wheel.out_of_round.file = name();
+            "wheel.out_of_round.file"
+        }
+        _ => {
+            parameters.friction_distribution = FrictionDistribution::Profile;
+            parameters.friction_profile = name();
+            "friction.profile"
+        }
     };
     match Element::new(&parameters, &Input::default(), &[folder.path().to_owned()]) {
         Err(refusal) => assert!(refusal.to_string().contains(parameter), "{refusal}"),

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use wheelrail::element::parameters::{
-    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+    FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
 use wheelrail::material::Material;
 use wheelrail::planar::{Indentation, PlanarCase, solve};
@@ -45,6 +45,7 @@ fn run(u: &mut Unstructured) -> Result<()> {
         },
         creepage: [size(u, 1e-3)?, size(u, 1e-3)?, size(u, 0.3)?],
         friction: within(u, 2.0)?,
+        friction_across: &[],
         wheel_material: material(u)?,
         rail_material: material(u)?,
         normal_model: *u.choose(&[
@@ -69,6 +70,8 @@ fn run(u: &mut Unstructured) -> Result<()> {
         bound: *u.choose(&[TractionBound::Elliptic, TractionBound::Parabolic])?,
         flexibilities: *u.choose(&[Flexibilities::Three, Flexibilities::Blended])?,
         friction_law: FrictionLaw::default(),
+        gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     };
     if let Ok(found) = solve(&case) {

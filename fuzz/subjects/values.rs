@@ -1,8 +1,11 @@
 //! Numbers and inputs from the bytes of a fuzzer, and what every result must be.
 
 use arbitrary::{Result, Unstructured};
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
+use wheelrail::element::parameters::{FrictionDistribution, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// Greatest coefficient that a file of friction may have.
+const MOST_FRICTION: f64 = 10.0;
 
 /// Any number, infinities and what is none among them.
 pub fn any(u: &mut Unstructured) -> Result<f64> {
@@ -38,6 +41,7 @@ pub fn input(u: &mut Unstructured) -> Result<Input> {
     input.wheel_load = within(u, 3e5)?;
     input.track_s = within(u, 1e5)?;
     input.friction = within(u, 2.0)?.abs();
+    (input.tread_friction, input.gauge_face_friction) = (input.friction, 0.5 * input.friction);
     Ok(input)
 }
 
@@ -67,7 +71,12 @@ pub fn evaluate(element: &mut Element, parameters: &Parameters, input: &Input) {
     assert!(output.frictional_power >= 0.0 && output.frictional_power.is_finite(), "{input:?}");
     for patch in &output.patches {
         let force = patch.creep_force[0].hypot(patch.creep_force[1]);
-        let limit = input.friction * patch.normal_force;
+        let friction = match parameters.friction_distribution {
+            FrictionDistribution::Uniform => input.friction,
+            FrictionDistribution::Regions => input.tread_friction.max(input.gauge_face_friction),
+            FrictionDistribution::Profile => MOST_FRICTION,
+        };
+        let limit = friction * patch.normal_force;
         let is_bounded = force <= limit * (1.0 + 1e-9);
         let is_linear = parameters.tangential_model == TangentialModel::Linear;
         assert!(is_bounded || is_linear, "{input:?} gives {patch:?}");

@@ -40,9 +40,10 @@ pub fn contacts(
                 contact.radius,
                 approach,
                 contact.creepage,
-                input.friction,
+                contact.friction,
             );
-            let fields = fields(&PlanarCase { speed, ..case })?;
+            let friction_across = &contact.friction_across;
+            let fields = fields(&PlanarCase { speed, friction_across, ..case })?;
             Ok(ContactWithFields { contact, fields })
         })
         .collect()

@@ -19,7 +19,7 @@ use crate::math::real::Real;
 use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
-use crate::tangential::{Rolling, RollingState, TangentialModel};
+use crate::tangential::{Rolling, TangentialModel, UnderLaw};
 
 /// Tractions of a zone that were found together with those of the others of its rail.
 #[derive(Clone, Debug)]
@@ -63,9 +63,16 @@ pub fn add<'a>(
     for index in 0..models.rail_strips.zones.len() {
         let contact = take_zone(elements, index, models);
         let Zone { x, y, .. } = models.rail_strips.zones[index];
-        let state = forces(contact, [0.0; 2], whole).rolling_state(models);
+        let forces = forces(contact, [0.0; 2], whole);
+        let separation = LineSeparation::new(&forces.line, rail, contact);
+        forces.fill_friction(&separation, &mut models.strips);
+        let state = forces.rolling_state(models);
+        let strips = &models.strips;
+        // The load of the elements, and not that of their resultant.
+        let of = Zone { load: models.rail_strips.zones[index].load, ..strips.zones[0] };
+        let law = models.tangential.under_law(&of, strips, &models.material, &state);
         contacts.push(contact);
-        states.push(ZoneState { state, centre: [x, y] });
+        states.push(ZoneState { law, centre: [x, y] });
     }
     let found = contacts.first().and_then(|contact| {
         let forces = forces(*contact, [0.0; 2], whole);
@@ -187,8 +194,8 @@ fn for_each_element<'a>(
 /// How a zone of the rail rolls: its creepage and state, for the tractions of all.
 #[derive(Clone, Copy, Debug)]
 struct ZoneState {
-    /// Creepage at the centroid of the load, friction, damping and speed.
-    state: RollingState,
+    /// Creepage at the centroid of the load, friction, damping and speed, under the laws of friction.
+    law: UnderLaw,
     /// Centroid of the load along the track and on the arc [m].
     centre: [f64; 2],
 }
@@ -211,11 +218,6 @@ fn tractions(
     let zone_of_strip = |j: usize| {
         all.zones.iter().position(|zone| (zone.first..zone.first + zone.count).contains(&j))
     };
-    let laws: Vec<_> = zones
-        .iter()
-        .zip(all.zones.iter())
-        .map(|(zone, of)| models.tangential.under_law(of, &models.material, &zone.state))
-        .collect();
     let heaviest =
         (0..zones.len()).max_by(|&a, &b| all.zones[a].load.total_cmp(&all.zones[b].load))?;
     let (grid, area) = (&elements.grid, elements.grid.element_area());
@@ -233,10 +235,15 @@ fn tractions(
     let in_track = |element: &Loaded| {
         forces.frame.marker + forces.frame.direction(element.point) + Vector3::x() * element.x
     };
+    // Of a row of elements, each of which has a place on the arc of its own.
+    let own_friction = |row: usize, x: f64| forces.strip_friction(grid.y(row), x);
     for_each_element(elements, strip_of_row, |element| {
         let Some(z) = zone_of_strip(element.strip) else { return };
-        let ZoneState { state, centre } = &zones[z];
-        bound[element.k] = laws[z].0.friction * state.load_factor * elements.pressure[element.k];
+        let ZoneState { law, centre } = &zones[z];
+        let state = &law.state;
+        let own = own_friction(element.k / grid.along, element.x);
+        let friction = own.map_or(state.friction, |own| own.under(&law.factors));
+        bound[element.k] = friction * state.load_factor * elements.pressure[element.k];
         let own = if models.creepage == CreepageModel::Curved {
             let axes = ContactAxes::along_track(
                 forces.frame.direction(element.row.tangent),
@@ -262,9 +269,9 @@ fn tractions(
     if bound.iter().all(|&g| g <= 0.0) || rigid.iter().flatten().all(|w| *w == 0.0) {
         return None;
     }
-    let material = laws[heaviest].1;
+    let material = zones[heaviest].law.material;
     let mut residual: f64 = 0.0;
-    let forward = zones[heaviest].state.forward_share;
+    let forward = zones[heaviest].law.state.forward_share;
     for (rolling, share) in [(Rolling::Forward, forward), (Rolling::Backward, 1.0 - forward)] {
         if share <= 0.0 {
             continue;

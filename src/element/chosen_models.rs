@@ -36,6 +36,7 @@ impl Parameters {
             indentation,
             creepage,
             friction,
+            friction_across: &[],
             wheel_material,
             rail_material,
             normal_model: self.normal_model,
@@ -48,6 +49,8 @@ impl Parameters {
             bound: self.bound,
             flexibilities: self.flexibilities,
             friction_law: self.friction_law,
+            gauge_face_law: self.gauge_face_law,
+            flash_temperature: self.flash_temperature,
             speed: 0.0,
         }
     }

@@ -10,8 +10,10 @@ use super::number::ElementNumber;
 use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
+use super::rail_friction::RailFriction;
 use super::uneven::{ZoneSurface, closing_speed};
 use super::wear_sums::WearSums;
+use crate::friction::StripFriction;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, RailSeparation};
@@ -43,6 +45,10 @@ pub struct ContactForces<'a, T = f64> {
     pub slopes: [f64; 2],
     /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
     pub damped_with: Option<[T; 2]>,
+    /// Friction over the surface of the rail, where it is not the same everywhere.
+    pub friction: Option<&'a RailFriction>,
+    /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not across its frame.
+    pub is_on_arc: bool,
 }
 
 /// A loaded zone and how it rolls.
@@ -78,6 +84,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let lifting = separation.lifting();
         let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
         let load_factor = self.load_factor(closing_speed, models);
+        self.fill_friction(separation, &mut models.strips);
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
             if zone.load <= 0.0 || zone.width <= 0.0 {
@@ -111,7 +118,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             add(rail, -pressing, bearing + Vector3::x() * station - marker, Vector3::zeros());
             let dissipation = tractions.dissipation.at_least(0.0);
             if models.wear.as_deref().is_some_and(WearSums::is_recording) {
-                T::record(self, index, load_factor, speed.reference, models, separation);
+                let state = self.state(&rolling, slip);
+                T::record(self, index, &state, models, separation);
             }
             let frictional_power = dissipation * speed.reference;
             output.wear_number += dissipation;
@@ -185,6 +193,33 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             load_factor,
             surface_depth: surface.depth,
         }
+    }
+
+    /// Gives each of the `strips` a friction of its own, where that is not the same all over the rail.
+    pub(super) fn fill_friction(&self, separation: &T::Separation<'_>, strips: &mut Strips<T>) {
+        if self.friction.is_none() {
+            return;
+        }
+        // A separation remembers its last point; what is found with it later is not to depend on friction.
+        let mut separation = separation.clone();
+        // A Hertzian ellipse can be wider than the wheel.
+        let [start, end] = self.line.range();
+        for j in 0..strips.y.len() {
+            let s = if self.is_on_arc {
+                self.contact.rail_s + strips.y[j]
+            } else {
+                separation.rail_parameter(strips.u[j].within(start, end))
+            };
+            strips.friction.extend(self.strip_friction(s, strips.x[j]));
+        }
+    }
+
+    /// Friction at the parameter `s` of the rail's curve and `x` along the track from the wheel marker, where it is not the same all over the
+    /// rail.
+    #[inline]
+    pub(super) fn strip_friction(&self, s: T, x: T) -> Option<StripFriction<T>> {
+        let station = self.input.track_s + self.input.wheel.position[0] + x;
+        self.friction.map(|friction| friction.at(self.rail, s, station, self.input))
     }
 
     /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.

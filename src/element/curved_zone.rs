@@ -20,7 +20,7 @@ use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, CreepNumber, Outcome, RollingState, Tangential};
+use crate::tangential::{CreepForce, CreepNumber, RollingState, Tangential};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +147,7 @@ impl<T: Real> CurvedZone<T> {
             return None;
         }
         let mut total = Tractions::<T>::default();
-        let outcome =
+        let solved =
             tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
                 let i = j - zone.first;
                 let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
@@ -162,11 +162,10 @@ impl<T: Real> CurvedZone<T> {
                 total.slip_area += strip.slip_area;
                 each(j, dissipation, strip.slip_area);
             })?;
-        total.fell_back = outcome == Outcome::FellBack;
+        total.fell_back = solved.fell_back;
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
-            let limit = state.friction_limit(zone);
-            total.force *= (limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
+            total.force *= (solved.limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
         }
         Some(total)
     }

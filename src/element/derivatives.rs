@@ -12,6 +12,7 @@ use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
 use super::output::REPORTED_PATCHES;
 use super::parameters::{NormalModel, Side, VerticalMode};
+use super::rail_friction::RailFriction;
 use super::vertical_load::is_carried;
 use crate::error::ContactError;
 use crate::math::dual::Dual;
@@ -49,7 +50,7 @@ impl Element {
     /// let mut element = Element::new(&Parameters::default(), &input, &[])?;
     /// input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
     /// // Stiffness of the contact: the change of the vertical force with the height.
-    /// let mut down = Input::from_array([0.0; 27]);
+    /// let mut down = Input::from_array([0.0; 29]);
     /// down.wheel.position[2] = 1.0;
     /// let mut rates = Output::default();
     /// element.directional_derivative(&input, &down, &mut rates)?;
@@ -232,11 +233,19 @@ impl Element {
         Ok(())
     }
 
-    /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor has the station of even bodies, nor a
-    /// load where the height is given.
+    /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor has the station of bodies that are even
+    /// and have the same friction all along the track, nor a load where the height is given, nor friction that is told otherwise.
     fn has_effect(&self, i: usize) -> bool {
+        let has = |of: fn(&RailFriction) -> bool| {
+            self.rails.iter().flatten().filter_map(|rail| rail.friction.as_ref()).any(of)
+        };
         match INPUT_NAMES[i] {
-            "track.s" | "wheel.pitch" => false,
+            "wheel.pitch" => false,
+            "track.s" => has(RailFriction::has_stations),
+            "friction.coefficient" => !has(|_| true),
+            "friction.tread.coefficient" | "friction.gauge_face.coefficient" => {
+                has(RailFriction::has_regions)
+            }
             "wheel.load" => self.vertical_mode == VerticalMode::Load,
             name if name.starts_with("rail[1]") => self.rails[0].is_some(),
             name if name.starts_with("rail[2]") => self.rails[1].is_some(),

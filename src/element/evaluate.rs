@@ -8,6 +8,7 @@ use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{Placement, RAILS, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
+use super::rail_friction::RailFriction;
 use super::start::StartWarning;
 use super::uneven::deviations;
 use super::wear_sums::WearSums;
@@ -121,8 +122,10 @@ impl Element {
             let Some(profile) = profile else { continue };
             let deviations = deviations(parameters, k, folders)?;
             let placed = placed(k, profile, parameters)?;
+            let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;
-            contacts[k] = Some(RailContact::new(wheel, name, parameters, placed, deviations));
+            let contact = RailContact::new(wheel, name, parameters, placed, deviations, friction);
+            contacts[k] = Some(contact);
         }
         let named = std::iter::once(("wheel.profile".to_owned(), wheel)).chain(
             rails

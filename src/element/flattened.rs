@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::contact_forces::ContactForces;
 use super::input::WheelMotion;
+use crate::friction::StripFriction;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::separation::Separation;
 use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
@@ -26,6 +27,10 @@ pub struct FlatContact {
     pub penetration: f64,
     /// Longitudinal, lateral [-] and spin [1/m] creepage at the contact point.
     pub creepage: [f64; 3],
+    /// Coefficient of friction at the contact point, without sliding [-].
+    pub friction: f64,
+    /// Friction at places y of the separation, where it is not the same all over the rail; else empty.
+    pub friction_across: Vec<(f64, StripFriction)>,
     /// Outline of the wheel near the contact in the track frame, points (y, z) [m].
     pub wheel: Vec<[f64; 2]>,
     /// Outline of the rail near the contact in the track frame, points (y, z) [m].
@@ -63,6 +68,7 @@ impl ContactForces<'_> {
         let (from, to) = ((self.contact.u - REACH).max(start), (self.contact.u + REACH).min(end));
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(POINTS);
         let mut outline = Vec::with_capacity(POINTS);
+        let mut friction_across = Vec::new();
         for step in 0..POINTS {
             let u = from + (to - from) * step as f64 / (POINTS - 1) as f64;
             let at = separation.at(u);
@@ -72,6 +78,8 @@ impl ContactForces<'_> {
             let grows = points.last().is_none_or(|last| at.y > last[0]);
             if at.f < BEYOND && grows {
                 points.push([at.y, at.f]);
+                let own = self.strip_friction(separation.last_rail_parameter(), at.x);
+                friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
         let curve = self.rail.curve();
@@ -92,6 +100,10 @@ impl ContactForces<'_> {
             radius,
             penetration: self.contact.penetration,
             creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
+            friction: self
+                .strip_friction(self.contact.rail_s, place.x)
+                .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
+            friction_across,
             wheel: outline,
             rail_head: rail_head.collect(),
         }

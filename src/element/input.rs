@@ -20,8 +20,12 @@ pub struct Input<T = f64> {
     pub rails: [RailMotion<T>; RAILS],
     /// Station along the track [m].
     pub track_s: T,
-    /// Coefficient of friction, ≥ 0 [-].
+    /// Coefficient of friction where it is the same everywhere, ≥ 0 [-].
     pub friction: T,
+    /// Coefficient of friction of the tread of the rails where they have regions, ≥ 0 [-].
+    pub tread_friction: T,
+    /// Coefficient of friction of their gauge faces, ≥ 0 [-].
+    pub gauge_face_friction: T,
 }
 
 impl Default for Input {
@@ -42,6 +46,8 @@ impl Default for Input {
             rails: [RailMotion::default(); RAILS],
             track_s: 0.0,
             friction: 0.3,
+            tread_friction: 0.3,
+            gauge_face_friction: 0.3,
         }
     }
 }
@@ -79,7 +85,7 @@ impl<T: Real> Input<T> {
     /// All inputs, in the order of [`INPUT_NAMES`].
     #[must_use]
     pub fn to_array(&self) -> [T; INPUTS] {
-        let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction } = self;
+        let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction, .. } = self;
         let ([x, y, z], [vx, vy, vz]) = (w.position, w.velocity);
         [
             x,
@@ -109,6 +115,8 @@ impl<T: Real> Input<T> {
             *track_s,
             *friction,
             *wheel_load,
+            self.tread_friction,
+            self.gauge_face_friction,
         ]
     }
 
@@ -138,6 +146,8 @@ impl<T: Real> Input<T> {
             rails: [rail(12), rail(18)],
             track_s: all[24],
             friction: all[25],
+            tread_friction: all[27],
+            gauge_face_friction: all[28],
         }
     }
 
@@ -149,7 +159,7 @@ impl<T: Real> Input<T> {
 }
 
 /// Number of inputs.
-pub const INPUTS: usize = 27;
+pub const INPUTS: usize = 29;
 
 /// FMU names of the inputs.
 #[rustfmt::skip]
@@ -159,6 +169,7 @@ pub const INPUT_NAMES: [&str; INPUTS] = [
     "rail[1].y", "rail[1].z", "rail[1].roll", "rail[1].vy", "rail[1].vz", "rail[1].roll_rate",
     "rail[2].y", "rail[2].z", "rail[2].roll", "rail[2].vy", "rail[2].vz", "rail[2].roll_rate",
     "track.s", "friction.coefficient", "wheel.load",
+    "friction.tread.coefficient", "friction.gauge_face.coefficient",
 ];
 
 impl Input {
@@ -184,16 +195,29 @@ impl Input {
             [w.roll_rate, w.yaw_rate, w.pitch_rate],
         ];
         let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate]);
-        let others = [self.track_s, self.friction, self.wheel_load];
+        let Self { friction, tread_friction, gauge_face_friction, .. } = *self;
+        let others = [self.track_s, self.wheel_load, friction, tread_friction, gauge_face_friction];
         let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
         let sum: f64 = all.map(|value| value.abs()).sum();
         // Nothing compares with what is not a number.
         let admitted = if sum <= MOST { *self } else { self.bounded()? };
-        if self.friction < 0.0 {
-            let allowed = "a finite number, at least 0";
-            return Err(ContactError::bad_value("friction.coefficient", self.friction, allowed));
+        if friction.min(tread_friction).min(gauge_face_friction) < 0.0 {
+            return Err(self.negative_friction());
         }
         Ok(admitted)
+    }
+
+    /// The error for the first coefficient of friction that is negative.
+    #[cold]
+    fn negative_friction(&self) -> ContactError {
+        let all = [
+            ("friction.coefficient", self.friction),
+            ("friction.tread.coefficient", self.tread_friction),
+            ("friction.gauge_face.coefficient", self.gauge_face_friction),
+        ];
+        let [.., last] = all;
+        let (name, value) = all.into_iter().find(|(_, value)| *value < 0.0).unwrap_or(last);
+        ContactError::bad_value(name, value, "a finite number, at least 0")
     }
 
     /// The same with every number within [`MOST`].

@@ -15,6 +15,7 @@ pub mod output;
 pub mod parameters;
 mod rail_contact;
 mod rail_frame;
+mod rail_friction;
 mod ranges;
 mod start;
 mod stiffness;

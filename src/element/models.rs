@@ -122,7 +122,8 @@ impl Models {
                 parameters.elements_along,
                 parameters.normal_elements,
             )
-            .with_law(parameters.friction_law),
+            .with_laws([parameters.friction_law, parameters.gauge_face_law])
+            .with_flash_temperature(parameters.flash_temperature),
             creepage: parameters.creepage_model,
             // Strips and stretches of uneven bodies may all be in one zone.
             curved_zone: CurvedZone::with_capacity(if is_strips || parameters.is_uneven() {

@@ -77,7 +77,7 @@ impl RailContact {
         {
             return Err(TOO_DEEP);
         }
-        let Self { rail, search, probes, .. } = self;
+        let Self { rail, search, probes, friction, .. } = self;
         let frame = RailFrame::new(rail, &input.rails[k]);
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
@@ -107,6 +107,8 @@ impl RailContact {
                     contact,
                     slopes: [0.0; 2],
                     damped_with: Some(whole),
+                    friction: friction.as_ref(),
+                    is_on_arc: true,
                 };
                 forces.add(&mut separation, models, output, &mut work);
             }
@@ -147,6 +149,8 @@ impl RailContact {
                 contact,
                 slopes: [0.0; 2],
                 damped_with: None,
+                friction: friction.as_ref(),
+                is_on_arc: false,
             };
             forces.add(&mut separation, models, output, &mut work);
             if separation.has_kink {

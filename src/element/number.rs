@@ -10,12 +10,12 @@ use crate::geometry::moving_separation::MovingSeparation;
 use crate::math::dual::Dual;
 use crate::normal::Zone;
 use crate::normal::piotrowski_kik::Influence;
-use crate::tangential::CreepNumber;
+use crate::tangential::{CreepNumber, RollingState};
 
 /// Numbers with which contacts are brought to forces; deviations along the track and wear are those of plain ones alone.
 pub trait ElementNumber: CreepNumber + Influence {
     /// The separation of wheel and rail in the frame of a contact.
-    type Separation<'a>: RailSeparation<'a, Self>;
+    type Separation<'a>: RailSeparation<'a, Self> + Clone;
 
     /// The surface of an uneven wheel in `zone`.
     fn zone_surface(
@@ -27,12 +27,11 @@ pub trait ElementNumber: CreepNumber + Influence {
         ZoneSurface::even()
     }
 
-    /// Records the wear of zone number `index` with its load factor and reference speed.
+    /// Records the wear of zone number `index`, which rolls as `state` says.
     fn record(
         _: &ContactForces<Self>,
         _index: usize,
-        _load_factor: Self,
-        _speed: Self,
+        _state: &RollingState<Self>,
         _: &mut Models<Self>,
         _: &mut Self::Separation<'_>,
     ) {
@@ -62,18 +61,16 @@ impl ElementNumber for f64 {
     fn record(
         forces: &ContactForces,
         index: usize,
-        load_factor: f64,
-        speed: f64,
+        state: &RollingState,
         models: &mut Models,
         separation: &mut LineSeparation,
     ) {
-        let Models { wear, strips, .. } = models;
+        let Models { wear, strips, tangential, material, .. } = models;
         let (Some(wear), line) = (wear, &forces.line) else { return };
+        let zone = &strips.zones[index];
         let state = ZoneWear {
-            load_factor,
-            friction: forces.input.friction,
-            speed,
-            section_radius: line.wheel_point(strips.zones[index].u).section_radius,
+            law: tangential.under_law(zone, strips, material, state),
+            section_radius: line.wheel_point(zone.u).section_radius,
             range: line.range(),
         };
         wear.record(forces.k, index, strips, &state, separation);

@@ -3,11 +3,13 @@
 use super::ranges;
 pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
+pub use crate::friction::Changeover;
 pub use crate::geometry::point_noise::AUTOMATIC_SMOOTHING;
 pub use crate::geometry::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
-pub use crate::tangential::friction_law::FrictionLaw;
+pub use crate::tangential::flash_temperature::FlashTemperature;
+pub use crate::tangential::friction_law::{FallingLaw, FrictionLaw};
 pub use crate::tangential::{Flexibilities, TangentialModel};
 pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
 
@@ -41,6 +43,18 @@ pub enum CreepageModel {
     /// For each strip that of its own place and tangent plane (Piotrowski and Kik 2008, section 4).
     #[default]
     Curved,
+}
+
+/// How friction is spread over the surface of the rails.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FrictionDistribution {
+    /// One coefficient everywhere.
+    #[default]
+    Uniform,
+    /// One for the tread and one for the gauge face.
+    Regions,
+    /// A table by inclination or place, along the track where it has stations.
+    Profile,
 }
 
 /// Wheel: profile, size and material.
@@ -142,8 +156,18 @@ pub struct Parameters {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
-    /// How friction falls with sliding, and the initial slope on contaminated rails.
+    /// How friction is spread over the surface of the rails.
+    pub friction_distribution: FrictionDistribution,
+    /// File of the table of friction; empty for none.
+    pub friction_profile: String,
+    /// Where the tread changes over to the gauge face.
+    pub friction_changeover: Changeover,
+    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread where friction is not uniform.
     pub friction_law: FrictionLaw,
+    /// The same of the gauge face, where friction is not uniform.
+    pub gauge_face_law: FrictionLaw,
+    /// How friction falls with the temperature that sliding makes.
+    pub flash_temperature: FlashTemperature,
     /// Yield stress of the rail in shear, for the surface fatigue index, > 0 [Pa].
     pub shear_yield: f64,
     /// Wear.
@@ -210,7 +234,12 @@ impl Default for Parameters {
             elements_along: 20,
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),
+            friction_distribution: FrictionDistribution::default(),
+            friction_profile: String::new(),
+            friction_changeover: Changeover::default(),
             friction_law: FrictionLaw::default(),
+            gauge_face_law: FrictionLaw::default(),
+            flash_temperature: FlashTemperature::default(),
             shear_yield: 3e8,
             wear: WearParameters::default(),
         }
@@ -236,7 +265,21 @@ impl Parameters {
     pub fn check(&self) -> Result<(), ContactError> {
         ranges::check(self)?;
         self.check_deviations()?;
+        self.check_friction()?;
         self.check_wear()
+    }
+
+    /// Whether there is a table of friction where one is asked for, and none that nobody looks at.
+    fn check_friction(&self) -> Result<(), ContactError> {
+        let file = &self.friction_profile;
+        let asked = self.friction_distribution == FrictionDistribution::Profile;
+        let allowed = match (asked, file.is_empty()) {
+            (true, true) => "the name of a file, as friction.distribution is profile",
+            (false, false) => "empty, or set friction.distribution to profile",
+            _ => return Ok(()),
+        };
+        let (name, value, allowed) = ("friction.profile".into(), file.clone(), allowed.into());
+        Err(ContactError::BadText { name, value, allowed })
     }
 
     /// Whether wear is admitted, and together with the models.

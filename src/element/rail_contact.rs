@@ -9,6 +9,7 @@ use super::models::Models;
 use super::output::Output;
 use super::parameters::Parameters;
 use super::rail_frame::RailFrame;
+use super::rail_friction::RailFriction;
 use super::strip_contact;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
@@ -38,6 +39,8 @@ pub struct RailContact {
     pub(super) probes: Room<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
     deviations: Option<Longitudinal>,
+    /// Friction over the surface of the rail, where it is not the same everywhere.
+    pub(super) friction: Option<RailFriction>,
 }
 
 /// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which on one without a force is [m].
@@ -64,6 +67,7 @@ impl RailContact {
         parameters: &Parameters,
         rail: PlacedRail,
         deviations: Option<Longitudinal>,
+        friction: Option<RailFriction>,
     ) -> Self {
         let nominal_radius = parameters.wheel.nominal_radius;
         Self {
@@ -76,6 +80,7 @@ impl RailContact {
             nominal_radius,
             rail,
             deviations,
+            friction,
         }
     }
 
@@ -197,6 +202,8 @@ impl RailContact {
                 contact,
                 slopes: [0.0; 2],
                 damped_with: None,
+                friction: self.friction.as_ref(),
+                is_on_arc: false,
             };
             forces.flattened(&mut separation, radius, minimum_speed)
         });
@@ -268,6 +275,9 @@ impl RailContact {
             contact,
             slopes,
             damped_with,
+            friction: self.friction.as_ref(),
+            // What shares its damping lies on the arc of the rail.
+            is_on_arc: damped_with.is_some(),
         };
         let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
         if models.strip_solver.is_some() && !is_deep {

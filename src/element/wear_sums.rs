@@ -8,6 +8,7 @@ use crate::geometry::line_separation::RailSeparation;
 use crate::geometry::separation::Separation;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
+use crate::tangential::UnderLaw;
 use crate::wear::distribution::spread;
 use crate::wear::worn_arc::Body;
 use crate::wear::{ArcState, StripLoad, WornArc};
@@ -44,12 +45,8 @@ impl WearState {
 
 /// How a zone rolls, as far as wear needs to know.
 pub struct ZoneWear {
-    /// Normal force with damping over that without [-].
-    pub load_factor: f64,
-    /// Coefficient of friction [-].
-    pub friction: f64,
-    /// Reference speed of the creepages [m/s].
-    pub speed: f64,
+    /// Its state under the laws of friction.
+    pub law: UnderLaw,
     /// Radius of the wheel's normal section along x [m].
     pub section_radius: f64,
     /// Range of the parameter of the contact line [m].
@@ -189,12 +186,13 @@ impl WearSums {
     /// Fills `rates` with the volume rates of the strips; returns those of the zone, of wheel and rail [m³/s].
     fn rates(&mut self, zone: &Zone, strips: &Strips, state: &ZoneWear) -> [f64; 2] {
         let WearParameters { model, wheel, rail, .. } = self.parameters;
+        let UnderLaw { state: rolling, factors, .. } = &state.law;
         self.rates.clear();
         let mut total = [0.0; 2];
         let dissipated: f64 = self.dissipation.iter().map(|d| d.max(0.0)).sum();
         let patch = match model {
             WearModel::BritishRail if dissipated > 0.0 => [&wheel, &rail]
-                .map(|law| law.british_rail_rate(dissipated, state.speed) / dissipated),
+                .map(|law| law.british_rail_rate(dissipated, rolling.speed) / dissipated),
             _ => [0.0; 2],
         };
         for i in 0..zone.count {
@@ -202,12 +200,12 @@ impl WearSums {
             let area = 2.0 * strips.half_length[j] * strips.width[j];
             let dissipation = self.dissipation[i].max(0.0);
             let strip = StripLoad {
-                power: dissipation * state.speed,
+                power: dissipation * rolling.speed,
                 area,
                 slip_share: (self.slip_area[i] / area.max(f64::MIN_POSITIVE)).min(1.0),
-                pressure: strips.pressure[j] * state.load_factor,
-                speed: state.speed,
-                friction: state.friction,
+                pressure: strips.pressure[j] * rolling.load_factor,
+                speed: rolling.speed,
+                friction: strips.friction.get(j).map_or(rolling.friction, |own| own.under(factors)),
             };
             let rates = if model == WearModel::BritishRail {
                 patch.map(|rate| rate * dissipation)

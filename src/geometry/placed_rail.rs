@@ -108,6 +108,12 @@ impl PlacedRail {
         Self { marker: [origin[0] + rail.hand * y, origin[1] + z], ..rail }
     }
 
+    /// 1, or -1 where the rail is turned left to right [-].
+    #[must_use]
+    pub fn hand(&self) -> f64 {
+        self.hand
+    }
+
     /// The curve in the frame of the rail marker [m].
     #[must_use]
     pub fn curve(&self) -> &Curve {

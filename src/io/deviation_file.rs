@@ -4,9 +4,10 @@
 //! the wheel has to roll forward from pitch 0 until it stands there, less than a revolution from first to last. Columns are
 //! separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may stand first.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::error::ContactError;
+use crate::io::named_text::named_text;
 use crate::io::table::{lines, numbers};
 
 /// Of which body a file of deviations is.
@@ -21,8 +22,6 @@ pub enum Deviations {
     },
 }
 
-/// Largest file that is read [bytes].
-const LARGEST_FILE: u64 = 64 << 20;
 /// Steepest deviations that are admitted [-].
 const MOST_SLOPE: f64 = 0.3;
 
@@ -42,27 +41,8 @@ pub fn load_deviations(
         value: name.into(),
         allowed,
     };
-    let path = Path::new(name);
-    let candidates: Vec<PathBuf> = if path.is_absolute() {
-        vec![path.into()]
-    } else {
-        folders.iter().map(|folder| folder.join(path)).collect()
-    };
-    let found = candidates.iter().find(|p| p.exists()).ok_or_else(|| {
-        let looked: Vec<String> = candidates.iter().map(|c| c.display().to_string()).collect();
-        refuse(format!("a file that exists (looked for {})", looked.join(", ")))
-    })?;
-    if !found.is_file() {
-        let what = if found.is_dir() { "a folder" } else { "none" };
-        return Err(refuse(format!("a file; {} is {what}", found.display())));
-    }
-    let too_large = std::fs::metadata(found).is_ok_and(|about| about.len() > LARGEST_FILE);
-    if too_large {
-        return Err(refuse(format!("a file of up to {LARGEST_FILE} bytes")));
-    }
-    let bytes = std::fs::read(found).map_err(|e| refuse(format!("a readable file: {e}")))?;
-    let content = String::from_utf8_lossy(&bytes);
-    points(content.trim_start_matches('\u{feff}'), body).map_err(refuse)
+    let content = named_text(parameter, name, folders)?;
+    points(&content, body).map_err(refuse)
 }
 
 /// The points of a file.

@@ -2,7 +2,9 @@
 
 mod deviation_file;
 mod draft;
+mod friction_file;
 mod miniprof;
+mod named_text;
 mod point_lines;
 mod profile_file;
 mod simpack;
@@ -11,6 +13,7 @@ mod two_column;
 
 pub use deviation_file::{Deviations, load_deviations};
 pub use draft::{Draft, write as write_whole};
+pub use friction_file::load_friction;
 pub(crate) use profile_file::{can_be_written, profile_file};
 pub use profile_file::{load_profile, save_profile};
 pub use table::number;

@@ -19,7 +19,7 @@ pub(crate) fn lines(content: &str) -> impl Iterator<Item = Line<'_>> {
 /// The columns of a line, separated by blanks, tabs, semicolons or commas.
 ///
 /// With semicolons a comma is a decimal point.
-fn columns(text: &str) -> Vec<String> {
+pub(crate) fn columns(text: &str) -> Vec<String> {
     let decimal_comma = text.contains(';');
     text.split(|c: char| c.is_whitespace() || c == ';' || (c == ',' && !decimal_comma))
         .filter(|column| !column.is_empty())

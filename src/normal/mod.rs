@@ -17,6 +17,7 @@ pub use boundary_element::ElementPressure;
 pub use shape_correction::ShapeFit;
 pub use zones::Edge;
 
+use crate::friction::StripFriction;
 use crate::geometry::separation::{FrameSeparation, Probe, Separation};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
@@ -82,6 +83,8 @@ pub struct Strips<T = f64> {
     pub pressure: Room<T>,
     /// Parameter of the contact line [m].
     pub u: Room<T>,
+    /// Coefficient of friction, where strips have their own: filled in once the strips are there; empty for one coefficient.
+    pub friction: Room<StripFriction<T>>,
     /// The elements that the strips were made from, if the normal model has them.
     pub elements: Option<Box<ElementPressure>>,
 }
@@ -99,6 +102,50 @@ impl<T: Real> Strips<T> {
             half_length: column(),
             pressure: column(),
             u: column(),
+            friction: Room::new(zones * strips),
+            elements: None,
+        }
+    }
+
+    /// The same in other numbers; without the elements.
+    #[must_use]
+    pub fn in_other_numbers<O: Real>(&self) -> Strips<O>
+    where
+        T: Into<O>,
+    {
+        let column = |own: &Room<T>| {
+            let mut other = Room::new(own.len());
+            other.extend(own.iter().map(|&value| value.into()));
+            other
+        };
+        let mut zones = Room::new(self.zones.len());
+        zones.extend(self.zones.iter().map(|zone| Zone {
+            first: zone.first,
+            count: zone.count,
+            load: zone.load.into(),
+            max_pressure: zone.max_pressure.into(),
+            length: zone.length.into(),
+            width: zone.width.into(),
+            area: zone.area.into(),
+            x: zone.x.into(),
+            y: zone.y.into(),
+            u: zone.u.into(),
+        }));
+        let mut friction = Room::new(self.friction.len());
+        friction.extend(self.friction.iter().map(|own| StripFriction {
+            tread: own.tread.into(),
+            gauge_face: own.gauge_face.into(),
+            gauge_face_share: own.gauge_face_share.into(),
+        }));
+        Strips {
+            zones,
+            y: column(&self.y),
+            width: column(&self.width),
+            x: column(&self.x),
+            half_length: column(&self.half_length),
+            pressure: column(&self.pressure),
+            u: column(&self.u),
+            friction,
             elements: None,
         }
     }
@@ -106,6 +153,7 @@ impl<T: Real> Strips<T> {
     /// Forgets all zones and strips, keeps the room.
     pub fn clear(&mut self) {
         self.elements = None;
+        self.friction.clear();
         self.zones.clear();
         for column in [
             &mut self.y,

@@ -1,9 +1,11 @@
 //! What a planar contact problem is given by, and which values are admitted.
 
 use crate::error::ContactError;
+use crate::friction::StripFriction;
 use crate::material::Material;
 use crate::normal::{NormalModel, ShapeFit};
 use crate::tangential::fastsim::TractionBound;
+use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
 use crate::tangential::{Flexibilities, TangentialModel};
 
@@ -27,8 +29,10 @@ pub struct PlanarCase<'a> {
     pub indentation: Indentation,
     /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation; beyond 1e6 they count as 1e6.
     pub creepage: [f64; 3],
-    /// Coefficient of friction, ≥ 0 [-].
+    /// Coefficient of friction, ≥ 0; without effect where there is friction across [-].
     pub friction: f64,
+    /// Friction at places y, which grow: linear in between, constant beyond; empty for one coefficient [m].
+    pub friction_across: &'a [(f64, StripFriction)],
     /// Material of the wheel.
     pub wheel_material: Material,
     /// Material of the rail.
@@ -51,9 +55,13 @@ pub struct PlanarCase<'a> {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
-    /// How friction falls with sliding, and the initial slope on contaminated rails.
+    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread where there is friction across.
     pub friction_law: FrictionLaw,
-    /// Rolling speed, ≥ 0: of falling friction alone [m/s].
+    /// The same of the gauge face.
+    pub gauge_face_law: FrictionLaw,
+    /// How friction falls with the temperature that sliding makes.
+    pub flash_temperature: FlashTemperature,
+    /// Rolling speed, ≥ 0: of friction that falls with speed or temperature alone [m/s].
     pub speed: f64,
 }
 
@@ -121,18 +129,41 @@ impl PlanarCase<'_> {
             require(&format!("{body} poisson_ratio"), nu, (0.0..=0.5).contains(&nu), "0 to 0.5")?;
         }
         require("speed", self.speed, self.speed >= 0.0, "a finite number, at least 0")?;
-        let law = &self.friction_law;
-        for (name, value) in
-            [("falling share", law.falling_share), ("reduction share", law.reduction_share)]
-        {
-            require(name, value, (0.0..=1.0).contains(&value), "0 to 1")?;
+        let mut before = f64::NEG_INFINITY;
+        for &(y, StripFriction { tread, gauge_face, gauge_face_share }) in self.friction_across {
+            require("friction_across y", y, y > before, "greater than the y before it")?;
+            before = y;
+            for coefficient in [tread, gauge_face] {
+                let fits = coefficient >= 0.0;
+                require("friction_across", coefficient, fits, "a finite number, at least 0")?;
+            }
+            let (share, fits) = (gauge_face_share, (0.0..=1.0).contains(&gauge_face_share));
+            require("friction_across gauge face", share, fits, "0 to 1")?;
         }
-        for (name, value) in
-            [("falling decay", law.falling_decay), ("reduction decay", law.reduction_decay)]
-        {
-            require(name, value, value >= 0.0, "a finite number, at least 0")?;
+        for law in [&self.friction_law, &self.gauge_face_law] {
+            for (name, value) in
+                [("falling share", law.falling_share), ("reduction share", law.reduction_share)]
+            {
+                require(name, value, (0.0..=1.0).contains(&value), "0 to 1")?;
+            }
+            for (name, value) in
+                [("falling decay", law.falling_decay), ("reduction decay", law.reduction_decay)]
+            {
+                require(name, value, value >= 0.0, "a finite number, at least 0")?;
+            }
+            let fits = (1e-3..=1.0).contains(&law.reduction);
+            require("reduction", law.reduction, fits, "0.001 to 1")?;
         }
-        require("reduction", law.reduction, (1e-3..=1.0).contains(&law.reduction), "0.001 to 1")?;
+        let heat = &self.flash_temperature;
+        require("flash share", heat.share, (0.0..=1.0).contains(&heat.share), "0 to 1")?;
+        require("flash onset", heat.onset, heat.onset >= 0.0, "a finite number, at least 0")?;
+        for (name, value) in [
+            ("flash range", heat.range),
+            ("conductivity", heat.conductivity),
+            ("heat capacity", heat.heat_capacity),
+        ] {
+            require(name, value, value > 0.0, "a finite number greater than 0")?;
+        }
         let epsilon = self.virtual_penetration;
         require("virtual_penetration", epsilon, epsilon > 0.0 && epsilon < 1.0, "between 0 and 1")?;
         let counts = 4..=200;

@@ -5,10 +5,13 @@
 
 mod case;
 mod line;
+mod pressed_contact;
 
 pub use case::{Indentation, PlanarCase};
+pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
 
 use crate::error::ContactError;
+use crate::friction::StripFriction;
 use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
@@ -135,7 +138,18 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
         }
         Indentation::Load(_) => {}
     }
+    let Strips { y, friction, .. } = &mut strips;
+    friction.extend(y.iter().map_while(|y| friction_at(case, line.contact + y)));
     Ok(Pressed { contact_y: line.contact, strips, material, left_out })
+}
+
+/// Friction of a strip at `y` [m], where strips have their own.
+fn friction_at(case: &PlanarCase, y: f64) -> Option<StripFriction> {
+    let all = case.friction_across;
+    let next = all.partition_point(|(at, _)| *at <= y);
+    let Some((end, after)) = all.get(next) else { return all.last().map(|(_, own)| *own) };
+    let Some((start, before)) = next.checked_sub(1).map(|k| &all[k]) else { return Some(*after) };
+    Some(before.towards(after, (y - start) / (end - start)))
 }
 
 /// Bracket of the approach of boundary elements under a given load [m].
@@ -201,7 +215,8 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
         case.elements_along,
         case.elements,
     )
-    .with_law(case.friction_law)
+    .with_laws([case.friction_law, case.gauge_face_law])
+    .with_flash_temperature(case.flash_temperature)
 }
 
 /// How a zone with its centroid at `y` rolls.

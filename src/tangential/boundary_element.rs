@@ -121,12 +121,19 @@ impl LoadedElements {
         loaded: &LoadedZone<'_, impl RigidSlip>,
         rolling: Rolling,
     ) -> Tractions {
-        let &LoadedZone { strips, material, slip, friction, .. } = loaded;
+        let &LoadedZone { strips, material, slip, .. } = loaded;
         let grid = &self.grid;
-        let bound: Vec<f64> = self.pressure.iter().map(|p| friction * p).collect();
+        let mut bound = vec![0.0; grid.len()];
         let mut rigid = vec![[0.0; 2]; grid.len()];
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
+            let [from, to] = row.strips.map(|j| loaded.bound(j));
+            // From the first on, so that strips alike give the same to the last bit.
+            let friction = from + row.share * (to - from);
+            let own = j * grid.along..(j + 1) * grid.along;
+            for (bound, p) in bound[own.clone()].iter_mut().zip(&self.pressure[own]) {
+                *bound = friction * p;
+            }
             let creepage = row.creepage(slip);
             let centre = row.mix(|j| strips.x[j]);
             for i in 0..grid.along {

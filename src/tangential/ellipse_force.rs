@@ -48,8 +48,11 @@ impl Tangential {
         weight: T,
     ) {
         let &LoadedZone { zone, material, .. } = loaded;
-        let LoadedPart { share, centre, ellipse, creepage } = *part;
-        let limit = share * state.friction * zone.load * state.load_factor;
+        let LoadedPart { share, centre, ellipse, creepage, friction } = *part;
+        let limit = share * friction * state.friction * zone.load * state.load_factor;
+        if limit <= 0.0 {
+            return;
+        }
         let directions = [
             (Rolling::Forward, state.forward_share),
             (Rolling::Backward, -state.forward_share + 1.0),

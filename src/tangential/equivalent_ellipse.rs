@@ -15,7 +15,7 @@
 use super::rigid_slip::RigidSlip;
 use super::tables::tabulated::Tabulated;
 use super::tables::{CreepForceTable, EllipseForce};
-use super::{CreepForce, Creepage, Rolling};
+use super::{CreepForce, Creepage, LoadedZone, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -40,6 +40,8 @@ pub struct LoadedPart<T = f64> {
     pub ellipse: EquivalentEllipse<T>,
     /// Mean creepage, weighted by load.
     pub creepage: Creepage<T>,
+    /// Mean coefficient of friction over that of the zone, weighted by load [-].
+    pub friction: T,
 }
 
 /// Greatest ratio of the semi-axes.
@@ -60,18 +62,19 @@ impl<T: Real> LoadedPart<T> {
             within += weight * width * width;
         }
         let ellipse = EquivalentEllipse::of_load(along / load, across / load, within / load);
-        Self { share: T::from(1.0), centre: [T::from(0.0); 2], ellipse, creepage }
+        let one = T::from(1.0);
+        Self { share: one, centre: [T::from(0.0); 2], ellipse, creepage, friction: one }
     }
 
     /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no load.
     #[must_use]
     pub fn of(
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        slip: &impl RigidSlip<T>,
+        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         member: impl Fn(T) -> T,
     ) -> Option<Self> {
+        let &LoadedZone { zone, strips, slip, friction, own_friction, .. } = loaded;
         let [mut total, mut load, mut along, mut within, mut x, mut y] = [T::from(0.0); 6];
+        let mut excess = T::from(0.0);
         let mut creepage = Creepage::<T>::default();
         let range = zone.first..zone.first + zone.count;
         let weight_of = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
@@ -88,6 +91,9 @@ impl<T: Real> LoadedPart<T> {
             creepage.longitudinal += weight * own.longitudinal;
             creepage.lateral += weight * own.lateral;
             creepage.spin += weight * own.spin;
+            if let Some(own) = own_friction.coefficient(j) {
+                excess += weight * (own - friction);
+            }
         }
         if load <= total * LEAST_SHARE {
             return None;
@@ -104,6 +110,7 @@ impl<T: Real> LoadedPart<T> {
                 lateral: creepage.lateral / load,
                 spin: creepage.spin / load,
             },
+            friction: if friction > 0.0 { excess / (load * friction) + 1.0 } else { T::from(1.0) },
         })
     }
 }

@@ -99,7 +99,7 @@ impl Fastrip {
         marching: &ZoneFlexibility<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
-        let &LoadedZone { zone, strips, material, slip, friction } = loaded;
+        let &LoadedZone { zone, strips, material, slip, .. } = loaded;
         let range = zone.first..zone.first + zone.count;
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
@@ -110,7 +110,7 @@ impl Fastrip {
             for (lane, own) in theory.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
-                let bound = friction * strips.pressure[j];
+                let bound = loaded.bound(j) * strips.pressure[j];
                 if bound <= 0.0 || a <= 0.0 {
                     continue;
                 }

@@ -76,7 +76,7 @@ impl Fastsim {
         flexibility: &ZoneFlexibility<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
-        let &LoadedZone { zone, strips, slip, friction, .. } = loaded;
+        let &LoadedZone { zone, strips, slip, .. } = loaded;
         let range = zone.first..zone.first + zone.count;
         let n = self.profile.len() as f64;
         let parabola = match self.bound {
@@ -100,7 +100,7 @@ impl Fastsim {
                 march.step_x[lane] = -step * growth.longitudinal;
                 march.step_y[lane] = -step * growth.lateral;
                 march.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
-                march.bound[lane] = friction
+                march.bound[lane] = loaded.bound(j)
                     * match self.bound {
                         TractionBound::Elliptic => strips.pressure(j),
                         TractionBound::Parabolic => parabola * a * a,
@@ -135,11 +135,11 @@ impl Fastsim {
         j: usize,
         flexibility: &ZoneFlexibility,
     ) -> Vec<([f64; 2], bool)> {
-        let &LoadedZone { zone, strips, slip, friction, .. } = loaded;
+        let &LoadedZone { zone, strips, slip, .. } = loaded;
         let a = strips.half_length[j];
         let step = 2.0 * a / self.profile.len() as f64;
         let growth = slip.growth(j, flexibility);
-        let bound = friction * self.greatest_bound(zone, strips, j);
+        let bound = loaded.bound(j) * self.greatest_bound(zone, strips, j);
         let mut p = [0.0; 2];
         let elements = self.profile.iter().zip(&self.abscissae).enumerate();
         elements

@@ -6,6 +6,7 @@
 use super::equivalent_ellipse::{EquivalentEllipse, RollingEllipse};
 use super::fastsim::{Fastsim, Marching};
 use super::flexibility::ZoneFlexibility;
+use super::own_friction::OwnFriction;
 use super::rigid_slip::{Growth, RigidSlip};
 use super::{CreepForce, Creepage, Flexibilities, LoadedZone};
 use crate::math::quadrature::GaussLegendre;
@@ -94,6 +95,8 @@ impl EllipseStrips {
             slip: &StretchedSlip { circle, ellipse, creepage },
             // Times the amplitude of the pressure, which the circle has as 1.
             friction: limit / (area * self.zone.load),
+            own_friction: OwnFriction::none(),
+            load_factor: T::from(1.0),
         };
         let mut total = CreepForce::<T>::default();
         fastsim.strip_forces(&loaded, rolling, &flexibility, |j, f| {

@@ -48,7 +48,8 @@ impl Tangential {
         material: &MaterialPair,
         state: &RollingState,
     ) -> ContactField {
-        let (state, material) = self.under_law(zone, material, state);
+        let law = self.under_law(zone, strips, material, state);
+        let state = law.state;
         let elements = LoadedElements::of(zone, strips, self.elements);
         let count = elements.grid.len();
         let mut field = ContactField {
@@ -63,7 +64,7 @@ impl Tangential {
             return field;
         }
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
-        let loaded = LoadedZone::new(zone, strips, &material, &slip, &state);
+        let loaded = LoadedZone::new(zone, strips, &slip, &law);
         let adherence = |slips: bool| if slips { Adherence::Slip } else { Adherence::Adhesion };
         match self.model {
             TangentialModel::BoundaryElement => {
@@ -78,7 +79,7 @@ impl Tangential {
             TangentialModel::Fastsim
             | TangentialModel::FastsimCorrected
             | TangentialModel::Tables => {
-                let lobes = Lobes::of(zone, strips, &slip);
+                let lobes = Lobes::of(&loaded);
                 let limit = state.friction_limit(zone);
                 let parts = self.marched_parts(&loaded, lobes.as_ref(), limit);
                 for (j, strip) in elements.nearest_strips().enumerate() {

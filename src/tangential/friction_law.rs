@@ -1,11 +1,17 @@
 //! Friction that falls with the sliding speed, and creep forces that grow more slowly on contaminated rails.
 //!
-//! Falling friction (Polach, Wear 258 (2005) 992-1000), with the sliding speed s of the rigid slip, its root mean square over the pressure of
-//! an ellipse of the zone's length L and width W, so that spin counts too (the source has no spin in it):
+//! Falling friction, with the sliding speed s of the rigid slip, its root mean square over the pressure of
+//! an ellipse of the zone's length L and width W, so that spin counts too (the sources have no spin in it):
 //!
 //! ```text
-//! μ = μ₀ ((1 - A) exp(-B s) + A),      s² = V² (ξ² + η² + φ² (L² + W²)/20)
+//! μ = μ₀ ((1 - A) f(B s) + A),      s² = V² (ξ² + η² + φ² (L² + W²)/20)
+//!
+//! exponential   f(x) = exp(-x)          Polach, Wear 258 (2005) 992-1000
+//! rational      f(x) = 1/(1 + x)        Kalker, Three-dimensional elastic bodies in rolling contact (1990)
+//! linear        f(x) = max(1 - x, 0)
 //! ```
+//!
+//! All begin with the slope -μ₀ (1 - A) B.
 //!
 //! Reduced initial slope (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013) 1653-1671), here of all models: a layer between the
 //! bodies makes them seem softer in shear, G k for G,
@@ -16,7 +22,10 @@
 //!
 //! with the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for η where that is greater; spin is left out.
 //!
-//! Both are one number for each zone. A = 1 or B = 0 is constant friction, k₀ = α = 1 clean rails, and neither costs anything then.
+//! Kalker's reduction is α = 1: the slope is k₀ times that of clean bodies, whatever the creepage.
+//!
+//! Both are one number for each zone and law; a strip between tread and gauge face has a share of each. A = 1 or B = 0 is constant friction,
+//! k₀ = α = 1 clean rails, and neither costs anything then.
 
 use std::f64::consts::PI;
 
@@ -26,24 +35,39 @@ use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::Zone;
 
+/// How friction falls with the sliding speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FallingLaw {
+    /// exp(-x) is left of what falls, x = decay · speed.
+    #[default]
+    Exponential,
+    /// 1/(1 + x).
+    Rational,
+    /// 1 - x, down to 0.
+    Linear,
+}
+
 /// How friction and initial slope depend on the creepage.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionLaw {
+pub struct FrictionLaw<P = f64> {
+    /// How friction falls.
+    pub falling_law: FallingLaw,
     /// A: friction at infinite sliding speed over that without sliding, 0 to 1 [-].
-    pub falling_share: f64,
+    pub falling_share: P,
     /// B: decay with the sliding speed, ≥ 0 [s/m].
-    pub falling_decay: f64,
+    pub falling_decay: P,
     /// k₀: initial slope over that of clean bodies, above 0 to 1 [-].
-    pub reduction: f64,
+    pub reduction: P,
     /// α: what is left of k₀ at great creepages, 0 to 1 [-].
-    pub reduction_share: f64,
+    pub reduction_share: P,
     /// β: decay from the one to the other with the creepage over that of saturation, ≥ 0 [-].
-    pub reduction_decay: f64,
+    pub reduction_decay: P,
 }
 
 impl Default for FrictionLaw {
     fn default() -> Self {
         Self {
+            falling_law: FallingLaw::default(),
             falling_share: 1.0,
             falling_decay: 0.0,
             reduction: 1.0,
@@ -56,12 +80,12 @@ impl Default for FrictionLaw {
 /// Least shear modulus over that of the bodies: creepages stay finite.
 const LEAST_REDUCTION: f64 = 1e-9;
 
-impl FrictionLaw {
+impl<P: Real> FrictionLaw<P> {
     fn falls(&self) -> bool {
         self.falling_share < 1.0 && self.falling_decay > 0.0
     }
 
-    fn reduces(&self) -> bool {
+    pub(super) fn reduces(&self) -> bool {
         self.reduction < 1.0 || (self.reduction_share < 1.0 && self.reduction_decay > 0.0)
     }
 
@@ -71,37 +95,59 @@ impl FrictionLaw {
         self.falls() || self.reduces()
     }
 
-    /// Coefficient of friction and elastic constants for `zone` in `state`.
+    /// Friction of `zone` in `state` over that without sliding [-].
     #[must_use]
-    pub fn applied<T: Real>(
+    pub fn factor<T: Real>(&self, zone: &Zone<T>, state: &RollingState<T>) -> T
+    where
+        P: Into<T>,
+    {
+        if !self.falls() {
+            return T::from(1.0);
+        }
+        let speed = sliding_speed(zone, state);
+        let (share, decay): (T, T) = (self.falling_share.into(), self.falling_decay.into());
+        let left = match self.falling_law {
+            FallingLaw::Exponential => (speed * -decay).exp(),
+            FallingLaw::Rational => T::from(1.0) / (speed * decay + 1.0),
+            FallingLaw::Linear => (speed * -decay + 1.0).at_least(0.0),
+        };
+        left * (-share + 1.0) + share
+    }
+
+    /// Shear modulus over that of clean bodies for `zone` in `state`, whose friction is that of its slip [-].
+    #[must_use]
+    pub fn reduced<T: Real>(
         &self,
         zone: &Zone<T>,
         material: &MaterialPair<T>,
         state: &RollingState<T>,
-    ) -> (T, MaterialPair<T>) {
+    ) -> T
+    where
+        P: Into<T>,
+    {
+        if !self.reduces() {
+            return T::from(1.0);
+        }
         let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
-        let mut friction = state.friction;
-        if self.falls() {
-            let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
-            let speed = state.speed * slip.hypot(spin);
-            let left = self.falling_share;
-            friction *= (speed * -self.falling_decay).exp() * (1.0 - left) + left;
-        }
-        let mut material = *material;
-        if self.reduces() {
-            let share = self.reduction_share;
-            let c11 = kalker_coefficients(zone.length / zone.width, material.poisson_ratio).c11;
-            let ab = zone.area / PI;
-            let stiffness = material.shear_modulus * PI * ab * self.reduction * c11;
-            let limit = friction * 4.0 * zone.load * state.load_factor;
-            // Without friction any creepage is great.
-            let over = if slip > 0.0 { stiffness * slip / limit } else { T::from(0.0) };
-            let left = T::from(1.0 - share) / (over * self.reduction_decay + 1.0);
-            let k = (left + share) * self.reduction;
-            material.shear_modulus *= k.at_least(LEAST_REDUCTION);
-        }
-        (friction, material)
+        let (k0, share, decay): (T, T, T) =
+            (self.reduction.into(), self.reduction_share.into(), self.reduction_decay.into());
+        let c11 = kalker_coefficients(zone.length / zone.width, material.poisson_ratio).c11;
+        let ab = zone.area / PI;
+        let stiffness = material.shear_modulus * PI * ab * k0 * c11;
+        let limit = state.friction * 4.0 * zone.load * state.load_factor;
+        // Without friction any creepage is great.
+        let over = if slip > 0.0 { stiffness * slip / limit } else { T::from(0.0) };
+        let left = (-share + 1.0) / (over * decay + 1.0);
+        let k = (left + share) * k0;
+        k.at_least(LEAST_REDUCTION)
     }
+}
+
+/// Sliding speed s of the rigid slip of `zone` in `state` [m/s].
+pub(super) fn sliding_speed<T: Real>(zone: &Zone<T>, state: &RollingState<T>) -> T {
+    let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
+    let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
+    state.speed * slip.hypot(spin)
 }
 
 #[cfg(test)]
@@ -133,11 +179,37 @@ mod tests {
     #[test]
     fn friction_falls_from_its_static_value_to_its_share() {
         let law = FrictionLaw { falling_share: 0.38, falling_decay: 0.7, ..FrictionLaw::default() };
-        let friction = |creepage: f64| law.applied(&zone(), &steel(), &state(creepage)).0;
+        let friction = |creepage: f64| 0.36 * law.factor(&zone(), &state(creepage));
         assert_relative_eq!(friction(0.0), 0.36);
         // Half of what falls is gone at s = ln 2/B.
         assert_relative_eq!(friction(0.1 * 2f64.ln() / 0.7), 0.36 * 0.69, max_relative = 1e-12);
         assert_relative_eq!(friction(100.0), 0.36 * 0.38, max_relative = 1e-12);
+    }
+
+    #[test]
+    fn all_laws_begin_with_the_same_slope_and_end_at_their_share() {
+        for falling_law in [FallingLaw::Exponential, FallingLaw::Rational, FallingLaw::Linear] {
+            let law = FrictionLaw {
+                falling_law,
+                falling_share: 0.4,
+                falling_decay: 0.5,
+                ..FrictionLaw::default()
+            };
+            let factor = |creepage: f64| law.factor(&zone(), &state(creepage));
+            let step = 1e-8;
+            let slope = (factor(step) - 1.0) / (10.0 * step);
+            assert_relative_eq!(slope, -0.6 * 0.5, max_relative = 1e-6);
+            assert_relative_eq!(factor(1e9), 0.4, max_relative = 1e-9);
+        }
+        let linear = FrictionLaw {
+            falling_law: FallingLaw::Linear,
+            falling_share: 0.4,
+            falling_decay: 0.5,
+            ..FrictionLaw::default()
+        };
+        // At 2 m/s nothing is left of what falls.
+        assert_relative_eq!(linear.factor(&zone(), &state(0.1)), 0.7, max_relative = 1e-12);
+        assert_relative_eq!(linear.factor(&zone(), &state(0.2)), 0.4, max_relative = 1e-12);
     }
 
     #[test]
@@ -148,10 +220,7 @@ mod tests {
             reduction_decay: 0.64,
             ..FrictionLaw::default()
         };
-        let share = |creepage: f64| {
-            let material = law.applied(&zone(), &steel(), &state(creepage)).1;
-            material.shear_modulus / steel().shear_modulus
-        };
+        let share = |creepage: f64| law.reduced(&zone(), &steel(), &state(creepage));
         assert_relative_eq!(share(0.0), 0.54, max_relative = 1e-12);
         assert!(share(1e-3) < 0.53 && share(1e-3) > 0.2);
         assert_relative_eq!(share(1e6), 0.54 * 0.02, max_relative = 1e-3);

@@ -1,7 +1,8 @@
 //! A loaded zone with all that its tractions follow from, but for the way in which it rolls.
 
-use super::RollingState;
+use super::own_friction::OwnFriction;
 use super::rigid_slip::RigidSlip;
+use super::under_law::UnderLaw;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -17,25 +18,44 @@ pub struct LoadedZone<'a, S, T = f64, L = Strips<T>> {
     pub material: &'a MaterialPair<T>,
     /// Rigid slip of the strips.
     pub slip: &'a S,
-    /// Coefficient of friction, times the factor of the pressure where damping forces act on top of the elastic load, ≥ 0 [-].
+    /// Coefficient of friction of the zone, ≥ 0 [-].
     pub friction: T,
+    /// Of strips that have their own.
+    pub own_friction: OwnFriction<'a, T>,
+    /// Factor of the pressure where damping forces act on top of the elastic load, ≥ 0 [-].
+    pub load_factor: T,
+}
+
+impl<'a, S: RigidSlip<T>, T: Real> LoadedZone<'a, S, T> {
+    /// With the friction and the damping of `law`.
+    pub fn new(
+        zone: &'a Zone<T>,
+        strips: &'a Strips<T>,
+        slip: &'a S,
+        law: &'a UnderLaw<T>,
+    ) -> Self {
+        Self {
+            zone,
+            strips,
+            material: &law.material,
+            slip,
+            friction: law.state.friction,
+            own_friction: OwnFriction { strips: &strips.friction, factors: law.factors },
+            load_factor: law.state.load_factor,
+        }
+    }
 }
 
 impl<'a, S: RigidSlip<T>, T: Real, L> LoadedZone<'a, S, T, L> {
-    /// With the friction and the damping of `state`.
-    pub fn new(
-        zone: &'a Zone<T>,
-        strips: &'a L,
-        material: &'a MaterialPair<T>,
-        slip: &'a S,
-        state: &RollingState<T>,
-    ) -> Self {
-        Self { zone, strips, material, slip, friction: state.friction * state.load_factor }
-    }
-
     /// The same zone with another rigid slip.
     pub fn with_slip<O: RigidSlip<T>>(&self, slip: &'a O) -> LoadedZone<'a, O, T, L> {
-        let &Self { zone, strips, material, friction, .. } = self;
-        LoadedZone { zone, strips, material, slip, friction }
+        let &Self { zone, strips, material, friction, own_friction, load_factor, .. } = self;
+        LoadedZone { zone, strips, material, slip, friction, own_friction, load_factor }
+    }
+
+    /// Greatest traction of strip `j` over its pressure without damping, ≥ 0 [-].
+    #[inline]
+    pub fn bound(&self, j: usize) -> T {
+        self.own_friction.coefficient(j).unwrap_or(self.friction) * self.load_factor
     }
 }

@@ -43,8 +43,8 @@ impl Tangential {
         let &LoadedZone { zone, strips, material, slip, .. } = loaded;
         let is_blended =
             self.model != TangentialModel::Linear && self.flexibilities == Flexibilities::Blended;
-        let part = |share: T, lobe, three: ZoneFlexibility<T>, mean: Creepage<T>, of_load: T| {
-            let blended = if is_blended { three.blended(&mean, limit * of_load) } else { three };
+        let part = |share: T, lobe, three: ZoneFlexibility<T>, mean: Creepage<T>, of_limit: T| {
+            let blended = if is_blended { three.blended(&mean, limit * of_limit) } else { three };
             MarchedPart { share, lobe, three, blended, mean }
         };
         let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
@@ -58,10 +58,12 @@ impl Tangential {
             return [whole, None, None];
         };
         let lobe = |side, carried: Option<LoadedPart<T>>| {
-            let carried = carried?;
+            // What has no friction holds nothing.
+            let carried = carried.filter(|carried| carried.friction > 0.0)?;
             let member = |y| waist.member(side, y);
             let three = ZoneFlexibility::new(zone, strips, material, member)?;
-            Some(part(share, Some((waist, side)), three, carried.creepage, carried.share))
+            let of_limit = carried.share * carried.friction;
+            Some(part(share, Some((waist, side)), three, carried.creepage, of_limit))
         };
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
     }

@@ -7,6 +7,7 @@ pub mod fastrip;
 pub mod fastsim;
 pub mod fastsim_correction;
 pub mod field;
+pub mod flash_temperature;
 pub mod flexibility;
 mod forces;
 pub mod friction_law;
@@ -14,13 +15,16 @@ pub mod kalker_coefficients;
 pub mod linear;
 mod loaded_zone;
 mod march;
+mod own_friction;
 pub mod rigid_slip;
 pub mod tables;
+mod under_law;
 pub mod waist;
 
 pub use crate::kinematics::creepage::Creepage;
 pub use forces::{CreepForce, StripForce};
 pub use loaded_zone::LoadedZone;
+pub use under_law::UnderLaw;
 
 use crate::material::MaterialPair;
 use crate::math::dual::Dual;
@@ -30,6 +34,7 @@ use boundary_element::LoadedElements;
 use fastrip::Fastrip;
 use fastsim::{Fastsim, TractionBound};
 use fastsim_correction::EllipseStrips;
+use flash_temperature::FlashTemperature;
 use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
 use tables::CreepForceTable;
@@ -91,7 +96,7 @@ pub struct RollingState<T = f64> {
     pub creepage: Creepage<T>,
     /// 1 when rolling forward, 0 when backward; see [`rolling_speed`](crate::kinematics::creepage::rolling_speed) [-].
     pub forward_share: T,
-    /// Coefficient of friction, ≥ 0 [-].
+    /// Coefficient of friction, ≥ 0; without effect where strips have their own [-].
     pub friction: T,
     /// Normal force with damping over that without, ≥ 0 [-].
     pub load_factor: T,
@@ -118,8 +123,10 @@ pub struct Tangential {
     /// The table and a circle to stretch, for the models that use them.
     table: Option<&'static CreepForceTable>,
     ellipse_strips: Option<EllipseStrips>,
-    /// Where friction is not one coefficient on clean bodies.
-    law: Option<FrictionLaw>,
+    /// Of tread and gauge face, where slip changes friction or bodies are not clean.
+    laws: Option<[FrictionLaw; 2]>,
+    /// Where heat changes friction.
+    flash_temperature: Option<FlashTemperature>,
 }
 
 impl Tangential {
@@ -143,27 +150,27 @@ impl Tangential {
                 .then(CreepForceTable::shared),
             ellipse_strips: (model == TangentialModel::FastsimCorrected)
                 .then(EllipseStrips::default),
-            law: None,
+            laws: None,
+            flash_temperature: None,
         }
     }
 
-    /// The same with another law of friction.
+    /// The same with another law of friction everywhere.
     #[must_use]
     pub fn with_law(self, law: FrictionLaw) -> Self {
-        Self { law: law.is_on().then_some(law), ..self }
+        self.with_laws([law; 2])
     }
 
-    /// State and elastic constants of a zone as the law of friction has them.
+    /// The same with other laws of friction on tread and gauge face.
     #[must_use]
-    pub fn under_law<T: Real>(
-        &self,
-        zone: &Zone<T>,
-        material: &MaterialPair<T>,
-        state: &RollingState<T>,
-    ) -> (RollingState<T>, MaterialPair<T>) {
-        let Some(law) = &self.law else { return (*state, *material) };
-        let (friction, material) = law.applied(zone, material, state);
-        (RollingState { friction, ..*state }, material)
+    pub fn with_laws(self, laws: [FrictionLaw; 2]) -> Self {
+        Self { laws: laws.iter().any(FrictionLaw::is_on).then_some(laws), ..self }
+    }
+
+    /// The same with friction that falls with temperature.
+    #[must_use]
+    pub fn with_flash_temperature(self, heat: FlashTemperature) -> Self {
+        Self { flash_temperature: heat.is_on().then_some(heat), ..self }
     }
 
     /// The model.
@@ -206,19 +213,19 @@ impl Tangential {
         (!state.creepage.is_zero()).then_some(())?;
         let slip = FlatSlip { zone, strips, creepage: state.creepage };
         if self.model == TangentialModel::Tables {
-            let (state, material) = self.under_law(zone, material, state);
-            let loaded = LoadedZone::new(zone, strips, &material, &slip, &state);
-            let lobes = Lobes::of(zone, strips, &slip);
-            let force = self.ellipse_force(&loaded, lobes.as_ref(), &state)?;
+            let law = self.under_law(zone, strips, material, state);
+            let loaded = LoadedZone::new(zone, strips, &slip, &law);
+            let lobes = Lobes::of(&loaded);
+            let force = self.ellipse_force(&loaded, lobes.as_ref(), &law.state)?;
             force.spread_by_load(zone, strips, |j, force| each(j, &force));
             return Some(force);
         }
         let mut total = CreepForce::<T>::default();
-        let outcome = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
+        let marched = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
             total.add(zone, strips, j, &force);
             each(j, &force);
         })?;
-        Some(CreepForce { fell_back: outcome == Outcome::FellBack, ..total })
+        Some(CreepForce { fell_back: marched.fell_back, ..total })
     }
 
     /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
@@ -234,23 +241,24 @@ impl Tangential {
         slip: &impl RigidSlip<T>,
         state: &RollingState<T>,
         mut each: impl FnMut(usize, StripForce<T>),
-    ) -> Option<Outcome> {
+    ) -> Option<Solved<T>> {
         let state = RollingState { creepage: slip.mean(), ..*state };
-        let (state, material) = self.under_law(zone, material, &state);
+        let law = self.under_law(zone, strips, material, &state);
+        let state = law.state;
         let limit = state.friction_limit(zone);
         let is_bounded = self.model != TangentialModel::Linear;
         let load = zone.load * state.load_factor;
         if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
             return None;
         }
-        let loaded = LoadedZone::new(zone, strips, &material, slip, &state);
-        let lobes = Lobes::of(zone, strips, slip);
+        let loaded = LoadedZone::new(zone, strips, slip, &law);
+        let lobes = Lobes::of(&loaded);
+        let mut solved = Solved { limit, fell_back: false };
         if self.model == TangentialModel::Tables {
             let force = self.ellipse_force(&loaded, lobes.as_ref(), &state)?;
             force.spread_by_load(zone, strips, each);
-            return Some(Outcome::Solved);
+            return Some(solved);
         }
-        let mut outcome = Outcome::Solved;
         let elements = (self.model == TangentialModel::BoundaryElement)
             .then(|| T::elements(zone, strips, self.elements))
             .flatten();
@@ -268,7 +276,7 @@ impl Tangential {
                 if T::on_elements(elements, &loaded, rolling, add) {
                     continue;
                 }
-                outcome = Outcome::FellBack;
+                solved.fell_back = true;
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
             let share = if is_bounded { share } else { share * state.load_factor.at_most(1.0) };
@@ -286,7 +294,7 @@ impl Tangential {
             force.keep_within(limit, &marched);
             force.spread_by_load(zone, strips, each);
         }
-        Some(outcome)
+        Some(solved)
     }
 }
 
@@ -334,10 +342,10 @@ impl CreepNumber for f64 {
 }
 
 /// How the tractions of a zone were found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// By the chosen model.
-    Solved,
-    /// By FASTSIM, as the chosen model did not converge.
-    FellBack,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solved<T = f64> {
+    /// Friction limit of the zone as it slips [N].
+    pub limit: T,
+    /// Whether FASTSIM took the place of the chosen model, as that did not converge.
+    pub fell_back: bool,
 }

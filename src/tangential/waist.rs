@@ -13,10 +13,10 @@
 //!
 //! All of it is a continuous function of the strips.
 
-use super::Creepage;
 use super::equivalent_ellipse::LoadedPart;
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
+use super::{Creepage, LoadedZone};
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone};
@@ -78,12 +78,12 @@ pub struct Lobes<T = f64> {
 }
 
 impl<T: Real> Lobes<T> {
-    /// Those of `zone`, if it has a waist.
+    /// Those of a zone, if it has a waist.
     #[must_use]
-    pub fn of(zone: &Zone<T>, strips: &Strips<T>, slip: &impl RigidSlip<T>) -> Option<Self> {
-        let waist = Waist::of(zone, strips)?;
-        let parts = [Side::Left, Side::Right]
-            .map(|side| LoadedPart::of(zone, strips, slip, |y| waist.member(side, y)));
+    pub fn of(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>) -> Option<Self> {
+        let waist = Waist::of(loaded.zone, loaded.strips)?;
+        let parts =
+            [Side::Left, Side::Right].map(|side| LoadedPart::of(loaded, |y| waist.member(side, y)));
         Some(Self { waist, parts })
     }
 }

@@ -5,8 +5,9 @@ use super::{Causality, Enumeration, Item, Kind, Unit, Value, Variable};
 use crate::element::Element;
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
-    CreepageModel, FlatShape, Flexibilities, NormalModel, Placement, RAILS, ShapeFit, Side,
-    TangentialModel, TractionBound, VerticalMode, WearDistribution, WearModel,
+    CreepageModel, FallingLaw, FlatShape, Flexibilities, FrictionDistribution, NormalModel,
+    Placement, RAILS, ShapeFit, Side, TangentialModel, TractionBound, VerticalMode,
+    WearDistribution, WearModel,
 };
 use crate::wheelset::Wheelset;
 

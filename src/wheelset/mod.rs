@@ -296,8 +296,15 @@ pub fn name_on_side(name: &str, side: &str) -> String {
     let is_common = ["wheel.young_modulus", "wheel.poisson_ratio", "rail.", "wear.model"]
         .iter()
         .any(|common| name.starts_with(common));
-    let is_of_side = ["wheel.", "rail[", "wear.wheel.file", "wear.rail[", "friction.coefficient"]
+    let friction = [
+        "friction.coefficient",
+        "friction.tread.coefficient",
+        "friction.gauge_face.coefficient",
+        "friction.profile",
+    ];
+    let is_of_side = ["wheel.", "rail[", "wear.wheel.file", "wear.rail["]
         .iter()
+        .chain(&friction)
         .any(|start| name.starts_with(start));
     if is_of_side && !is_common { format!("{side}.{name}") } else { name.into() }
 }

@@ -8,7 +8,7 @@ use wheelrail::element::{Element, Input, Output, Parameters};
 
 use crate::common::random::Random;
 use crate::common::summary::Summary;
-use crate::common::wheel::{benchmark, evaluate, pressed};
+use crate::common::wheel::{benchmark, evaluate, of_wheelset, pressed};
 use crate::common::{read_table, value, write_report};
 use crate::tolerance;
 
@@ -23,28 +23,6 @@ fn boundary(elements: usize) -> Parameters {
     }
 }
 
-/// The wheel 0.75 m to the right of the centre of a wheelset in the state of a row, under its load.
-fn state(v: &dyn Fn(&str) -> f64) -> Input {
-    let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) =
-        (v("roll_ws_rad").sin_cos(), v("yaw_ws_rad").sin_cos());
-    let arm = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll].map(|u| 0.75 * u);
-    let (roll_rate, yaw_rate) = (v("v_roll_rad_s"), v("v_yaw_rad_s"));
-    // The pitch does not move the wheel marker.
-    let turning = [roll_rate, -sin_roll * yaw_rate, cos_roll * yaw_rate];
-    let mut input = Input { wheel_load: v("fz_rail_total_N"), friction: 0.3, ..Input::default() };
-    let wheel = &mut input.wheel;
-    (wheel.roll, wheel.yaw) = (v("roll_ws_rad"), v("yaw_ws_rad"));
-    wheel.position = [arm[0], 1e-3 * v("y_ws_mm") + arm[1], -0.46 + 1e-3 * v("z_ws_mm") + arm[2]];
-    (wheel.roll_rate, wheel.yaw_rate) = (roll_rate, yaw_rate);
-    wheel.pitch_rate = v("v_pitch_rad_s");
-    wheel.velocity = [
-        1e-3 * v("v_s_mm_s") + turning[1] * arm[2] - turning[2] * arm[1],
-        1e-3 * v("v_y_mm_s") + turning[2] * arm[0] - turning[0] * arm[2],
-        1e-3 * v("v_z_mm_s") + turning[0] * arm[1] - turning[1] * arm[0],
-    ];
-    input
-}
-
 /// Median, 95 % and worst of the errors of every so many states: greatest pressure, and the force within the reference's plane over the
 /// friction limit.
 fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
@@ -55,7 +33,7 @@ fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
     let mut errors: [Vec<f64>; 2] = Default::default();
     for row in table.rows.iter().step_by(every) {
         let v = |name: &str| value(&table, row, name);
-        let output = evaluate(&mut element, &state(&v));
+        let output = evaluate(&mut element, &of_wheelset(&v));
         assert_eq!((output.patch_count, output.fallback_count), (1, 0), "{}", &row[0]);
         assert!(output.normal_residual <= tolerance::BOUNDARY_GAP, "{output:?}");
         assert!(output.tangential_residual <= tolerance::BOUNDARY_SLIP, "{output:?}");

@@ -1,6 +1,7 @@
 //! The binary as scripts see it: tables in, tables out, and messages that say where a table is wrong.
 
 mod evaluate;
+mod fit;
 mod patch;
 mod plot;
 
@@ -69,6 +70,7 @@ fn every_subcommand_explains_itself() {
         &["conicity", "-h"],
         &["compare", "-h"],
         &["plot", "-h"],
+        &["fit", "-h"],
     ] {
         let output = wheelrail(arguments);
         assert!(output.status.success());

@@ -1,7 +1,7 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
 use wheelrail::element::parameters::{
-    Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
+    FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::normal::hertz;
@@ -70,6 +70,7 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         indentation: Indentation::Approach(approach),
         creepage: [0.0; 3],
         friction: 0.3,
+        friction_across: &[],
         wheel_material: STEEL,
         rail_material: STEEL,
         normal_model: NormalModel::Hertz,
@@ -82,6 +83,8 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,
         friction_law: FrictionLaw::default(),
+        gauge_face_law: FrictionLaw::default(),
+        flash_temperature: FlashTemperature::default(),
         speed: 0.0,
     }
 }

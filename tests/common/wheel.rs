@@ -67,6 +67,7 @@ pub fn random_input(element: &mut Element, random: &mut Random) -> Input {
         roll_rate: random.about(0.1),
     };
     input.friction = random.within(0.05, 0.6);
+    (input.tread_friction, input.gauge_face_friction) = (input.friction, 0.4 * input.friction);
     let depth = random.within(0.0, 1.2e-4);
     pressed(element, &input, depth)
 }
@@ -127,4 +128,26 @@ pub fn benchmark(parameters: Parameters) -> Element {
     let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
     let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
     Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
+}
+
+/// The wheel 0.75 m to the right of the centre of a wheelset in the state of a row, under its load.
+pub fn of_wheelset(v: &dyn Fn(&str) -> f64) -> Input {
+    let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) =
+        (v("roll_ws_rad").sin_cos(), v("yaw_ws_rad").sin_cos());
+    let arm = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll].map(|u| 0.75 * u);
+    let (roll_rate, yaw_rate) = (v("v_roll_rad_s"), v("v_yaw_rad_s"));
+    // The pitch does not move the wheel marker.
+    let turning = [roll_rate, -sin_roll * yaw_rate, cos_roll * yaw_rate];
+    let mut input = Input { wheel_load: v("fz_rail_total_N"), friction: 0.3, ..Input::default() };
+    let wheel = &mut input.wheel;
+    (wheel.roll, wheel.yaw) = (v("roll_ws_rad"), v("yaw_ws_rad"));
+    wheel.position = [arm[0], 1e-3 * v("y_ws_mm") + arm[1], -0.46 + 1e-3 * v("z_ws_mm") + arm[2]];
+    (wheel.roll_rate, wheel.yaw_rate) = (roll_rate, yaw_rate);
+    wheel.pitch_rate = v("v_pitch_rad_s");
+    wheel.velocity = [
+        1e-3 * v("v_s_mm_s") + turning[1] * arm[2] - turning[2] * arm[1],
+        1e-3 * v("v_y_mm_s") + turning[2] * arm[0] - turning[0] * arm[2],
+        1e-3 * v("v_z_mm_s") + turning[0] * arm[1] - turning[1] * arm[0],
+    ];
+    input
 }

@@ -11,8 +11,8 @@ use common::wheel::{element, evaluate, mirrored, pressed, random_input, rolling}
 use differences::{groups, judge, largest};
 use wheelrail::element::input::INPUTS;
 use wheelrail::element::parameters::{
-    CreepageModel, Flexibilities, NormalModel, ShapeFit, Side, TangentialModel, TractionBound,
-    VerticalMode,
+    Changeover, CreepageModel, Flexibilities, FrictionDistribution, FrictionLaw, NormalModel,
+    ShapeFit, Side, TangentialModel, TractionBound, VerticalMode,
 };
 use wheelrail::element::{Input, Output, Parameters};
 
@@ -85,6 +85,8 @@ fn of_other_options() {
     judge("friction_law", &parameters, &[]);
     parameters.tangential_model = TangentialModel::Tables;
     judge("friction_law_tables", &parameters, &[]);
+    parameters.flash_temperature.share = 0.4;
+    judge("flash_temperature", &parameters, &[]);
     parameters = Parameters {
         bound: TractionBound::Parabolic,
         flexibilities: Flexibilities::Three,
@@ -93,6 +95,43 @@ fn of_other_options() {
         ..default()
     };
     judge("paper", &parameters, &[]);
+}
+
+#[test]
+fn of_friction_over_the_rail() {
+    let law = FrictionLaw {
+        falling_share: 0.4,
+        falling_decay: 0.6,
+        reduction: 0.5,
+        ..FrictionLaw::default()
+    };
+    let regions = Parameters {
+        friction_distribution: FrictionDistribution::Regions,
+        friction_changeover: Changeover { inclination: -0.15, width: 0.6 },
+        gauge_face_law: law,
+        ..default()
+    };
+    judge("friction_regions", &regions, &[]);
+    let normal_model = NormalModel::PiotrowskiKik;
+    let tangential_model = TangentialModel::Tables;
+    judge(
+        "friction_regions_tables",
+        &Parameters { normal_model, tangential_model, ..regions },
+        &[],
+    );
+    let folder = tempfile::TempDir::new().unwrap();
+    let file = folder.path().join("friction.csv");
+    let rows = "station_m inclination_deg friction\n-9 -40 0.1\n-9 5 0.5\n12 -35 0.3\n12 7 0.2\n";
+    std::fs::write(&file, rows).unwrap();
+    let profile = Parameters {
+        friction_distribution: FrictionDistribution::Profile,
+        friction_profile: file.to_str().unwrap().into(),
+        ..default()
+    };
+    judge("friction_profile", &profile, &[]);
+    std::fs::write(&file, rows.replace("inclination_deg", "place_mm")).unwrap();
+    let normal_model = NormalModel::PiotrowskiKik;
+    judge("friction_by_place", &Parameters { normal_model, ..profile }, &[]);
 }
 
 #[test]

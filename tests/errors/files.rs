@@ -55,10 +55,10 @@ fn files(heading: &str) {
     let profiles = folder.path().join("profiles");
     fs::create_dir(&profiles).unwrap();
     let said = rows(heading).into_iter().map(|row| {
-        let setting = code(&row[0])[0];
-        let (parameter, name) = setting.split_once(" = ").unwrap();
+        let settings = code(&row[0]);
+        let (parameter, name) = settings[0].split_once(" = ").unwrap();
         fs::write(profiles.join(name), content(&row[1])).unwrap();
-        let message = refused_settings(&[setting], Some(folder.path()));
+        let message = refused_settings(&settings, Some(folder.path()));
         assert!(message.contains(parameter) && message.contains(name), "{message}");
         (row, as_cell(&message, &profiles))
     });
@@ -68,6 +68,11 @@ fn files(heading: &str) {
 #[test]
 fn profile_files() {
     files("Profile files");
+}
+
+#[test]
+fn files_of_friction() {
+    files("Files of friction");
 }
 
 #[test]

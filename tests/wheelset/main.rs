@@ -55,6 +55,7 @@ fn random_input(random: &mut Random) -> Input {
             rails: rails[k],
             wheel_load: 0.0,
             friction: friction[k],
+            ..Input::default().sides[k]
         }),
         track_s: random.about(100.0),
     }

@@ -34,6 +34,8 @@ fn by_hand(input: &Input, side: usize, along: f64) -> element::Input {
         rails: input.sides[side].rails,
         track_s: input.track_s,
         friction: input.sides[side].friction,
+        tread_friction: input.sides[side].tread_friction,
+        gauge_face_friction: input.sides[side].gauge_face_friction,
     }
 }
 

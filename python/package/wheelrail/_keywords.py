@@ -71,7 +71,11 @@ class ElementInputs(TypedDict, total=False):
     track_s: npt.ArrayLike
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     friction: npt.ArrayLike
-    """Coefficient of friction between wheel and rail [-]."""
+    """Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    friction_tread_coefficient: npt.ArrayLike
+    """Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    friction_gauge_face_coefficient: npt.ArrayLike
+    """Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
 
 
 class ElementParameters(TypedDict, total=False):
@@ -183,16 +187,48 @@ class ElementParameters(TypedDict, total=False):
     """Shape of the traction bound along a strip."""
     tangential_flexibilities: Literal["three", "blended"]
     """How the flexibilities of the simplified theory enter."""
+    friction_distribution: Literal["uniform", "regions", "profile"]
+    """How friction is spread over the surface of the rails."""
+    friction_profile: str | os.PathLike[str]
+    """File with friction over the surface of the rails and along the track, found like wheel.profile: friction, and where they are needed rail, station_m, inclination_deg or place_mm; with friction.distribution profile, empty for none."""
+    friction_falling_law: Literal["exponential", "rational", "linear"]
+    """How friction falls with the sliding speed; where friction.distribution is not uniform, on the tread."""
+    friction_gauge_face_falling_law: Literal["exponential", "rational", "linear"]
+    """As friction.falling.law, on the gauge face; not with friction.distribution uniform."""
+    friction_changeover_inclination: float
+    """Inclination of a right rail's surface where the tread changes over to the gauge face: negative towards the gauge face; not with friction.distribution uniform [rad]."""
+    friction_changeover_width: float
+    """Difference of inclination over which it does, linearly [rad]."""
+    friction_gauge_face_falling_share: float
+    """As friction.falling.share, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_falling_decay: float
+    """As friction.falling.decay, on the gauge face; not with friction.distribution uniform [s/m]."""
+    friction_gauge_face_reduction_initial: float
+    """As friction.reduction.initial, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_reduction_share: float
+    """As friction.reduction.share, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_reduction_decay: float
+    """As friction.reduction.decay, on the gauge face; not with friction.distribution uniform [-]."""
     friction_falling_share: float
-    """Friction at infinite sliding speed over friction.coefficient; 1 is constant friction [-]."""
+    """Friction at infinite sliding speed over that without sliding; 1 is constant friction [-]."""
     friction_falling_decay: float
-    """Rate at which friction falls with the sliding speed: exp(-decay * speed) is left of what falls; 0 is constant friction [s/m]."""
+    """Rate at which friction begins to fall with the sliding speed, over what falls; 0 is constant friction [s/m]."""
     friction_reduction_initial: float
     """Initial slope of the creep forces over that of clean bodies, for contaminated rails [-]."""
     friction_reduction_share: float
     """What is left of friction.reduction.initial at great creepages [-]."""
     friction_reduction_decay: float
     """Rate at which the reduction goes from the one to the other with the creepage over that of saturation [-]."""
+    friction_temperature_share: float
+    """Friction of a hot patch over that of a cold one; 1 is friction that does not depend on temperature [-]."""
+    friction_temperature_onset: float
+    """Mean rise of temperature in the patch, above that of the bodies, from which on friction falls [K]."""
+    friction_temperature_range: float
+    """Further rise over which it falls to friction.temperature.share, linearly [K]."""
+    friction_temperature_conductivity: float
+    """Conductivity of heat of wheel and rails [W/(m.K)]."""
+    friction_temperature_heat_capacity: float
+    """Heat capacity of wheel and rails for each volume; of steel 450 J/(kg K) [J/(m3.K)]."""
     rail_shear_yield: float
     """Yield stress of the rails in shear, for patch[1].surface_fatigue_index [Pa]."""
     wear_model: Literal["off", "frictional_work", "usfd", "british_rail", "zobory", "archard"]
@@ -360,7 +396,11 @@ class ElementParameters(TypedDict, total=False):
     track_s: float
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     friction: float
-    """Coefficient of friction between wheel and rail [-]."""
+    """Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    friction_tread_coefficient: float
+    """Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    friction_gauge_face_coefficient: float
+    """Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
 
 
 class WheelSetInputs(TypedDict, total=False):
@@ -419,7 +459,11 @@ class WheelSetInputs(TypedDict, total=False):
     right_rail2_roll_rate: npt.ArrayLike
     """Right side: Rate of the roll angle of rail 2 [rad/s]."""
     right_friction: npt.ArrayLike
-    """Right side: Coefficient of friction between wheel and rail [-]."""
+    """Right side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    right_friction_tread_coefficient: npt.ArrayLike
+    """Right side: Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    right_friction_gauge_face_coefficient: npt.ArrayLike
+    """Right side: Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
     left_wheel_load: npt.ArrayLike
     """Left side: Vertical force, down, that the wheel puts on all rails together, creep forces included; only with vertical.mode load; at 0 and below the wheel is lifted [N]."""
     left_rail1_y: npt.ArrayLike
@@ -447,7 +491,11 @@ class WheelSetInputs(TypedDict, total=False):
     left_rail2_roll_rate: npt.ArrayLike
     """Left side: Rate of the roll angle of rail 2 [rad/s]."""
     left_friction: npt.ArrayLike
-    """Left side: Coefficient of friction between wheel and rail [-]."""
+    """Left side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    left_friction_tread_coefficient: npt.ArrayLike
+    """Left side: Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    left_friction_gauge_face_coefficient: npt.ArrayLike
+    """Left side: Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
 
 
 class WheelSetParameters(TypedDict, total=False):
@@ -497,16 +545,46 @@ class WheelSetParameters(TypedDict, total=False):
     """Shape of the traction bound along a strip."""
     tangential_flexibilities: Literal["three", "blended"]
     """How the flexibilities of the simplified theory enter."""
+    friction_distribution: Literal["uniform", "regions", "profile"]
+    """How friction is spread over the surface of the rails."""
+    friction_falling_law: Literal["exponential", "rational", "linear"]
+    """How friction falls with the sliding speed; where friction.distribution is not uniform, on the tread."""
+    friction_gauge_face_falling_law: Literal["exponential", "rational", "linear"]
+    """As friction.falling.law, on the gauge face; not with friction.distribution uniform."""
+    friction_changeover_inclination: float
+    """Inclination of a right rail's surface where the tread changes over to the gauge face: negative towards the gauge face; not with friction.distribution uniform [rad]."""
+    friction_changeover_width: float
+    """Difference of inclination over which it does, linearly [rad]."""
+    friction_gauge_face_falling_share: float
+    """As friction.falling.share, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_falling_decay: float
+    """As friction.falling.decay, on the gauge face; not with friction.distribution uniform [s/m]."""
+    friction_gauge_face_reduction_initial: float
+    """As friction.reduction.initial, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_reduction_share: float
+    """As friction.reduction.share, on the gauge face; not with friction.distribution uniform [-]."""
+    friction_gauge_face_reduction_decay: float
+    """As friction.reduction.decay, on the gauge face; not with friction.distribution uniform [-]."""
     friction_falling_share: float
-    """Friction at infinite sliding speed over friction.coefficient; 1 is constant friction [-]."""
+    """Friction at infinite sliding speed over that without sliding; 1 is constant friction [-]."""
     friction_falling_decay: float
-    """Rate at which friction falls with the sliding speed: exp(-decay * speed) is left of what falls; 0 is constant friction [s/m]."""
+    """Rate at which friction begins to fall with the sliding speed, over what falls; 0 is constant friction [s/m]."""
     friction_reduction_initial: float
     """Initial slope of the creep forces over that of clean bodies, for contaminated rails [-]."""
     friction_reduction_share: float
     """What is left of friction.reduction.initial at great creepages [-]."""
     friction_reduction_decay: float
     """Rate at which the reduction goes from the one to the other with the creepage over that of saturation [-]."""
+    friction_temperature_share: float
+    """Friction of a hot patch over that of a cold one; 1 is friction that does not depend on temperature [-]."""
+    friction_temperature_onset: float
+    """Mean rise of temperature in the patch, above that of the bodies, from which on friction falls [K]."""
+    friction_temperature_range: float
+    """Further rise over which it falls to friction.temperature.share, linearly [K]."""
+    friction_temperature_conductivity: float
+    """Conductivity of heat of wheel and rails [W/(m.K)]."""
+    friction_temperature_heat_capacity: float
+    """Heat capacity of wheel and rails for each volume; of steel 450 J/(kg K) [J/(m3.K)]."""
     rail_shear_yield: float
     """Yield stress of the rails in shear, for patch[1].surface_fatigue_index [Pa]."""
     wear_model: Literal["off", "frictional_work", "usfd", "british_rail", "zobory", "archard"]
@@ -677,6 +755,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Right side: File with deviations of the radius around the wheel, columns angle_deg and radius_mm, found like wheel.profile, on top of the wave; empty for none."""
     right_wheel_flat_shape: Literal["fresh", "worn"]
     """Right side: Shape of the flat."""
+    right_friction_profile: str | os.PathLike[str]
+    """Right side: File with friction over the surface of the rails and along the track, found like wheel.profile: friction, and where they are needed rail, station_m, inclination_deg or place_mm; with friction.distribution profile, empty for none."""
     right_wear_wheel_file: str | os.PathLike[str]
     """Right side: File to which fmi2Terminate writes the worn profile of the wheel, two columns y_mm, z_mm that can be read as wheel.profile; relative to the working directory; empty for none."""
     right_wear_rail1_file: str | os.PathLike[str]
@@ -745,6 +825,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Left side: File with deviations of the radius around the wheel, columns angle_deg and radius_mm, found like wheel.profile, on top of the wave; empty for none."""
     left_wheel_flat_shape: Literal["fresh", "worn"]
     """Left side: Shape of the flat."""
+    left_friction_profile: str | os.PathLike[str]
+    """Left side: File with friction over the surface of the rails and along the track, found like wheel.profile: friction, and where they are needed rail, station_m, inclination_deg or place_mm; with friction.distribution profile, empty for none."""
     left_wear_wheel_file: str | os.PathLike[str]
     """Left side: File to which fmi2Terminate writes the worn profile of the wheel, two columns y_mm, z_mm that can be read as wheel.profile; relative to the working directory; empty for none."""
     left_wear_rail1_file: str | os.PathLike[str]
@@ -804,7 +886,11 @@ class WheelSetParameters(TypedDict, total=False):
     right_rail2_roll_rate: float
     """Right side: Rate of the roll angle of rail 2 [rad/s]."""
     right_friction: float
-    """Right side: Coefficient of friction between wheel and rail [-]."""
+    """Right side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    right_friction_tread_coefficient: float
+    """Right side: Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    right_friction_gauge_face_coefficient: float
+    """Right side: Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
     left_wheel_load: float
     """Left side: Vertical force, down, that the wheel puts on all rails together, creep forces included; only with vertical.mode load; at 0 and below the wheel is lifted [N]."""
     left_rail1_y: float
@@ -832,4 +918,8 @@ class WheelSetParameters(TypedDict, total=False):
     left_rail2_roll_rate: float
     """Left side: Rate of the roll angle of rail 2 [rad/s]."""
     left_friction: float
-    """Left side: Coefficient of friction between wheel and rail [-]."""
+    """Left side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
+    left_friction_tread_coefficient: float
+    """Left side: Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
+    left_friction_gauge_face_coefficient: float
+    """Left side: Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""

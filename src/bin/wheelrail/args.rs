@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{compare, conicity, evaluate, patch, plot, simulate, sweep, tables};
+use crate::{compare, conicity, evaluate, fit, patch, plot, simulate, sweep, tables};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -29,6 +29,7 @@ pub enum Command {
     Plot(plot::Arguments),
     Tables(tables::Arguments),
     Sweep(sweep::Arguments),
+    Fit(fit::Arguments),
 }
 
 /// Where the commands on tables read and write; its help is shown with theirs.

@@ -7,6 +7,7 @@ mod compare;
 mod conicity;
 mod evaluate;
 mod figures;
+mod fit;
 mod importer;
 mod named_files;
 mod output;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -29,7 +29,8 @@ impl<'a> NamedFiles<'a> {
     pub fn check(&mut self, parameters: &Parameters) -> Result<()> {
         let rails = parameters.rails.iter().flat_map(|r| [&r.profile, &r.corrugation.file]);
         let wheel = [&parameters.wheel.profile, &parameters.wheel.out_of_round.file];
-        for name in wheel.into_iter().chain(rails) {
+        let friction = [&parameters.friction_profile];
+        for name in wheel.into_iter().chain(rails).chain(friction) {
             if self.names.contains(name) {
                 continue;
             }

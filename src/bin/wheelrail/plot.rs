@@ -118,9 +118,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             contact.radius,
             Indentation::Approach(contact.penetration),
             contact.creepage,
-            values.input.friction,
+            contact.friction,
         );
-        let case = PlanarCase { speed: values.input.wheel.velocity[0].abs(), ..case };
+        let case = PlanarCase {
+            speed: values.input.wheel.velocity[0].abs(),
+            friction_across: &contact.friction_across,
+            ..case
+        };
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
         draw(arguments, &case, title, contacts.clone(), index, load_given)
     }

@@ -68,6 +68,9 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let mut rough = Output::default();
     Element::new(&coarse_parameters, input, folders)?.evaluate(&at, &mut rough)?;
     let place = centroid(&exact);
+    // That of the deepest contact stands for all.
+    let contacts = element.flat_contacts(&at)?;
+    let deepest = contacts.iter().max_by(|a, b| a.penetration.total_cmp(&b.penetration));
     let (normal, repeats) = (normal(&exact), repeats as i32 + 1);
     let compared = Compared {
         own: Solved {
@@ -78,7 +81,7 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
         coarse: solved(&rough, place, normal, 0.0),
         turn: Some(turn),
         residuals: Some([exact.normal_residual, exact.tangential_residual]),
-        friction: input.friction,
+        friction: deepest.map_or(input.friction, |contact| contact.friction),
     };
     Ok((compared, found))
 }

@@ -4,6 +4,7 @@ mod axes;
 pub mod conicity;
 pub mod contact;
 pub mod errors;
+pub mod fit;
 pub mod motion;
 pub mod patches;
 pub mod sweep;
