@@ -161,7 +161,7 @@ fn forces_of_one_patch_are_smooth_down_to_steps_of_a_nanometre_and_a_nanoradian(
     ] {
         // The strip model takes longer: fewer poses and strips.
         let (strips, poses, least_flanges) =
-            if normal_model == NormalModel::Strips { (9, 14, 0) } else { (30, 70, 5) };
+            if normal_model == NormalModel::Strips { (20, 14, 0) } else { (30, 70, 5) };
         let parameters =
             Parameters { normal_model, tangential_model, strips, ..Parameters::default() };
         let mut element = common::wheel::element(&parameters);
@@ -225,7 +225,7 @@ fn creep_forces_do_not_jump_where_the_strips_of_two_zones_join() {
             let case = Parameters {
                 normal_model: NormalModel::Strips,
                 tangential_model,
-                strips: 15,
+                strips: 20,
                 elements_along: 15,
                 ..Parameters::default()
             };

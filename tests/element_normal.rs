@@ -13,7 +13,7 @@ use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// Normal models and their strips: as many as an element starts with for `strips`, which needs fewer than those with a Gauss rule across each zone.
 const MODELS: [(&str, NormalModel, usize); 4] = [
-    ("strips", NormalModel::Strips, 16),
+    ("strips", NormalModel::Strips, 20),
     ("piotrowski_kik", NormalModel::PiotrowskiKik, 30),
     ("piotrowski_kik_corrected", NormalModel::PiotrowskiKikCorrected, 30),
     ("hertz", NormalModel::Hertz, 30),

@@ -250,6 +250,7 @@ fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
             let parameters = Parameters {
                 normal_model: NormalModel::Strips,
                 tangential_model,
+                strips: Parameters::default().strips,
                 ..benchmark_parameters(side)
             };
             let rails = [Some(benchmark_rail()), None];

@@ -225,7 +225,7 @@ impl Default for Parameters {
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
-            strips: 16,
+            strips: 20,
             normal_elements: [40, 40],
             damping: 1e5,
             creepage_model: CreepageModel::default(),

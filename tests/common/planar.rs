@@ -77,7 +77,7 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         virtual_penetration: 0.55,
         shape_fit: ShapeFit::Hertz,
         tangential_model: TangentialModel::Fastsim,
-        strips: 16,
+        strips: 20,
         elements_along: 20,
         elements: [20, 20],
         bound: TractionBound::Elliptic,

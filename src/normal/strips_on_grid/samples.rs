@@ -26,6 +26,8 @@ const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
 const UNLOADED: f64 = 0.8;
+/// Overlap in a valley over that at the edge of an ellipse up to which it is a node: where it is not loaded yet, with other nodes near by.
+const DEEPEST_VALLEY: f64 = 0.5;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
@@ -86,7 +88,7 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 #[derive(Clone, Debug)]
 pub(super) struct Samples<T = f64> {
     pub list: Room<Sample<T>>,
-    /// Least overlaps between two greater ones, as long as they are less than that at the edge of an ellipse.
+    /// Least overlaps between two greater ones, as long as they are not loaded.
     pub valleys: Room<Sample<T>>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
@@ -198,7 +200,7 @@ impl<T: Real> Samples<T> {
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
-        self.take_valleys(self.depth * scales.level);
+        self.take_valleys(self.depth * scales.level * DEEPEST_VALLEY);
         self.part();
         let depth = self.depth;
         let width = self.sum_of(|[a, b]| b.y - a.y);
