@@ -105,9 +105,7 @@ impl Rows {
             widths: [blocks(), blocks(), blocks()],
         }
     }
-}
 
-impl Rows {
     /// No nodes.
     pub fn clear(&mut self) {
         let Self { places: [x, y, a, b], lengths, loads, length_by_load, wanted, widths } = self;
@@ -162,6 +160,14 @@ impl Sources {
         *row(&mut self.along, at) = pair.along;
         *row(&mut self.across, at) = pair.across;
         *row(&mut self.factors, at) = pair.factor;
+    }
+
+    /// Takes source number `c` away from all nodes.
+    pub fn remove(&mut self, c: usize) {
+        let range = c * self.nodes..(c + 1) * self.nodes;
+        self.along[range.clone()].fill(Block::ZERO);
+        self.across[range.clone()].fill(Block([BEYOND; LANES]));
+        self.factors[range].fill(Block::ZERO);
     }
 
     /// Puts source number `c` in the place of a `cell`, for all nodes, without regard to whether they are beside it; its moments, with the half

@@ -40,7 +40,7 @@ pub(super) const RULE: [[f64; 2]; 2] =
 /// (2/π²).
 pub(super) const INFLUENCE: f64 = 2.0 / (PI * PI);
 
-/// Sizes that the equations are scaled by, from the ellipse of the parabola with the same depth and area of overlap.
+/// Sizes that the equations are scaled by, from the ellipse of the parabola with the same integrals of the square and the cube of the overlap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<T = f64> {
     /// Load per width in its middle [m].
@@ -309,9 +309,9 @@ pub(super) fn loaded_part<T: Real>(own: T, other: T) -> [[T; 3]; 2] {
     }
     if own < 0.0 && other > 0.0 {
         let rate = one / (own - other);
-        let t = own * rate;
-        let (by_own, by_other) = (-other * rate * rate, t * rate);
-        return [[t, by_own, by_other], [-t + 1.0, -by_own, -by_other]];
+        let (t, rest) = (own * rate, -other * rate);
+        let (by_own, by_other) = (rest * rate, t * rate);
+        return [[t, by_own, by_other], [rest, -by_own, -by_other]];
     }
     [[zero; 3], [one, zero, zero]]
 }
@@ -361,7 +361,8 @@ pub(super) fn residuals<T: Real>(
             }
         };
         let [c, d] = node.place.tangent;
-        for cell in grid.cells.iter().filter(|cell| !cell.nodes.contains(&Some(i))) {
+        let is_away = |cell: &&Cell<T>| cell.width > 0.0 && !cell.nodes.contains(&Some(i));
+        for cell in grid.cells.iter().filter(is_away) {
             let (pair, moment) = far_pair([node.place.x, node.y, c, d], cell, scales.length);
             let load = CellLoad::new(cell.nodes.map(end));
             moments += moment * load.moment;

@@ -2,7 +2,8 @@
 //!
 //! Nodes lie at equal shares of the integral of the curvature of the overlap to the power of 2/5 over all intervals in which the undeformed bodies
 //! overlap, by which the squared error of linear interpolation is least on the whole; fewer lie where the overlap is too small to carry load. The ends of the
-//! intervals are nodes too. Nothing else is known of intervals: a node that leaves one of them for the next one does so where it is unloaded, with a cell of no width.
+//! intervals are nodes too, and valleys between intervals that have joined. A node that leaves one of them for the next one does so where it is unloaded, with a cell
+//! of no width.
 //!
 //! The load per width is the positive part of a line in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
 //! middles, with the half length that belongs to the load there.
@@ -19,7 +20,7 @@ use crate::math::room::Room;
 pub(super) struct Node<T = f64> {
     /// Coordinate across [m].
     pub y: T,
-    /// Its number among the nodes that are not ends of overlaps; these have that of a node beside them.
+    /// Its number among the nodes that are neither ends nor valleys of overlaps; these have that of a node beside them.
     pub number: usize,
     pub place: Place<T>,
     /// Radius of the normal section of the wheel along x [m].
@@ -33,7 +34,7 @@ pub(super) struct Node<T = f64> {
     pub neighbours: [Option<usize>; 2],
 }
 
-/// The load between two nodes, or between a node and the end of an overlap.
+/// The load between two nodes; of no width before the first and behind the last node of an overlap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell<T = f64> {
     /// Nodes on both sides.
@@ -73,7 +74,11 @@ impl<T: Real> Grid<T> {
             return;
         }
         let scales = Scales::new(&self.samples);
-        let share = self.samples.lay(&scales) / (count + 1) as f64;
+        let wanted = self.samples.lay(&scales);
+        if !(wanted.value() > 0.0 && wanted.value().is_finite()) {
+            return;
+        }
+        let share = wanted / (count + 1) as f64;
         let mut passed = T::from(0.0);
         let (mut next, mut laid, mut valley) = (0, 0, 0);
         while next < self.samples.list.len() {
@@ -90,12 +95,11 @@ impl<T: Real> Grid<T> {
                 let own = nodes_between(pair);
                 while laid < count {
                     let ahead = share * (laid + 1) as f64 - passed;
-                    let is_here = ahead < own;
-                    // Rounding may leave the last node beyond all samples.
-                    if !is_here && next < self.samples.list.len() {
+                    let is_here = ahead < own && own > 0.0;
+                    if !is_here {
                         break;
                     }
-                    let behind = if is_here { share_behind(pair, ahead) } else { T::from(1.0) };
+                    let behind = share_behind(pair, ahead.at_least(0.0));
                     let parameter = last.u + (sample.u - last.u) * behind.value();
                     let y = last.y + (sample.y - last.y) * behind;
                     self.push_valleys(line, &mut valley, y, laid);
@@ -106,8 +110,12 @@ impl<T: Real> Grid<T> {
                 last = sample;
             }
             if laid == before {
-                // Nothing is known of an overlap in which no node lies.
+                // Nothing is known of an overlap in which no node lies, nor of its valleys.
                 self.nodes.truncate(first);
+                while self.samples.valleys.get(valley).is_some_and(|v| v.interval == begin.interval)
+                {
+                    valley += 1;
+                }
                 continue;
             }
             self.push_valleys(line, &mut valley, last.y, laid - 1);

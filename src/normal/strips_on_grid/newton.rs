@@ -1,7 +1,7 @@
 //! Newton's method for the strips.
 //!
-//! All unknowns take one step with the exact derivative, and each component of it is bounded by itself. Every step is a continuous map of the
-//! pose, whichever nodes carry load: there is nothing to be decided on the way, and nothing is tried again.
+//! All unknowns take one step with the exact derivative, each component of it bounded by itself, with other bounds where the node carries load. Nothing is tried again. The
+//! solution, not the way to it, is continuous in the pose.
 
 use multiversion::multiversion;
 
@@ -20,8 +20,8 @@ pub(super) const MOST_STEPS: u64 = 40;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares.
 const LAST_CHANGE: f64 = 1e-6;
-/// Greatest change in one step of z, over itself or the load per width in the middle of the ellipse, whichever is greater, and of χ: less than where the equations
-/// have left what their derivatives tell.
+/// Greatest fall in one step of z, and rise where there is no load, over itself or the load per width in the middle of the ellipse, whichever is greater; and greatest
+/// change of χ: less than where the equations have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
 /// Greatest growth in one step of a load that is next to nothing, over that in the middle of the ellipse; others double at most. The displacement by such a load goes with its
 /// square.
@@ -188,6 +188,11 @@ impl Newton {
         for (c, cell) in grid.cells.iter().enumerate() {
             let moments = &mut self.moments[c * count..(c + 1) * count];
             self.far.put_cell(c, cell, scales.length, &self.rows, moments);
+            if cell.width <= 0.0 {
+                // It may be in the place of a node beside which it is not.
+                self.far.remove(c);
+                moments.fill(Block::ZERO);
+            }
             // The points of the rule take the place of cells beside a node.
             for &i in cell.nodes.iter().flatten() {
                 let nothing = Pair { along: 0.0, across: 1.0, factor: 0.0 };
@@ -487,7 +492,7 @@ impl Newton {
                 *z = least;
             }
             // Nodes without load have their gap from all the others.
-            if is_loaded {
+            if is_loaded || *z > 0.0 {
                 greatest = greatest.max(change.abs() / scales.load);
             }
         }

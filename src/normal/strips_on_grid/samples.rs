@@ -15,7 +15,7 @@ use crate::math::room::Room;
 const SPACING: f64 = 1.0 / 24.0;
 const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
-/// Most valleys of the overlap: as many as it has intervals at most.
+/// Most valleys of the overlap, as many as it has intervals at most; further ones are no nodes.
 pub(super) const MOST_VALLEYS: usize = MOST_OVERLAPS;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
@@ -105,7 +105,7 @@ impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new((MOST_PLACES + 2 * MOST_OVERLAPS) * PARTS),
+            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS),
             valleys: Room::new(MOST_VALLEYS),
             depth: zero,
             half_width: zero,
@@ -147,6 +147,9 @@ impl<T: Real> Samples<T> {
         }
         self.depth = cubes / squares * DEPTH_OVER_MEAN;
         self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
+        if !(squares.value() > 0.0 && squares.value().is_finite()) {
+            return false;
+        }
         let middle = line.at(moment / squares, (parameter / squares).value());
         self.radius = line.section_radius(middle.u);
         let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();

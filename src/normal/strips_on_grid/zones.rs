@@ -89,7 +89,10 @@ impl<T: Real> Loads<'_, T> {
             let own = self.z[i];
             let slopes = [(own - self.beside(i, 0)) / left, (self.beside(i, 1) - own) / right];
             let bend = (slopes[1] - slopes[0]) * 2.0 / (left + right);
-            let load = own + bend.at_most(0.0) * left * right * (1.0 / 12.0);
+            // Where a body ends a node may carry load that has a neighbour on one side only.
+            let is_inner = left > 0.0 && right > 0.0;
+            let excess = if is_inner { bend.at_most(0.0) * left * right } else { T::from(0.0) };
+            let load = own + excess * (1.0 / 12.0);
             load.at_least(0.0) * self.shapes[i].exp() * (2.0 / PI)
         };
         let most =
