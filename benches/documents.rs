@@ -8,7 +8,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::{fs, io};
 
-const BEGIN: &str = "<!-- summary ";
+/// At the beginning of a line: prose may speak of marks.
+const BEGIN: &str = "\n<!-- summary ";
 const END: &str = "<!-- end of summary -->";
 
 /// A CSV table as one of Markdown.

@@ -1,19 +1,19 @@
 //! Figures that the documents show: a test leaves them, `cargo bench --bench documents` writes them into docs.
 
-use std::fmt::Write;
-
 use super::write_report;
 
 /// A table of errors, one row for each quantity.
 pub struct Summary {
     name: String,
-    text: String,
+    rows: csv::Writer<Vec<u8>>,
 }
 
 impl Summary {
     /// An empty table; documents name it `name`.
     pub fn new(name: &str) -> Self {
-        Self { name: name.into(), text: "quantity,cases,median,95 %,worst,aim\n".into() }
+        let mut rows = csv::Writer::from_writer(Vec::new());
+        rows.write_record(["quantity", "cases", "median", "95 %", "worst", "aim"]).unwrap();
+        Self { name: name.into(), rows }
     }
 
     /// A row of the absolute values of `errors`, with what is aimed at.
@@ -27,13 +27,15 @@ impl Summary {
     /// A row of three numbers that are no errors.
     pub fn row(&mut self, quantity: &str, cases: usize, numbers: [f64; 3], aim: &str) {
         let [median, most, worst] = numbers.map(rounded);
-        writeln!(self.text, "{quantity},{cases},{median},{most},{worst},{aim}").unwrap();
+        let cases = cases.to_string();
+        self.rows.write_record([quantity, &cases, &median, &most, &worst, aim]).unwrap();
     }
 
     /// Leaves the table under target/reports.
-    pub fn write(&self) {
-        println!("{}\n{}", self.name, self.text);
-        write_report(&format!("summary_{}.csv", self.name), &self.text);
+    pub fn write(self) {
+        let text = String::from_utf8(self.rows.into_inner().unwrap()).unwrap();
+        println!("{}\n{text}", self.name);
+        write_report(&format!("summary_{}.csv", self.name), &text);
     }
 }
 
