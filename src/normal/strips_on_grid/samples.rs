@@ -15,10 +15,10 @@ use crate::math::room::Room;
 const SPACING: f64 = 1.0 / 24.0;
 const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
-/// Most valleys of the overlap, as many as it has intervals at most; further ones are no nodes.
-pub(super) const MOST_VALLEYS: usize = MOST_OVERLAPS;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
+/// Most valleys of the overlap, as many as it has intervals at most; further ones are no nodes.
+pub(super) const MOST_VALLEYS: usize = MOST_OVERLAPS;
 
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
@@ -97,8 +97,8 @@ pub(super) struct Samples<T = f64> {
     pub radius: T,
     /// Ends of the intervals of overlap [m].
     ends: Room<[T; 2]>,
-    /// Overlaps at the places beside and within the interval under way.
-    still: Room<T>,
+    /// Overlaps at the places within the interval under way and beside it.
+    places: Room<T>,
 }
 
 impl<T: Real> Samples<T> {
@@ -111,7 +111,7 @@ impl<T: Real> Samples<T> {
             half_width: zero,
             radius: zero,
             ends: Room::new(MOST_OVERLAPS),
-            still: Room::new(MOST_PLACES + 4),
+            places: Room::new(MOST_PLACES + 4),
         }
     }
 
@@ -174,14 +174,14 @@ impl<T: Real> Samples<T> {
         let first = number(left) - 1.0;
         let count = (number(right) + 3.0 - first) as usize;
         let place = |k: usize| origin + spacing * (first + k as f64);
-        self.still.clear();
+        self.places.clear();
         for k in 0..count {
             let y = place(k);
-            self.still.push(line.at(y, parameter(y.value())).overlap);
+            self.places.push(line.at(y, parameter(y.value())).overlap);
         }
-        let still = &self.still;
+        let places = &self.places;
         let bend_at =
-            |k: usize| (still[k - 1] - still[k] * 2.0 + still[k + 1]) / (spacing * spacing);
+            |k: usize| (places[k - 1] - places[k] * 2.0 + places[k + 1]) / (spacing * spacing);
         let density = T::from(0.0);
         let mut end = |end: &End, y: T, k: usize| {
             let (before, behind) = (bend_at(k), bend_at(k + 1));
@@ -195,7 +195,7 @@ impl<T: Real> Samples<T> {
         self.list.push(begin);
         for k in 2..count - 2 {
             let y = place(k);
-            let (overlap, bend) = (still[k], bend_at(k));
+            let (overlap, bend) = (places[k], bend_at(k));
             self.list.push(Sample { interval, y, u: parameter(y.value()), overlap, bend, density });
         }
         self.list.push(last);
