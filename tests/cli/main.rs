@@ -2,6 +2,7 @@
 
 mod evaluate;
 mod fit;
+mod linearize;
 mod patch;
 mod plot;
 
