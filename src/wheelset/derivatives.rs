@@ -33,7 +33,11 @@ impl Wheelset {
             element.set_fallbacks(count);
         }
         evaluated?;
-        let (mut input, mut direction) = (*input, *direction);
+        let mut direction = *direction;
+        if let Some(irregularities) = &self.irregularities {
+            irregularities.add_rates(input, &mut direction);
+        }
+        let mut input = self.on_its_rails(input);
         let loaded = self.vertical_mode == VerticalMode::Load;
         if loaded {
             (input.wheelset.position[2], input.wheelset.roll) = (at.wheelset_z, at.roll);

@@ -20,6 +20,7 @@ mod derivatives;
 mod given_load;
 mod guiding;
 mod input;
+mod irregularity;
 mod output;
 mod parameters;
 mod rail_frame;
@@ -41,6 +42,7 @@ use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element};
 use crate::error::ContactError;
 use guiding::guiding;
+use irregularity::Irregularities;
 
 /// Place of the right side in all pairs.
 pub const RIGHT: usize = 0;
@@ -58,6 +60,7 @@ pub struct Wheelset {
     vertical_mode: VerticalMode,
     /// Place of each wheel marker along the axle [m].
     markers: [f64; 2],
+    irregularities: Option<Irregularities>,
     nominal: NominalHeights,
 }
 
@@ -83,6 +86,11 @@ impl Wheelset {
     ) -> Result<Self, ContactError> {
         start.check()?;
         let markers = parameters.markers();
+        let irregularities = Irregularities::load(&parameters.irregularity_file, profile_folders)?;
+        let mut start = *start;
+        if let Some(irregularities) = &irregularities {
+            irregularities.add(&mut start);
+        }
         let [right, left] = parameters.checked()?;
         let mut nominal =
             NominalHeights { wheelset_z: f64::INFINITY, wheel_z: [start.wheelset.position[2]; 2] };
@@ -109,7 +117,7 @@ impl Wheelset {
         if nominal.wheelset_z.is_infinite() {
             nominal.wheelset_z = start.wheelset.position[2];
         }
-        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, nominal })
+        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, irregularities, nominal })
     }
 
     /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its starting height where it stands
@@ -164,7 +172,7 @@ impl Wheelset {
         ) -> Result<(), ContactError>,
     ) -> Result<(), ContactError> {
         input.check()?;
-        let mut input = *input;
+        let mut input = self.on_its_rails(input);
         let mut is_missed = false;
         if self.vertical_mode == VerticalMode::Load {
             (input, is_missed) = self.carry_loads(&input)?;
@@ -188,6 +196,15 @@ impl Wheelset {
         (output.wheelset, output.wheelset_z) = (total, input.wheelset.position[2]);
         output.roll = input.wheelset.roll;
         Ok(())
+    }
+
+    /// The input with the irregularities of the rails at its station.
+    fn on_its_rails(&self, input: &Input) -> Input {
+        let mut input = *input;
+        if let Some(irregularities) = &self.irregularities {
+            irregularities.add(&mut input);
+        }
+        input
     }
 
     /// Each side by itself.
@@ -286,7 +303,7 @@ impl Subject for Wheelset {
     }
 
     fn input_of_element(&self, k: usize, input: &Input, output: &Output) -> element::Input {
-        let mut found = *input;
+        let mut found = self.on_its_rails(input);
         found.wheelset.position[2] = output.wheelset_z;
         found.wheelset.roll = output.roll;
         found.of_side(k, self.markers[k])

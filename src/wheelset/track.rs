@@ -68,6 +68,15 @@ impl<T: Real> TrackTurn<T> {
     }
 }
 
+impl std::ops::AddAssign for RailLine {
+    fn add_assign(&mut self, other: Self) {
+        self.y += other.y;
+        self.z += other.z;
+        self.y_slope += other.y_slope;
+        self.z_slope += other.z_slope;
+    }
+}
+
 impl TrackTurn {
     /// # Errors
     /// A number that is not in its range, by its FMU name.

@@ -181,6 +181,57 @@ fn guiding_forces_are_those_on_the_rails() {
 }
 
 #[test]
+fn irregularities_over_the_station_are_those_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("track.csv");
+    // Parabolas, which splines through their points meet away from the ends.
+    let line = |s: f64| [3e-4 * s * s, 2e-5 * s * s, -2e-4 * s * s, 1e-5 * s * s];
+    let mut text = String::from("station_m,right_y_mm,right_z_mm,left_y_mm,left_z_mm\n");
+    for i in -80..=80 {
+        let s = 0.05 * f64::from(i);
+        let [a, b, c, d] = line(s).map(|value| 1e3 * value);
+        text += &format!("{s},{a},{b},{c},{d}\n");
+    }
+    std::fs::write(&file, text).unwrap();
+    let irregularity_file = file.display().to_string();
+    let parameters = Parameters { irregularity_file, ..Parameters::default() };
+    let mut on_file = wheelset(&parameters);
+    let mut given = wheelset(&Parameters::default());
+    let mut input = rolling(&given);
+    input.track_s = 0.7;
+    input.wheelset.position[0] = 0.2;
+    let mut expected = input;
+    let (s, [a, b, c, d]) = (0.9, line(1.0));
+    for (side, [y, z]) in expected.sides.iter_mut().zip([[a, b], [c, d]]) {
+        side.line =
+            RailLine { y: y * s * s, z: z * s * s, y_slope: 2.0 * y * s, z_slope: 2.0 * z * s };
+    }
+    let (found, expected) = (evaluate(&mut on_file, &input), evaluate(&mut given, &expected));
+    for (a, b) in components(&found.wheelset).zip(components(&expected.wheelset)) {
+        assert!((a - b).abs() < 1e-6 * 1e5, "{a} {b}");
+    }
+    // By the station.
+    let mut along = Input::at_rest();
+    along.track_s = 1.0;
+    let mut rates = Output::default();
+    on_file.directional_derivative(&input, &along, &mut rates).unwrap();
+    let step = 1e-4;
+    let [before, after] = [-step, step].map(|step| {
+        let input = Input { track_s: input.track_s + step, ..input };
+        evaluate(&mut on_file, &input).wheelset
+    });
+    let size = largest(components(&rates.wheelset));
+    for ((a, b), rate) in
+        components(&before).zip(components(&after)).zip(components(&rates.wheelset))
+    {
+        assert!(((b - a) / (2.0 * step) - rate).abs() < 1e-3 * size, "{a} {b} {rate}");
+    }
+    let wrong = Parameters { irregularity_file: "none.csv".into(), ..Parameters::default() };
+    let error = Wheelset::new(&wrong, &Input::default(), &[]).unwrap_err().to_string();
+    assert!(error.contains("track.irregularity.file") && error.contains("none.csv"), "{error}");
+}
+
+#[test]
 fn what_no_track_can_do_is_refused_by_name() {
     let mut wheelset = wheelset(&Parameters::default());
     let fine = rolling(&wheelset);
