@@ -204,7 +204,7 @@ fn rates_of_guiding(guiding: &Guiding<Dual<1>>) -> Guiding {
     Guiding {
         sides: guiding.sides.map(|side| SideForces {
             guiding_force: rate(side.guiding_force),
-            wheel_load: rate(side.wheel_load),
+            vertical_force: rate(side.vertical_force),
             quotient: rate(side.quotient),
         }),
         track_shifting_force: rate(guiding.track_shifting_force),

@@ -9,7 +9,7 @@ pub struct SideForces<T = f64> {
     /// Y: lateral force of the wheel on its rails, positive away from the middle of the track [N].
     pub guiding_force: T,
     /// Q: vertical force of the wheel on its rails, down [N].
-    pub wheel_load: T,
+    pub vertical_force: T,
     /// Y/Q, 0 for a wheel that carries nothing [-].
     pub quotient: T,
 }
@@ -27,10 +27,10 @@ pub struct Guiding<T = f64> {
 pub(super) fn guiding<T: Real>(forces: &[[T; 3]; 2]) -> Guiding<T> {
     let side = |k: usize, outward: f64| {
         let [_, y, z] = forces[k];
-        let (guiding_force, wheel_load) = (y * -outward, -z);
-        let is_loaded = wheel_load.value() > 0.0;
-        let quotient = if is_loaded { guiding_force / wheel_load } else { T::from(0.0) };
-        SideForces { guiding_force, wheel_load, quotient }
+        let (guiding_force, vertical_force) = (y * -outward, -z);
+        let is_loaded = vertical_force.value() > 0.0;
+        let quotient = if is_loaded { guiding_force / vertical_force } else { T::from(0.0) };
+        SideForces { guiding_force, vertical_force, quotient }
     };
     let track_shifting_force = -(forces[RIGHT][1] + forces[LEFT][1]);
     Guiding { sides: [side(RIGHT, 1.0), side(LEFT, -1.0)], track_shifting_force }

@@ -30,8 +30,9 @@ fn results(output: &Output) -> [Vec<f64>; 4] {
         moments.extend(side.wheel.moment);
         moments.extend(side.rails[0].moment);
     }
-    forces
-        .extend(output.guiding.sides.iter().flat_map(|side| [side.guiding_force, side.wheel_load]));
+    forces.extend(
+        output.guiding.sides.iter().flat_map(|side| [side.guiding_force, side.vertical_force]),
+    );
     forces.push(output.guiding.track_shifting_force);
     [forces, moments, vec![output.wheelset_z, output.roll], vec![output.frictional_power]]
 }

@@ -172,8 +172,8 @@ fn guiding_forces_are_those_on_the_rails() {
         [(right, output.sides[RIGHT].rails[0], 1.0), (left, output.sides[LEFT].rails[0], -1.0)]
     {
         same(side.guiding_force, outward * wrench.force[1]);
-        same(side.wheel_load, wrench.force[2]);
-        same(side.quotient, side.guiding_force / side.wheel_load);
+        same(side.vertical_force, wrench.force[2]);
+        same(side.quotient, side.guiding_force / side.vertical_force);
     }
     same(output.guiding.track_shifting_force, -output.wheelset.force[1]);
     input.wheelset.position[2] = -0.6;
