@@ -1,14 +1,21 @@
-"""The bogie of the example with the packed wheelset: WHEELRAIL_WHEELSET names its archive."""
+"""The bogie and the climbing flange of the examples with the packed wheelset: WHEELRAIL_WHEELSET names its archive."""
 
 import importlib.util
 import os
 import unittest
 from pathlib import Path
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "cooperrider_bogie.py"
-specification = importlib.util.spec_from_file_location("bogie", EXAMPLE)
-bogie = importlib.util.module_from_spec(specification)
-specification.loader.exec_module(bogie)
+
+
+def example(name):
+    specification = importlib.util.spec_from_file_location(name, Path(__file__).parents[2] / "examples" / f"{name}.py")
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+bogie = example("cooperrider_bogie")
+climb = example("flange_climb")
 
 LINEAR = {"normal.model": "hertz", "tangential.model": "linear", "creepage.model": "flat"}
 
@@ -46,6 +53,20 @@ class Bogie(unittest.TestCase):
             self.assertGreater(frequency, 1.0)
             # Kalker's slopes are within some 15 % of Vermeulen and Johnson's; the speed goes with their root.
             self.assertLess(abs(speed / bogie.PUBLISHED - 1), 0.15)
+
+
+class FlangeClimb(unittest.TestCase):
+    def test_a_free_wheel_at_a_large_angle_of_attack_climbs_at_nadals_limit(self):
+        unit = climb.Unit(os.environ["WHEELRAIL_WHEELSET"])
+        self.addCleanup(unit.close)
+        friction = 0.3
+        free, angle = climb.limit(unit, 0.02, friction, True)
+        solid, _ = climb.limit(unit, 0.02, friction, False)
+        straight, _ = climb.limit(unit, 0.0, friction, True)
+        # Nothing but friction across is left; what else is there holds more.
+        self.assertLess(abs(free / climb.nadal(angle, friction) - 1), 0.005)
+        self.assertGreater(solid, free)
+        self.assertGreater(straight, free)
 
 
 if __name__ == "__main__":
