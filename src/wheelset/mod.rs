@@ -18,16 +18,21 @@
 
 mod derivatives;
 mod given_load;
+mod guiding;
 mod input;
 mod output;
 mod parameters;
+mod rail_frame;
 mod total;
+mod track;
 
 use std::path::PathBuf;
 
+pub use guiding::{Guiding, SideForces};
 pub use input::{Input, SideInput};
 pub use output::Output;
 pub use parameters::{Parameters, TAPE_CIRCLE};
+pub use track::{MOST_SLOPE, MOST_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
@@ -35,6 +40,7 @@ use crate::element::subject::Subject;
 use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element};
 use crate::error::ContactError;
+use guiding::guiding;
 
 /// Place of the right side in all pairs.
 pub const RIGHT: usize = 0;
@@ -83,10 +89,16 @@ impl Wheelset {
         let mut side = |k: usize, parameters: &element::Parameters| {
             let input = start.of_side(k, markers[k]);
             let mut element = Element::new(parameters, &input, profile_folders)?;
-            nominal.wheel_z[k] = element.nominal_wheel_z();
+            let z = start.wheelset.along_axle(markers[k]).position[2];
+            let frame = start.rail_frame(k, markers[k]);
+            let height = |found: f64| match &frame {
+                Some(frame) => frame.height(z, [input.wheel.position[2], found]),
+                None => found,
+            };
+            nominal.wheel_z[k] = height(element.nominal_wheel_z());
             if let Some(touching) = element.touch(&input) {
-                let lower = input.wheel.position[2] - start.wheelset.position[2];
-                nominal.wheelset_z = nominal.wheelset_z.min(touching - lower);
+                let lower = z - start.wheelset.position[2];
+                nominal.wheelset_z = nominal.wheelset_z.min(height(touching) - lower);
             }
             Ok(element)
         };
@@ -167,6 +179,7 @@ impl Wheelset {
         for (along, side) in self.markers.iter().zip(&output.sides) {
             total::add(&mut total, &input.wheelset, *along, &side.wheel);
         }
+        output.guiding = guiding(&output.sides.map(|side| side.wheel.force));
         let [right, left] = &output.sides;
         output.patch_count = right.patch_count + left.patch_count;
         output.fallback_count = right.fallback_count.saturating_add(left.fallback_count);
@@ -195,6 +208,10 @@ impl Wheelset {
         }
         for (k, side) in sides.iter().enumerate() {
             evaluate(&mut self.elements[k], side, &mut output.sides[k])?;
+            if let Some(frame) = input.rail_frame(k, self.markers[k]) {
+                let z = input.wheelset.along_axle(self.markers[k]).position[2];
+                total::bring_out(&frame, [z, side.wheel.position[2]], &mut output.sides[k]);
+            }
         }
         Ok(())
     }
@@ -265,7 +282,7 @@ impl Subject for Wheelset {
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
         let sides = input.sides.iter().zip(&output.sides);
         let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));
-        work_pairs((&input.wheelset, &output.wheelset), rails)
+        work_pairs((&input.track.against_ground(&input.wheelset), &output.wheelset), rails)
     }
 
     fn input_of_element(&self, k: usize, input: &Input, output: &Output) -> element::Input {
