@@ -143,8 +143,8 @@ mod tests {
                 });
                 assert_abs_diff_eq!(across(found.s), y, epsilon = 1e-11);
                 let tangent = rail.curve().at(found.s).first;
-                for i in 0..2 {
-                    assert_abs_diff_eq!(found.tangent[i], tangent[i], epsilon = 1e-6);
+                for (found, tangent) in found.tangent.into_iter().zip(tangent) {
+                    assert_abs_diff_eq!(found, tangent, epsilon = 1e-6);
                 }
             }
             assert!(searches <= 3, "{searches}");
