@@ -43,8 +43,8 @@ const CASES: [Case; 18] = [
     option("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim),
     option("piotrowski_kik + fastsim, flat", fastest),
     option("`friction.distribution` = regions", regions),
-    option("`friction.falling` and `friction.reduction`", falling),
-    option("`friction.temperature`", hot),
+    option("`friction.falling.*` and `friction.reduction.*`", falling),
+    option("`friction.temperature.*`", hot),
     of_fastest("with `friction.distribution` = regions", |p| {
         fastest(p);
         regions(p);
@@ -54,11 +54,11 @@ const CASES: [Case; 18] = [
         p.friction_distribution = FrictionDistribution::Profile;
         p.friction_profile = PROFILE.into();
     }),
-    of_fastest("with `friction.falling` and `friction.reduction`", |p| {
+    of_fastest("with `friction.falling.*` and `friction.reduction.*`", |p| {
         fastest(p);
         falling(p);
     }),
-    of_fastest("with `friction.temperature`", |p| {
+    of_fastest("with `friction.temperature.*`", |p| {
         fastest(p);
         hot(p);
     }),
