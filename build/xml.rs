@@ -12,16 +12,20 @@ pub enum Style {
     /// Everything.
     Full,
     /// For importers that know no enumerations and for people who look at the list: choices as integers, and the heaviest
-    /// [`PLAIN_PATCHES`] patches alone. References are the same, and so is the library.
+    /// [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`]. References are the same, and so is the library.
     Plain,
 }
 
 /// Patches of a wheel that a plain description has: more than tread and flange touch at once is rare.
 const PLAIN_PATCHES: usize = 4;
+/// What of a patch it has not: what only laws of friction by place and heat tell.
+const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
 impl Style {
     fn describes(self, v: &Variable) -> bool {
-        self == Self::Full || !v.name.contains("patch[") || v.number <= PLAIN_PATCHES
+        let is_detail = PLAIN_LACKS.iter().any(|end| v.name.ends_with(end));
+        let is_plain = v.number <= PLAIN_PATCHES && !is_detail;
+        self == Self::Full || !v.name.contains("patch[") || is_plain
     }
 }
 

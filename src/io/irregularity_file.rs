@@ -1,7 +1,8 @@
 //! Irregularities of both rails of a track over the station, as five columns of text.
 //!
-//! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the rails from their design lines, y to the right and z down. Columns are separated by
-//! blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may stand first.
+//! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the rails from their design lines, y to the
+//! right and z down. Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may
+//! stand first.
 
 use std::path::PathBuf;
 

@@ -1,7 +1,8 @@
 //! The frame of the rails of one side, in which they run along x as those of an element do.
 //!
-//! Contact sees wheel and rail: rails that run at an angle to the track are rails along x under a wheel that is turned, moves and stands accordingly. Velocities stay
-//! those against the ground: rails lie still, so that what slips is what it is, and a wheel that follows its rails does not come nearer to them.
+//! Contact sees wheel and rail: rails that run at an angle to the track are rails along x under a wheel that is turned, moves and stands
+//! accordingly. Velocities stay those against the ground: rails lie still, so that what slips is what it is, and a wheel that follows its rails
+//! does not come nearer to them.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -29,17 +30,11 @@ impl<T: Real> RailFrame<T> {
         let (sin_yaw, cos_yaw) = (b / flat, a / flat);
         let long = flat.hypot(c);
         let (sin_dip, cos_dip) = (c / long, flat / long);
-        let axes = Matrix3::new(
-            cos_dip * cos_yaw,
-            -sin_yaw,
-            -sin_dip * cos_yaw, //
-            cos_dip * sin_yaw,
-            cos_yaw,
-            -sin_dip * sin_yaw, //
-            sin_dip,
-            zero,
-            cos_dip,
-        );
+        let axes = Matrix3::from_columns(&[
+            Vector3::new(cos_dip * cos_yaw, cos_dip * sin_yaw, sin_dip),
+            Vector3::new(-sin_yaw, cos_yaw, zero),
+            Vector3::new(-sin_dip * cos_yaw, -sin_dip * sin_yaw, cos_dip),
+        ]);
         let pivot = Vector3::new(x, T::from(y), zero);
         Self { axes, pivot, shift: Vector3::new(zero, line.y, line.z) }
     }
@@ -80,8 +75,8 @@ impl<T: Real> RailFrame<T> {
         (self.pivot + self.axes.transpose() * arm).into()
     }
 
-    /// Height in the track frame of a body that stands at `z` there and at `within` in the frame of the rails, when it is lifted along the former's z axis to a height
-    /// `found` in the latter's [m].
+    /// Height in the track frame of a body that stands at `z` there and at `within` in the frame of the rails, when it is lifted along the
+    /// former's z axis to a height `found` in the latter's [m].
     pub fn height(&self, z: T, [within, found]: [T; 2]) -> T {
         z + (found - within) / self.axes[(2, 2)]
     }

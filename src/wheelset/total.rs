@@ -23,8 +23,8 @@ pub fn add<T: Real>(
     }
 }
 
-/// Brings the vectors, places and heights of an output from the `frame` of the rails of a side to that of the track. The wheel marker is at the height `z` in the latter and
-/// `within` in the former; contact angles and creepages stay those against the rails.
+/// Brings the vectors, places and heights of an output from the `frame` of the rails of a side to that of the track. The wheel marker is at the
+/// height `z` in the latter and `within` in the former; contact angles and creepages stay those against the rails.
 pub fn bring_out<T: Real>(frame: &RailFrame<T>, [z, within]: [T; 2], output: &mut Output<T>) {
     output.wheel = frame.wrench(&output.wheel);
     for rail in &mut output.rails {
