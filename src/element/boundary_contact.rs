@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::contact_forces::ContactForces;
+use super::contact_forces::{ContactForces, Damped};
 use super::curved_zone::Tractions;
 use super::evaluate::Work;
 use super::models::Models;
@@ -47,19 +47,19 @@ impl<T: Real> GivenTractions<T> {
 pub fn add<'a>(
     rail: &PlacedRail,
     found: &[Contact],
-    forces: &impl Fn(Contact, [f64; 2], Option<[f64; 2]>) -> ContactForces<'a>,
+    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactForces<'a>,
     models: &mut Models,
     output: &mut Output,
     work: &mut Work,
 ) -> Option<u64> {
-    let line = forces(*found.first()?, [0.0; 2], None).line;
+    let line = forces(*found.first()?, [0.0; 2], Damped::Alone).line;
     let modulus = models.material.contact_modulus;
     let elements = &rail_elements::solve(&line, rail, found, models.elements, modulus)?;
     models.rail_strips.clear();
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
     output.normal_residual = output.normal_residual.max(elements.residual);
     models.turn_of_normals = models.turn_of_normals.max(elements.turn_of_normals());
-    let whole = Some([models.rail_strips.load(), elements.approach]);
+    let whole = Damped::Together([models.rail_strips.load(), elements.approach]);
     let (mut contacts, mut states) = (Vec::new(), Vec::new());
     for index in 0..models.rail_strips.zones.len() {
         let contact = take_zone(elements, index, models);

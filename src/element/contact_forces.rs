@@ -28,6 +28,17 @@ use crate::normal::{Strips, Zone, damping};
 use crate::tangential::{RollingState, StripForce};
 use crate::wear::rcf;
 
+/// Load and penetration that the damping of a normal motion goes by.
+#[derive(Clone, Copy, Debug)]
+pub enum Damped<T> {
+    /// Those of the contact itself.
+    Alone,
+    /// Load and deepest penetration of all that shares one stiffness [N, m].
+    Together([T; 2]),
+    /// The pressures of the strips hold it already.
+    Already,
+}
+
 /// Brings the solution of one contact to forces on both bodies.
 pub struct ContactForces<'a, T = f64> {
     /// Number of the rail, from 0.
@@ -44,8 +55,8 @@ pub struct ContactForces<'a, T = f64> {
     pub contact: Contact<T>,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
-    /// Load and deepest penetration of all that shares one stiffness for damping, where that is more than this contact [N, m].
-    pub damped_with: Option<[T; 2]>,
+    /// What its normal motion is damped with.
+    pub damped: Damped<T>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub friction: Option<&'a RailFriction>,
     /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not across its frame.
@@ -163,13 +174,12 @@ impl<T: ElementNumber> ContactForces<'_, T> {
 
     /// The wheel, its x from its marker, so that no result depends on the station by rounding.
     fn wheel(&self) -> WheelMotion<T> {
-        let [_, y, z] = self.input.wheel.position;
-        WheelMotion { position: [T::from(0.0), y, z], ..self.input.wheel }
+        wheel_here(self.input)
     }
 
     /// Motion of the wheel against the rail at points with their x from the wheel marker.
     pub(super) fn motion(&self) -> RelativeMotion<T> {
-        RelativeMotion::new(&self.wheel(), &self.input.rails[self.k], self.frame.marker)
+        relative_motion(self.input, self.k, &self.frame)
     }
 
     /// How a zone rolls.
@@ -342,8 +352,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
 
     /// Normal force with damping over that without [-].
     fn load_factor(&self, closing_speed: T, models: &Models<T>) -> T {
-        let [load, penetration] =
-            self.damped_with.unwrap_or([models.strips.load(), self.contact.penetration]);
+        let [load, penetration] = match self.damped {
+            Damped::Alone => [models.strips.load(), self.contact.penetration],
+            Damped::Together(whole) => whole,
+            Damped::Already => return T::from(1.0),
+        };
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         if load > 0.0 { damped / load } else { T::from(0.0) }
     }
@@ -398,6 +411,21 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x
     }
+}
+
+/// The motion of the wheel, whose place along the track is that from which x is counted.
+fn wheel_here<T: Real>(input: &Input<T>) -> WheelMotion<T> {
+    let [_, y, z] = input.wheel.position;
+    WheelMotion { position: [T::from(0.0), y, z], ..input.wheel }
+}
+
+/// Motion of the wheel against rail number `k`, from 0, at points with their x from the wheel marker.
+pub(super) fn relative_motion<T: Real>(
+    input: &Input<T>,
+    k: usize,
+    frame: &RailFrame<T>,
+) -> RelativeMotion<T> {
+    RelativeMotion::new(&wheel_here(input), &input.rails[k], frame.marker)
 }
 
 /// The place at which the normal force of a patch on an even wheel acts: `position`, moved along x so that the line of action along `normal`

@@ -1,6 +1,6 @@
 //! The contact of one wheel with one rail with derivatives: what the search finds, as it moves.
 
-use super::contact_forces::ContactForces;
+use super::contact_forces::{ContactForces, Damped, relative_motion};
 use super::evaluate::Work;
 use super::input::Input;
 use super::models::Models;
@@ -8,7 +8,7 @@ use super::number::ElementNumber;
 use super::output::Output;
 use super::rail_contact::{MOST_STRIP_DEPTH, RailContact};
 use super::rail_frame::RailFrame;
-use super::strip_contact;
+use super::strip_contact::{self, StripDamping};
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
@@ -93,9 +93,15 @@ impl RailContact {
                 let contact = contact.moving(&moving, rail).ok_or(BODY_ENDS)?;
                 deepest = deepest.max(contact.penetration);
             }
-            let whole = [models.rail_strips.load(), deepest];
+            let damping = StripDamping {
+                motion: &relative_motion(input, k, &frame),
+                frame: &frame,
+                whole: [models.rail_strips.load(), deepest],
+                deviations: None,
+            };
             for zone in 0..models.rail_strips.zones.len() {
-                let contact = strip_contact::take_moving_zone(&moving, rail, search, zone, models);
+                let contact =
+                    strip_contact::take_moving_zone(&moving, rail, search, zone, &damping, models);
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, rail, contact);
                 let forces = ContactForces {
@@ -106,7 +112,7 @@ impl RailContact {
                     rail,
                     contact,
                     slopes: [0.0; 2],
-                    damped_with: Some(whole),
+                    damped: Damped::Already,
                     friction: friction.as_ref(),
                     is_on_arc: true,
                 };
@@ -148,7 +154,7 @@ impl RailContact {
                 rail,
                 contact,
                 slopes: [0.0; 2],
-                damped_with: None,
+                damped: Damped::Alone,
                 friction: friction.as_ref(),
                 is_on_arc: false,
             };

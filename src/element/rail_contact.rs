@@ -1,7 +1,7 @@
 //! The contact of one wheel with one rail: pose, search, normal and tangential models, forces on both bodies.
 
 use super::boundary_contact;
-use super::contact_forces::ContactForces;
+use super::contact_forces::{ContactForces, Damped};
 use super::evaluate::Work;
 use super::flattened::FlatContact;
 use super::input::Input;
@@ -201,7 +201,7 @@ impl RailContact {
                 rail: &self.rail,
                 contact,
                 slopes: [0.0; 2],
-                damped_with: None,
+                damped: Damped::Alone,
                 friction: self.friction.as_ref(),
                 is_on_arc: false,
             };
@@ -266,7 +266,7 @@ impl RailContact {
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref());
         let mut left_out = 0;
-        let forces = |contact, slopes, damped_with| ContactForces {
+        let forces = |contact, slopes, damped| ContactForces {
             k,
             input,
             frame,
@@ -274,31 +274,16 @@ impl RailContact {
             rail: &self.rail,
             contact,
             slopes,
-            damped_with,
+            damped,
             friction: self.friction.as_ref(),
             // What shares its damping lies on the arc of the rail.
-            is_on_arc: damped_with.is_some(),
+            is_on_arc: !matches!(damped, Damped::Alone),
         };
         let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
         if models.strip_solver.is_some() && !is_deep {
-            if self.search.contacts.is_empty() {
-                return 0;
-            }
-            left_out +=
-                strip_contact::solve(&line, &self.rail, &self.search, &mut self.probes, models)
-                    as u64;
-            let whole = strip_contact::whole(models, &self.search);
-            for zone in 0..models.rail_strips.zones.len() {
-                let contact =
-                    strip_contact::take_zone(&line, &self.rail, &self.search, zone, models);
-                let mut separation = LineSeparation::new(&line, &self.rail, contact);
-                let slopes = separation
-                    .lifting()
-                    .map_or([0.0; 2], |lifting| strip_contact::slopes(lifting.deviations, models));
-                left_out +=
-                    forces(contact, slopes, Some(whole)).add(&mut separation, models, output, work);
-            }
-            return left_out;
+            let (search, probes) = (&self.search, &mut self.probes);
+            let deviations = self.deviations.as_ref();
+            return strip_contact::add(search, probes, deviations, &forces, models, output, work);
         }
         let is_boundary = models.normal == NormalModel::BoundaryElement && models.uneven.is_none();
         if is_boundary && !self.search.contacts.is_empty() {
@@ -357,7 +342,8 @@ impl RailContact {
                 )
             };
             left_out += no_room as u64;
-            left_out += forces(contact, slopes, None).add(&mut separation, models, output, work);
+            left_out +=
+                forces(contact, slopes, Damped::Alone).add(&mut separation, models, output, work);
         }
         left_out
     }

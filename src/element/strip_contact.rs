@@ -4,19 +4,28 @@
 //! coordinate across is the arc along the rail. No contact frame is chosen beforehand, so that nothing changes over when another
 //! place becomes the deepest, or when overlaps join or part. Each loaded zone then gets its frame from its own load.
 
+use super::contact_forces::{ContactForces, Damped};
+use super::evaluate::Work;
 use super::models::Models;
+use super::output::Output;
 use super::rail_contact::LEAST_CURVATURE_SHARE;
+use super::rail_frame::RailFrame;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
+use crate::kinematics::creepage::RelativeMotion;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::normal::damping;
 use crate::normal::strips_on_grid::{
     Line, LinePlace, NEAR, OverlapLine, Place, STATION, walk_across,
 };
+
+use nalgebra::Vector3;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -194,33 +203,88 @@ pub fn solve(
         .map_or(0, |solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
 }
 
-/// Slopes of rail and wheel along the track in the zone in `models.strips`, averaged by load [-].
-pub fn slopes(deviations: &Longitudinal, models: &Models) -> [f64; 2] {
-    let strips = &models.strips;
-    let (mut sums, mut load) = ([0.0; 2], 0.0);
-    for (j, x) in strips.x.iter().enumerate() {
-        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
-        load += weight;
-        for (sum, slope) in sums.iter_mut().zip(deviations.slopes(*x)) {
-            *sum += weight * slope;
-        }
+/// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how many zones found no room or fell back to a simpler model.
+pub fn add<'a>(
+    search: &ContactSearch,
+    probes: &mut Vec<Probe>,
+    deviations: Option<&Longitudinal>,
+    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactForces<'a>,
+    models: &mut Models,
+    output: &mut Output,
+    work: &mut Work,
+) -> u64 {
+    let Some(&first) = search.contacts.first() else { return 0 };
+    let of_rail = forces(first, [0.0; 2], Damped::Already);
+    let ContactForces { input, line, rail, frame, .. } = &of_rail;
+    let mut left_out = solve(line, rail, search, probes, models) as u64;
+    let wheel = &input.wheel;
+    let speeds = [wheel.velocity[0], wheel.pitch_rate * line.nominal_radius()];
+    let damping = StripDamping {
+        motion: &of_rail.motion(),
+        frame,
+        whole: whole(models, search),
+        deviations: deviations.map(|deviations| (deviations, speeds)),
+    };
+    for zone in 0..models.rail_strips.zones.len() {
+        let contact = take_zone(line, rail, search, zone, &damping, models);
+        let mut separation = LineSeparation::new(line, rail, contact);
+        let forces = forces(contact, [0.0; 2], Damped::Already);
+        left_out += forces.add(&mut separation, models, output, work);
     }
-    sums.map(|sum| if load > 0.0 { sum / load } else { 0.0 })
+    left_out
 }
 
 /// Load of all zones and deepest penetration of all contacts [N, m].
-pub fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
+fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
     let deepest = search.contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
     [models.rail_strips.load(), deepest]
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: through the centroid of its load, its normal along
-/// the resultant.
-pub fn take_zone(
+/// Least pressure with damping over that without: strips that part keep a trace, by which their zone has a normal.
+const LEAST_FACTOR: f64 = f64::EPSILON;
+
+/// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on which strips are taken together as a zone.
+pub struct StripDamping<'a, T: Real = f64> {
+    /// How wheel and rail move against each other.
+    pub motion: &'a RelativeMotion<T>,
+    /// The frame of the rail.
+    pub frame: &'a RailFrame<T>,
+    /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
+    pub whole: [T; 2],
+    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
+    pub deviations: Option<(&'a Longitudinal, [T; 2])>,
+}
+
+impl<T: Real> StripDamping<'_, T> {
+    /// Pressure with damping over that without at a place of the rail: `x` along the track and a point, unit tangent and overlap across.
+    fn factor(&self, coefficient: f64, x: T, point: [T; 2], tangent: [T; 2], overlap: T) -> T {
+        if coefficient == 0.0 {
+            return T::from(1.0);
+        }
+        let [load, penetration] = self.whole;
+        let normal = [-tangent[1], tangent[0]];
+        // The wheel's surface of first touch lies deeper in the rail by the overlap.
+        let touch = [0, 1].map(|axis| point[axis] + overlap * normal[axis]);
+        let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
+        let along = self.frame.direction(normal);
+        let even = self.motion.closing_velocity(touch).dot(&along);
+        let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
+            let [rail, wheel] = deviations.slopes(x.value());
+            even + (forward * rail - turning * wheel) * tangent[0]
+        });
+        (damping::damped_load(load, penetration, closing, coefficient) / load)
+            .at_least(LEAST_FACTOR)
+    }
+}
+
+/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its own: through the centroid of its load, its
+/// normal along the resultant.
+fn take_zone(
     line: &ContactLine,
     rail: &PlacedRail,
     search: &ContactSearch,
     index: usize,
+    damping: &StripDamping,
     models: &mut Models,
 ) -> Contact {
     let zone = models.rail_strips.zones[index];
@@ -240,7 +304,7 @@ pub fn take_zone(
         let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.at(u).point, tangent, overlap)
     };
-    let found = zone_in_frame(index, models, place);
+    let found = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, &models.strips.u);
     let deepest = deepest.map_or(0.0, |contact| contact.penetration);
     Contact { penetration: found.penetration.max(deepest), ..found }
@@ -257,40 +321,52 @@ fn deepest_within<'a, T: Real>(search: &'a ContactSearch, u: &[T]) -> Option<&'a
 /// a coordinate across.
 fn zone_in_frame<T: Real>(
     index: usize,
+    damping: &StripDamping<T>,
     models: &mut Models<T>,
     mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
 ) -> Contact<T> {
-    let Models { strips, rail_strips: all, .. } = models;
+    let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
     let range = zone.first..zone.first + zone.count;
     let zero = T::from(0.0);
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
     let mut penetration = zero;
-    for j in range.clone() {
-        let load = all.half_length[j] * all.width[j] * all.pressure[j];
+    for j in range {
         let (point, direction, overlap) = place(all.u[j], all.y[j]);
+        let factor = damping.factor(*coefficient, all.x[j], point, direction, overlap);
+        let pressure = all.pressure[j] * factor;
+        let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;
         for axis in 0..2 {
             tangent[axis] += load * direction[axis];
             origin[axis] += load * point[axis];
         }
         penetration = penetration.max(overlap);
+        strips.y.push(all.y[j]);
+        strips.width.push(all.width[j]);
+        strips.x.push(all.x[j]);
+        strips.half_length.push(all.half_length[j]);
+        strips.pressure.push(pressure);
+        strips.u.push(all.u[j]);
     }
+    let (area, load) = (zone.area, zone.load);
+    zone.first = 0;
+    strips.summarise(&mut zone);
+    if load > 0.0 {
+        zone.max_pressure *= zone.load / load;
+    }
+    zone.area = area;
     let resultant = tangent[0].hypot(tangent[1]);
     let center = zone.y;
     // Normals that diverge carry less together.
     let share = if sum > 0.0 { resultant / sum } else { zero };
-    for j in range {
-        strips.y.push(all.y[j] - center);
-        strips.width.push(all.width[j]);
-        strips.x.push(all.x[j]);
-        strips.half_length.push(all.half_length[j]);
-        strips.pressure.push(share * all.pressure[j]);
-        strips.u.push(all.u[j]);
+    for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()) {
+        *y -= center;
+        *pressure *= share;
     }
     zone.load *= share;
-    (zone.first, zone.y) = (0, zero);
+    zone.y = zero;
     strips.zones.push(zone);
     Contact {
         u: zone.u,
@@ -362,12 +438,13 @@ pub fn take_moving_zone<T: Real>(
     rail: &PlacedRail,
     search: &ContactSearch,
     index: usize,
+    damping: &StripDamping<T>,
     models: &mut Models<T>,
 ) -> Contact<T> {
     let value = line.value();
     let found = LocalLine::of(&value, rail, search);
     let mut local = MovingLocal { line, rail, found };
-    let found = zone_in_frame(index, models, |u, y| {
+    let found = zone_in_frame(index, damping, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());
         (line.even_at(u).point, tangent, overlap)
     });

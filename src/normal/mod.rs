@@ -180,7 +180,7 @@ impl<T: Real> Strips<T> {
     }
 
     /// Fills load, area and centroid of `zone` from its strips.
-    fn summarise(&self, zone: &mut Zone<T>) {
+    pub(crate) fn summarise(&self, zone: &mut Zone<T>) {
         let strips = zone.first..zone.first + zone.count;
         let (mut load, mut area) = (T::from(0.0), T::from(0.0));
         let (mut x, mut y, mut u) = (T::from(0.0), T::from(0.0), T::from(0.0));

@@ -13,7 +13,6 @@ use super::GridSolver;
 use super::equations::residuals;
 use super::grid::Grid;
 use super::line::OverlapLine;
-use super::overlap::MOST_OVERLAPS;
 use super::zones::Loads;
 use crate::math::dual::Dual;
 use crate::math::linear_system::Factors;
@@ -46,7 +45,7 @@ impl<T: Real> GridFollower<T> {
         let (nodes, knots) = (solver.grid.nodes.capacity(), solver.knots.count());
         let unknowns = nodes + knots;
         Self {
-            grid: Grid::new(solver.knots.nodes(), MOST_OVERLAPS),
+            grid: Grid::new(solver.knots.nodes()),
             z: Room::new(nodes),
             shape: Room::new(knots),
             residuals: Room::new(unknowns),
@@ -68,12 +67,12 @@ impl<const N: usize> GridFollower<Dual<N>> {
         contact_modulus: f64,
         strips: &mut Strips<Dual<N>>,
     ) -> bool {
-        if solver.overlaps.is_empty() || solver.grid.nodes.is_empty() {
+        if solver.overlaps.intervals.is_empty() || solver.grid.nodes.is_empty() {
             return true;
         }
         let count = solver.grid.nodes.len();
         let grid = &mut self.grid;
-        grid.lay(line, &solver.overlaps, solver.knots.nodes());
+        grid.lay(line, &solver.overlaps, &solver.knots);
         if grid.nodes.len() != count {
             return false;
         }
@@ -113,8 +112,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
             }
         }
         self.shapes.clear();
-        let numbers = grid.nodes.iter().map(|node| node.number);
-        self.shapes.extend(numbers.map(|number| solver.knots.value(number, &self.shape)));
+        self.shapes.extend(grid.nodes.iter().map(|node| node.between.value(&self.shape)));
         Loads { grid, z: &self.z, shapes: &self.shapes }.emit(contact_modulus, strips);
         true
     }

@@ -344,7 +344,7 @@ pub(super) fn residuals<T: Real>(
     let zero = T::from(0.0);
     let is_skewed = T::HAS_SLOPES || grid.is_skewed();
     slender.clear();
-    slender.extend(nodes.iter().map(|node| (-knots.value(node.number, shape)).exp()));
+    slender.extend(nodes.iter().map(|node| (-node.between.value(shape)).exp()));
     out.clear();
     out.resize(n + knots.count(), zero);
     let end = |node: Option<usize>| node.map_or(-scales.load, |j| z[j]);
@@ -387,7 +387,7 @@ pub(super) fn residuals<T: Real>(
         if z[i] > 0.0 {
             let error = fallen / wanted_fall(&own, node) - 1.0;
             let [width, ..] = loaded_width(node, z[i], node.neighbours.map(end));
-            for (k, share) in knots.of(node.number) {
+            for (k, share) in node.between.weights() {
                 out[n + k] += scales.weight(width, z[i]) * error * share;
             }
         }

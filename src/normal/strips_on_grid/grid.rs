@@ -2,16 +2,18 @@
 //!
 //! Nodes lie at equal shares of the integral of the curvature of the overlap to the power of 2/5 over all intervals in which the undeformed bodies
 //! overlap, by which the squared error of linear interpolation is least on the whole; fewer lie where the overlap is too small to carry load. The ends of the
-//! intervals are nodes too, and valleys between intervals that have joined. A node that leaves one of them for the next one does so where it is unloaded, with a cell
-//! of no width.
+//! intervals are nodes too, and another node stands between each two of them. Where intervals join, three nodes become one, which stays in the valley between the lobes of the
+//! overlap and goes over to the others as the valley is filled: so the places of all nodes are continuous in the pose. A node that goes from one interval to the next one does
+//! so where it is unloaded, with a cell of no width.
 //!
 //! The load per width is the positive part of a line in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
 //! middles, with the half length that belongs to the load there.
 
 use super::equations::Scales;
 use super::line::{OverlapLine, Place};
-use super::overlap::End;
-use super::samples::{MOST_VALLEYS, Samples, nodes_between, share_behind};
+use super::overlap::{MOST_LOBES, MOST_OVERLAPS, Overlaps};
+use super::samples::{Samples, nodes_between, share_behind};
+use super::shape::{Between, Knots};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -20,8 +22,8 @@ use crate::math::room::Room;
 pub(super) struct Node<T = f64> {
     /// Coordinate across [m].
     pub y: T,
-    /// Its number among the nodes that are neither ends nor valleys of overlaps; these have that of a node beside them.
-    pub number: usize,
+    /// Where it is between the knots.
+    pub between: Between<T>,
     pub place: Place<T>,
     /// Radius of the normal section of the wheel along x [m].
     pub radius: T,
@@ -56,21 +58,22 @@ pub(super) struct Grid<T = f64> {
 }
 
 impl<T: Real> Grid<T> {
-    /// Room for `nodes` nodes within `intervals` intervals, whose ends are nodes too.
-    pub fn new(nodes: usize, intervals: usize) -> Self {
+    /// Room for `nodes` nodes; the ends of overlaps are nodes too, and there is one more for each gap and each valley between lobes.
+    pub fn new(nodes: usize) -> Self {
+        let nodes = nodes + 2 * MOST_OVERLAPS + MOST_LOBES;
         Self {
-            nodes: Room::new(nodes + 2 * intervals + MOST_VALLEYS),
-            cells: Room::new(nodes + 3 * intervals + MOST_VALLEYS),
+            nodes: Room::new(nodes),
+            cells: Room::new(nodes + MOST_OVERLAPS),
             samples: Samples::new(),
         }
     }
 
-    /// Lays `count` nodes over the intervals of overlap between `ends`, of which there is at least one.
-    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]], count: usize) {
+    /// Lays nodes over all `overlaps`, of which there is at least one: as many as the `knots` are for, and those of gaps and valleys.
+    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps, knots: &Knots) {
         self.nodes.clear();
         self.cells.clear();
         // An overlap of the order of rounding, or of numbers that have none.
-        if !self.samples.take(line, ends) {
+        if !self.samples.take(line, overlaps) {
             return;
         }
         let scales = Scales::new(&self.samples);
@@ -78,48 +81,51 @@ impl<T: Real> Grid<T> {
         if !(wanted.value() > 0.0 && wanted.value().is_finite()) {
             return;
         }
-        let share = wanted / (count + 1) as f64;
-        let mut passed = T::from(0.0);
-        let (mut next, mut laid, mut valley) = (0, 0, 0);
+        let share = wanted / (knots.nodes() + 1) as f64;
+        let standing: T = self.samples.list.iter().map(|sample| sample.standing).sum();
+        let count = ((knots.nodes() + 1) as f64 + standing.value()).ceil() as usize - 1;
+        // Nodes passed with those that stand, nodes passed without them, and nodes laid.
+        let (mut passed, mut own) = (T::from(0.0), T::from(0.0));
+        let (mut next, mut laid) = (0, 0);
         while next < self.samples.list.len() {
             let (first, before) = (self.nodes.len(), laid);
             let begin = self.samples.list[next];
-            self.push_node(line, begin.y, begin.u, laid);
+            self.push_node(line, begin.y, begin.u, knots.between(own));
             let mut last = begin;
-            next += 1;
-            while let Some(&sample) =
-                self.samples.list.get(next).filter(|s| s.interval == begin.interval)
-            {
-                let pair = [&last, &sample];
-                next += 1;
-                let own = nodes_between(pair);
-                while laid < count {
-                    let ahead = share * (laid + 1) as f64 - passed;
-                    let is_here = ahead < own && own > 0.0;
-                    if !is_here {
-                        break;
-                    }
-                    let behind = share_behind(pair, ahead.at_least(0.0));
-                    let parameter = last.u + (sample.u - last.u) * behind.value();
-                    let y = last.y + (sample.y - last.y) * behind;
-                    self.push_valleys(line, &mut valley, y, laid);
-                    self.push_node(line, y, parameter, laid);
+            loop {
+                while laid < count && T::from((laid + 1) as f64) < passed + last.standing {
+                    self.push_node(line, last.y, last.u, knots.between(own));
                     laid += 1;
                 }
-                passed += own;
+                passed += last.standing;
+                next += 1;
+                let following = self.samples.list.get(next);
+                let Some(&sample) = following.filter(|s| s.interval == begin.interval) else {
+                    break;
+                };
+                let pair = [&last, &sample];
+                let between = nodes_between(pair) / share;
+                while laid < count {
+                    let ahead = (T::from((laid + 1) as f64) - passed).at_least(0.0);
+                    if ahead >= between {
+                        break;
+                    }
+                    let behind = share_behind(pair, ahead * share);
+                    let parameter = last.u + (sample.u - last.u) * behind.value();
+                    let y = last.y + (sample.y - last.y) * behind;
+                    self.push_node(line, y, parameter, knots.between(own + ahead));
+                    laid += 1;
+                }
+                passed += between;
+                own += between;
                 last = sample;
             }
             if laid == before {
-                // Nothing is known of an overlap in which no node lies, nor of its valleys.
+                // Nothing is known of an overlap in which no node lies.
                 self.nodes.truncate(first);
-                while self.samples.valleys.get(valley).is_some_and(|v| v.interval == begin.interval)
-                {
-                    valley += 1;
-                }
                 continue;
             }
-            self.push_valleys(line, &mut valley, last.y, laid - 1);
-            self.push_node(line, last.y, last.u, laid - 1);
+            self.push_node(line, last.y, last.u, knots.between(own));
             self.link(first);
         }
     }
@@ -129,27 +135,19 @@ impl<T: Real> Grid<T> {
         self.nodes.iter().any(|node| node.place.x != self.nodes[0].place.x)
     }
 
-    /// Adds nodes in the valleys from number `next` on that come before `y`, with the `number` of a node beside them.
-    fn push_valleys(
+    /// Adds a node at `y`, which is `between` knots, where the line has about the `parameter`.
+    fn push_node(
         &mut self,
         line: &mut impl OverlapLine<T>,
-        next: &mut usize,
         y: T,
-        number: usize,
+        parameter: f64,
+        between: Between<T>,
     ) {
-        while let Some(&valley) = self.samples.valleys.get(*next).filter(|valley| valley.y < y) {
-            self.push_node(line, valley.y, valley.u, number);
-            *next += 1;
-        }
-    }
-
-    /// Adds the node number `number` at `y`, where the line has about the `parameter`.
-    fn push_node(&mut self, line: &mut impl OverlapLine<T>, y: T, parameter: f64, number: usize) {
         let place = line.at(y, parameter);
         let radius = line.section_radius(place.u);
         let (reach, reach_x) = ([y; 2], [place.x; 2]);
         let (cell, neighbours) = (0, [None; 2]);
-        self.nodes.push(Node { y, number, place, radius, reach, reach_x, cell, neighbours });
+        self.nodes.push(Node { y, between, place, radius, reach, reach_x, cell, neighbours });
     }
 
     /// Links the nodes from number `first` on, which are those of one interval, by cells; before and behind them are cells of no width.

@@ -22,6 +22,7 @@ mod equations;
 mod grid;
 mod influence;
 mod line;
+mod lobes;
 mod newton;
 mod overlap;
 mod samples;
@@ -33,12 +34,11 @@ pub use influence::STATION;
 pub use line::{Line, LinePlace, NEAR, OverlapLine, Place, walk_across};
 
 use crate::geometry::separation::{Probe, Separation};
-use crate::math::room::Room;
 use crate::normal::{NormalProblem, Strips};
 use grid::Grid;
 use line::FrameLine;
 use newton::Newton;
-use overlap::{End, MOST_OVERLAPS};
+use overlap::Overlaps;
 use shape::Knots;
 use zones::Loads;
 
@@ -62,7 +62,7 @@ pub struct Work {
 #[derive(Clone, Debug)]
 pub struct GridSolver {
     knots: Knots,
-    overlaps: Room<[End; 2]>,
+    overlaps: Overlaps,
     grid: Grid,
     newton: Newton,
     /// Work so far.
@@ -76,9 +76,9 @@ impl GridSolver {
         let strips = strips.max(LEAST_STRIPS);
         // The ends of an overlap are nodes too.
         let knots = Knots::new(strips - 2);
-        let grid = Grid::new(strips - 2, MOST_OVERLAPS);
+        let grid = Grid::new(strips - 2);
         let newton = Newton::new(grid.nodes.capacity(), &knots, grid.cells.capacity());
-        Self { knots, overlaps: Room::new(MOST_OVERLAPS), grid, newton, work: Work::default() }
+        Self { knots, overlaps: Overlaps::new(), grid, newton, work: Work::default() }
     }
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
@@ -93,11 +93,11 @@ impl GridSolver {
         strips: &mut Strips,
     ) -> usize {
         self.work.solved += 1;
-        overlap::fill(line, probes, level, &mut self.overlaps);
-        if self.overlaps.is_empty() {
+        self.overlaps.fill(line, probes, level);
+        if self.overlaps.intervals.is_empty() {
             return 0;
         }
-        self.grid.lay(line, &self.overlaps, self.knots.nodes());
+        self.grid.lay(line, &self.overlaps, &self.knots);
         if self.grid.nodes.is_empty() {
             return 0;
         }

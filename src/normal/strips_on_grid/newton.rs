@@ -8,8 +8,8 @@ use multiversion::multiversion;
 use super::columns::{Beside, Block, LANES, Rows, Sources, Sums, add, project, row};
 use super::elimination;
 use super::equations::{
-    CellLoad, Pair, RULE, Scales, Strip, loaded_part, loaded_width, near_pair, slenderness,
-    wanted_fall,
+    CellLoad, INFLUENCE, Pair, RULE, Scales, Strip, loaded_part, loaded_width, near_pair,
+    slenderness, wanted_fall,
 };
 use super::grid::Grid;
 use super::shape::Knots;
@@ -32,6 +32,9 @@ const SHARE_ACROSS: f64 = 0.1;
 /// Least slope of the equation of a node over the greatest residual of all of them, both in units of the ellipse: a node of little load or little gap has an equation that
 /// is flat on both sides, and moves by no more than some loads of the ellipse. It goes to nothing with the residual, so that the last steps are Newton's.
 const LEAST_SLOPE: f64 = 0.2;
+/// Displacement of a node by a load of its own over (2/π²) times width over half length: ln(8 a/h), for nodes a seventh of a half length apart. What is left of the overlap
+/// of a node when its gap has closed is carried with that slope, and not with that of the gap.
+const SELF_INFLUENCE: f64 = 4.0;
 
 /// Unknowns and memory for as many nodes as the solver was made for.
 #[derive(Clone, Debug)]
@@ -137,7 +140,7 @@ impl Newton {
         let shares = &mut self.shares[..long * self.behind];
         shares.fill(Block::ZERO);
         for (i, node) in grid.nodes.iter().enumerate() {
-            for (k, share) in knots.of(node.number) {
+            for (k, share) in node.between.weights() {
                 shares[k / LANES * long + i].0[k % LANES] = share;
             }
         }
@@ -158,17 +161,17 @@ impl Newton {
         self.start(grid, &scales);
         for _ in 0..MOST_STEPS {
             self.steps += 1;
-            self.linearise(grid, knots, &scales);
+            self.linearise(grid, &scales);
             match self.step(grid, &scales) {
                 Some(change) if change <= LAST_CHANGE => {
-                    self.place(grid, knots, &scales);
+                    self.place(grid, &scales);
                     return true;
                 }
                 Some(_) => {}
                 None => break,
             }
         }
-        self.place(grid, knots, &scales);
+        self.place(grid, &scales);
         false
     }
 
@@ -222,9 +225,9 @@ impl Newton {
     /// Loads, shapes and strips of the present unknowns.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn place(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
+    fn place(&mut self, grid: &Grid, scales: &Scales) {
         self.shapes.clear();
-        self.shapes.extend(grid.nodes.iter().map(|node| knots.value(node.number, &self.shape)));
+        self.shapes.extend(grid.nodes.iter().map(|node| node.between.value(&self.shape)));
         self.slenderness.clear();
         self.slenderness.extend(self.shapes.iter().map(|shape| (-shape).exp()));
         self.strips.clear();
@@ -277,8 +280,8 @@ impl Newton {
     /// Residuals at the present unknowns and all derivatives of them.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn linearise(&mut self, grid: &Grid, knots: &Knots, scales: &Scales) {
-        self.place(grid, knots, scales);
+    fn linearise(&mut self, grid: &Grid, scales: &Scales) {
+        self.place(grid, scales);
         let (n, m) = (grid.nodes.len(), self.shape.len());
         let (nodes, stride) = (self.nodes, self.nodes + self.behind);
         let long = nodes * LANES;
@@ -319,7 +322,7 @@ impl Newton {
         self.add_near_cells(grid, scales);
         self.matrix[n * stride..(n + m + 1) * stride].fill(Block::ZERO);
         for j in 0..n {
-            self.gather(grid, knots, scales, j);
+            self.gather(grid, scales, j);
         }
         let (matrix, right) = self.matrix.split_at_mut((n + m) * stride);
         for (k, penalty) in self.penalty.chunks_exact(stride - nodes).enumerate() {
@@ -375,7 +378,7 @@ impl Newton {
     /// Derivatives of all equations by z of node `j`, and its part in those by the knots.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn gather(&mut self, grid: &Grid, knots: &Knots, scales: &Scales, j: usize) {
+    fn gather(&mut self, grid: &Grid, scales: &Scales, j: usize) {
         let (stride, nodes) = (self.nodes + self.behind, self.nodes);
         let (matrix, by_knots) = self.matrix.split_at_mut(grid.nodes.len() * stride);
         let column = &mut matrix[j * stride..][..stride];
@@ -430,7 +433,7 @@ impl Newton {
         project(&by_z[nodes..], &self.falls, by_falls);
         *row(by_nodes, j) += gap;
         project(&by_shape[nodes..], &self.falls, &mut self.by_falls);
-        for (k, share) in knots.of(grid.nodes[j].number) {
+        for (k, share) in grid.nodes[j].between.weights() {
             let (by_nodes, by_falls) = by_knots[k * stride..][..stride].split_at_mut(nodes);
             add(share, by_shape, by_nodes);
             add(share, &self.by_falls, by_falls);
@@ -440,7 +443,7 @@ impl Newton {
     /// The derivatives of all residuals by all unknowns at the present ones, by rows, into `matrix`; returns their number.
     pub fn matrix_at(&mut self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
         let scales = Scales::new(&grid.samples);
-        self.linearise(grid, knots, &scales);
+        self.linearise(grid, &scales);
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
         for (k, &row) in self.pivots.iter().enumerate() {
@@ -452,18 +455,29 @@ impl Newton {
         n + m
     }
 
-    /// Makes the equations of nodes as steep as they have to be.
+    /// Makes the equations of nodes as steep as they have to be; returns the greatest overlap that a node without load has beyond its gap, over the depth.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn steepen(&mut self, grid: &Grid, scales: &Scales) {
+    fn steepen(&mut self, grid: &Grid, scales: &Scales) -> f64 {
         let (n, stride) = (grid.nodes.len(), self.nodes + self.behind);
         let (matrix, right) = self.matrix.split_at_mut(self.pivots.len() * stride);
         let greatest = (0..n).map(|i| row(right, i).abs()).fold(0.0, f64::max);
         let least = LEAST_SLOPE * greatest.min(grid.samples.depth) / scales.load;
+        let mut not_carried = 0.0f64;
         for (i, column) in matrix.chunks_exact_mut(stride).take(n).enumerate() {
             let slope = row(column, i);
             *slope = slope.max(least);
+            let (node, z, residual) = (&grid.nodes[i], self.z[i], *row(right, i));
+            let below = (-z).max(0.0);
+            let overlap = residual - scales.gap * below * below.sqrt();
+            if z <= 0.0 && overlap > 0.0 {
+                let width = 0.5 * (node.reach[1] - node.reach[0]);
+                let loaded = SELF_INFLUENCE * INFLUENCE * width / scales.length;
+                *slope = slope.max(residual / (below + overlap / loaded));
+                not_carried = not_carried.max(overlap);
+            }
         }
+        not_carried / grid.samples.depth
     }
 
     /// One step; its greatest change, or nothing where the equations have no solution.
@@ -471,12 +485,11 @@ impl Newton {
     #[inline(always)]
     fn step(&mut self, grid: &Grid, scales: &Scales) -> Option<f64> {
         let stride = self.nodes + self.behind;
-        self.steepen(grid, scales);
+        let mut greatest = self.steepen(grid, scales);
         if !elimination::solve(&mut self.matrix, stride, &self.pivots) {
             return None;
         }
         let change = &mut self.matrix[self.pivots.len() * stride..];
-        let mut greatest = 0.0f64;
         let least = f64::EPSILON * scales.load;
         for (i, z) in self.z.iter_mut().enumerate() {
             let change = *row(change, i);
@@ -491,7 +504,7 @@ impl Newton {
             if z.abs() < least {
                 *z = least;
             }
-            // Nodes without load have their gap from all the others.
+            // Nodes that stay without load have their gap from all the others.
             if is_loaded || *z > 0.0 {
                 greatest = greatest.max(change.abs() / scales.load);
             }

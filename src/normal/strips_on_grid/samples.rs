@@ -6,7 +6,8 @@
 
 use super::equations::Scales;
 use super::line::OverlapLine;
-use super::overlap::{End, MOST_OVERLAPS};
+use super::lobes::{self, LobeSize};
+use super::overlap::{End, Lobe, MOST_LOBES, MOST_OVERLAPS, Overlaps};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -17,17 +18,13 @@ const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
-/// Most valleys of the overlap, as many as it has intervals at most; further ones are no nodes.
-pub(super) const MOST_VALLEYS: usize = MOST_OVERLAPS;
 
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+pub(super) const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
 const UNLOADED: f64 = 0.8;
-/// Overlap in a valley over that at the edge of an ellipse up to which it is a node: where it is not loaded yet, with other nodes near by.
-const DEEPEST_VALLEY: f64 = 0.5;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
@@ -53,21 +50,25 @@ pub(super) struct Sample<T> {
     bend: T,
     /// Nodes wanted per length.
     density: T,
+    /// Nodes that stand here: one between lobes.
+    pub standing: T,
+    /// Number of the lobe that begins here or goes on.
+    lobe: usize,
 }
 
 impl<T: Real> Sample<T> {
     /// At a share of the way to an `other` one: a parabola, whose bend is that in the middle.
-    fn towards(&self, other: &Self, share: f64) -> Self {
+    fn towards(&self, other: &Self, share: T) -> Self {
         let mix = |a: T, b: T| a + (b - a) * share;
         let width = other.y - self.y;
-        let bulge = width * width * (self.bend + other.bend) * (0.25 * share * (1.0 - share));
+        let bulge = width * width * (self.bend + other.bend) * (share * 0.25 * (-share + 1.0));
         Self {
             interval: self.interval,
             y: self.y + width * share,
-            u: self.u + (other.u - self.u) * share,
+            u: self.u + (other.u - self.u) * share.value(),
             overlap: mix(self.overlap, other.overlap) - bulge,
             bend: mix(self.bend, other.bend),
-            density: self.density,
+            ..*self
         }
     }
 }
@@ -88,8 +89,8 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 #[derive(Clone, Debug)]
 pub(super) struct Samples<T = f64> {
     pub list: Room<Sample<T>>,
-    /// Least overlaps between two greater ones, as long as they are not loaded.
-    pub valleys: Room<Sample<T>>,
+    /// The lobes.
+    pub lobes: Room<LobeSize<T>>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
@@ -105,8 +106,8 @@ impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS),
-            valleys: Room::new(MOST_VALLEYS),
+            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS + MOST_LOBES) * PARTS),
+            lobes: Room::new(MOST_LOBES),
             depth: zero,
             half_width: zero,
             radius: zero,
@@ -115,47 +116,95 @@ impl<T: Real> Samples<T> {
         }
     }
 
-    /// Takes the intervals of overlap between `ends`; false where there is nothing but rounding, or no numbers.
-    pub fn take(&mut self, line: &mut impl OverlapLine<T>, ends: &[[End; 2]]) -> bool {
+    /// Takes the overlaps; false where there is nothing but rounding, or no numbers.
+    pub fn take(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) -> bool {
         self.list.clear();
+        self.lobes.clear();
         self.ends.clear();
-        self.ends.extend(ends.iter().map(|pair| [0, 1].map(|end| pair[end].moving(line))));
+        let intervals = &overlaps.intervals;
+        self.ends.extend(intervals.iter().map(|pair| [0, 1].map(|end| pair[end].moving(line))));
         let width: T = self.ends.iter().map(|&[left, right]| right - left).sum();
         let middle =
             self.ends.iter().map(|&[left, right]| (right - left) * (left + right)).sum::<T>() * 0.5
                 / width;
         let spacing =
             (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
+        let mut next = 0;
         // Not in the middle itself, or the ends of a single interval would be places too, on this side or that by rounding.
-        for (interval, ends) in ends.iter().enumerate() {
+        for (interval, ends) in intervals.iter().enumerate() {
+            let first = self.list.len();
             self.take_interval(line, interval, ends, [middle + spacing * 0.5, spacing]);
+            let begin = next;
+            while overlaps.lobes.get(next).is_some_and(|lobe| lobe.interval == interval) {
+                next += 1;
+            }
+            self.take_lobes(line, first, &overlaps.lobes[begin..next], spacing);
         }
         let zero = T::from(0.0);
         let [mut squares, mut cubes, mut moment, mut parameter] = [zero; 4];
         for pair in self.list.windows(2).filter(|pair| pair[0].interval == pair[1].interval) {
             let width = pair[1].y - pair[0].y;
-            let middle = pair[0].towards(&pair[1], 0.5);
+            let middle = pair[0].towards(&pair[1], T::from(0.5));
+            let [own_squares, own_cubes] = &mut self.lobes[pair[0].lobe].sums;
             // Simpson's rule.
             for (sample, weight) in [(&pair[0], 1.0), (&middle, 4.0), (&pair[1], 1.0)] {
                 let depth = sample.overlap.at_least(0.0);
                 let square = width * depth * depth * (weight / 6.0);
-                squares += square;
-                cubes += square * depth;
+                *own_squares += square;
+                *own_cubes += square * depth;
                 moment += square * sample.y;
                 parameter += square * sample.u;
             }
+        }
+        for lobe in self.lobes.iter() {
+            squares += lobe.sums[0];
+            cubes += lobe.sums[1];
         }
         self.depth = cubes / squares * DEPTH_OVER_MEAN;
         self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
         if !(squares.value() > 0.0 && squares.value().is_finite()) {
             return false;
         }
+        lobes::grow_together(&mut self.lobes);
         let middle = line.at(moment / squares, (parameter / squares).value());
         self.radius = line.section_radius(middle.u);
         let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
         [self.depth, self.half_width, self.radius, self.half_width / self.depth]
             .into_iter()
             .all(is_size)
+    }
+
+    /// Takes the `lobes` of the interval whose samples are those from number `first` on; valleys become samples.
+    fn take_lobes(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        first: usize,
+        lobes: &[Lobe],
+        spacing: T,
+    ) {
+        let mut at = first;
+        for lobe in lobes {
+            let number = self.lobes.len();
+            let size = LobeSize::new(lobe, line, spacing);
+            if let Some((y, valley)) = size.behind.zip(lobe.valley) {
+                while at < self.list.len() && self.list[at].y < y {
+                    self.list[at].lobe = number;
+                    at += 1;
+                }
+                if at > first && at < self.list.len() {
+                    let [before, behind] = [self.list[at - 1], self.list[at]];
+                    let share = (y - before.y) / (behind.y - before.y);
+                    let between = before.towards(&behind, share);
+                    self.list.insert(at, Sample { y, u: valley.u, lobe: number + 1, ..between });
+                    at += 1;
+                }
+            } else {
+                for sample in &mut self.list[at..] {
+                    sample.lobe = number;
+                }
+            }
+            self.lobes.push(size);
+        }
     }
 
     /// Takes the interval of a number between its ends.
@@ -189,56 +238,56 @@ impl<T: Real> Samples<T> {
             // A body may end before the overlap does.
             let overlap =
                 if end.slope.is_some() { T::from(0.0) } else { line.at(y, end.u).overlap };
-            Sample { interval, y, u: end.u, overlap, bend, density }
+            Sample { interval, y, u: end.u, overlap, bend, density, standing: density, lobe: 0 }
         };
         let (begin, last) = (end(one, left, 1), end(other, right, count - 3));
         self.list.push(begin);
         for k in 2..count - 2 {
             let y = place(k);
             let (overlap, bend) = (places[k], bend_at(k));
-            self.list.push(Sample { interval, y, u: parameter(y.value()), overlap, bend, density });
+            self.list.push(Sample {
+                interval,
+                y,
+                u: parameter(y.value()),
+                overlap,
+                bend,
+                density,
+                standing: density,
+                lobe: 0,
+            });
         }
         self.list.push(last);
     }
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
-        self.take_valleys(self.depth * scales.level * DEEPEST_VALLEY);
+        self.stand_between(scales.level);
         self.part();
         let depth = self.depth;
         let width = self.sum_of(|[a, b]| b.y - a.y);
         // Where the bodies are parallel there is no curvature to go by.
         let least = depth / (width * width);
         for sample in self.list.iter_mut() {
-            let overlap = (sample.overlap / depth).at_least(LEAST_OVERLAP);
+            let own = self.lobes[sample.lobe].depth;
+            let overlap = (sample.overlap / own).at_least(LEAST_OVERLAP);
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
-            sample.density = bend * share_loaded(overlap, scales.level);
+            // A lesser lobe has fewer, by the root of its depth besides its width: less depends on it.
+            sample.density = bend * share_loaded(overlap, scales.level) * (own / depth).sqrt();
         }
         self.sum_of(nodes_between)
     }
 
-    /// Takes the valleys in which the overlap is less than `most`: vertices of parabolas through three samples.
-    fn take_valleys(&mut self, most: T) {
-        self.valleys.clear();
-        for three in self.list.windows(3).filter(|three| three[0].interval == three[2].interval) {
-            let [left, middle, right] = [&three[0], &three[1], &three[2]];
-            let is_valley = left.overlap >= middle.overlap && middle.overlap < right.overlap;
-            let (before, behind) = (middle.y - left.y, right.y - middle.y);
-            if !is_valley || self.valleys.len() == self.valleys.capacity() {
-                continue;
-            }
-            let slopes = [
-                (middle.overlap - left.overlap) / before,
-                (right.overlap - middle.overlap) / behind,
-            ];
-            let bend = (slopes[1] - slopes[0]) / (before + behind);
-            let slope = slopes[0] + bend * before;
-            let way = slope * -0.5 / bend;
-            let overlap = middle.overlap + slope * way * 0.5;
-            if overlap < most {
-                let u = middle.u + (right.u - left.u) * (way / (before + behind)).value();
-                self.valleys.push(Sample { y: middle.y + way, u, overlap, ..*middle });
+    /// Takes how many nodes stand between lobes and between intervals: of one in a gap, a half at each of its ends.
+    fn stand_between(&mut self, level: T) {
+        lobes::stand_between(&mut self.lobes, level);
+        for k in 1..self.list.len() {
+            let [before, own] = [self.list[k - 1], self.list[k]];
+            if before.interval != own.interval {
+                let half = T::from(0.5);
+                (self.list[k - 1].standing, self.list[k].standing) = (half, half);
+            } else if before.lobe != own.lobe {
+                self.list[k].standing = self.lobes[before.lobe].standing;
             }
         }
     }
@@ -246,7 +295,7 @@ impl<T: Real> Samples<T> {
     /// Puts samples of parabolas between all samples.
     fn part(&mut self) {
         let before = self.list.len();
-        let zero = Sample { density: T::from(0.0), ..self.list[0] };
+        let zero = Sample { density: T::from(0.0), standing: T::from(0.0), ..self.list[0] };
         self.list.resize(before * PARTS, zero);
         for k in (0..before).rev() {
             let one = self.list[k];
@@ -254,8 +303,13 @@ impl<T: Real> Samples<T> {
             for part in 0..PARTS {
                 // Behind the last sample of an interval there is nothing.
                 let share = part as f64 / PARTS as f64;
+                let between = if other.interval == one.interval {
+                    one.towards(&other, T::from(share))
+                } else {
+                    one
+                };
                 let between =
-                    if other.interval == one.interval { one.towards(&other, share) } else { one };
+                    if part == 0 { one } else { Sample { standing: T::from(0.0), ..between } };
                 self.list[k * PARTS + part] = between;
             }
         }

@@ -14,24 +14,36 @@ const LEAST_NODES_PER_KNOT: usize = 2;
 const PENALTIES: [f64; 2] = [1e-3, 1e-4];
 
 /// Knots over a number of nodes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Knots {
-    /// The first of the two knots of each node, and the share of the second.
-    places: Vec<(usize, f64)>,
+    nodes: usize,
     count: usize,
+}
+
+/// The first of the two knots of a node, and the share of the second.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Between<T = f64> {
+    pub first: usize,
+    pub share: T,
+}
+
+impl<T: Real> Between<T> {
+    /// Knots and their weights.
+    pub fn weights(&self) -> [(usize, T); 2] {
+        [(self.first, T::from(1.0) - self.share), (self.first + 1, self.share)]
+    }
+
+    /// The field with the values `at` the knots.
+    pub fn value(&self, at: &[T]) -> T {
+        self.weights().iter().map(|&(k, share)| at[k] * share).sum()
+    }
 }
 
 impl Knots {
     /// Knots for `nodes` nodes.
     pub fn new(nodes: usize) -> Self {
         let wanted = MORE_KNOTS + (nodes as f64 / NODES_PER_KNOT) as usize;
-        let count = wanted.min(nodes / LEAST_NODES_PER_KNOT);
-        let place = |i: usize| {
-            let at = (i * (count - 1)) as f64 / (nodes - 1) as f64;
-            let first = (at as usize).min(count - 2);
-            (first, at - first as f64)
-        };
-        Self { places: (0..nodes).map(place).collect(), count }
+        Self { nodes, count: wanted.min(nodes / LEAST_NODES_PER_KNOT) }
     }
 
     /// Number of knots.
@@ -41,18 +53,16 @@ impl Knots {
 
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
-        self.places.len()
+        self.nodes
     }
 
-    /// The field with the values `at` the knots, at node `i`.
-    pub fn value<T: Real>(&self, i: usize, at: &[T]) -> T {
-        self.of(i).iter().map(|&(k, share)| at[k] * share).sum()
-    }
-
-    /// Knots and weights of node `i`.
-    pub fn of(&self, i: usize) -> [(usize, f64); 2] {
-        let (first, share) = self.places[i];
-        [(first, 1.0 - share), (first + 1, share)]
+    /// Where node number `number`, from 1 on, is; beyond the first and the last one the field is as there.
+    pub fn between<T: Real>(&self, number: T) -> Between<T> {
+        let last = self.count - 1;
+        let rate = last as f64 / (self.nodes - 1) as f64;
+        let at = ((number - 1.0) * rate).at_least(0.0).at_most(last as f64);
+        let first = (at.value() as usize).min(last - 1);
+        Between { first, share: at - first as f64 }
     }
 
     /// Second derivatives of the penalty by the values at knots `k` and `l`, halved.
