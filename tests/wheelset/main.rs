@@ -79,7 +79,7 @@ fn random_on_track(random: &mut Random) -> Input {
     }
     input.track = TrackTurn {
         twist: random.about(2e-3),
-        gradient_change: random.about(1e-3),
+        vertical_curvature: random.about(1e-3),
         curvature: random.about(5e-3),
     };
     input
