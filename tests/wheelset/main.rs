@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod curving;
 mod derivatives;
 mod gravity;
 mod rigid_body;
