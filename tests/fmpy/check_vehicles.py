@@ -1,4 +1,4 @@
-"""The bogie and the climbing flange of the examples with the packed wheelset: WHEELRAIL_WHEELSET names its archive."""
+"""The bogie, the climbing flange and the coach of the examples with the packed wheelset: WHEELRAIL_WHEELSET names its archive."""
 
 import os
 import sys
@@ -9,6 +9,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
 
 import cooperrider_bogie as bogie  # noqa: E402
 import flange_climb as climb  # noqa: E402
+import vehicle  # noqa: E402
 
 LINEAR = {"normal.model": "hertz", "tangential.model": "linear", "creepage.model": "flat"}
 
@@ -61,6 +62,19 @@ class FlangeClimb(unittest.TestCase):
         self.assertLess(abs(free / climb.nadal(angle, friction) - 1), 0.005)
         self.assertGreater(solid, free)
         self.assertGreater(straight, free)
+
+
+class Coach(unittest.TestCase):
+    def test_in_a_curve_its_wheelsets_hold_what_cant_leaves(self):
+        rows, _, _ = vehicle.run(os.environ["WHEELRAIL_WHEELSET"], 2e-3, vehicle.MODELS["piotrowski_kik + fastsim"])
+        right, left = rows[-1, 9::2], rows[-1, 10::2]
+        # Guiding forces are positive outwards.
+        held = sum(left) - sum(right)
+        across = vehicle.SPEED**2 * vehicle.CURVATURE - vehicle.GRAVITY * vehicle.CANT
+        # The body still sways by some thousandths of its weight.
+        self.assertLess(abs(held / (8 * vehicle.Vehicle().load / vehicle.GRAVITY * across) - 1), 0.01)
+        # The outer wheel of the leading wheelset guides.
+        self.assertEqual(left.argmax(), 0)
 
 
 if __name__ == "__main__":
