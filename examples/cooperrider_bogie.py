@@ -7,14 +7,11 @@ stability where a pair of eigenvalues crosses the imaginary axis (Hopf). Numbers
 gives them, Acta Mechanica 61 (1986) 89; the critical speed of 68.66 is that of the page "Railway bogie" of bifurcation.de, which calls it mph: with these numbers in SI units it is m/s.
 """
 
-import shutil
 import sys
-from ctypes import byref
 
-import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
-from fmpy.logging import addLoggerProxy
+
+from fmpy_unit import Unit
 
 PUBLISHED = 68.66
 WHEELSET = {"mass": 1022.0, "inertia": 678.0}
@@ -67,58 +64,24 @@ def published_contact(speed):
     return np.array(by_place), np.array(by_rate)
 
 
-class Unit:
+def unit_of(archive, **models):
     """WheelSet.fmu on cones and crowned rails, under given wheel loads: height and roll of the axle follow."""
+    start = {"flange_back_distance": 2 * CONTACTS - 0.14, "track.gauge": 2 * CONTACTS - 0.07, "vertical.mode": "load", "wheelset.z": -RADIUS, **models}
+    for side in ("right", "left"):
+        start |= {f"{side}.wheel.profile": f"conical:{CONICITY}", f"{side}.rail[1].profile": f"arc:{CROWN}"}
+        start |= {f"{side}.wheel.nominal_radius": RADIUS, f"{side}.wheel.load": LOAD, f"{side}.rail[1].inclination": 0.0}
+    return Unit(archive, start)
 
-    def __init__(self, archive, **models):
-        self.messages = []
-        description = fmpy.read_model_description(archive)
-        self.variables = {v.name: v for v in description.modelVariables}
-        self.folder = fmpy.extract(archive)
-        identifier = description.coSimulation.modelIdentifier
-        self.slave = FMU2Slave(guid=description.guid, unzipDirectory=self.folder, modelIdentifier=identifier, instanceName="bogie")
-        self.callbacks = fmi2CallbackFunctions()
-        self.callbacks.logger = fmi2CallbackLoggerTYPE(lambda e, name, status, category, text: self.messages.append(text))
-        addLoggerProxy(byref(self.callbacks))
-        self.slave.instantiate(callbacks=self.callbacks)
-        self.slave.setupExperiment(startTime=0.0)
-        start = {"flange_back_distance": 2 * CONTACTS - 0.14, "track.gauge": 2 * CONTACTS - 0.07, "vertical.mode": "load", **models}
-        for side in ("right", "left"):
-            start |= {f"{side}.wheel.profile": f"conical:{CONICITY}", f"{side}.rail[1].profile": f"arc:{CROWN}"}
-            start |= {f"{side}.wheel.nominal_radius": RADIUS, f"{side}.wheel.load": LOAD, f"{side}.rail[1].inclination": 0.0}
-        self.set(start | {"wheelset.z": -RADIUS})
-        self.slave.enterInitializationMode()
-        self.slave.exitInitializationMode()
 
-    def set(self, values):
-        for name, value in values.items():
-            variable = self.variables[name]
-            reference = [variable.valueReference]
-            if variable.type == "String":
-                self.slave.setString(reference, [value])
-            elif variable.type == "Real":
-                self.slave.setReal(reference, [value])
-            else:
-                items = {item.name: int(item.value) for item in variable.declaredType.items}
-                self.slave.setInteger(reference, [items[value]])
+def contact_of(unit):
+    """As `published_contact`, by the exact derivatives of the unit."""
 
-    def get(self, name):
-        return self.slave.getReal([self.variables[name].valueReference])[0]
+    def contact(speed):
+        unit.set({"wheelset.vx": speed, "wheelset.pitch_rate": -speed / RADIUS})
+        forces = ["wheelset.force.y", "wheelset.moment.z"]
+        return unit.derivatives(forces, ["wheelset.y", "wheelset.yaw"]), unit.derivatives(forces, ["wheelset.vy", "wheelset.yaw_rate"])
 
-    def contact(self, speed):
-        """As `published_contact`, by the exact derivatives of the unit."""
-        self.set({"wheelset.vx": speed, "wheelset.pitch_rate": -speed / RADIUS})
-        unknowns = [self.variables[name].valueReference for name in ("wheelset.force.y", "wheelset.moment.z")]
-
-        def by(names):
-            columns = [self.slave.getDirectionalDerivative(unknowns, [self.variables[name].valueReference], [1.0]) for name in names]
-            return np.array(columns).T
-
-        return by(["wheelset.y", "wheelset.yaw"]), by(["wheelset.vy", "wheelset.yaw_rate"])
-
-    def close(self):
-        self.slave.freeInstance()
-        shutil.rmtree(self.folder, ignore_errors=True)
+    return contact
 
 
 def growth(contact, speed):
@@ -156,8 +119,8 @@ def main(archive):
         ("WheelSet.fmu: hertz + linear (Kalker)", {"normal.model": "hertz", "tangential.model": "linear", "creepage.model": "flat"}),
         ("WheelSet.fmu as it starts", {}),
     ):
-        unit = Unit(archive, **models)
-        speed, frequency = critical_speed(unit.contact)
+        unit = unit_of(archive, **models)
+        speed, frequency = critical_speed(contact_of(unit))
         axes = [500 * unit.get(f"right.patch[1].{name}") for name in ("length", "width")]
         unit.close()
         print(f"{title:42} {speed:8.2f} m/s, {frequency:.2f} Hz; ellipse {axes[0]:.3f} x {axes[1]:.3f} mm")

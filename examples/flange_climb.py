@@ -9,14 +9,11 @@ that of the tread, spends friction along the track too and holds more.
 """
 
 import math
-import shutil
 import sys
-from ctypes import byref
 
-import fmpy
 import numpy as np
-from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
-from fmpy.logging import addLoggerProxy
+
+from fmpy_unit import Unit
 
 SPEED, LOAD = 10.0, 60e3
 FRICTIONS = (0.2, 0.3, 0.4)
@@ -24,36 +21,10 @@ ANGLES = (0.0, 1.0, 2.0, 4.0, 7.0, 10.0, 15.0, 20.0)
 SHIFTS = np.arange(6.0e-3, 9.5e-3, 2.5e-5)
 
 
-class Unit:
+def unit_of(archive):
     """WheelSet.fmu under given loads."""
-
-    def __init__(self, archive):
-        description = fmpy.read_model_description(archive)
-        self.variables = {v.name: v for v in description.modelVariables}
-        self.folder = fmpy.extract(archive)
-        identifier = description.coSimulation.modelIdentifier
-        self.slave = FMU2Slave(guid=description.guid, unzipDirectory=self.folder, modelIdentifier=identifier, instanceName="climb")
-        self.callbacks = fmi2CallbackFunctions()
-        self.callbacks.logger = fmi2CallbackLoggerTYPE(lambda *_: None)
-        addLoggerProxy(byref(self.callbacks))
-        self.slave.instantiate(callbacks=self.callbacks)
-        self.slave.setupExperiment(startTime=0.0)
-        mode = self.variables["vertical.mode"]
-        items = {item.name: int(item.value) for item in mode.declaredType.items}
-        self.slave.setInteger([mode.valueReference], [items["load"]])
-        self.set({"right.wheel.load": LOAD, "left.wheel.load": LOAD, "wheelset.vx": SPEED, "wheelset.pitch_rate": -SPEED / 0.46})
-        self.slave.enterInitializationMode()
-        self.slave.exitInitializationMode()
-
-    def set(self, values):
-        self.slave.setReal([self.variables[name].valueReference for name in values], list(values.values()))
-
-    def get(self, *names):
-        return self.slave.getReal([self.variables[name].valueReference for name in names])
-
-    def close(self):
-        self.slave.freeInstance()
-        shutil.rmtree(self.folder, ignore_errors=True)
+    loads = {f"{side}.wheel.load": LOAD for side in ("right", "left")}
+    return Unit(archive, {"vertical.mode": "load", "wheelset.vx": SPEED, "wheelset.pitch_rate": -SPEED / 0.46, **loads})
 
 
 def nadal(angle, friction):
@@ -69,7 +40,7 @@ def limit(unit, angle_of_attack, friction, is_free):
         unit.set({"wheelset.y": shift, "right.wheel.own_pitch_rate": 0.0})
         if is_free:
             # As fast as it rolls on its flange.
-            (radius,) = unit.get("right.patch[1].rolling_radius")
+            radius = unit.get("right.patch[1].rolling_radius")
             unit.set({"right.wheel.own_pitch_rate": SPEED / 0.46 - SPEED / radius})
         ratio, angle = unit.get("right.derailment_quotient", "right.patch[1].contact_angle")
         best = max(best, (ratio, -angle))
@@ -78,7 +49,7 @@ def limit(unit, angle_of_attack, friction, is_free):
 
 def table(archive):
     """Rows of friction, angle of attack [mrad], Y/Q on a solid axle and of a free wheel, contact angle of the latter [degrees] and Nadal's limit at it."""
-    unit = Unit(archive)
+    unit = unit_of(archive)
     rows = []
     for friction in FRICTIONS:
         for attack in ANGLES:

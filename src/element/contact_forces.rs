@@ -25,7 +25,7 @@ use crate::kinematics::creepage::{
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone, damping};
-use crate::tangential::{RollingState, StripForce};
+use crate::tangential::{RollingState, StripForce, UnderLaw};
 use crate::wear::rcf;
 
 /// Load and penetration that the damping of a normal motion goes by.
@@ -110,7 +110,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             let rolling = self.rolling(zone, &surface, load_factor, models.minimum_speed);
             let ZoneRolling { position, rolling_radius, speed, .. } = rolling;
             let wheel_point = self.line.wheel_point(zone.u);
-            let (slip, tractions) = self.tractions(&motion, models, &rolling);
+            let (law, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
             fallbacks += u64::from(tractions.fell_back);
@@ -129,14 +129,13 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             add(rail, -tractions.force, position - marker, -tractions.moment);
             add(rail, -pressing, bearing + Vector3::x() * station - marker, Vector3::zeros());
             let dissipation = tractions.dissipation.at_least(0.0);
-            let state = self.state(&rolling, slip);
-            let left = models.tangential.friction_left(&zone, &models.strips, &state);
             if models.wear.as_deref().is_some_and(WearSums::is_recording) {
-                T::record(self, index, &state, models, separation);
+                T::record(self, index, &law, models, separation);
             }
             let frictional_power = dissipation * speed.reference;
             output.wear_number += dissipation;
             output.frictional_power += frictional_power;
+            let slip = law.state.creepage;
             models.patches.push(Patch {
                 rail: self.k as i32 + 1,
                 normal_force,
@@ -153,8 +152,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 width: zone.width,
                 area: zone.area,
                 creepage: [slip.longitudinal, slip.lateral, slip.spin],
-                friction_coefficient: left.coefficient,
-                temperature: left.temperature,
+                friction_coefficient: law.state.friction,
+                temperature: law.temperature,
                 slip_share: (tractions.slip_area / zone.area).at_most(1.0),
                 frictional_power,
                 tgamma_damage: rcf::tgamma_damage(
@@ -276,13 +275,13 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         }
     }
 
-    /// Creepage of a zone, and its tractions on the wheel where there are any.
+    /// How a zone rolls under the laws of friction, and its tractions on the wheel where there are any.
     fn tractions(
         &self,
         motion: &RelativeMotion<T>,
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
-    ) -> (Creepage<T>, Option<Tractions<T>>) {
+    ) -> (UnderLaw<T>, Option<Tractions<T>>) {
         let ZoneRolling { zone, position, axes, speed, surface_depth, .. } = rolling;
         let Models { curved_zone, strips, tangential, material, wear, given, .. } = models;
         let material = &material.fixed();
@@ -296,7 +295,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                     wear.add_strip(zone.first + j, dissipation.value(), slip_area.value());
                 }
             }
-            return (given.creepage, Some(given.about(*position)));
+            let state = self.state(rolling, given.creepage);
+            let law = tangential.under_law(zone, strips, material, &state);
+            return (law, Some(given.about(*position)));
         }
         let creepage = match models.creepage {
             CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
@@ -310,20 +311,22 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             }
         };
         let state = self.state(rolling, creepage);
+        let law = tangential.under_law(zone, strips, material, &state);
         let place = *position;
         let tractions = match (models.creepage, wear) {
             (CreepageModel::Curved, None) => {
                 let each = |_, _, _| {};
-                curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
+                curved_zone.tractions(zone, strips, tangential, &law, place, each)
             }
             (CreepageModel::Curved, Some(wear)) => {
                 let each = |j, dissipation: T, slip_area: T| {
                     wear.add_strip(j, dissipation.value(), slip_area.value());
                 };
-                curved_zone.tractions(zone, strips, tangential, material, &state, place, each)
+                curved_zone.tractions(zone, strips, tangential, &law, place, each)
             }
             (_, None) => {
-                let force = tangential.creep_force(zone, strips, material, &state);
+                let each = |_, _: &StripForce<T>| {};
+                let force = tangential.creep_force_under(zone, strips, &law, each);
                 force.map(|force| Tractions::flat(&force, &creepage, axes))
             }
             (_, Some(wear)) => {
@@ -335,11 +338,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                         + force.moment * creepage.spin;
                     wear.add_strip(j, -dissipation.value(), force.slip_area.value());
                 };
-                let force = tangential.creep_force_with(zone, strips, material, &state, each);
+                let force = tangential.creep_force_under(zone, strips, &law, each);
                 force.map(|force| Tractions::flat(&force, &creepage, axes))
             }
         };
-        (creepage, tractions)
+        (law, tractions)
     }
 
     /// The axes of the contact frame in the track frame.

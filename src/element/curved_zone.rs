@@ -15,12 +15,11 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
-use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, CreepNumber, RollingState, Tangential};
+use crate::tangential::{CreepForce, CreepNumber, Tangential, UnderLaw};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
 #[derive(Clone, Copy, Debug)]
@@ -125,43 +124,40 @@ impl<T: Real> CurvedZone<T> {
     }
 
     /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is nothing to compute.
-    /// `state.creepage` is the mean creepage. `each` gets the number of each strip, its dissipation over the reference speed [J/m] and
+    /// `law` is that of the mean creepage. `each` gets the number of each strip, its dissipation over the reference speed [J/m] and
     /// its area that slips [m²]; a strip may come twice.
-    #[allow(clippy::too_many_arguments)] // what a zone is, how it moves, and where its forces go
     pub fn tractions(
         &self,
         zone: &Zone<T>,
         strips: &Strips<T>,
         tangential: &Tangential,
-        material: &MaterialPair<T>,
-        state: &RollingState<T>,
+        law: &UnderLaw<T>,
         position: Vector3<T>,
         mut each: impl FnMut(usize, T, T),
     ) -> Option<Tractions<T>>
     where
         T: CreepNumber,
     {
-        let slip =
-            StripSlip { first: zone.first, creepages: &self.creepages, mean: state.creepage };
+        let mean = law.state.creepage;
+        let slip = StripSlip { first: zone.first, creepages: &self.creepages, mean };
         if self.creepages.iter().all(Creepage::is_zero) {
             return None;
         }
         let mut total = Tractions::<T>::default();
-        let solved =
-            tangential.strip_forces(zone, strips, material, &slip, state, |j, strip| {
-                let i = j - zone.first;
-                let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
-                let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
-                total.force += force;
-                total.moment += (self.points[i] - position).cross(&force)
-                    + Vector3::x().cross(&tangent) * strip.moment;
-                let dissipation = -(strip.longitudinal * creepage.longitudinal
-                    + strip.lateral * creepage.lateral
-                    + strip.moment * creepage.spin);
-                total.dissipation += dissipation;
-                total.slip_area += strip.slip_area;
-                each(j, dissipation, strip.slip_area);
-            })?;
+        let solved = tangential.strip_forces(zone, strips, &slip, law, |j, strip| {
+            let i = j - zone.first;
+            let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
+            let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
+            total.force += force;
+            total.moment += (self.points[i] - position).cross(&force)
+                + Vector3::x().cross(&tangent) * strip.moment;
+            let dissipation = -(strip.longitudinal * creepage.longitudinal
+                + strip.lateral * creepage.lateral
+                + strip.moment * creepage.spin);
+            total.dissipation += dissipation;
+            total.slip_area += strip.slip_area;
+            each(j, dissipation, strip.slip_area);
+        })?;
         total.fell_back = solved.fell_back;
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
@@ -176,10 +172,10 @@ mod tests {
     use super::*;
     use crate::friction::StripFriction;
     use crate::kinematics::motion::{RailMotion, WheelMotion};
-    use crate::material::Material;
+    use crate::material::{Material, MaterialPair};
     use crate::tangential::fastsim::TractionBound;
     use crate::tangential::friction_law::FrictionLaw;
-    use crate::tangential::{Flexibilities, TangentialModel};
+    use crate::tangential::{Flexibilities, RollingState, TangentialModel};
     use approx::assert_relative_eq;
     use std::f64::consts::PI;
 
@@ -287,20 +283,13 @@ mod tests {
                 load_factor: 1.0,
                 speed: 30.0,
             };
-            let left = tangential.friction_left(&zone, &strips, &state);
             let material = MaterialPair::new(steel, steel);
-            let found = curved.tractions(
-                &zone,
-                &strips,
-                &tangential,
-                &material,
-                &state,
-                Vector3::zeros(),
-                |_, _, _| {},
-            );
-            let (force, limit) = (found.unwrap().force.norm(), left.coefficient * zone.load);
+            let law = tangential.under_law(&zone, &strips, &material, &state);
+            let each = |_, _, _| {};
+            let found = curved.tractions(&zone, &strips, &tangential, &law, Vector3::zeros(), each);
+            let (force, limit) = (found.unwrap().force.norm(), law.state.friction * zone.load);
             assert!(force <= limit * (1.0 + 1e-12), "{force} {limit} {mean:?}");
-            fallen += usize::from(left.coefficient < 0.35);
+            fallen += usize::from(law.state.friction < 0.35);
         }
         assert!(fallen >= 100, "{fallen}");
     }

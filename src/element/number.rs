@@ -10,7 +10,7 @@ use crate::geometry::moving_separation::MovingSeparation;
 use crate::math::dual::Dual;
 use crate::normal::Zone;
 use crate::normal::piotrowski_kik::Influence;
-use crate::tangential::{CreepNumber, RollingState};
+use crate::tangential::{CreepNumber, UnderLaw};
 
 /// Numbers with which contacts are brought to forces; deviations along the track and wear are those of plain ones alone.
 pub trait ElementNumber: CreepNumber + Influence {
@@ -27,11 +27,11 @@ pub trait ElementNumber: CreepNumber + Influence {
         ZoneSurface::even()
     }
 
-    /// Records the wear of zone number `index`, which rolls as `state` says.
+    /// Records the wear of zone number `index`, which rolls as `law` says.
     fn record(
         _: &ContactForces<Self>,
         _index: usize,
-        _state: &RollingState<Self>,
+        _law: &UnderLaw<Self>,
         _: &mut Models<Self>,
         _: &mut Self::Separation<'_>,
     ) {
@@ -61,15 +61,15 @@ impl ElementNumber for f64 {
     fn record(
         forces: &ContactForces,
         index: usize,
-        state: &RollingState,
+        law: &UnderLaw,
         models: &mut Models,
         separation: &mut LineSeparation,
     ) {
-        let Models { wear, strips, tangential, material, .. } = models;
+        let Models { wear, strips, .. } = models;
         let (Some(wear), line) = (wear, &forces.line) else { return };
         let zone = &strips.zones[index];
         let state = ZoneWear {
-            law: tangential.under_law(zone, strips, material, state),
+            law: *law,
             section_radius: line.wheel_point(zone.u).section_radius,
             range: line.range(),
         };

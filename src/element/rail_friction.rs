@@ -1,5 +1,6 @@
 //! Friction over the surface of a rail: between tread and gauge face, or by a table.
 
+use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
 
 use super::input::Input;
@@ -126,7 +127,7 @@ impl Inclinations {
             widen(point[0]);
         }
         let slopes = ends.map(f64::tan);
-        Self { ends, slopes: ends.iter().all(|end| end.abs() < 1.57).then_some(slopes) }
+        Self { ends, slopes: ends.iter().all(|end| end.abs() < FRAC_PI_2).then_some(slopes) }
     }
 
     /// Inclination of a rail of that `hand` with this `tangent`, or the end that it is beyond [rad]: there friction does not change, and an angle

@@ -21,9 +21,10 @@ impl<T: Real> RailPlace<T> {
     }
 }
 
-/// Step over which the curve of a rail is as good as a parabola [m].
+/// Longest last step of Newton's method [m]. It is off by its square over twice the radius: 0.4 nm on a gauge corner of 13 mm, which turns by 3e-8 rad there.
 const NEAR: f64 = 3e-6;
-/// Cosine of the angle to the frame beyond which a rail has turned away.
+/// Cosine of the angle to the frame beyond which a rail has turned away: 81 degrees, steeper than any flange. Closer to a right angle a step of Newton's method
+/// goes too far.
 const LEAST_COSINE: f64 = 0.15;
 
 /// The last place of a walk.

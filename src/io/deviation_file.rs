@@ -1,14 +1,13 @@
 //! Deviations of a rail over its station or of a wheel over its angle, as two columns of text.
 //!
 //! Rail: `station_m`, `height_mm` up positive. Wheel: `angle_deg`, `radius_mm` the deviation of the radius; the angle by which
-//! the wheel has to roll forward from pitch 0 until it stands there, less than a revolution from first to last. Columns are
-//! separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may stand first.
+//! the wheel has to roll forward from pitch 0 until it stands there, less than a revolution from first to last.
 
 use std::path::PathBuf;
 
 use crate::error::ContactError;
+use crate::io::deviation_rows::DeviationRows;
 use crate::io::named_text::named_text;
-use crate::io::table::{lines, numbers};
 
 /// Of which body a file of deviations is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,47 +46,13 @@ pub fn load_deviations(
 
 /// The points of a file.
 fn points(content: &str, body: Deviations) -> Result<Vec<[f64; 2]>, String> {
-    let (columns, scale) = match body {
-        Deviations::Rail => ("station_m height_mm", 1.0),
-        Deviations::Wheel { radius } => ("angle_deg radius_mm", radius.to_radians()),
+    let (columns, unit) = match body {
+        Deviations::Rail => ("the two columns station_m height_mm", 1.0),
+        Deviations::Wheel { radius } => {
+            ("the two columns angle_deg radius_mm", radius.to_radians())
+        }
     };
-    let mut points: Vec<[f64; 2]> = Vec::new();
-    let mut heading = true;
-    for line in lines(content) {
-        let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
-        if text.is_empty() {
-            continue;
-        }
-        let number = line.number;
-        let Some(found) = numbers(text) else {
-            if std::mem::take(&mut heading) && points.is_empty() {
-                continue;
-            }
-            return Err(format!("numbers in the two columns {columns} (line {number})"));
-        };
-        let [first, second] = found[..] else {
-            return Err(format!("the two columns {columns} (line {number})"));
-        };
-        let point = [first * scale, 1e-3 * second];
-        if !point[0].is_finite() || !point[1].is_finite() {
-            return Err(format!("finite numbers (line {number})"));
-        }
-        if let Some(last) = points.last() {
-            let step = point[0] - last[0];
-            if step <= 1e-6 {
-                return Err(format!(
-                    "a first column that grows by a micrometre or more from line to line (line {number})"
-                ));
-            }
-            if (point[1] - last[1]).abs() > MOST_SLOPE * step {
-                return Err(format!("deviations no steeper than {MOST_SLOPE} (line {number})"));
-            }
-        }
-        points.push(point);
-    }
-    if points.len() < 4 {
-        return Err(format!("at least four points in the two columns {columns}"));
-    }
+    let mut points = DeviationRows { columns, unit, most_slope: MOST_SLOPE }.read(content)?;
     if let Deviations::Wheel { radius } = body {
         let turn = std::f64::consts::TAU * radius;
         let (first, last) = (points[0], points[points.len() - 1]);
@@ -133,12 +98,9 @@ mod tests {
     fn what_is_wrong_is_named_with_its_line() {
         let wheel = Deviations::Wheel { radius: 0.5 };
         for (text, body, words) in [
-            ("0 0\n1 0\n1 0\n2 0\n", Deviations::Rail, "line 3"),
             ("0 0\n0.01 9\n0.02 0\n1 0\n", Deviations::Rail, "no steeper than 0.3 (line 2)"),
-            ("0 0\n1 x\n", Deviations::Rail, "line 2"),
-            ("0 0 0\n", Deviations::Rail, "line 1"),
-            ("0 nan\n", Deviations::Rail, "finite"),
-            ("0 0\n1 0\n", Deviations::Rail, "four points"),
+            ("0 0 0\n", Deviations::Rail, "the two columns station_m height_mm (line 1)"),
+            ("0 0 0\n", wheel, "the two columns angle_deg radius_mm (line 1)"),
             ("0 0\n90 0\n180 0\n400 0\n", wheel, "one revolution"),
         ] {
             let error = points(text, body).unwrap_err();

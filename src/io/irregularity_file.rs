@@ -1,19 +1,20 @@
 //! Irregularities of both rails of a track over the station, as five columns of text.
 //!
 //! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the rails from their design lines, y to the
-//! right and z down. Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may
-//! stand first.
+//! right and z down.
 
 use std::path::PathBuf;
 
 use crate::error::ContactError;
+use crate::io::deviation_rows::DeviationRows;
 use crate::io::named_text::named_text;
-use crate::io::table::{lines, numbers};
 
-/// The columns, in words.
-const COLUMNS: &str = "the five columns station_m right_y_mm right_z_mm left_y_mm left_z_mm";
-/// Steepest irregularities that are admitted [-].
-const MOST_SLOPE: f64 = 0.1;
+/// Irregularities are admitted as steep as the inputs of slopes are.
+const ROWS: DeviationRows<5> = DeviationRows {
+    columns: "the five columns station_m right_y_mm right_z_mm left_y_mm left_z_mm",
+    unit: 1.0,
+    most_slope: 0.1,
+};
 
 /// The points of the file that the parameter `parameter` names: an absolute path or one that is looked for in `folders`. Of each of the four deviations the pairs of
 /// station and deviation [m], in the order of the columns.
@@ -35,46 +36,8 @@ pub fn load_irregularities(
 
 /// The points of a file.
 fn points(content: &str) -> Result<[Vec<[f64; 2]>; 4], String> {
-    let mut rows: Vec<[f64; 5]> = Vec::new();
-    let mut heading = true;
-    for line in lines(content) {
-        let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
-        if text.is_empty() {
-            continue;
-        }
-        let number = line.number;
-        let is_first = std::mem::take(&mut heading);
-        let Some(found) = numbers(text) else {
-            if is_first {
-                continue;
-            }
-            return Err(format!("numbers in {COLUMNS} (line {number})"));
-        };
-        let Ok(row) = <[f64; 5]>::try_from(found) else {
-            return Err(format!("{COLUMNS} (line {number})"));
-        };
-        if row.iter().any(|value| !value.is_finite()) {
-            return Err(format!("finite numbers (line {number})"));
-        }
-        if let Some(last) = rows.last() {
-            let step = row[0] - last[0];
-            if step <= 1e-6 {
-                return Err(format!(
-                    "stations that grow by a micrometre or more from line to line (line {number})"
-                ));
-            }
-            let is_steep =
-                |column: usize| 1e-3 * (row[column] - last[column]).abs() > MOST_SLOPE * step;
-            if (1..5).any(is_steep) {
-                return Err(format!("deviations no steeper than {MOST_SLOPE} (line {number})"));
-            }
-        }
-        rows.push(row);
-    }
-    if rows.len() < 4 {
-        return Err(format!("at least four lines with {COLUMNS}"));
-    }
-    Ok([1, 2, 3, 4].map(|column| rows.iter().map(|row| [row[0], 1e-3 * row[column]]).collect()))
+    let rows = ROWS.read(content)?;
+    Ok([1, 2, 3, 4].map(|column| rows.iter().map(|row| [row[0], row[column]]).collect()))
 }
 
 #[cfg(test)]
@@ -92,18 +55,11 @@ mod tests {
     #[test]
     fn what_is_wrong_is_named_with_its_line() {
         for (text, words) in [
-            (
-                "0 0 0 0 0\n0 0 0 0 0\n",
-                "stations that grow by a micrometre or more from line to line (line 2)",
-            ),
             ("0 0 0 0 0\n1 0 0 0 101\n", "no steeper than 0.1 (line 2)"),
-            ("a b c d e\n0 0 0 0 x\n", "line 2"),
             (
                 "0 0 0\n",
                 "five columns station_m right_y_mm right_z_mm left_y_mm left_z_mm (line 1)",
             ),
-            ("0 0 nan 0 0\n", "finite numbers (line 1)"),
-            ("0 0 0 0 0\n1 0 0 0 0\n", "at least four lines"),
         ] {
             let error = points(text).unwrap_err();
             assert!(error.contains(words), "{error}");

@@ -1,6 +1,7 @@
 //! Files: the only place that reads and writes them, and the only one with millimetres in it.
 
 mod deviation_file;
+mod deviation_rows;
 mod draft;
 mod friction_file;
 mod irregularity_file;

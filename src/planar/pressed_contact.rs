@@ -87,9 +87,9 @@ impl PressedContact {
                 speed: Number::from(speed),
             };
             let heat = self.flash_temperature.as_ref();
-            let UnderLaw { state, material, .. } =
+            let law =
                 UnderLaw::of(Some(&[law; 2]), heat, zone, &self.strips, &self.material, &state);
-            let found = self.tangential.creep_force(zone, &self.strips, &material, &state);
+            let found = self.tangential.creep_force_under(zone, &self.strips, &law, |_, _| {});
             if let Some(found) = found {
                 force = [force[0] + found.longitudinal, force[1] + found.lateral];
             }

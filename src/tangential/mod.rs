@@ -24,7 +24,7 @@ pub mod waist;
 pub use crate::kinematics::creepage::Creepage;
 pub use forces::{CreepForce, StripForce};
 pub use loaded_zone::LoadedZone;
-pub use under_law::{FrictionLeft, UnderLaw};
+pub use under_law::UnderLaw;
 
 use crate::material::MaterialPair;
 use crate::math::dual::Dual;
@@ -195,33 +195,33 @@ impl Tangential {
         material: &MaterialPair<T>,
         state: &RollingState<T>,
     ) -> Option<CreepForce<T>> {
-        self.creep_force_with(zone, strips, material, state, |_, _| {})
+        let law = self.under_law(zone, strips, material, state);
+        self.creep_force_under(zone, strips, &law, |_, _| {})
     }
 
-    /// As [`creep_force`](Self::creep_force); `each` gets the number of each strip and the force on it, as from
-    /// [`strip_forces`](Self::strip_forces).
+    /// As [`creep_force`](Self::creep_force), of a zone with the friction and the elastic constants of `law`, which is that of [`under_law`](Self::under_law); `each` gets the number of each strip and the
+    /// force on it, as from [`strip_forces`](Self::strip_forces).
     #[must_use]
     #[inline]
-    pub fn creep_force_with<T: CreepNumber>(
+    pub fn creep_force_under<T: CreepNumber>(
         &self,
         zone: &Zone<T>,
         strips: &Strips<T>,
-        material: &MaterialPair<T>,
-        state: &RollingState<T>,
+        law: &UnderLaw<T>,
         mut each: impl FnMut(usize, &StripForce<T>),
     ) -> Option<CreepForce<T>> {
-        (!state.creepage.is_zero()).then_some(())?;
-        let slip = FlatSlip { zone, strips, creepage: state.creepage };
+        let creepage = law.state.creepage;
+        (!creepage.is_zero()).then_some(())?;
+        let slip = FlatSlip { zone, strips, creepage };
         if self.model == TangentialModel::Tables {
-            let law = self.under_law(zone, strips, material, state);
-            let loaded = LoadedZone::new(zone, strips, &slip, &law);
+            let loaded = LoadedZone::new(zone, strips, &slip, law);
             let lobes = Lobes::of(&loaded);
             let force = self.ellipse_force(&loaded, lobes.as_ref(), &law.state)?;
             force.spread_by_load(zone, strips, |j, force| each(j, &force));
             return Some(force);
         }
         let mut total = CreepForce::<T>::default();
-        let marched = self.strip_forces(zone, strips, material, &slip, state, |j, force| {
+        let marched = self.strip_forces(zone, strips, &slip, law, |j, force| {
             total.add(zone, strips, j, &force);
             each(j, &force);
         })?;
@@ -229,7 +229,7 @@ impl Tangential {
     }
 
     /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
-    /// come twice. Nothing where there was nothing to compute. Of `state` the creepage is not used.
+    /// come twice. Nothing where there was nothing to compute. `law` is that of the mean creepage of `slip`.
     ///
     /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
     /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
@@ -237,13 +237,10 @@ impl Tangential {
         &self,
         zone: &Zone<T>,
         strips: &Strips<T>,
-        material: &MaterialPair<T>,
         slip: &impl RigidSlip<T>,
-        state: &RollingState<T>,
+        law: &UnderLaw<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) -> Option<Solved<T>> {
-        let state = RollingState { creepage: slip.mean(), ..*state };
-        let law = self.under_law(zone, strips, material, &state);
         let state = law.state;
         let limit = state.friction_limit(zone);
         let is_bounded = self.model != TangentialModel::Linear;
@@ -251,7 +248,7 @@ impl Tangential {
         if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
             return None;
         }
-        let loaded = LoadedZone::new(zone, strips, slip, &law);
+        let loaded = LoadedZone::new(zone, strips, slip, law);
         let lobes = Lobes::of(&loaded);
         let mut solved = Solved { limit, fell_back: false };
         if self.model == TangentialModel::Tables {

@@ -185,7 +185,7 @@ fn number(value: f64, rate: f64) -> Dual<1> {
 fn turn_with_rates(at: &TrackTurn, rates: &TrackTurn) -> TrackTurn<Dual<1>> {
     TrackTurn {
         twist: number(at.twist, rates.twist),
-        gradient_change: number(at.gradient_change, rates.gradient_change),
+        vertical_curvature: number(at.vertical_curvature, rates.vertical_curvature),
         curvature: number(at.curvature, rates.curvature),
     }
 }

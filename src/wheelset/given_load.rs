@@ -36,7 +36,7 @@ impl Wheelset {
         if input.track == TrackTurn::default() {
             return Ok((found, is_missed));
         }
-        // On a track that turns velocities go with the height, and friction with them bears some of the load: a millionth of what the height is off is left of it.
+        // On a track that turns velocities go with the height, and friction with them bears some of the load: the search is made again with the velocities of the height found.
         self.carry_loads_about(&found)
     }
 

@@ -19,7 +19,7 @@ pub struct TrackTurn<T = f64> {
     /// Change of the cant angle over the length: positive lowers the right rail on the way [rad/m].
     pub twist: T,
     /// Change of the gradient over the length: positive in a sag, from where on the track rises [rad/m].
-    pub gradient_change: T,
+    pub vertical_curvature: T,
     /// Curvature in plan: positive to the right [rad/m].
     pub curvature: T,
 }
@@ -45,7 +45,7 @@ impl<T: Real> TrackTurn<T> {
     /// along the track.
     ///
     /// ```text
-    /// ω = v_x (twist, gradient_change, curvature),   V = V' + ω × (0, y, z),   Ω = Ω' + ω
+    /// ω = v_x (twist, vertical_curvature, curvature),   V = V' + ω × (0, y, z),   Ω = Ω' + ω
     /// ```
     ///
     /// The frame turns at the station of the body, whatever its x.
@@ -59,7 +59,7 @@ impl<T: Real> TrackTurn<T> {
     }
 
     fn vector(&self) -> Vector3<T> {
-        Vector3::new(self.twist, self.gradient_change, self.curvature)
+        Vector3::new(self.twist, self.vertical_curvature, self.curvature)
     }
 
     /// Direction of a line that keeps its distance `y` from the middle of the track, not of unit length.
@@ -81,9 +81,9 @@ impl TrackTurn {
     /// # Errors
     /// A number that is not in its range, by its FMU name.
     pub(super) fn check(&self) -> Result<(), ContactError> {
-        let Self { twist, gradient_change, curvature } = *self;
+        let Self { twist, vertical_curvature, curvature } = *self;
         for (name, value) in
-            [("twist", twist), ("gradient_change", gradient_change), ("curvature", curvature)]
+            [("twist", twist), ("vertical_curvature", vertical_curvature), ("curvature", curvature)]
         {
             if !is_within(value, MOST_TURN) {
                 let name = format!("track.{name}");

@@ -77,7 +77,8 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
         let slip = FlatSlip { zone: &zone, strips: &strips, creepage };
         for (model, bound, tangential) in &tangential {
             let mut forces = vec![[0.0; 2]; zone.count];
-            tangential.strip_forces(&zone, &strips, &material, &slip, &state, |j, force| {
+            let law = tangential.under_law(&zone, &strips, &material, &state);
+            tangential.strip_forces(&zone, &strips, &slip, &law, |j, force| {
                 forces[j][0] += force.longitudinal;
                 forces[j][1] += force.lateral;
             });

@@ -437,3 +437,8 @@ pub const LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2];
 pub const WIDE_LOOP_WORK: [f64; 2] = [1e-3, 1.5e-2];
 /// Energy that a bounce without damping and friction wins or loses, median and worst: the aim for each.
 pub const BOUNCE: [f64; 2] = [1e-3, 1e-3];
+
+/// A wheelset on cones in a curve against its linear equations: these leave out squares of the conicity (4e-4) and of its shift over the half distance of the
+/// contacts (1e-5), and take Kalker's coefficients, which the linear model meets by its fits ([`KALKER_FIT`]) and the march along its strips
+/// ([`FASTSIM_LINEAR`]).
+pub const LINEAR_CURVING: f64 = 0.01;

@@ -9,7 +9,7 @@ fn numbers(input: &mut Input) -> Vec<&mut f64> {
     let mut all: Vec<&mut f64> = w.position.iter_mut().chain(&mut w.velocity).collect();
     all.extend([&mut w.roll, &mut w.yaw, &mut w.pitch]);
     all.extend([&mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate]);
-    let mut others = vec![&mut track.twist, &mut track.gradient_change, &mut track.curvature];
+    let mut others = vec![&mut track.twist, &mut track.vertical_curvature, &mut track.curvature];
     for SideInput { rails: [rail, _], wheel_load, friction, line, own_pitch_rate, .. } in sides {
         all.extend([&mut rail.y, &mut rail.z, &mut rail.roll]);
         all.extend([&mut rail.vy, &mut rail.vz, &mut rail.roll_rate, friction, wheel_load]);

@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod curving;
 mod derivatives;
 mod gravity;
 mod rigid_body;
@@ -79,7 +80,7 @@ fn random_on_track(random: &mut Random) -> Input {
     }
     input.track = TrackTurn {
         twist: random.about(2e-3),
-        gradient_change: random.about(1e-3),
+        vertical_curvature: random.about(1e-3),
         curvature: random.about(5e-3),
     };
     input

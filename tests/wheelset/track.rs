@@ -144,7 +144,7 @@ fn the_wheels_of_a_solid_axle_slip_in_a_curve_by_what_their_rails_differ_in_leng
 fn wheels_do_not_come_nearer_to_rails_that_turn_with_the_track() {
     let [mut damped, mut undamped] = [1e5, 0.0].map(damped);
     let mut input = rolling(&damped);
-    input.track = TrackTurn { twist: 3e-3, gradient_change: 2e-3, curvature: 5e-3 };
+    input.track = TrackTurn { twist: 3e-3, vertical_curvature: 2e-3, curvature: 5e-3 };
     let [damped, undamped] =
         [&mut damped, &mut undamped].map(|wheelset| evaluate(wheelset, &input));
     for (a, b) in damped.sides.iter().zip(&undamped.sides) {
@@ -245,7 +245,7 @@ fn what_no_track_can_do_is_refused_by_name() {
     };
     refuse(&|input| input.track.twist = 1.01 * MOST_TURN, "track.twist = 0.101");
     refuse(&|input| input.track.curvature = f64::NAN, "track.curvature = NaN");
-    refuse(&|input| input.track.gradient_change = -1.0, "track.gradient_change = -1");
+    refuse(&|input| input.track.vertical_curvature = -1.0, "track.vertical_curvature = -1");
     refuse(
         &|input| input.sides[LEFT].line.y_slope = -2.0 * MOST_SLOPE,
         "left.irregularity.y_slope = -0.2",

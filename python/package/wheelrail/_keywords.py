@@ -434,7 +434,7 @@ class WheelSetInputs(TypedDict, total=False):
     """Curvature of the track in plan, positive to the right: the track frame yaws at wheelset.vx times it, and the motion of the wheelset is that in the track frame [1/m]."""
     track_twist: npt.ArrayLike
     """Change of the cant angle over the length of the track, positive where the right rail goes down against the left one [1/m]."""
-    track_gradient_change: npt.ArrayLike
+    track_vertical_curvature: npt.ArrayLike
     """Vertical curvature of the track, positive in a sag [1/m]."""
     right_irregularity_y: npt.ArrayLike
     """Right side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with right.rail[1].vy [m]."""
@@ -893,7 +893,7 @@ class WheelSetParameters(TypedDict, total=False):
     """Curvature of the track in plan, positive to the right: the track frame yaws at wheelset.vx times it, and the motion of the wheelset is that in the track frame [1/m]."""
     track_twist: float
     """Change of the cant angle over the length of the track, positive where the right rail goes down against the left one [1/m]."""
-    track_gradient_change: float
+    track_vertical_curvature: float
     """Vertical curvature of the track, positive in a sag [1/m]."""
     right_irregularity_y: float
     """Right side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with right.rail[1].vy [m]."""
