@@ -91,9 +91,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 continue;
             }
             work.zones += 1;
-            let surface = lifting.map_or(ZoneSurface::even(), |lifting| {
-                T::zone_surface(self, &lifting, &zone, models)
-            });
+            let surface = match &lifting {
+                Some(lifting) => T::zone_surface(self, lifting, &zone, models),
+                None if self.rail.variation().is_some() => T::met_surface(self, &zone, models),
+                None => ZoneSurface::even(),
+            };
             let axes = even_axes.leaning(surface.lean);
             let rolling = self.rolling(zone, &surface, load_factor, models.minimum_speed);
             let ZoneRolling { position, rolling_radius, speed, .. } = rolling;
@@ -104,10 +106,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             fallbacks += u64::from(tractions.fell_back);
             let normal_force = zone.load * load_factor;
             let pressing = axes.normal * -normal_force;
-            let bearing = match lifting {
-                None => meeting_axle(&wheel, position, axes.normal),
-                Some(_) => position,
-            };
+            let is_even = lifting.is_none() && self.rail.variation().is_none();
+            let bearing =
+                if is_even { meeting_axle(&wheel, position, axes.normal) } else { position };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
             let creep_force =
@@ -357,7 +358,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let wheel = &self.input.wheel;
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
-        let x = if lifting.is_some() && load > 0.0 {
+        let varying = self.rail.variation();
+        let x = if (lifting.is_some() || varying.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
         } else {
             self.line.even_at(self.contact.u).x
@@ -366,8 +368,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.closing_velocity(touch).dot(&normal);
-        let Some(lifting) = lifting else { return even };
         let [forward, ..] = wheel.velocity;
+        if let Some(varying) = varying {
+            return even + forward * varying.along(self.contact.rail_s.value()).lean;
+        }
+        let Some(lifting) = lifting else { return even };
         let radius = self.line.nominal_radius();
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }

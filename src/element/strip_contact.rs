@@ -12,6 +12,7 @@ use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
+use crate::geometry::varying_rail::{Along, VaryingRail};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::strips_on_grid::{
@@ -51,6 +52,21 @@ impl<'a> LocalLine<'a> {
                 (point, derivative)
             }
         }
+    }
+
+    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along it; the place `x` of the contact line on others.
+    fn met(&self, s: f64, x: f64) -> [f64; 2] {
+        let Some(varying) = self.rail.variation() else { return [x, 1.0] };
+        let Along { x, lean, .. } = varying.along(s);
+        [x, 1.0 / lean.hypot(1.0)]
+    }
+
+    /// Radius of the section along x of wheel and rail together at parameter `u`, along the lean of a rail that varies [m].
+    fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
+        let even = self.line.wheel_point(u).section_radius;
+        let Along { curvature, lean, .. } = varying.along(self.place(u).y);
+        let cosine = 1.0 / lean.hypot(1.0);
+        even / (1.0 + even * curvature * cosine.powi(3)).max(LEAST_CURVATURE_SHARE)
     }
 
     /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's
@@ -103,8 +119,11 @@ impl LocalLine<'_> {
                 let point = [0, 1].map(|i| at.point[i] + step * derivative[i]);
                 u += step;
                 self.near = [u, y, dy];
-                let overlap = overlap_slope * step - up(to);
-                let place = LinePlace { u, y, dy, overlap, overlap_slope, x: at.x, tangent };
+                // The overlap along the normal that leans with the rail.
+                let [x, cosine] = self.met(y, at.x);
+                let overlap = cosine * (overlap_slope * step - up(to));
+                let overlap_slope = cosine * overlap_slope;
+                let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
                 return Some((place, point));
             }
             u += step;
@@ -131,18 +150,22 @@ impl Line for LocalLine<'_> {
         let dy = (nearest.ratio * along(tangent)).max(LEAST_RATE);
         self.near = [u, nearest.s, dy];
         let away = [tangent[1], -tangent[0]];
+        let [x, cosine] = self.met(nearest.s, at.x);
         LinePlace {
             u,
             y: nearest.s,
             dy,
-            overlap: -nearest.distance,
-            overlap_slope: -along(away),
-            x: at.x,
+            overlap: -cosine * nearest.distance,
+            overlap_slope: -cosine * along(away),
+            x,
             tangent,
         }
     }
 
     fn radius(&mut self, u: f64) -> f64 {
+        if let Some(varying) = self.rail.variation() {
+            return self.varying_radius(u, varying);
+        }
         match self.line.deviations() {
             None => self.line.wheel_point(u).section_radius,
             Some(deviations) => self.uneven_radius(u, deviations),

@@ -173,7 +173,10 @@ impl Separation for LineSeparation<'_> {
     #[inline]
     fn at(&mut self, u: f64) -> SeparationPoint {
         let (point, _) = self.even_with_rate(u);
-        let Some(lifting) = self.lifting else { return point };
+        let Some(lifting) = self.lifting else {
+            let Some(varying) = self.rail.variation() else { return point };
+            return SeparationPoint { x: varying.along(self.near[0]).x, ..point };
+        };
         let lift = lifting.deviations.lift(point.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
     }
@@ -191,6 +194,9 @@ impl Separation for LineSeparation<'_> {
     }
 
     fn along(&mut self, u: f64) -> f64 {
+        if self.rail.variation().is_some() {
+            return self.at(u).x;
+        }
         self.line.at(u).x
     }
 }

@@ -1,0 +1,260 @@
+//! A rail whose section varies along the track, or a wheel whose section varies around, as slices: what files hold.
+//!
+//! Rows run along the body through points of equal shares of the slices, from feature to feature where there are features: paths that do not
+//! cross an edge. Along each row the point, and how it changes across, are cubic splines over the places of the slices.
+
+use crate::geometry::profile::{Profile, ProfileKind};
+use crate::math::spline::{SplineEnd, interpolating_slopes};
+
+/// One section and where it is.
+#[derive(Clone, Debug)]
+pub struct Slice {
+    /// Station of a rail [m], angle of a wheel [rad].
+    pub place: f64,
+    /// The section.
+    pub profile: Profile,
+    /// Lengths from its beginning to its features [m]; nothing for a feature that is not there. Empty where there are none at all.
+    pub features: Vec<Option<f64>>,
+}
+
+/// The slices of a body, in growing places.
+#[derive(Clone, Debug)]
+pub struct Slices {
+    /// The file, for messages.
+    pub name: String,
+    /// Of which body.
+    pub kind: ProfileKind,
+    /// Two or more of them.
+    slices: Vec<Slice>,
+    /// Whether the surface passes near the slices and not through them.
+    passes_near: bool,
+}
+
+/// A point of a row and how it changes across, per unit of the row parameter.
+pub(super) type RowValue = [f64; 4];
+
+/// Value of a row at a slice and its derivative along the body.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowKnot {
+    pub value: RowValue,
+    pub slope: RowValue,
+}
+
+/// Rows along a body.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    /// Places of the slices.
+    pub places: Vec<f64>,
+    /// Row parameter of each row: arc of the section with the most points [m].
+    pub parameter: Vec<f64>,
+    /// Point and derivative of that section at each row.
+    pub pattern: Vec<RowValue>,
+    /// Part to which each row belongs; one at a feature belongs to the part before.
+    pub parts: Vec<usize>,
+    /// Slices over which each row is there, the last one included.
+    pub spans: Vec<[usize; 2]>,
+    /// By slices, and rows within each slice.
+    pub knots: Vec<RowKnot>,
+}
+
+/// A part between two features: rows between them, and over which slices it is there.
+struct Part {
+    span: [usize; 2],
+    /// The slice with the most points on it.
+    pattern: usize,
+}
+
+impl Slices {
+    /// Slices in growing places.
+    ///
+    /// # Errors
+    /// In words what cannot be made a surface.
+    pub fn new(
+        name: &str,
+        kind: ProfileKind,
+        slices: Vec<Slice>,
+        passes_near: bool,
+    ) -> Result<Self, String> {
+        let found = Self { name: name.into(), kind, slices, passes_near };
+        found.parts()?;
+        Ok(found)
+    }
+
+    /// The slices.
+    #[must_use]
+    pub fn slices(&self) -> &[Slice] {
+        &self.slices
+    }
+
+    /// First and last place.
+    #[must_use]
+    pub fn range(&self) -> [f64; 2] {
+        [self.slices[0].place, self.slices[self.slices.len() - 1].place]
+    }
+
+    /// Lengths of the features of a slice as parameters of its curve; its ends where it has none.
+    fn features(slice: &Slice) -> Vec<Option<f64>> {
+        let (start, end) = (slice.profile.curve.start(), slice.profile.curve.end());
+        if slice.features.is_empty() {
+            return vec![Some(start), Some(end)];
+        }
+        slice.features.iter().map(|f| f.map(|length| (start + length).min(end))).collect()
+    }
+
+    fn parts(&self) -> Result<Vec<Part>, String> {
+        let features: Vec<Vec<Option<f64>>> = self.slices.iter().map(Self::features).collect();
+        let count = features[0].len();
+        let mut parts = Vec::new();
+        for f in 0..count - 1 {
+            let is_there = |i: usize| features[i][f].is_some() && features[i][f + 1].is_some();
+            let own: Vec<usize> = (0..features.len()).filter(|&i| is_there(i)).collect();
+            let (Some(&first), Some(&last)) = (own.first(), own.last()) else {
+                return Err(format!("no slice has both features {} and {}; leave one out", f + 1, f + 2));
+            };
+            if last - first + 1 != own.len() {
+                return Err(format!(
+                    "the part between features {} and {} ends and begins again; give it features of its own behind the gap",
+                    f + 1, f + 2
+                ));
+            }
+            if first == last {
+                return Err(format!(
+                    "the part between features {} and {} is on one slice only; give it two slices or more", f + 1, f + 2
+                ));
+            }
+            let mut pattern = (0, first);
+            for &i in &own {
+                let [from, to] = [f, f + 1].map(|f| features[i][f].unwrap_or_default());
+                if to - from <= 0.0 {
+                    return Err(format!(
+                        "feature {} of the slice at {} lies beyond its end; give lengths along the slice in mm",
+                        f + 1, self.slices[i].place
+                    ));
+                }
+                let knots = self.slices[i].profile.curve.knots();
+                let knots = knots.filter(|s| *s > from && *s < to).count();
+                if knots > pattern.0 {
+                    pattern = (knots, i);
+                }
+            }
+            parts.push(Part { span: [first, last], pattern: pattern.1 });
+        }
+        Ok(parts)
+    }
+
+    /// The rows, after `point` and `direction` have put each point and each direction where the body stands.
+    pub(super) fn rows(
+        &self,
+        point: impl Fn([f64; 2]) -> [f64; 2],
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+    ) -> Rows {
+        let features: Vec<Vec<Option<f64>>> = self.slices.iter().map(Self::features).collect();
+        // Checked when the slices were made.
+        let parts = self.parts().unwrap_or_default();
+        let places: Vec<f64> = self.slices.iter().map(|slice| slice.place).collect();
+        let mut rows = Rows { places, parameter: Vec::new(), pattern: Vec::new(), parts: Vec::new(), spans: Vec::new(), knots: Vec::new() };
+        // By rows, and slices within each.
+        let mut values: Vec<Vec<RowValue>> = Vec::new();
+        for (f, Part { span, pattern }) in parts.iter().enumerate() {
+            let ends = |i: usize| [f, f + 1].map(|f| features[i][f].unwrap_or_default());
+            let [from, to] = ends(*pattern);
+            let curve = &self.slices[*pattern].profile.curve;
+            let inner = curve.knots().filter(|s| *s > from && *s < to);
+            let begin = rows.parameter.last().map_or(from, |last| *last);
+            for s in std::iter::once(from).chain(inner).chain([to]) {
+                let share = (s - from) / (to - from);
+                let row: Vec<RowValue> = (span[0]..=span[1])
+                    .map(|i| {
+                        let [from, to] = ends(i);
+                        // The pattern's own parameter, not a rounded one.
+                        let own = if i == *pattern { s } else { from + share * (to - from) };
+                        let p = self.slices[i].profile.curve.at(own);
+                        let ([y, z], [dy, dz]) = (point(p.point), direction(p.first));
+                        let [pattern_from, pattern_to] = ends(*pattern);
+                        let stretch = (to - from) / (pattern_to - pattern_from);
+                        [y, z, stretch * dy, stretch * dz]
+                    })
+                    .collect();
+                let of_pattern = row[pattern - span[0]];
+                // Parts that are there together share the row between them.
+                let shared = f > 0 && s == from && parts[f - 1].span == *span;
+                if shared {
+                    continue;
+                }
+                let parameter = if f == 0 { s } else { begin + (s - from) };
+                rows.parameter.push(if f > 0 && s == from { parameter + SEAM } else { parameter });
+                rows.pattern.push(of_pattern);
+                rows.parts.push(f);
+                rows.spans.push(*span);
+                values.push(row);
+            }
+        }
+        let count = values.len();
+        let none = RowKnot { value: [f64::NAN; 4], slope: [0.0; 4] };
+        rows.knots = vec![none; count * rows.places.len()];
+        for (j, (row, [first, last])) in values.iter().zip(&rows.spans).enumerate() {
+            let places = &rows.places[*first..=*last];
+            for c in 0..4 {
+                let mut own: Vec<f64> = row.iter().map(|value| value[c]).collect();
+                if self.passes_near {
+                    own = near(places, &own);
+                }
+                let slopes = interpolating_slopes(places, &own, [SplineEnd::Natural; 2]);
+                for (i, (value, slope)) in own.into_iter().zip(slopes).enumerate() {
+                    let knot = &mut rows.knots[(first + i) * count + j];
+                    (knot.value[c], knot.slope[c]) = (value, slope);
+                }
+            }
+        }
+        rows
+    }
+}
+
+impl Rows {
+    /// The rows of the same body mirrored left to right: their points are, and their order is turned, so that they still go to the field side.
+    pub fn turned(mut self) -> Self {
+        let count = self.parameter.len();
+        self.parameter.reverse();
+        self.parameter.iter_mut().for_each(|s| *s = -*s);
+        self.pattern.reverse();
+        self.pattern.iter_mut().for_each(turn_direction);
+        self.parts.reverse();
+        self.spans.reverse();
+        for slice in self.knots.chunks_mut(count) {
+            slice.reverse();
+            for RowKnot { value, slope } in slice {
+                turn_direction(value);
+                turn_direction(slope);
+            }
+        }
+        self
+    }
+}
+
+fn turn_direction(value: &mut RowValue) {
+    (value[2], value[3]) = (-value[2], -value[3]);
+}
+
+/// Length of the arc between two points with the directions of their tangents: that of a circle, to the fourth order of their distance [m].
+pub(super) fn arc(a: [f64; 2], from: [f64; 2], b: [f64; 2], to: [f64; 2]) -> f64 {
+    let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
+    let turn = from[0] * to[1] - from[1] * to[0];
+    chord * (1.0 + turn * turn / (24.0 * sizes))
+}
+
+/// Distance of two rows of parts that are not there together [m].
+const SEAM: f64 = 1e-6;
+
+/// Values at the places of the cubic B-spline that has `values` as control points.
+///
+/// On even places (v₋ + 4 v + v₊)/6; on others the same share of the second divided difference, so that straight lines stay.
+fn near(places: &[f64], values: &[f64]) -> Vec<f64> {
+    let mut smooth = values.to_vec();
+    for i in 1..values.len().saturating_sub(1) {
+        let (h, k) = (places[i] - places[i - 1], places[i + 1] - places[i]);
+        let bend = 2.0 * ((values[i + 1] - values[i]) / k - (values[i] - values[i - 1]) / h) / (h + k);
+        smooth[i] += h * k * bend / 6.0;
+    }
+    smooth
+}

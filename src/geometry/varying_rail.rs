@@ -1,0 +1,576 @@
+//! A rail whose section varies along the track, as the wheel above it meets it: the outline of all its sections.
+//!
+//! The section at x from the axle is met by a part of the wheel that stands higher than its lowest points, by
+//!
+//! ```text
+//! D(x) = sqrt((x - x_l)² + z²) - z
+//! ```
+//!
+//! for a point of the rail at the height z below the axle, with x_l the place of the contact line, which is zero where the wheel does not yaw. Moved down
+//! by that, every section can be compared with the even contact line. What the wheel can touch is the envelope of all sections that are moved so:
+//! along each row v of the surface P the x at which
+//!
+//! ```text
+//! n · (P_x + D_x e) = 0,   F = P + D e,   n ⟂ F_v
+//! ```
+//!
+//! with e the direction down in the plane of the rolling circles. There the normals of both bodies have the same part along x, so that the place is
+//! the one of a search in three dimensions; where the surface is the same all along the track it is x_l, and the envelope is the section.
+
+use crate::geometry::contact_line::{ContactLine, WheelPose};
+use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::slices::{Rows, Slices, arc};
+
+/// Rows of which first only one is looked at.
+const STRIDE: usize = 4;
+/// Height of a row over the wheel, as it stands at the axle, from which on it is too far down to be looked at: a rail that rises by 1:5 gains half of it [m].
+const FAR_BELOW: f64 = 0.02;
+/// Distance of the envelope from the wheel from which on one row of four is enough: nothing touches there [m].
+const APART: f64 = 5e-4;
+/// How far beside the wheel rows are looked at [m].
+const BESIDE: f64 = 0.01;
+/// Farthest place of touch from the axle [m].
+const REACH: f64 = 0.12;
+/// Newton steps to the place along a row, the last of them, and the longest [m].
+const MOST_STEPS: usize = 8;
+const LAST_STEP: f64 = 1e-6;
+const LONGEST_STEP: f64 = 0.02;
+/// Spacing at which a row that is hollow for the wheel is looked through [m].
+const SCAN: f64 = 4e-3;
+/// Curvature along the track from which on a row may be hollow for a wheel, over that of the wheel [-].
+const HOLLOW_SHARE: f64 = 0.7;
+/// Least distance of two rows on the envelope [m].
+const LEAST_ARC: f64 = 1e-6;
+/// Cells of the table of the wheel [m].
+const CELL: f64 = 1e-3;
+
+/// Where a wheel meets a varying rail along the track.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Along {
+    /// Place of first touch, from the wheel marker [m].
+    pub x: f64,
+    /// Curvature of the rail along the track, along the normal of its section at a place across that does not change; positive where it bulges [1/m].
+    pub curvature: f64,
+    /// Slope of the rail there: tangent of the angle by which its normal leans forward [-].
+    pub lean: f64,
+}
+
+/// A rail whose section varies.
+#[derive(Clone, Debug)]
+pub struct VaryingRail {
+    rows: Rows,
+    /// For each row and slice the number of slices up to it between which the row may be hollow.
+    hollows: Vec<u32>,
+    /// Parameter and radius of the wheel over cells of its width; of what lies lowest.
+    wheel: WheelTable,
+    /// Rows of the envelope: parameters and what belongs to them.
+    s: Vec<f64>,
+    along: Vec<Along>,
+    knots: Vec<Knot>,
+    drifts: Vec<f64>,
+    met: Vec<Option<Met>>,
+}
+
+/// A wheel by its width.
+#[derive(Clone, Debug)]
+struct WheelTable {
+    start: f64,
+    /// Parameter of the lowest point of each cell, and its z [m].
+    cells: Vec<[f64; 2]>,
+}
+
+/// A row that the wheel meets.
+#[derive(Clone, Copy, Debug)]
+struct Met {
+    row: usize,
+    point: [f64; 2],
+    direction: [f64; 2],
+    along: Along,
+    /// How fast the row drifts across [-].
+    drift: f64,
+    /// How far the envelope is below the wheel [m].
+    apart: f64,
+}
+
+/// A row at one place: point and derivative across, both with their derivatives along the track.
+#[derive(Clone, Copy, Debug)]
+struct RowPoint {
+    value: [f64; 4],
+    first: [f64; 4],
+    second: [f64; 2],
+}
+
+/// The wheel above the rail.
+struct Over<'a> {
+    line: &'a ContactLine<'a>,
+    marker: [f64; 2],
+    /// Directions to the right and down in the plane across the track [-].
+    right: [f64; 2],
+    down: [f64; 2],
+    yaws: bool,
+    nominal_radius: f64,
+    station: f64,
+    /// Number of the slice before the station.
+    slice: usize,
+}
+
+impl WheelTable {
+    fn new(wheel: &Curve) -> Self {
+        let mut table = Self { start: 0.0, cells: Vec::new() };
+        table.put(wheel);
+        table
+    }
+
+    fn put(&mut self, wheel: &Curve) {
+        let (from, length) = (wheel.start(), wheel.end() - wheel.start());
+        let count = (length / (0.2 * CELL)).ceil() as usize;
+        let sample = |i: usize| {
+            let s = from + length * i as f64 / count as f64;
+            (s, wheel.at(s).point)
+        };
+        let range = (0..=count).map(|i| sample(i).1[0]);
+        let [least, greatest] =
+            range.fold([f64::MAX, f64::MIN], |[a, b], y| [a.min(y), b.max(y)]);
+        self.start = least;
+        self.cells.clear();
+        self.cells.resize(((greatest - least) / CELL) as usize + 1, [from, f64::NEG_INFINITY]);
+        for (s, [y, z]) in (0..=count).map(sample) {
+            let cell = &mut self.cells[((y - least) / CELL) as usize];
+            if z > cell[1] {
+                *cell = [s, z];
+            }
+        }
+    }
+
+    /// Number of the cell at `y`, and whether it is on the wheel or not far beside.
+    fn cell(&self, y: f64) -> Option<usize> {
+        let cell = (y - self.start) / CELL;
+        let beside = BESIDE / CELL;
+        let last = self.cells.len() - 1;
+        (cell > -beside && cell < last as f64 + beside).then(|| (cell.max(0.0) as usize).min(last))
+    }
+
+    /// Greatest z of the wheel within [`BESIDE`]/2 of a cell [m].
+    fn lowest(&self, cell: usize) -> f64 {
+        let reach = (0.5 * BESIDE / CELL) as usize;
+        let cells = &self.cells[cell.saturating_sub(reach)..(cell + reach + 1).min(self.cells.len())];
+        cells.iter().map(|c| c[1]).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+impl VaryingRail {
+    /// The rail of `slices`, whose points and directions `point` and `direction` put where it stands, turned left to right if `turned`, under wheels with the
+    /// profile `wheel` and the radius `nominal_radius` [m].
+    #[must_use]
+    pub fn new(
+        slices: &Slices,
+        point: impl Fn([f64; 2]) -> [f64; 2],
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+        turned: bool,
+        wheel: &Curve,
+        nominal_radius: f64,
+    ) -> Self {
+        let rows = slices.rows(point, direction);
+        let rows = if turned { rows.turned() } else { rows };
+        let count = rows.parameter.len();
+        let most = HOLLOW_SHARE / nominal_radius;
+        let mut hollows = vec![0; count * rows.places.len()];
+        for i in 1..rows.places.len() {
+            let h = rows.places[i] - rows.places[i - 1];
+            for j in 0..count {
+                let [from, to] = [i - 1, i].map(|i| rows.knots[i * count + j]);
+                let bends = |c: usize| {
+                    let rise = 3.0 * (to.value[c] - from.value[c]) / h;
+                    let at = [rise - 2.0 * from.slope[c] - to.slope[c], from.slope[c] + 2.0 * to.slope[c] - rise];
+                    at.iter().any(|half| 2.0 * half.abs() / h > most)
+                };
+                hollows[i * count + j] = hollows[(i - 1) * count + j] + u32::from(bends(0) || bends(1));
+            }
+        }
+        Self {
+            hollows,
+            wheel: WheelTable::new(wheel),
+            s: Vec::with_capacity(count),
+            along: Vec::with_capacity(count),
+            knots: Vec::with_capacity(count),
+            drifts: Vec::with_capacity(count),
+            met: Vec::with_capacity(count),
+            rows,
+        }
+    }
+
+    /// Most rows of the envelope.
+    #[must_use]
+    pub fn most_knots(&self) -> usize {
+        self.rows.parameter.len()
+    }
+
+    /// Faces between neighbouring slices and rows, by their corners (y, z) [m].
+    pub fn faces(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
+        let count = self.rows.parameter.len();
+        let slices = self.rows.knots.chunks(count).zip(self.rows.knots.chunks(count).skip(1));
+        slices
+            .flat_map(|(here, next)| {
+                here.windows(2).zip(next.windows(2)).map(|(a, b)| {
+                    [a[0], a[1], b[0], b[1]].map(|knot| [knot.value[0], knot.value[1]])
+                })
+            })
+            .filter(|face| face.iter().all(|corner| corner[0].is_finite()))
+    }
+
+    /// Row `j` at `x` from the wheel at `station`; the surface is held at its ends.
+    fn row(&self, j: usize, station: f64, near: usize) -> RowPoint {
+        let places = &self.rows.places;
+        let count = self.rows.parameter.len();
+        let [first, last] = self.rows.spans[j];
+        let held = |i: usize| {
+            let knot = self.rows.knots[i * count + j];
+            RowPoint { value: knot.value, first: [0.0; 4], second: [0.0; 2] }
+        };
+        if station <= places[first] {
+            return held(first);
+        }
+        if station >= places[last] {
+            return held(last);
+        }
+        let mut i = near.clamp(first, last - 1);
+        while places[i] > station {
+            i -= 1;
+        }
+        while places[i + 1] <= station {
+            i += 1;
+        }
+        let (from, to) = (&self.rows.knots[i * count + j], &self.rows.knots[(i + 1) * count + j]);
+        let h = places[i + 1] - places[i];
+        let u = station - places[i];
+        let mut point = RowPoint { value: [0.0; 4], first: [0.0; 4], second: [0.0; 2] };
+        let inverse = 1.0 / h;
+        for c in 0..4 {
+            let rise = (to.value[c] - from.value[c]) * inverse;
+            let (a, b) = (from.slope[c], to.slope[c]);
+            let c2 = (3.0 * rise - 2.0 * a - b) * inverse;
+            let c3 = (a + b - 2.0 * rise) * inverse * inverse;
+            point.value[c] = from.value[c] + u * (a + u * (c2 + u * c3));
+            point.first[c] = a + u * (2.0 * c2 + u * 3.0 * c3);
+            if c < 2 {
+                point.second[c] = 2.0 * c2 + u * 6.0 * c3;
+            }
+        }
+        point
+    }
+
+    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into `curve`; allocates nothing within the room that it has.
+    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64, curve: &mut Curve) {
+        let (sine, cosine) = pose.roll.sin_cos();
+        let slice = self.rows.places.partition_point(|p| *p <= station).max(1) - 1;
+        let over = Over {
+            line,
+            marker: [pose.marker[1], pose.marker[2]],
+            right: [cosine, sine],
+            down: [-sine, cosine],
+            yaws: pose.yaw != 0.0,
+            nominal_radius: line.nominal_radius(),
+            station,
+            slice,
+        };
+        let mut met = std::mem::take(&mut self.met);
+        met.clear();
+        let count = self.rows.parameter.len();
+        let mut before: Option<Met> = None;
+        let mut guess = 0.0;
+        let mut j = 0;
+        loop {
+            let here = self.meet(&over, j, guess);
+            if let Some(here) = &here {
+                guess = here.along.x;
+            }
+            let from = before.map_or(f64::INFINITY, |m| m.apart);
+            let to = here.map_or(f64::INFINITY, |m| m.apart);
+            if from.min(to) < APART {
+                for k in j.saturating_sub(STRIDE - 1).max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))..j {
+                    let guess = before.map_or(guess, |m| m.along.x);
+                    met.push(self.meet(&over, k, guess));
+                }
+            }
+            met.push(here);
+            before = here;
+            if j + 1 == count {
+                break;
+            }
+            j = (j + STRIDE).min(count - 1);
+        }
+        self.lay(&met, curve);
+        self.met = met;
+    }
+
+    /// Makes a curve of the rows that are met.
+    fn lay(&mut self, met: &[Option<Met>], curve: &mut Curve) {
+        let Self { rows, s, along, knots, drifts, .. } = self;
+        s.clear();
+        along.clear();
+        knots.clear();
+        drifts.clear();
+        let mut before: Option<Met> = None;
+        for m in met.iter().flatten() {
+            let [_, _, dy, dz] = rows.pattern[m.row];
+            let speed = dy.hypot(dz);
+            let size = m.direction[0].hypot(m.direction[1]);
+            let parameter = match before {
+                None => rows.parameter[m.row],
+                Some(b) => {
+                    let reached = arc(b.point, b.direction, m.point, m.direction);
+                    if reached < LEAST_ARC {
+                        continue;
+                    }
+                    // As long as the section is that of the pattern the parameter is its own.
+                    let grown = if rows.parts[b.row] == rows.parts[m.row] {
+                        let [from, to] = [b, *m].map(|m| {
+                            let [y, z, dy, dz] = rows.pattern[m.row];
+                            ([y, z], [dy, dz])
+                        });
+                        let own = rows.parameter[m.row] - rows.parameter[b.row];
+                        reached * (own / arc(from.0, from.1, to.0, to.1))
+                    } else {
+                        reached
+                    };
+                    s[s.len() - 1] + grown
+                }
+            };
+            s.push(parameter);
+            along.push(m.along);
+            drifts.push(m.drift);
+            knots.push(Knot { s: parameter, point: m.point, tangent: m.direction.map(|d| d * speed / size) });
+            before = Some(*m);
+        }
+        // A row that drifts sideways bends with the section that it crosses.
+        for k in 1..knots.len().saturating_sub(1) {
+            let [a, b] = [k - 1, k + 1].map(|k| knots[k].tangent);
+            let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+            drifts[k] *= drifts[k] * turn / (s[k + 1] - s[k - 1]);
+        }
+        for (along, bent) in along.iter_mut().zip(drifts.iter()) {
+            along.curvature += bent;
+        }
+        if knots.len() >= 2 {
+            curve.put_through(knots);
+        }
+    }
+
+    /// Where the wheel meets row `j`; nothing where the row is not there.
+    fn meet(&self, over: &Over, j: usize, guess: f64) -> Option<Met> {
+        let places = &self.rows.places;
+        let [first, last] = self.rows.spans[j];
+        // A row that goes on to the end of the rail is held there.
+        let from = if first == 0 { -REACH } else { places[first] - over.station };
+        let to = if last + 1 == places.len() { REACH } else { places[last] - over.station };
+        let range = [from.max(-REACH), to.min(REACH)];
+        if range[0] > range[1] {
+            return None;
+        }
+        let at = |x: f64| self.row(j, over.station + x, over.slice);
+        let start = 0.0_f64.clamp(range[0], range[1]);
+        let here = at(start);
+        let in_wheel = |p: &RowPoint| {
+            let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
+            [over.right, over.down].map(|axis| to[0] * axis[0] + to[1] * axis[1])
+        };
+        let [y, z] = in_wheel(&here);
+        let far = |p: &RowPoint, x: f64| {
+            let [_, z] = in_wheel(p);
+            let down = x.hypot(z) - z;
+            Met {
+                row: j,
+                point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
+                direction: [p.value[2], p.value[3]],
+                along: Along { x, ..Along::default() },
+                drift: 0.0,
+                apart: f64::INFINITY,
+            }
+        };
+        let Some(cell) = self.wheel.cell(y) else { return Some(far(&here, start)) };
+        let lowest = self.wheel.lowest(cell) + over.nominal_radius;
+        if z > lowest + FAR_BELOW {
+            return Some(far(&here, start));
+        }
+        let [centre, drift] = over.lead(&self.wheel, cell, y);
+        let mut x = if guess == 0.0 { centre } else { guess }.clamp(range[0], range[1]);
+        if self.is_hollow(j, over) {
+            x = self.scanned(j, over, &here, centre, range);
+        }
+        let mut p = at(x);
+        let mut met = self.state(over, &p, x, centre, drift);
+        for _ in 0..MOST_STEPS {
+            let step = (-met.g / met.bend.max(0.1 / over.nominal_radius)).clamp(-LONGEST_STEP, LONGEST_STEP);
+            let next = (x + step).clamp(range[0], range[1]);
+            let moved = next - x;
+            if moved == 0.0 {
+                break;
+            }
+            x = next;
+            p = at(x);
+            met = self.state(over, &p, x, centre, drift);
+            if moved.abs() < LAST_STEP {
+                break;
+            }
+        }
+        let [y, z] = in_wheel(&p);
+        let lowest = self.wheel.cell(y).map_or(f64::NEG_INFINITY, |cell| self.wheel.lowest(cell));
+        Some(Met {
+            row: j,
+            point: met.point,
+            direction: met.direction,
+            along: Along { x, curvature: met.curvature, lean: met.lean },
+            drift: met.drift,
+            apart: z + met.down - lowest - over.nominal_radius,
+        })
+    }
+
+    /// Whether row `j` may be hollow within reach.
+    fn is_hollow(&self, j: usize, over: &Over) -> bool {
+        let count = self.rows.parameter.len();
+        let places = &self.rows.places;
+        let last = places.len() - 1;
+        let before = |station: f64, mut i: usize| {
+            while i > 0 && places[i] > station {
+                i -= 1;
+            }
+            while i < last && places[i] < station {
+                i += 1;
+            }
+            i
+        };
+        let from = before(over.station - REACH, over.slice).saturating_sub(1);
+        let to = before(over.station + REACH, over.slice);
+        self.hollows[to * count + j] > self.hollows[from * count + j]
+    }
+
+    /// The sample of row `j` that is highest for the wheel.
+    fn scanned(&self, j: usize, over: &Over, here: &RowPoint, centre: f64, range: [f64; 2]) -> f64 {
+        let normal = [-here.value[3], here.value[2]];
+        let mut best = (f64::INFINITY, centre);
+        let count = ((range[1] - range[0]) / SCAN).ceil().max(1.0) as usize;
+        for i in 0..=count {
+            let x = range[0] + (range[1] - range[0]) * i as f64 / count as f64;
+            let p = self.row(j, over.station + x, over.slice);
+            let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
+            let z = to[0] * over.down[0] + to[1] * over.down[1];
+            let down = (x - centre).hypot(z) - z;
+            let height: f64 =
+                [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum();
+            if height < best.0 {
+                best = (height, x);
+            }
+        }
+        best.1
+    }
+
+    /// The condition of the envelope at `x` on a row.
+    fn state(&self, over: &Over, p: &RowPoint, x: f64, centre: f64, drift: f64) -> State {
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let first = [p.first[0], p.first[1]];
+        let across = [p.value[2], p.value[3]];
+        let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
+        let z = dot(to, over.down);
+        let away = x - centre;
+        let radius = away.hypot(z);
+        let (sine, cosine) = (away / radius, z / radius);
+        let down = radius - z;
+        // F_v, with how D changes across: by the height of the row, and by the place of the contact line.
+        let by_row = dot(across, over.down) * (cosine - 1.0) - sine * drift * dot(across, over.right);
+        let direction = [0, 1].map(|i| across[i] + by_row * over.down[i]);
+        let size = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
+        let normal = [-direction[1] / size, direction[0] / size];
+        let share = dot(normal, over.down);
+        let rate = sine * (1.0 - drift * dot(first, over.right)) + dot(first, over.down) * (cosine - 1.0);
+        let lean = dot(normal, first);
+        let turning = [-p.first[3] / size, p.first[2] / size];
+        let second = [p.second[0], p.second[1]];
+        let sideways = [normal[1], -normal[0]];
+        // The direction across, of length one, and how fast the row drifts along it.
+        let drifting = dot(sideways, first);
+        let skew = -drifting / size;
+        let curvature = dot(normal, second) + 2.0 * dot(normal, [p.first[2], p.first[3]]) * skew;
+        State {
+            point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
+            direction,
+            down,
+            g: lean + share * rate,
+            bend: dot(normal, second) + share * cosine * cosine / radius + dot(turning, first),
+            curvature,
+            drift: drifting,
+            lean: -lean,
+        }
+    }
+
+    /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
+    #[must_use]
+    pub fn along(&self, s: f64) -> Along {
+        let Self { s: places, along, .. } = self;
+        let n = places.len();
+        if n < 2 {
+            return Along::default();
+        }
+        let i = places.partition_point(|p| *p <= s).clamp(1, n - 1) - 1;
+        let h = places[i + 1] - places[i];
+        let t = ((s - places[i]) / h).clamp(0.0, 1.0);
+        let of = |f: fn(&Along) -> f64| {
+            let value = |k: usize| f(&along[k]);
+            // Slopes by the neighbours, weighted by their distance.
+            let slope = |k: usize| {
+                if k == 0 || k + 1 == n {
+                    return (value((k + 1).min(n - 1)) - value(k.max(1) - 1))
+                        / (places[(k + 1).min(n - 1)] - places[k.max(1) - 1]);
+                }
+                let (h, g) = (places[k] - places[k - 1], places[k + 1] - places[k]);
+                let (a, b) = ((value(k) - value(k - 1)) / h, (value(k + 1) - value(k)) / g);
+                (a * g + b * h) / (h + g)
+            };
+            let (a, b) = (value(i), value(i + 1));
+            let (m, q) = (h * slope(i), h * slope(i + 1));
+            a + t * (m + t * (3.0 * (b - a) - 2.0 * m - q + t * (m + q - 2.0 * (b - a))))
+        };
+        Along { x: of(|a| a.x), curvature: of(|a| a.curvature), lean: of(|a| a.lean) }
+    }
+}
+
+/// What holds at a place of a row.
+struct State {
+    point: [f64; 2],
+    direction: [f64; 2],
+    down: f64,
+    g: f64,
+    bend: f64,
+    curvature: f64,
+    drift: f64,
+    lean: f64,
+}
+
+impl Over<'_> {
+    /// Place x_l of the contact line at `y` across, and its derivative by it.
+    fn lead(&self, wheel: &WheelTable, cell: usize, y: f64) -> [f64; 2] {
+        if !self.yaws {
+            return [0.0; 2];
+        }
+        let [mut u, low] = wheel.cells[cell];
+        if low == f64::NEG_INFINITY {
+            return [0.0; 2];
+        }
+        let [start, end] = self.line.range();
+        let mut rate = 1.0;
+        let mut x = 0.0;
+        for _ in 0..3 {
+            let (at, derivative) = self.line.even_with_derivative(u);
+            let to = [at.point[0] - self.marker[0], at.point[1] - self.marker[1]];
+            let error = y - to[0] * self.right[0] - to[1] * self.right[1];
+            rate = (derivative[0] * self.right[0] + derivative[1] * self.right[1]).max(LEAST_RATE);
+            let next = (u + (error / rate).clamp(-CELL, CELL)).clamp(start, end);
+            // Over the last step the line is as good as straight.
+            x = at.x + self.line.advance(u) * (next - u);
+            u = next;
+        }
+        [x, self.line.advance(u) / rate]
+    }
+}
+
+/// Least share of its parameter by which the contact line goes across: a flank is not followed as if it stood upright.
+const LEAST_RATE: f64 = 0.1;
