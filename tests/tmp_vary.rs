@@ -23,6 +23,7 @@ fn compare() {
         // The wheelset turns about its centre.
         input.wheel.velocity = [1e-3 * num("v_s_mm_s"), 1e-3 * num("v_y_mm_s"), 1e-3 * num("v_z_mm_s")];
         input.wheel.pitch_rate = num("v_pitch_rad_s");
+        if rail.contains("cross_nose") { input.wheel.velocity[2] = -0.1 * input.wheel.velocity[0]; }
         let (yaw, roll) = (num("yaw_ws_rad"), num("roll_ws_rad"));
         input.wheel.position[0] = -0.75 * yaw.sin();
         input.wheel.position[1] = 0.75 * yaw.cos() * roll.cos() + 1e-3 * num("y_ws_mm");
@@ -52,6 +53,7 @@ fn compare() {
             input.wheel_load = load;
             e.evaluate(&input, &mut out).unwrap();
             let n: f64 = out.patches.iter().take(out.patch_count as usize).map(|p| p.normal_force).sum();
+            if n <= 0.0 { println!("{} NO LOAD z {} fall {} sunk {:?} pc {}", v[0], out.wheel_z, out.fallback_count, e.sunk(), out.patch_count); break; }
             load *= target / n;
         }
         let z = out.wheel_z + 0.46 - dz;

@@ -63,6 +63,8 @@ struct ZoneRolling<T> {
     load_factor: T,
     /// How much deeper than the even contact line the wheel is along the normal [m].
     surface_depth: T,
+    /// Lean of the strips of a rail that varies along the track [-].
+    lean: T,
 }
 
 impl<T: ElementNumber> ContactForces<'_, T> {
@@ -193,6 +195,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             ),
             load_factor,
             surface_depth: surface.depth,
+            lean: if self.rail.variation().is_some() { surface.lean } else { T::from(0.0) },
         }
     }
 
@@ -265,7 +268,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
     ) -> (Creepage<T>, Option<Tractions<T>>) {
-        let ZoneRolling { zone, position, axes, speed, surface_depth, .. } = rolling;
+        let ZoneRolling { zone, position, axes, speed, surface_depth, lean, .. } = rolling;
         let Models { curved_zone, strips, tangential, material, wear, given, .. } = models;
         let material = &material.fixed();
         let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
@@ -288,7 +291,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                     let [point, tangent] = self.surface(u, x);
                     [point + axes.normal * *surface_depth, tangent]
                 };
-                curved_zone.place(zone, strips, motion, speed.reference, place)
+                curved_zone.place(zone, strips, motion, speed.reference, *lean, place)
             }
         };
         let state = self.state(rolling, creepage);

@@ -339,8 +339,9 @@ impl RailContact {
                     local_radius(even_radius, lifting, separation.at(contact.u).x)
                 }
                 (None, Some(varying)) => {
-                    let curvature = varying.along(contact.rail_s).curvature;
-                    even_radius / (1.0 + even_radius * curvature).max(LEAST_CURVATURE_SHARE)
+                    let along = varying.along(contact.rail_s);
+                    let share = 1.0 + even_radius * along.curvature * along.shortening();
+                    even_radius / share.max(LEAST_CURVATURE_SHARE)
                 }
                 (None, None) => even_radius,
             };

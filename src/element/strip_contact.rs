@@ -61,12 +61,13 @@ impl<'a> LocalLine<'a> {
         [x, 1.0 / lean.hypot(1.0)]
     }
 
-    /// Radius of the section along x of wheel and rail together at parameter `u`, along the lean of a rail that varies [m].
+    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies [m].
     fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
-        let Along { curvature, lean, .. } = varying.along(self.place(u).y);
-        let cosine = 1.0 / lean.hypot(1.0);
-        even / (1.0 + even * curvature * cosine.powi(3)).max(LEAST_CURVATURE_SHARE)
+        let along = varying.along(self.place(u).y);
+        // The wheel's circle is as round along the lean as it is along the track.
+        let share = 1.0 + even * along.curvature * along.shortening();
+        even / (share / (1.0 + along.drift * along.drift)).max(LEAST_CURVATURE_SHARE)
     }
 
     /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's

@@ -51,8 +51,8 @@ pub(super) struct Rows {
     pub pattern: Vec<RowValue>,
     /// Part to which each row belongs; one at a feature belongs to the part before.
     pub parts: Vec<usize>,
-    /// Slices over which each row is there, the last one included.
-    pub spans: Vec<[usize; 2]>,
+    /// By slices, and rows within each: first and last slice of the run of slices over which the row is there without a break; nothing where it is not.
+    pub runs: Vec<Option<[u32; 2]>>,
     /// By slices, and rows within each slice.
     pub knots: Vec<RowKnot>,
 }
@@ -152,9 +152,9 @@ impl Slices {
         // Checked when the slices were made.
         let parts = self.parts().unwrap_or_default();
         let places: Vec<f64> = self.slices.iter().map(|slice| slice.place).collect();
-        let mut rows = Rows { places, parameter: Vec::new(), pattern: Vec::new(), parts: Vec::new(), spans: Vec::new(), knots: Vec::new() };
+        let mut rows = Rows { places, parameter: Vec::new(), pattern: Vec::new(), parts: Vec::new(), runs: Vec::new(), knots: Vec::new() };
         // By rows, and slices within each.
-        let mut values: Vec<Vec<RowValue>> = Vec::new();
+        let mut values: Vec<([usize; 2], Vec<RowValue>)> = Vec::new();
         for (f, Part { span, pattern }) in parts.iter().enumerate() {
             let ends = |i: usize| [f, f + 1].map(|f| features[i][f].unwrap_or_default());
             let [from, to] = ends(*pattern);
@@ -185,25 +185,41 @@ impl Slices {
                 rows.parameter.push(if f > 0 && s == from { parameter + SEAM } else { parameter });
                 rows.pattern.push(of_pattern);
                 rows.parts.push(f);
-                rows.spans.push(*span);
-                values.push(row);
+                values.push((*span, row));
             }
         }
         let count = values.len();
         let none = RowKnot { value: [f64::NAN; 4], slope: [0.0; 4] };
         rows.knots = vec![none; count * rows.places.len()];
-        for (j, (row, [first, last])) in values.iter().zip(&rows.spans).enumerate() {
-            let places = &rows.places[*first..=*last];
-            for c in 0..4 {
-                let mut own: Vec<f64> = row.iter().map(|value| value[c]).collect();
-                if self.passes_near {
-                    own = near(places, &own);
+        rows.runs = vec![None; rows.knots.len()];
+        let steepest = if self.kind == ProfileKind::Rail { STEEPEST } else { f64::INFINITY };
+        for (j, ([first, _], row)) in values.iter().enumerate() {
+            let mut begin = 0;
+            while begin < row.len() {
+                let goes_on = |i: usize| {
+                    let (a, b) = (&row[i], &row[i + 1]);
+                    let apart = rows.places[first + i + 1] - rows.places[first + i];
+                    (b[0] - a[0]).hypot(b[1] - a[1]) <= steepest * apart
+                };
+                let end = (begin..row.len() - 1).find(|&i| !goes_on(i)).unwrap_or(row.len() - 1);
+                let places = &rows.places[first + begin..=first + end];
+                for c in 0..4 {
+                    let mut own: Vec<f64> = row[begin..=end].iter().map(|value| value[c]).collect();
+                    if self.passes_near {
+                        own = near(places, &own);
+                    }
+                    let slopes = if own.len() < 2 {
+                        vec![0.0]
+                    } else {
+                        interpolating_slopes(places, &own, [SplineEnd::Natural; 2])
+                    };
+                    for (i, (value, slope)) in own.into_iter().zip(slopes).enumerate() {
+                        let at = (first + begin + i) * count + j;
+                        (rows.knots[at].value[c], rows.knots[at].slope[c]) = (value, slope);
+                        rows.runs[at] = Some([(first + begin) as u32, (first + end) as u32]);
+                    }
                 }
-                let slopes = interpolating_slopes(places, &own, [SplineEnd::Natural; 2]);
-                for (i, (value, slope)) in own.into_iter().zip(slopes).enumerate() {
-                    let knot = &mut rows.knots[(first + i) * count + j];
-                    (knot.value[c], knot.slope[c]) = (value, slope);
-                }
+                begin = end + 1;
             }
         }
         rows
@@ -219,7 +235,7 @@ impl Rows {
         self.pattern.reverse();
         self.pattern.iter_mut().for_each(turn_direction);
         self.parts.reverse();
-        self.spans.reverse();
+        self.runs.chunks_mut(count).for_each(<[_]>::reverse);
         for slice in self.knots.chunks_mut(count) {
             slice.reverse();
             for RowKnot { value, slope } in slice {
@@ -243,6 +259,9 @@ pub(super) fn arc(a: [f64; 2], from: [f64; 2], b: [f64; 2], to: [f64; 2]) -> f64
     chord * (1.0 + turn * turn / (24.0 * sizes))
 }
 
+/// Steepest row along the track, as a slope against it: between slices that are farther apart across the surface is broken, because they are not of the same
+/// shape, as where a nose begins.
+const STEEPEST: f64 = 1.0;
 /// Distance of two rows of parts that are not there together [m].
 const SEAM: f64 = 1e-6;
 

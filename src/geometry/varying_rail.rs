@@ -8,14 +8,16 @@
 //!
 //! for a point of the rail at the height z below the axle, with x_l the place of the contact line, which is zero where the wheel does not yaw. Moved down
 //! by that, every section can be compared with the even contact line. What the wheel can touch is the envelope of all sections that are moved so:
-//! along each row v of the surface P the x at which
+//! on each row v of the surface P the x at which
 //!
 //! ```text
-//! n · (P_x + D_x e) = 0,   F = P + D e,   n ⟂ F_v
+//! n · F_x = 0,   F(x, v) = P + D e
 //! ```
 //!
-//! with e the direction down in the plane of the rolling circles. There the normals of both bodies have the same part along x, so that the place is
-//! the one of a search in three dimensions; where the surface is the same all along the track it is x_l, and the envelope is the section.
+//! with e the direction down in the plane of the rolling circles and n the normal of the wheel opposite. Along the row the bodies are nearest there, and
+//! where they touch their normals have the same part along x, so that the place is the one of a search in three dimensions. Where the surface is
+//! the same all along the track it is x_l, and the envelope is the section. Strips of the contact lie along the rows: a rail whose edge runs off
+//! sideways turns its patch with it.
 
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
@@ -53,6 +55,16 @@ pub struct Along {
     pub curvature: f64,
     /// Slope of the rail there: tangent of the angle by which its normal leans forward [-].
     pub lean: f64,
+    /// How fast its rows drift across there [-].
+    pub drift: f64,
+}
+
+impl Along {
+    /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
+    #[must_use]
+    pub fn shortening(&self) -> f64 {
+        (1.0 + self.lean * self.lean).powf(-1.5)
+    }
 }
 
 /// A rail whose section varies.
@@ -67,7 +79,7 @@ pub struct VaryingRail {
     s: Vec<f64>,
     along: Vec<Along>,
     knots: Vec<Knot>,
-    drifts: Vec<f64>,
+    kept: Vec<Met>,
     met: Vec<Option<Met>>,
 }
 
@@ -84,10 +96,10 @@ struct WheelTable {
 struct Met {
     row: usize,
     point: [f64; 2],
+    /// F_v and F_x.
     direction: [f64; 2],
+    first: [f64; 2],
     along: Along,
-    /// How fast the row drifts across [-].
-    drift: f64,
     /// How far the envelope is below the wheel [m].
     apart: f64,
 }
@@ -193,7 +205,7 @@ impl VaryingRail {
             s: Vec::with_capacity(count),
             along: Vec::with_capacity(count),
             knots: Vec::with_capacity(count),
-            drifts: Vec::with_capacity(count),
+            kept: Vec::with_capacity(count),
             met: Vec::with_capacity(count),
             rows,
         }
@@ -219,10 +231,10 @@ impl VaryingRail {
     }
 
     /// Row `j` at `x` from the wheel at `station`; the surface is held at its ends.
-    fn row(&self, j: usize, station: f64, near: usize) -> RowPoint {
+    fn row(&self, j: usize, run: [usize; 2], station: f64, near: usize) -> RowPoint {
         let places = &self.rows.places;
         let count = self.rows.parameter.len();
-        let [first, last] = self.rows.spans[j];
+        let [first, last] = run;
         let held = |i: usize| {
             let knot = self.rows.knots[i * count + j];
             RowPoint { value: knot.value, first: [0.0; 4], second: [0.0; 2] }
@@ -233,7 +245,7 @@ impl VaryingRail {
         if station >= places[last] {
             return held(last);
         }
-        let mut i = near.clamp(first, last - 1);
+        let mut i = near.clamp(first, last.max(first + 1) - 1);
         while places[i] > station {
             i -= 1;
         }
@@ -305,11 +317,11 @@ impl VaryingRail {
 
     /// Makes a curve of the rows that are met.
     fn lay(&mut self, met: &[Option<Met>], curve: &mut Curve) {
-        let Self { rows, s, along, knots, drifts, .. } = self;
+        let Self { rows, s, along, knots, kept, .. } = self;
         s.clear();
         along.clear();
         knots.clear();
-        drifts.clear();
+        kept.clear();
         let mut before: Option<Met> = None;
         for m in met.iter().flatten() {
             let [_, _, dy, dz] = rows.pattern[m.row];
@@ -338,28 +350,52 @@ impl VaryingRail {
             };
             s.push(parameter);
             along.push(m.along);
-            drifts.push(m.drift);
+            kept.push(*m);
             knots.push(Knot { s: parameter, point: m.point, tangent: m.direction.map(|d| d * speed / size) });
             before = Some(*m);
         }
-        // A row that drifts sideways bends with the section that it crosses.
+        // The envelope goes on to the next row, and along the track with it.
         for k in 1..knots.len().saturating_sub(1) {
-            let [a, b] = [k - 1, k + 1].map(|k| knots[k].tangent);
-            let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-            drifts[k] *= drifts[k] * turn / (s[k + 1] - s[k - 1]);
-        }
-        for (along, bent) in along.iter_mut().zip(drifts.iter()) {
-            along.curvature += bent;
+            let apart = rows.parameter[kept[k + 1].row] - rows.parameter[kept[k - 1].row];
+            let rate = (kept[k + 1].along.x - kept[k - 1].along.x) / apart;
+            let [a, b] = [kept[k].direction, kept[k].first];
+            let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
+            let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
+            let size = direction[0].hypot(direction[1]);
+            if dot(direction, a) > 0.0 {
+                knots[k].tangent = direction.map(|d| d * speed / size);
+            }
         }
         if knots.len() >= 2 {
             curve.put_through(knots);
         }
     }
 
+    /// The run of slices of row `j` that the wheel is over, or the nearest one within reach.
+    fn run(&self, j: usize, over: &Over) -> Option<[usize; 2]> {
+        let places = &self.rows.places;
+        let count = self.rows.parameter.len();
+        let of = |i: usize| self.rows.runs[i * count + j].map(|run| run.map(|i| i as usize));
+        let (before, after) = (over.slice, (over.slice + 1).min(places.len() - 1));
+        match (of(before), of(after)) {
+            (Some(a), Some(b)) if a != b => {
+                let middle = 0.5 * (places[before] + places[after]);
+                Some(if over.station < middle { a } else { b })
+            }
+            (Some(run), _) | (None, Some(run)) => Some(run),
+            (None, None) => {
+                let behind = (0..before).rev().take_while(|&i| over.station - places[i] < REACH);
+                let ahead = (after..places.len()).take_while(|&i| places[i] - over.station < REACH);
+                behind.chain(ahead).find_map(of)
+            }
+        }
+    }
+
     /// Where the wheel meets row `j`; nothing where the row is not there.
     fn meet(&self, over: &Over, j: usize, guess: f64) -> Option<Met> {
         let places = &self.rows.places;
-        let [first, last] = self.rows.spans[j];
+        let run = self.run(j, over)?;
+        let [first, last] = run;
         // A row that goes on to the end of the rail is held there.
         let from = if first == 0 { -REACH } else { places[first] - over.station };
         let to = if last + 1 == places.len() { REACH } else { places[last] - over.station };
@@ -367,7 +403,7 @@ impl VaryingRail {
         if range[0] > range[1] {
             return None;
         }
-        let at = |x: f64| self.row(j, over.station + x, over.slice);
+        let at = |x: f64| self.row(j, run, over.station + x, over.slice);
         let start = 0.0_f64.clamp(range[0], range[1]);
         let here = at(start);
         let in_wheel = |p: &RowPoint| {
@@ -382,8 +418,8 @@ impl VaryingRail {
                 row: j,
                 point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
                 direction: [p.value[2], p.value[3]],
+                first: [0.0; 2],
                 along: Along { x, ..Along::default() },
-                drift: 0.0,
                 apart: f64::INFINITY,
             }
         };
@@ -392,13 +428,19 @@ impl VaryingRail {
         if z > lowest + FAR_BELOW {
             return Some(far(&here, start));
         }
-        let [centre, drift] = over.lead(&self.wheel, cell, y);
+        let Some(mut opposite) = over.opposite(self.wheel.cells[cell][0], y) else {
+            return Some(far(&here, start));
+        };
+        let centre = opposite.x;
         let mut x = if guess == 0.0 { centre } else { guess }.clamp(range[0], range[1]);
         if self.is_hollow(j, over) {
-            x = self.scanned(j, over, &here, centre, range);
+            x = self.scanned(j, run, over, &here, [centre, range[0], range[1]]);
         }
         let mut p = at(x);
-        let mut met = self.state(over, &p, x, centre, drift);
+        if x != start {
+            opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
+        }
+        let mut met = self.state(over, &p, x, &opposite);
         for _ in 0..MOST_STEPS {
             let step = (-met.g / met.bend.max(0.1 / over.nominal_radius)).clamp(-LONGEST_STEP, LONGEST_STEP);
             let next = (x + step).clamp(range[0], range[1]);
@@ -408,7 +450,8 @@ impl VaryingRail {
             }
             x = next;
             p = at(x);
-            met = self.state(over, &p, x, centre, drift);
+            opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
+            met = self.state(over, &p, x, &opposite);
             if moved.abs() < LAST_STEP {
                 break;
             }
@@ -419,8 +462,8 @@ impl VaryingRail {
             row: j,
             point: met.point,
             direction: met.direction,
-            along: Along { x, curvature: met.curvature, lean: met.lean },
-            drift: met.drift,
+            first: met.first,
+            along: Along { x, curvature: met.curvature, lean: met.lean, drift: met.drift },
             apart: z + met.down - lowest - over.nominal_radius,
         })
     }
@@ -445,13 +488,20 @@ impl VaryingRail {
     }
 
     /// The sample of row `j` that is highest for the wheel.
-    fn scanned(&self, j: usize, over: &Over, here: &RowPoint, centre: f64, range: [f64; 2]) -> f64 {
+    fn scanned(
+        &self,
+        j: usize,
+        run: [usize; 2],
+        over: &Over,
+        here: &RowPoint,
+        [centre, from, to]: [f64; 3],
+    ) -> f64 {
         let normal = [-here.value[3], here.value[2]];
         let mut best = (f64::INFINITY, centre);
-        let count = ((range[1] - range[0]) / SCAN).ceil().max(1.0) as usize;
+        let count = ((to - from) / SCAN).ceil().max(1.0) as usize;
         for i in 0..=count {
-            let x = range[0] + (range[1] - range[0]) * i as f64 / count as f64;
-            let p = self.row(j, over.station + x, over.slice);
+            let x = from + (to - from) * i as f64 / count as f64;
+            let p = self.row(j, run, over.station + x, over.slice);
             let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
             let z = to[0] * over.down[0] + to[1] * over.down[1];
             let down = (x - centre).hypot(z) - z;
@@ -464,41 +514,37 @@ impl VaryingRail {
         best.1
     }
 
-    /// The condition of the envelope at `x` on a row.
-    fn state(&self, over: &Over, p: &RowPoint, x: f64, centre: f64, drift: f64) -> State {
-        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    /// The condition of touch at `x` on a row, opposite to a point of the wheel.
+    fn state(&self, over: &Over, p: &RowPoint, x: f64, wheel: &Opposite) -> State {
         let first = [p.first[0], p.first[1]];
         let across = [p.value[2], p.value[3]];
         let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
         let z = dot(to, over.down);
-        let away = x - centre;
+        let away = x - wheel.x;
         let radius = away.hypot(z);
         let (sine, cosine) = (away / radius, z / radius);
         let down = radius - z;
-        // F_v, with how D changes across: by the height of the row, and by the place of the contact line.
-        let by_row = dot(across, over.down) * (cosine - 1.0) - sine * drift * dot(across, over.right);
-        let direction = [0, 1].map(|i| across[i] + by_row * over.down[i]);
-        let size = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
-        let normal = [-direction[1] / size, direction[0] / size];
+        // D along a direction of the surface: by its height, and by the place of the contact line.
+        let lowered = |v: [f64; 2]| {
+            dot(v, over.down) * (cosine - 1.0) - sine * wheel.advance * dot(v, over.right)
+        };
+        let by_row = lowered(across);
+        let along = sine + lowered(first);
+        let normal = wheel.normal;
+        let tangent = [normal[1], -normal[0]];
         let share = dot(normal, over.down);
-        let rate = sine * (1.0 - drift * dot(first, over.right)) + dot(first, over.down) * (cosine - 1.0);
-        let lean = dot(normal, first);
-        let turning = [-p.first[3] / size, p.first[2] / size];
-        let second = [p.second[0], p.second[1]];
-        let sideways = [normal[1], -normal[0]];
-        // The direction across, of length one, and how fast the row drifts along it.
-        let drifting = dot(sideways, first);
-        let skew = -drifting / size;
-        let curvature = dot(normal, second) + 2.0 * dot(normal, [p.first[2], p.first[3]]) * skew;
+        let drift = dot(tangent, first);
+        let rail = dot(normal, [p.second[0], p.second[1]]) + wheel.curvature * drift * drift;
         State {
             point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
-            direction,
+            direction: [0, 1].map(|i| across[i] + by_row * over.down[i]),
+            first: [0, 1].map(|i| first[i] + along * over.down[i]),
             down,
-            g: lean + share * rate,
-            bend: dot(normal, second) + share * cosine * cosine / radius + dot(turning, first),
-            curvature,
-            drift: drifting,
-            lean: -lean,
+            g: dot(normal, first) + share * along,
+            bend: rail + share * cosine * cosine / radius,
+            curvature: rail,
+            drift,
+            lean: -dot(normal, first),
         }
     }
 
@@ -529,7 +575,7 @@ impl VaryingRail {
             let (m, q) = (h * slope(i), h * slope(i + 1));
             a + t * (m + t * (3.0 * (b - a) - 2.0 * m - q + t * (m + q - 2.0 * (b - a))))
         };
-        Along { x: of(|a| a.x), curvature: of(|a| a.curvature), lean: of(|a| a.lean) }
+        Along { x: of(|a| a.x), curvature: of(|a| a.curvature), lean: of(|a| a.lean), drift: of(|a| a.drift) }
     }
 }
 
@@ -537,6 +583,7 @@ impl VaryingRail {
 struct State {
     point: [f64; 2],
     direction: [f64; 2],
+    first: [f64; 2],
     down: f64,
     g: f64,
     bend: f64,
@@ -546,31 +593,54 @@ struct State {
 }
 
 impl Over<'_> {
-    /// Place x_l of the contact line at `y` across, and its derivative by it.
-    fn lead(&self, wheel: &WheelTable, cell: usize, y: f64) -> [f64; 2] {
-        if !self.yaws {
-            return [0.0; 2];
-        }
-        let [mut u, low] = wheel.cells[cell];
-        if low == f64::NEG_INFINITY {
-            return [0.0; 2];
-        }
+    /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where the wheel stands upright.
+    fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
         let [start, end] = self.line.range();
-        let mut rate = 1.0;
-        let mut x = 0.0;
-        for _ in 0..3 {
+        for _ in 0..MOST_OPPOSITE_STEPS {
             let (at, derivative) = self.line.even_with_derivative(u);
             let to = [at.point[0] - self.marker[0], at.point[1] - self.marker[1]];
-            let error = y - to[0] * self.right[0] - to[1] * self.right[1];
-            rate = (derivative[0] * self.right[0] + derivative[1] * self.right[1]).max(LEAST_RATE);
-            let next = (u + (error / rate).clamp(-CELL, CELL)).clamp(start, end);
-            // Over the last step the line is as good as straight.
-            x = at.x + self.line.advance(u) * (next - u);
+            let rate = dot(derivative, self.right);
+            if rate < LEAST_RATE {
+                return None;
+            }
+            let step = ((y - dot(to, self.right)) / rate).clamp(-CELL, CELL);
+            let next = (u + step).clamp(start, end);
+            let step = next - u;
+            if step.abs() < STRAIGHT || next <= start || next >= end {
+                // Over the last step the line is as good as an arc.
+                let curvature = self.line.curvature(u);
+                let size = derivative[0].hypot(derivative[1]);
+                let [ty, tz] = derivative.map(|d| d / size);
+                let turn = -curvature * size * step;
+                let tangent = [ty - turn * tz, tz + turn * ty];
+                let advance = if self.yaws { self.line.advance(u) } else { 0.0 };
+                let x = if self.yaws { at.x + advance * step } else { 0.0 };
+                let normal = [-tangent[1], tangent[0]];
+                return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
+            }
             u = next;
         }
-        [x, self.line.advance(u) / rate]
+        None
     }
 }
 
+/// A point of the contact line.
+struct Opposite {
+    u: f64,
+    /// Its place along the track, and the derivative of that across [m, -].
+    x: f64,
+    advance: f64,
+    /// Normal into the rail, and curvature of the wheel across, positive where it bulges [1/m].
+    normal: [f64; 2],
+    curvature: f64,
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// Newton steps to a point of the contact line, and the last of them [m].
+const MOST_OPPOSITE_STEPS: usize = 12;
+const STRAIGHT: f64 = 2e-4;
 /// Least share of its parameter by which the contact line goes across: a flank is not followed as if it stood upright.
 const LEAST_RATE: f64 = 0.1;
