@@ -158,8 +158,8 @@ impl<T: Real> CurvedZone<T> {
                 let axes = leaning_axes(tangent, self.lean);
                 let force = axes.longitudinal * strip.longitudinal + tangent * strip.lateral;
                 total.force += force;
-                total.moment += (self.points[i] - position).cross(&force)
-                    + axes.normal * strip.moment;
+                total.moment +=
+                    (self.points[i] - position).cross(&force) + axes.normal * strip.moment;
                 let dissipation = -(strip.longitudinal * creepage.longitudinal
                     + strip.lateral * creepage.lateral
                     + strip.moment * creepage.spin);

@@ -86,7 +86,7 @@ impl Element {
                 slices[k] =
                     load_slices(&parameter, &rail.profile, kind, smoothing, profile_folders)?;
                 rails[k] = Some(match &slices[k] {
-                    Some(slices) => slices.slices()[0].profile.clone(),
+                    Some(slices) => slices.first_profile(),
                     None => load(&parameter, &rail.profile, kind)?,
                 });
             }

@@ -148,10 +148,14 @@ impl Parameters {
             );
         }
         if self.wear.model != WearModel::Off {
-            return refuse("one profile for all the track, as wear.model is not off: what wears is a profile that is the same all along");
+            return refuse(
+                "one profile for all the track, as wear.model is not off: what wears is a profile that is the same all along",
+            );
         }
         if self.normal_model == NormalModel::BoundaryElement {
-            return refuse("one profile for all the track where normal.model is boundary_element; slices go with strips, hertz and piotrowski_kik");
+            return refuse(
+                "one profile for all the track where normal.model is boundary_element; slices go with strips, hertz and piotrowski_kik",
+            );
         }
         if self.friction_distribution == FrictionDistribution::Profile {
             return refuse("one profile for all the track where friction.distribution is profile");

@@ -141,9 +141,10 @@ impl Clearance {
         };
         let first = self.rail_start + PADDING as f64 * CELL;
         let last = first + (self.top.len() - 2 * PADDING) as f64 * CELL;
-        let [left, right] = faces.clone().map(|face| across(&face)).fold([first, last], |[a, b], [c, d]| {
-            [a.min(c), b.max(d)]
-        });
+        let [left, right] = faces
+            .clone()
+            .map(|face| across(&face))
+            .fold([first, last], |[a, b], [c, d]| [a.min(c), b.max(d)]);
         let more = |by: f64| (by / CELL).ceil() as usize;
         let (before, after) = (more(first - left), more(right - last) + 1);
         self.top.splice(0..0, std::iter::repeat_n(f64::INFINITY, before));

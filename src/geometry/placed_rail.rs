@@ -102,7 +102,16 @@ impl PlacedRail {
         let curve = Curve::through(&knots);
         let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve).collect());
         let hand = if mirrored { -1.0 } else { 1.0 };
-        Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse, varying: None }
+        Self {
+            curve,
+            marker,
+            inclination: [sine, cosine],
+            top,
+            hand,
+            concavity,
+            coarse,
+            varying: None,
+        }
     }
 
     /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is inclined, at `origin` (y, z) [m]: for profiles

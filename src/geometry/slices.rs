@@ -86,6 +86,20 @@ impl Slices {
         &self.slices
     }
 
+    /// The first profile, which the body stands by, with what was found wrong and mended in any of them.
+    #[must_use]
+    pub fn first_profile(&self) -> Profile {
+        let mut profile = self.slices[0].profile.clone();
+        for slice in &self.slices[1..] {
+            for remark in slice.profile.remarks.iter().filter(|remark| remark.is_warning()) {
+                if !profile.remarks.contains(remark) {
+                    profile.remarks.push(remark.clone());
+                }
+            }
+        }
+        profile
+    }
+
     /// First and last place.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
@@ -109,17 +123,24 @@ impl Slices {
             let is_there = |i: usize| features[i][f].is_some() && features[i][f + 1].is_some();
             let own: Vec<usize> = (0..features.len()).filter(|&i| is_there(i)).collect();
             let (Some(&first), Some(&last)) = (own.first(), own.last()) else {
-                return Err(format!("no slice has both features {} and {}; leave one out", f + 1, f + 2));
+                return Err(format!(
+                    "no slice has both features {} and {}; leave one out",
+                    f + 1,
+                    f + 2
+                ));
             };
             if last - first + 1 != own.len() {
                 return Err(format!(
                     "the part between features {} and {} ends and begins again; give it features of its own behind the gap",
-                    f + 1, f + 2
+                    f + 1,
+                    f + 2
                 ));
             }
             if first == last {
                 return Err(format!(
-                    "the part between features {} and {} is on one slice only; give it two slices or more", f + 1, f + 2
+                    "the part between features {} and {} is on one slice only; give it two slices or more",
+                    f + 1,
+                    f + 2
                 ));
             }
             let mut pattern = (0, first);
@@ -128,7 +149,8 @@ impl Slices {
                 if to - from <= 0.0 {
                     return Err(format!(
                         "feature {} of the slice at {} lies beyond its end; give lengths along the slice in mm",
-                        f + 1, self.slices[i].place
+                        f + 1,
+                        self.slices[i].place
                     ));
                 }
                 let knots = self.slices[i].profile.curve.knots();
@@ -152,7 +174,14 @@ impl Slices {
         // Checked when the slices were made.
         let parts = self.parts().unwrap_or_default();
         let places: Vec<f64> = self.slices.iter().map(|slice| slice.place).collect();
-        let mut rows = Rows { places, parameter: Vec::new(), pattern: Vec::new(), parts: Vec::new(), runs: Vec::new(), knots: Vec::new() };
+        let mut rows = Rows {
+            places,
+            parameter: Vec::new(),
+            pattern: Vec::new(),
+            parts: Vec::new(),
+            runs: Vec::new(),
+            knots: Vec::new(),
+        };
         // By rows, and slices within each.
         let mut values: Vec<([usize; 2], Vec<RowValue>)> = Vec::new();
         for (f, Part { span, pattern }) in parts.iter().enumerate() {
@@ -192,16 +221,13 @@ impl Slices {
         let none = RowKnot { value: [f64::NAN; 4], slope: [0.0; 4] };
         rows.knots = vec![none; count * rows.places.len()];
         rows.runs = vec![None; rows.knots.len()];
-        let steepest = if self.kind == ProfileKind::Rail { STEEPEST } else { f64::INFINITY };
+        let broken: Vec<Vec<bool>> =
+            (0..parts.len()).map(|part| self.breaks(&rows, part, &values)).collect();
         for (j, ([first, _], row)) in values.iter().enumerate() {
             let mut begin = 0;
             while begin < row.len() {
-                let goes_on = |i: usize| {
-                    let (a, b) = (&row[i], &row[i + 1]);
-                    let apart = rows.places[first + i + 1] - rows.places[first + i];
-                    (b[0] - a[0]).hypot(b[1] - a[1]) <= steepest * apart
-                };
-                let end = (begin..row.len() - 1).find(|&i| !goes_on(i)).unwrap_or(row.len() - 1);
+                let is_broken = |i: &usize| broken[rows.parts[j]][first + i];
+                let end = (begin..row.len() - 1).find(is_broken).unwrap_or(row.len() - 1);
                 let places = &rows.places[first + begin..=first + end];
                 for c in 0..4 {
                     let mut own: Vec<f64> = row[begin..=end].iter().map(|value| value[c]).collect();
@@ -223,6 +249,35 @@ impl Slices {
             }
         }
         rows
+    }
+}
+
+impl Slices {
+    /// Whether the surface of a part is broken between each slice and the next, by the rows that run too steeply there.
+    fn breaks(
+        &self,
+        rows: &Rows,
+        part: usize,
+        values: &[([usize; 2], Vec<RowValue>)],
+    ) -> Vec<bool> {
+        let count = rows.places.len();
+        let (mut all, mut steep) = (vec![0_usize; count], vec![0_usize; count]);
+        if self.kind == ProfileKind::Wheel {
+            return vec![false; count];
+        }
+        let own = values.iter().zip(&rows.parts).filter(|(_, of)| **of == part);
+        for (([first, _], row), _) in own {
+            for (i, pair) in row.windows(2).enumerate() {
+                let apart = rows.places[first + i + 1] - rows.places[first + i];
+                let [a, b] = [pair[0], pair[1]];
+                all[first + i] += 1;
+                steep[first + i] +=
+                    usize::from((b[0] - a[0]).hypot(b[1] - a[1]) > STEEPEST * apart);
+            }
+        }
+        (all.iter().zip(&steep))
+            .map(|(all, steep)| *steep as f64 > STEEP_SHARE * *all as f64)
+            .collect()
     }
 }
 
@@ -259,9 +314,10 @@ pub(super) fn arc(a: [f64; 2], from: [f64; 2], b: [f64; 2], to: [f64; 2]) -> f64
     chord * (1.0 + turn * turn / (24.0 * sizes))
 }
 
-/// Steepest row along the track, as a slope against it: between slices that are farther apart across the surface is broken, because they are not of the same
-/// shape, as where a nose begins.
-const STEEPEST: f64 = 1.0;
+/// Steepest row along the track, as a slope against it, and share of the rows of a part from which on the part is broken where so many are steeper: the two
+/// slices are not of the same shape, as where a nose begins.
+const STEEPEST: f64 = 0.5;
+const STEEP_SHARE: f64 = 0.1;
 /// Distance of two rows of parts that are not there together [m].
 const SEAM: f64 = 1e-6;
 
@@ -272,7 +328,8 @@ fn near(places: &[f64], values: &[f64]) -> Vec<f64> {
     let mut smooth = values.to_vec();
     for i in 1..values.len().saturating_sub(1) {
         let (h, k) = (places[i] - places[i - 1], places[i + 1] - places[i]);
-        let bend = 2.0 * ((values[i + 1] - values[i]) / k - (values[i] - values[i - 1]) / h) / (h + k);
+        let bend =
+            2.0 * ((values[i + 1] - values[i]) / k - (values[i] - values[i - 1]) / h) / (h + k);
         smooth[i] += h * k * bend / 6.0;
     }
     smooth

@@ -22,6 +22,7 @@
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::slices::{Rows, Slices, arc};
+use crate::math::room::Room;
 
 /// Rows of which first only one is looked at.
 const STRIDE: usize = 4;
@@ -76,11 +77,11 @@ pub struct VaryingRail {
     /// Parameter and radius of the wheel over cells of its width; of what lies lowest.
     wheel: WheelTable,
     /// Rows of the envelope: parameters and what belongs to them.
-    s: Vec<f64>,
-    along: Vec<Along>,
-    knots: Vec<Knot>,
-    kept: Vec<Met>,
-    met: Vec<Option<Met>>,
+    s: Room<f64>,
+    along: Room<Along>,
+    knots: Room<Knot>,
+    kept: Room<Met>,
+    met: Room<Option<Met>>,
 }
 
 /// A wheel by its width.
@@ -141,8 +142,7 @@ impl WheelTable {
             (s, wheel.at(s).point)
         };
         let range = (0..=count).map(|i| sample(i).1[0]);
-        let [least, greatest] =
-            range.fold([f64::MAX, f64::MIN], |[a, b], y| [a.min(y), b.max(y)]);
+        let [least, greatest] = range.fold([f64::MAX, f64::MIN], |[a, b], y| [a.min(y), b.max(y)]);
         self.start = least;
         self.cells.clear();
         self.cells.resize(((greatest - least) / CELL) as usize + 1, [from, f64::NEG_INFINITY]);
@@ -165,7 +165,8 @@ impl WheelTable {
     /// Greatest z of the wheel within [`BESIDE`]/2 of a cell [m].
     fn lowest(&self, cell: usize) -> f64 {
         let reach = (0.5 * BESIDE / CELL) as usize;
-        let cells = &self.cells[cell.saturating_sub(reach)..(cell + reach + 1).min(self.cells.len())];
+        let cells =
+            &self.cells[cell.saturating_sub(reach)..(cell + reach + 1).min(self.cells.len())];
         cells.iter().map(|c| c[1]).fold(f64::NEG_INFINITY, f64::max)
     }
 }
@@ -193,20 +194,24 @@ impl VaryingRail {
                 let [from, to] = [i - 1, i].map(|i| rows.knots[i * count + j]);
                 let bends = |c: usize| {
                     let rise = 3.0 * (to.value[c] - from.value[c]) / h;
-                    let at = [rise - 2.0 * from.slope[c] - to.slope[c], from.slope[c] + 2.0 * to.slope[c] - rise];
+                    let at = [
+                        rise - 2.0 * from.slope[c] - to.slope[c],
+                        from.slope[c] + 2.0 * to.slope[c] - rise,
+                    ];
                     at.iter().any(|half| 2.0 * half.abs() / h > most)
                 };
-                hollows[i * count + j] = hollows[(i - 1) * count + j] + u32::from(bends(0) || bends(1));
+                hollows[i * count + j] =
+                    hollows[(i - 1) * count + j] + u32::from(bends(0) || bends(1));
             }
         }
         Self {
             hollows,
             wheel: WheelTable::new(wheel),
-            s: Vec::with_capacity(count),
-            along: Vec::with_capacity(count),
-            knots: Vec::with_capacity(count),
-            kept: Vec::with_capacity(count),
-            met: Vec::with_capacity(count),
+            s: Room::new(count),
+            along: Room::new(count),
+            knots: Room::new(count),
+            kept: Room::new(count),
+            met: Room::new(count),
             rows,
         }
     }
@@ -299,7 +304,11 @@ impl VaryingRail {
             let from = before.map_or(f64::INFINITY, |m| m.apart);
             let to = here.map_or(f64::INFINITY, |m| m.apart);
             if from.min(to) < APART {
-                for k in j.saturating_sub(STRIDE - 1).max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))..j {
+                for k in j
+                    .saturating_sub(STRIDE - 1)
+                    .max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))
+                    ..j
+                {
                     let guess = before.map_or(guess, |m| m.along.x);
                     met.push(self.meet(&over, k, guess));
                 }
@@ -351,7 +360,11 @@ impl VaryingRail {
             s.push(parameter);
             along.push(m.along);
             kept.push(*m);
-            knots.push(Knot { s: parameter, point: m.point, tangent: m.direction.map(|d| d * speed / size) });
+            knots.push(Knot {
+                s: parameter,
+                point: m.point,
+                tangent: m.direction.map(|d| d * speed / size),
+            });
             before = Some(*m);
         }
         // The envelope goes on to the next row, and along the track with it.
@@ -442,7 +455,8 @@ impl VaryingRail {
         }
         let mut met = self.state(over, &p, x, &opposite);
         for _ in 0..MOST_STEPS {
-            let step = (-met.g / met.bend.max(0.1 / over.nominal_radius)).clamp(-LONGEST_STEP, LONGEST_STEP);
+            let step = (-met.g / met.bend.max(0.1 / over.nominal_radius))
+                .clamp(-LONGEST_STEP, LONGEST_STEP);
             let next = (x + step).clamp(range[0], range[1]);
             let moved = next - x;
             if moved == 0.0 {
@@ -575,7 +589,12 @@ impl VaryingRail {
             let (m, q) = (h * slope(i), h * slope(i + 1));
             a + t * (m + t * (3.0 * (b - a) - 2.0 * m - q + t * (m + q - 2.0 * (b - a))))
         };
-        Along { x: of(|a| a.x), curvature: of(|a| a.curvature), lean: of(|a| a.lean), drift: of(|a| a.drift) }
+        Along {
+            x: of(|a| a.x),
+            curvature: of(|a| a.curvature),
+            lean: of(|a| a.lean),
+            drift: of(|a| a.drift),
+        }
     }
 }
 

@@ -87,7 +87,10 @@ pub(crate) fn profile_file(name: &str, kind: ProfileKind, folders: &[PathBuf]) -
 
 /// The file of that name: an absolute path, or the first of the folders that has it.
 pub(super) fn find(
-    name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Result<PathBuf, ProfileError> {
+    name: &str,
+    kind: ProfileKind,
+    folders: &[PathBuf],
+) -> Result<PathBuf, ProfileError> {
     let path = Path::new(name);
     let candidates: Vec<PathBuf> = if name.trim().is_empty() {
         Vec::new()

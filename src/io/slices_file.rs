@@ -62,7 +62,11 @@ pub fn load_slices(
     };
     let Ok(path) = find(name, kind, folders) else {
         // What has to be said of a missing file the reader of profiles says.
-        return if of_slices.is_some() { find(name, kind, folders).map(|_| None).map_err(refuse) } else { Ok(None) };
+        return if of_slices.is_some() {
+            find(name, kind, folders).map(|_| None).map_err(refuse)
+        } else {
+            Ok(None)
+        };
     };
     let file = path.display().to_string();
     if of_slices.is_some_and(|of| of != kind) {
@@ -86,18 +90,25 @@ pub fn load_slices(
     let own_folders = [folder];
     let mut known: HashMap<String, Profile> = HashMap::new();
     let mut slices = Vec::with_capacity(listed.entries.len());
-    for Entry { place, name, features, .. } in listed.entries {
+    for Entry { line, place, name, features } in listed.entries {
         let profile = match known.get(&name) {
             Some(profile) => profile.clone(),
             None => {
-                let read = load_profile(parameter, &name, kind, smoothing, &own_folders)?;
+                let read = load_profile(parameter, &name, kind, smoothing, &own_folders);
+                let read = read.map_err(|error| match error {
+                    ContactError::Profile { problem, .. } => {
+                        let (file, what) = (file.clone(), problem.to_string());
+                        refuse(ProfileError::BadSlices { file, line, what })
+                    }
+                    other => other,
+                })?;
                 known.insert(name.clone(), read.clone());
                 read
             }
         };
         slices.push(Slice { place, profile, features });
     }
-    Slices::new(name, kind, slices, listed.passes_near)
+    Slices::new(&file, kind, slices, listed.passes_near)
         .map(Some)
         .map_err(|what| refuse(ProfileError::BadSlices { file, line: 1, what }))
 }
@@ -121,7 +132,8 @@ struct Listed {
 
 impl Listed {
     fn check(&self, file: &str, kind: ProfileKind) -> Result<(), ProfileError> {
-        let bad = |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
+        let bad =
+            |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
         let least = LEAST_DISTANCE[usize::from(kind == ProfileKind::Wheel)];
         let last = self.entries.last().map_or(1, |entry| entry.line);
         if self.entries.len() < 2 {
@@ -133,7 +145,9 @@ impl Listed {
                 let (unit, scale) = shown_unit(kind);
                 let what = format!(
                     "the slice at {} {unit} does not lie behind the one before, at {} {unit}; put the slices in the order of their places, at least {} {unit} apart",
-                    scale * entry.place, scale * before.place, scale * least
+                    scale * entry.place,
+                    scale * before.place,
+                    scale * least
                 );
                 return bad(entry.line, what);
             }
@@ -194,7 +208,9 @@ impl<'a> Tokens<'a> {
     fn number(&mut self, wanted: &str) -> Result<(f64, usize), ProfileError> {
         match self.take(wanted)? {
             (Token::Number(x), line) if x.is_finite() => Ok((x, line)),
-            (Token::Number(x), line) => self.bad(line, format!("{wanted} is {x}; give a finite number")),
+            (Token::Number(x), line) => {
+                self.bad(line, format!("{wanted} is {x}; give a finite number"))
+            }
             (Token::Name(name), line) => {
                 self.bad(line, format!("'{name}' stands in the place of {wanted}; give a number"))
             }
@@ -204,7 +220,8 @@ impl<'a> Tokens<'a> {
     fn count(&mut self, wanted: &str, most: usize) -> Result<usize, ProfileError> {
         let (x, line) = self.number(wanted)?;
         if x.fract() != 0.0 || !(0.0..=most as f64).contains(&x) {
-            return self.bad(line, format!("{wanted} is {x}; give a whole number from 0 to {most}"));
+            return self
+                .bad(line, format!("{wanted} is {x}; give a whole number from 0 to {most}"));
         }
         Ok(x as usize)
     }
@@ -212,9 +229,8 @@ impl<'a> Tokens<'a> {
     fn name(&mut self, wanted: &str) -> Result<(String, usize), ProfileError> {
         match self.take(wanted)? {
             (Token::Name(name), line) => Ok((name, line)),
-            (Token::Number(x), line) => {
-                self.bad(line, format!("{x} stands in the place of {wanted}; give it between quotes"))
-            }
+            (Token::Number(x), line) => self
+                .bad(line, format!("{x} stands in the place of {wanted}; give it between quotes")),
         }
     }
 
@@ -238,7 +254,9 @@ fn token(text: &str) -> Option<(Token, &str)> {
         let (name, rest) = text[1..].split_once(first)?;
         return Some((Token::Name(name.trim().into()), rest));
     }
-    let end = text.find(|c: char| c.is_whitespace() || c == ',' || c == '\'' || c == '"' || COMMENT.contains(&c));
+    let end = text.find(|c: char| {
+        c.is_whitespace() || c == ',' || c == '\'' || c == '"' || COMMENT.contains(&c)
+    });
     let (word, rest) = text.split_at(end.unwrap_or(text.len()));
     Some((Token::Number(number(word)?), rest))
 }
@@ -253,13 +271,16 @@ fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Prof
         let what = format!("{} is {scale}; give a number greater than 0", named("SCALE"));
         return tokens.bad(line, what);
     }
-    let count = tokens.count("NSLC, the number of slices", MOST_SLICES)?;
-    let feature_count = tokens.count("NFEAT, the number of features", MOST_FEATURES)?;
-    let kinks = tokens.count("NKINK, the number of kinks", MOST_FEATURES)?;
-    let accelerations = tokens.count("NACCEL, the number of accelerations", MOST_FEATURES)?;
+    let count = tokens.count("the number of slices NSLC", MOST_SLICES)?;
+    let feature_count = tokens.count("the number of features NFEAT", MOST_FEATURES)?;
+    let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
+    let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
     let (interpolation, line) = tokens.number(&named("INTPOL"))?;
     if interpolation != 1.0 && interpolation != 2.0 {
-        let what = format!("{} is {interpolation}; give 1 for a surface through the slices or 2 for one near them", named("INTPOL"));
+        let what = format!(
+            "{} is {interpolation}; give 1 for a surface through the slices or 2 for one near them",
+            named("INTPOL")
+        );
         return tokens.bad(line, what);
     }
     tokens.end_line();
@@ -280,9 +301,13 @@ fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Prof
     if feature_count > 1 {
         let least = LEAST_DISTANCE[usize::from(kind == ProfileKind::Wheel)];
         for (i, entry) in entries.iter_mut().enumerate() {
-            let (u, line) = tokens.number(&format!("the place in line {} of the features", i + 1))?;
+            let (u, line) =
+                tokens.number(&format!("the place in line {} of the features", i + 1))?;
             if (place_of(u) - entry.place).abs() > SAME * least {
-                let what = format!("the line of features is for the place {u}, slice {} is another; give the features in the order of the slices", i + 1);
+                let what = format!(
+                    "the line of features is for the place {u}, slice {} is another; give the features in the order of the slices",
+                    i + 1
+                );
                 return tokens.bad(line, what);
             }
             let mut before = f64::NEG_INFINITY;
@@ -293,15 +318,19 @@ fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Prof
                     continue;
                 }
                 if length <= before {
-                    let what = format!("feature {f} at {length} mm does not lie behind the one before, at {before} mm; features may not cross");
+                    let what = format!(
+                        "feature {f} at {length} mm does not lie behind the one before, at {before} mm; features may not cross"
+                    );
                     return tokens.bad(line, what);
                 }
                 before = length;
                 entry.features.push(Some(1e-3 * length));
             }
-            entry.line = line;
             if entry.features.iter().flatten().count() < 2 {
-                let what = format!("slice {} has fewer than two features; at least one part has to be there", i + 1);
+                let what = format!(
+                    "slice {} has fewer than two features; at least one part has to be there",
+                    i + 1
+                );
                 return tokens.bad(line, what);
             }
         }
@@ -311,7 +340,9 @@ fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Prof
             Token::Number(x) => x.to_string(),
             Token::Name(name) => format!("'{name}'"),
         };
-        let what = format!("{shown} is left over behind {count} slices and {feature_count} features; check NSLC and NFEAT");
+        let what = format!(
+            "{shown} is left over behind {count} slices and {feature_count} features; check NSLC and NFEAT"
+        );
         return tokens.bad(*line, what);
     }
     Ok(Listed { entries, passes_near: interpolation == 2.0 })
@@ -329,7 +360,9 @@ fn heading(text: &str) -> Option<(usize, Vec<String>)> {
 }
 
 fn cells(text: &str) -> Vec<String> {
-    text.split([',', ';', '\t']).map(|cell| cell.trim().trim_matches(['\'', '"']).to_owned()).collect()
+    text.split([',', ';', '\t'])
+        .map(|cell| cell.trim().trim_matches(['\'', '"']).to_owned())
+        .collect()
 }
 
 fn read_table(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, ProfileError> {
@@ -340,7 +373,13 @@ fn read_table(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Profi
         ProfileKind::Wheel => ("angle_deg", std::f64::consts::PI / 180.0),
     };
     if columns[0] != wanted {
-        return bad(first, format!("the heading of sections of a {kind} is \"{wanted},profile\", not \"{},profile\"", columns[0]));
+        return bad(
+            first,
+            format!(
+                "the heading of sections of a {kind} is \"{wanted},profile\", not \"{},profile\"",
+                columns[0]
+            ),
+        );
     }
     let mut entries = Vec::new();
     for line in lines(text).filter(|line| line.number > first) {
@@ -350,7 +389,10 @@ fn read_table(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Profi
         let cells = cells(line.text);
         let place = cells.first().and_then(|cell| number(cell)).filter(|x| x.is_finite());
         let (Some(place), [_, name]) = (place, cells.as_slice()) else {
-            return bad(line.number, format!("\"{}\" is no section; give {wanted} and a profile", line.shown()));
+            return bad(
+                line.number,
+                format!("\"{}\" is no section; give {wanted} and a profile", line.shown()),
+            );
         };
         if entries.len() == MOST_SLICES {
             return bad(line.number, format!("there are more than {MOST_SLICES} sections"));

@@ -1,0 +1,307 @@
+//! Rails whose section varies along the track: slices and tables of sections.
+
+mod common;
+mod tolerance;
+
+use std::fmt::Write;
+use std::fs;
+
+use approx::assert_relative_eq;
+use common::planar::STEEL;
+use common::random::Random;
+use common::wheel::{evaluate, random_input, rolling, the_patch};
+use common::{median_and_worst, read_table, value};
+use tempfile::TempDir;
+use wheelrail::element::parameters::{NormalModel, Placement, VerticalMode, WearModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
+fn head(left: f64, z: f64, corner: f64) -> String {
+    let steep = 80_f64.to_radians();
+    let mut points = Vec::new();
+    let side = 30.0;
+    let [sine, cosine] = [steep.sin(), steep.cos()];
+    for i in (1..=60).rev() {
+        let along = side * f64::from(i) / 60.0;
+        let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
+        points.push([edge[0] - along * cosine, edge[1] + along * sine]);
+    }
+    let steps = (corner * steep / 0.2).ceil() as i32;
+    for i in 0..=steps {
+        let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
+        points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
+    }
+    points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
+    let right = left + 10.0;
+    let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
+    points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
+    points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
+}
+
+/// A crown of radius 300 mm, stretched across by `stretch` and moved by (`y`, `z`) [mm].
+fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
+    (-70..=70).fold(String::new(), |text, i| {
+        let angle = 0.5 * f64::from(i) / 300.0;
+        let point = [stretch * 300.0 * angle.sin() + y, 300.0 * (1.0 - angle.cos()) + z];
+        text + &format!("{:.9} {:.9}\n", point[0], point[1])
+    })
+}
+
+/// A folder with slices `section(place)` at the `places` [mm], and their file `rail.slcs`.
+fn slices(places: impl Iterator<Item = f64>, section: impl Fn(f64) -> String) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let (mut listed, mut count) = (String::new(), 0);
+    for (i, place) in places.enumerate() {
+        fs::write(folder.path().join(format!("{i}.txt")), section(place)).unwrap();
+        writeln!(listed, "{place} '{i}.txt'").unwrap();
+        count += 1;
+    }
+    let text = format!("0 1\n{count}\n0 0 0\n1\n{listed}");
+    fs::write(folder.path().join("rail.slcs"), text).unwrap();
+    folder
+}
+
+/// A rail of slices in its own frame at y = 0.75 m.
+fn parameters() -> Parameters {
+    let mut parameters = Parameters::default();
+    parameters.profile_smoothing = 0.0;
+    let rail = &mut parameters.rails[0];
+    rail.profile = "rail.slcs".into();
+    (rail.placement, rail.position, rail.inclination) = (Placement::Origin, [0.75, 0.0], 0.0);
+    parameters
+}
+
+fn element(parameters: &Parameters, folder: &TempDir) -> Element {
+    Element::new(parameters, &Input::default(), &[folder.path().to_path_buf()]).unwrap()
+}
+
+#[test]
+fn slices_that_are_all_the_same_are_one_profile() {
+    let folder = TempDir::new().unwrap();
+    let table = "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n";
+    fs::write(folder.path().join("rail.csv"), table).unwrap();
+    for mirrored in [false, true] {
+        let mut even = Parameters::default();
+        even.rails[0].mirrored = mirrored;
+        let mut varying = even.clone();
+        varying.rails[0].profile = "rail.csv".into();
+        let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
+        assert_eq!(even.nominal_wheel_z(), varying.nominal_wheel_z());
+        let mut random = Random::new(7);
+        for _ in 0..100 {
+            let mut input = random_input(&mut even, &mut random);
+            input.track_s = random.about(3.0);
+            let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
+            assert_eq!(one.patch_count, other.patch_count);
+            for i in 0..3 {
+                let scale = one.wheel.force[2].abs() * tolerance::SIMILARITY + tolerance::NO_FORCE;
+                assert_relative_eq!(one.wheel.force[i], other.wheel.force[i], epsilon = scale);
+                assert_relative_eq!(one.wheel.moment[i], other.wheel.moment[i], epsilon = scale);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wheel_on_a_rail_that_rises_stands_on_its_slope() {
+    for slope in [0.05, -0.1] {
+        let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+        let folder = slices(places, |place| crown(1.0, [0.0, -slope * place]));
+        let mut parameters = parameters();
+        parameters.wheel.profile = "cylindrical".into();
+        let mut element = element(&parameters, &folder);
+        let mut input = rolling(0.0, 20.0);
+        input.friction = 0.0;
+        for station in [-0.05, 0.013, 0.04] {
+            input.track_s = station;
+            let touch = element.touching_height(&input);
+            let radius = parameters.wheel.nominal_radius;
+            let expected = -slope * station - radius * f64::hypot(1.0, slope);
+            // The numbers of the files are rounded at 1e-12 m, and splines go through points of the crown.
+            assert_relative_eq!(touch, expected, epsilon = 1e-9);
+            input.wheel.position[2] = touch + 1e-4;
+            let output = evaluate(&mut element, &input);
+            let [fx, _, fz] = output.wheel.force;
+            // Pushed along the normal of the slope, which goes through the axle.
+            assert_relative_eq!(fx / fz, slope, max_relative = 1e-3);
+            let own = output.wheel.moment[1] / (fz * radius);
+            assert_relative_eq!(own, 0.0, epsilon = 1e-6);
+            let ahead = radius * slope / f64::hypot(1.0, slope);
+            assert_relative_eq!(the_patch(&output).position[0], ahead, epsilon = 2e-5);
+        }
+    }
+}
+
+#[test]
+fn a_rail_that_runs_off_sideways_is_a_wheel_that_yaws() {
+    let angle = 0.06_f64;
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let oblique =
+        slices(places.clone(), |place| crown(1.0 / angle.cos(), [angle.tan() * place, 0.0]));
+    let straight = slices(places, |_| crown(1.0, [0.0, 0.0]));
+    let parameters = parameters();
+    let (mut oblique, mut straight) =
+        (element(&parameters, &oblique), element(&parameters, &straight));
+    for shift in [-4e-3, 3e-3] {
+        let mut input = Input::default();
+        input.wheel.position[1] = 0.75 + shift;
+        let mut turned = input;
+        turned.wheel.yaw = -angle;
+        turned.wheel.position[1] = 0.75 + shift * angle.cos();
+        let (one, other) = (oblique.touching_height(&input), straight.touching_height(&turned));
+        assert_relative_eq!(one, other, epsilon = 1e-8);
+        (input.wheel.position[2], turned.wheel.position[2]) = (one + 1e-4, other + 1e-4);
+        let (one, other) = (evaluate(&mut oblique, &input), evaluate(&mut straight, &turned));
+        let (one, other) = (the_patch(&one), the_patch(&other));
+        assert_relative_eq!(one.normal_force, other.normal_force, max_relative = 2e-3);
+        assert_relative_eq!(one.max_pressure, other.max_pressure, max_relative = 5e-3);
+        let along = other.position[0] * angle.cos() - (other.position[1] - 0.75) * angle.sin();
+        let along = along + shift * angle.cos() * angle.sin();
+        assert_relative_eq!(one.position[0], along, epsilon = 2e-4);
+    }
+}
+
+#[test]
+fn a_wheel_rolls_over_a_crossing_without_jumps() {
+    // A nose rises beside a head that runs off sideways and down.
+    let places = (-8..=12).map(|i| 25.0 * f64::from(i));
+    let folder = slices(places, |place| {
+        let drop = 0.5 * (0.02 * place).tanh();
+        crown(1.0, [0.03 * place, drop - 1e-5 * place * place])
+    });
+    let mut parameters = parameters();
+    parameters.vertical_mode = VerticalMode::Load;
+    let mut element = element(&parameters, &folder);
+    let mut input = rolling(0.0, 20.0);
+    input.wheel_load = 80e3;
+    let step = 5e-5;
+    let mut last: Vec<[f64; 3]> = Vec::new();
+    let mut output = Output::default();
+    for i in 0..1200 {
+        input.track_s = -0.03 + step * f64::from(i);
+        element.evaluate(&input, &mut output).unwrap();
+        assert_eq!(output.fallback_count, 0);
+        last.push([output.wheel_z, output.wheel.force[0] / 8e4, output.wheel.force[1] / 8e4]);
+    }
+    for window in last.windows(4) {
+        for k in 0..3 {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|i| window[i][k]);
+            // Third differences are those of a jump alone: waves of the surface are 25 mm long.
+            let jump = (d - 3.0 * c + 3.0 * b - a).abs();
+            let allowed = if k == 0 { 1e-9 } else { 1e-3 * 0.3 };
+            assert!(jump < allowed, "{k}: {jump}");
+        }
+    }
+}
+
+/// Median and worst of the errors against CONTACT on one of the rails of its table: height and place [m], pressure and creep force, over the friction limit.
+struct Errors {
+    height: [f64; 2],
+    pressure: [f64; 2],
+    place: [f64; 2],
+    force: [f64; 2],
+}
+
+fn against_contact(rail: &str, folder: &TempDir) -> Errors {
+    let table = read_table("contact_25_1/variable_profiles.csv");
+    let mut parameters = parameters();
+    parameters.vertical_mode = VerticalMode::Load;
+    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
+        (STEEL.young_modulus, STEEL.young_modulus);
+    let mut element = element(&parameters, folder);
+    let [mut height, mut pressure, mut place, mut force] = [const { Vec::new() }; 4];
+    for row in &table.rows {
+        let of = |name: &str| value(&table, row, name);
+        if !row.iter().any(|cell| cell == rail) {
+            continue;
+        }
+        let yaw = of("yaw_rad");
+        let mut input = rolling(0.0, 20.0);
+        input.track_s = 1e-3 * of("s_mm");
+        // The wheelset turns about its centre.
+        input.wheel.yaw = yaw;
+        input.wheel.position[0] = -0.75 * yaw.sin();
+        input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
+        if rail == "nose" {
+            // The velocity at which the slip along the slope is the one that CONTACT has along the track.
+            input.wheel.velocity[0] *= 1.01;
+        }
+        let mut output = Output::default();
+        // CONTACT's normal force leans to the side alone: the same normal force, not the same load.
+        input.wheel_load = of("N_N");
+        for _ in 0..4 {
+            element.evaluate(&input, &mut output).unwrap();
+            input.wheel_load *= of("N_N") / the_patch(&output).normal_force;
+        }
+        let patch = the_patch(&output);
+        height.push((output.wheel_z + 0.46 - 1e-3 * of("z_ws_mm")).abs());
+        pressure.push((patch.max_pressure / (1e6 * of("pmax_MPa")) - 1.0).abs());
+        place.push((patch.position[0] - 1e-3 * of("x_mm")).abs());
+        place.push((patch.position[1] - 1e-3 * of("y_mm")).abs());
+        let limit = 0.3 * of("N_N");
+        let [fx, fy] = patch.creep_force;
+        force.push((fx + of("Fx_N")).hypot(fy + of("Fs_N")) / limit);
+    }
+    assert!(height.len() > 20);
+    let [height, pressure, place, force] = [height, pressure, place, force].map(median_and_worst);
+    Errors { height, pressure, place, force }
+}
+
+#[test]
+fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
+    let places = (0..=20).map(|i| 10.0 * f64::from(i));
+    let folder = slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0));
+    let errors = against_contact("wing", &folder);
+    println!("{:?} {:?} {:?} {:?}", errors.height, errors.pressure, errors.place, errors.force);
+    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(errors.pressure[0] <= tolerance::VARYING_PRESSURE);
+    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
+    assert!(errors.force[0] <= tolerance::VARYING_FORCE);
+}
+
+#[test]
+fn a_nose_that_rises_is_met_as_by_contact() {
+    let places = (0..=20).map(|i| -100.0 + 10.0 * f64::from(i));
+    let folder = slices(places, |place| head(5.0, -0.1 * place, 5.0));
+    let errors = against_contact("nose", &folder);
+    println!("{:?} {:?} {:?} {:?}", errors.height, errors.pressure, errors.place, errors.force);
+    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
+}
+
+#[test]
+fn what_does_not_go_with_slices_is_refused_by_name() {
+    let folder = slices([0.0, 10.0].into_iter(), |_| crown(1.0, [0.0, 0.0]));
+    let refused = |change: &dyn Fn(&mut Parameters), words: &str| {
+        let mut parameters = parameters();
+        change(&mut parameters);
+        let made = Element::new(&parameters, &Input::default(), &[folder.path().to_path_buf()]);
+        let message = made.unwrap_err().to_string();
+        for part in ["rail[1].profile", "rail.slcs", words] {
+            assert!(message.contains(part), "{message}");
+        }
+    };
+    refused(&|p| p.wear.model = WearModel::Archard, "wear.model");
+    refused(&|p| p.normal_model = NormalModel::BoundaryElement, "boundary_element");
+    refused(&|p| p.rails[0].corrugation.amplitude = 1e-5, "corrugation");
+}
+
+#[test]
+fn every_real_time_normal_model_carries_a_wheel_on_a_slope() {
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, -0.05 * place]));
+    let models = [NormalModel::Hertz, NormalModel::PiotrowskiKik, NormalModel::Strips];
+    let forces = models.map(|model| {
+        let mut parameters = parameters();
+        parameters.normal_model = model;
+        let mut element = element(&parameters, &folder);
+        let mut input = rolling(0.0, 20.0);
+        input.wheel.position[2] = element.touching_height(&input) + 1e-4;
+        let output = evaluate(&mut element, &input);
+        assert!((the_patch(&output).position[0] - 0.023).abs() < 1e-3);
+        the_patch(&output).normal_force
+    });
+    for force in forces {
+        assert!((force / forces[2] - 1.0).abs() < 0.2, "{forces:?}");
+    }
+}
