@@ -38,9 +38,9 @@ fn head(left: f64, z: f64, corner: f64) -> String {
     points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
 }
 
-/// A crown of radius 300 mm, stretched across by `stretch` and moved by (`y`, `z`) [mm].
+/// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by `stretch` and moved by (`y`, `z`) [mm].
 fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
-    (-70..=70).fold(String::new(), |text, i| {
+    (-40..=40).fold(String::new(), |text, i| {
         let angle = 0.5 * f64::from(i) / 300.0;
         let point = [stretch * 300.0 * angle.sin() + y, 300.0 * (1.0 - angle.cos()) + z];
         text + &format!("{:.9} {:.9}\n", point[0], point[1])

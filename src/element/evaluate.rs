@@ -83,8 +83,7 @@ impl Element {
             if rail.enabled {
                 let (parameter, kind) = (format!("rail[{}].profile", k + 1), ProfileKind::Rail);
                 let smoothing = parameters.profile_smoothing;
-                slices[k] =
-                    load_slices(&parameter, &rail.profile, kind, smoothing, profile_folders)?;
+                slices[k] = load_slices(&parameter, &rail.profile, smoothing, profile_folders)?;
                 rails[k] = Some(match &slices[k] {
                     Some(slices) => slices.first_profile(),
                     None => load(&parameter, &rail.profile, kind)?,

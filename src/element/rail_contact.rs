@@ -156,7 +156,9 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
-        self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]);
+        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+            return false;
+        }
         self.search.search(&line, &self.rail, &self.ranges);
         true
     }
@@ -199,7 +201,9 @@ impl RailContact {
         self.find_ranges(input, &pose);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
-        self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]);
+        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+            return Vec::new();
+        }
         self.search.search(&line, &self.rail, &self.ranges);
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);

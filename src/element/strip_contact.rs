@@ -57,8 +57,8 @@ impl<'a> LocalLine<'a> {
     /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along it; the place `x` of the contact line on others.
     fn met(&self, s: f64, x: f64) -> [f64; 2] {
         let Some(varying) = self.rail.variation() else { return [x, 1.0] };
-        let Along { x, lean, .. } = varying.along(s);
-        [x, 1.0 / lean.hypot(1.0)]
+        let Along { ahead, lean, .. } = varying.along(s);
+        [x + ahead, 1.0 / lean.hypot(1.0)]
     }
 
     /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies [m].

@@ -175,7 +175,8 @@ impl Separation for LineSeparation<'_> {
         let (point, _) = self.even_with_rate(u);
         let Some(lifting) = self.lifting else {
             let Some(varying) = self.rail.variation() else { return point };
-            return SeparationPoint { x: varying.along(self.near[0]).x, ..point };
+            let x = point.x + varying.along(self.near[0]).ahead;
+            return SeparationPoint { x, ..point };
         };
         let lift = lifting.deviations.lift(point.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }

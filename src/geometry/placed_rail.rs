@@ -226,13 +226,15 @@ impl PlacedRail {
         self.varying.as_deref()
     }
 
-    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above `station` [m], meets it; nothing for others.
-    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64) {
+    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above `station` [m], meets it; nothing for others. False where
+    /// there is no rail within reach.
+    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64) -> bool {
         let Self { curve, coarse, varying, .. } = self;
-        let Some(varying) = varying else { return };
-        varying.pass(line, pose, station, curve);
+        let Some(varying) = varying else { return true };
+        let is_there = varying.pass(line, pose, station, curve);
         coarse.clear();
         coarse.extend(coarse_points(curve));
+        is_there
     }
 
     /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].

@@ -1,15 +1,15 @@
-//! A rail whose section varies along the track, or a wheel whose section varies around, as slices: what files hold.
+//! A rail whose section varies along the track as slices: what files hold.
 //!
-//! Rows run along the body through points of equal shares of the slices, from feature to feature where there are features: paths that do not
+//! Rows run along the rail through points of equal shares of the slices, from feature to feature where there are features: paths that do not
 //! cross an edge. Along each row the point, and how it changes across, are cubic splines over the places of the slices.
 
-use crate::geometry::profile::{Profile, ProfileKind};
+use crate::geometry::profile::Profile;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
 /// One section and where it is.
 #[derive(Clone, Debug)]
 pub struct Slice {
-    /// Station of a rail [m], angle of a wheel [rad].
+    /// Station [m].
     pub place: f64,
     /// The section.
     pub profile: Profile,
@@ -17,13 +17,11 @@ pub struct Slice {
     pub features: Vec<Option<f64>>,
 }
 
-/// The slices of a body, in growing places.
+/// The slices of a rail, in growing places.
 #[derive(Clone, Debug)]
 pub struct Slices {
     /// The file, for messages.
     pub name: String,
-    /// Of which body.
-    pub kind: ProfileKind,
     /// Two or more of them.
     slices: Vec<Slice>,
     /// Whether the surface passes near the slices and not through them.
@@ -69,13 +67,8 @@ impl Slices {
     ///
     /// # Errors
     /// In words what cannot be made a surface.
-    pub fn new(
-        name: &str,
-        kind: ProfileKind,
-        slices: Vec<Slice>,
-        passes_near: bool,
-    ) -> Result<Self, String> {
-        let found = Self { name: name.into(), kind, slices, passes_near };
+    pub fn new(name: &str, slices: Vec<Slice>, passes_near: bool) -> Result<Self, String> {
+        let found = Self { name: name.into(), slices, passes_near };
         found.parts()?;
         Ok(found)
     }
@@ -262,9 +255,6 @@ impl Slices {
     ) -> Vec<bool> {
         let count = rows.places.len();
         let (mut all, mut steep) = (vec![0_usize; count], vec![0_usize; count]);
-        if self.kind == ProfileKind::Wheel {
-            return vec![false; count];
-        }
         let own = values.iter().zip(&rows.parts).filter(|(_, of)| **of == part);
         for (([first, _], row), _) in own {
             for (i, pair) in row.windows(2).enumerate() {

@@ -50,8 +50,8 @@ const CELL: f64 = 1e-3;
 /// Where a wheel meets a varying rail along the track.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Along {
-    /// Place of first touch, from the wheel marker [m].
-    pub x: f64,
+    /// How far ahead of the even contact line the bodies are nearest [m].
+    pub ahead: f64,
     /// Curvature of the rail along the track, along the normal of its section at a place across that does not change; positive where it bulges [1/m].
     pub curvature: f64,
     /// Slope of the rail there: tangent of the angle by which its normal leans forward [-].
@@ -100,6 +100,8 @@ struct Met {
     /// F_v and F_x.
     direction: [f64; 2],
     first: [f64; 2],
+    /// Where it is, from the wheel marker [m].
+    x: f64,
     along: Along,
     /// How far the envelope is below the wheel [m].
     apart: f64,
@@ -276,8 +278,15 @@ impl VaryingRail {
         point
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into `curve`; allocates nothing within the room that it has.
-    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64, curve: &mut Curve) {
+    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into `curve`; allocates nothing within the room that it has. False where
+    /// there is no rail within reach.
+    pub fn pass(
+        &mut self,
+        line: &ContactLine,
+        pose: &WheelPose,
+        station: f64,
+        curve: &mut Curve,
+    ) -> bool {
         let (sine, cosine) = pose.roll.sin_cos();
         let slice = self.rows.places.partition_point(|p| *p <= station).max(1) - 1;
         let over = Over {
@@ -299,7 +308,7 @@ impl VaryingRail {
         loop {
             let here = self.meet(&over, j, guess);
             if let Some(here) = &here {
-                guess = here.along.x;
+                guess = here.x;
             }
             let from = before.map_or(f64::INFINITY, |m| m.apart);
             let to = here.map_or(f64::INFINITY, |m| m.apart);
@@ -309,7 +318,7 @@ impl VaryingRail {
                     .max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))
                     ..j
                 {
-                    let guess = before.map_or(guess, |m| m.along.x);
+                    let guess = before.map_or(guess, |m| m.x);
                     met.push(self.meet(&over, k, guess));
                 }
             }
@@ -320,12 +329,13 @@ impl VaryingRail {
             }
             j = (j + STRIDE).min(count - 1);
         }
-        self.lay(&met, curve);
+        let is_there = self.lay(&met, curve);
         self.met = met;
+        is_there
     }
 
     /// Makes a curve of the rows that are met.
-    fn lay(&mut self, met: &[Option<Met>], curve: &mut Curve) {
+    fn lay(&mut self, met: &[Option<Met>], curve: &mut Curve) -> bool {
         let Self { rows, s, along, knots, kept, .. } = self;
         s.clear();
         along.clear();
@@ -340,7 +350,7 @@ impl VaryingRail {
                 None => rows.parameter[m.row],
                 Some(b) => {
                     let reached = arc(b.point, b.direction, m.point, m.direction);
-                    if reached < LEAST_ARC {
+                    if !(reached >= LEAST_ARC) {
                         continue;
                     }
                     // As long as the section is that of the pattern the parameter is its own.
@@ -370,7 +380,7 @@ impl VaryingRail {
         // The envelope goes on to the next row, and along the track with it.
         for k in 1..knots.len().saturating_sub(1) {
             let apart = rows.parameter[kept[k + 1].row] - rows.parameter[kept[k - 1].row];
-            let rate = (kept[k + 1].along.x - kept[k - 1].along.x) / apart;
+            let rate = (kept[k + 1].x - kept[k - 1].x) / apart;
             let [a, b] = [kept[k].direction, kept[k].first];
             let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
             let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
@@ -379,9 +389,11 @@ impl VaryingRail {
                 knots[k].tangent = direction.map(|d| d * speed / size);
             }
         }
-        if knots.len() >= 2 {
-            curve.put_through(knots);
+        if knots.len() < 2 {
+            return false;
         }
+        curve.put_through(knots);
+        true
     }
 
     /// The run of slices of row `j` that the wheel is over, or the nearest one within reach.
@@ -432,7 +444,8 @@ impl VaryingRail {
                 point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
                 direction: [p.value[2], p.value[3]],
                 first: [0.0; 2],
-                along: Along { x, ..Along::default() },
+                x,
+                along: Along::default(),
                 apart: f64::INFINITY,
             }
         };
@@ -477,7 +490,13 @@ impl VaryingRail {
             point: met.point,
             direction: met.direction,
             first: met.first,
-            along: Along { x, curvature: met.curvature, lean: met.lean, drift: met.drift },
+            x,
+            along: Along {
+                ahead: x - opposite.x,
+                curvature: met.curvature,
+                lean: met.lean,
+                drift: met.drift,
+            },
             apart: z + met.down - lowest - over.nominal_radius,
         })
     }
@@ -590,7 +609,7 @@ impl VaryingRail {
             a + t * (m + t * (3.0 * (b - a) - 2.0 * m - q + t * (m + q - 2.0 * (b - a))))
         };
         Along {
-            x: of(|a| a.x),
+            ahead: of(|a| a.ahead),
             curvature: of(|a| a.curvature),
             lean: of(|a| a.lean),
             drift: of(|a| a.drift),
@@ -660,6 +679,6 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 /// Newton steps to a point of the contact line, and the last of them [m].
 const MOST_OPPOSITE_STEPS: usize = 12;
-const STRAIGHT: f64 = 2e-4;
+const STRAIGHT: f64 = 1e-6;
 /// Least share of its parameter by which the contact line goes across: a flank is not followed as if it stood upright.
 const LEAST_RATE: f64 = 0.1;

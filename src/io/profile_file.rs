@@ -151,6 +151,11 @@ fn read(
     if let ("whl", ProfileKind::Rail) | ("ban", ProfileKind::Wheel) = (extension.as_str(), kind) {
         return Err(ProfileError::WrongKind { file: file.into(), line: 1, kind });
     }
+    if let "slcs" | "slcw" = extension.as_str() {
+        let what = "slices make rails that vary along the track, as rail[k].profile; give one profile here, and for a wheel that is not round wheel.out_of_round.file";
+        let (file, what) = (file.into(), what.into());
+        return Err(ProfileError::BadSlices { file, line: 1, what });
+    }
     match extension.as_str() {
         "prw" | "prr" if simpack_like || !miniprof_like => simpack::read(file, content, kind),
         "whl" | "ban" if miniprof_like || !simpack_like => miniprof::read(file, content, kind),

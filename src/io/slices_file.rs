@@ -1,9 +1,9 @@
-//! Profiles that vary: files of slices (.slcs for rails, .slcw for wheels) and tables of sections.
+//! Rails whose section varies along the track: files of slices (.slcs) and tables of sections.
 //!
 //! A file of slices holds numbers and names in a fixed order, several on a line, `%` before a comment:
 //!
 //! ```text
-//! U_OFFSET  U_SCALE           place [mm] = U_SCALE (U_OFFSET + U_SLC); of a wheel an angle [rad]
+//! U_OFFSET  U_SCALE           place [mm] = U_SCALE (U_OFFSET + U_SLC)
 //! NSLC                        number of slices
 //! NFEAT  NKINK  NACCEL        numbers of features, kinks and accelerations
 //! U_INTPOL                    1: through the slices, 2: near them
@@ -12,8 +12,7 @@
 //! U_SLC  S_1 .. S_NFEAT       NSLC times, if NFEAT > 1: lengths [mm] along the slice to its features, -1 for none
 //! ```
 //!
-//! A table of sections has the heading `station_m,profile` for a rail and `angle_deg,profile` for a wheel, and a line for each section.
-//! Names of profiles are built-in ones or files, relative to the folder of the file.
+//! A table of sections has the heading `station_m,profile` and a line for each section. Names of profiles are built-in ones or files, relative to the folder of the file.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -25,14 +24,15 @@ use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::slices::{Slice, Slices};
 use crate::geometry::standard_profiles::built_in;
 
+const RAIL: ProfileKind = ProfileKind::Rail;
 /// What begins a comment.
 const COMMENT: [char; 3] = ['%', '!', '#'];
 /// Most slices of a body.
 const MOST_SLICES: usize = 20_000;
 /// Most features of a slice.
 const MOST_FEATURES: usize = 1000;
-/// Least distance of two slices [m], and of a wheel [rad].
-const LEAST_DISTANCE: [f64; 2] = [1e-6, 1e-3];
+/// Least distance of two slices [m].
+const LEAST_DISTANCE: f64 = 1e-6;
 /// Distance up to which the place in a line of features is that of its slice, over the least distance of slices.
 const SAME: f64 = 0.5;
 
@@ -45,47 +45,32 @@ const SAME: f64 = 0.5;
 pub fn load_slices(
     parameter: &str,
     name: &str,
-    kind: ProfileKind,
     smoothing: f64,
     folders: &[PathBuf],
 ) -> Result<Option<Slices>, ContactError> {
     let refuse = |problem| ContactError::Profile { name: parameter.into(), problem };
-    if !matches!(built_in(name, kind), Ok(None)) {
+    if !matches!(built_in(name, RAIL), Ok(None)) {
         return Ok(None);
     }
     let extension = Path::new(name).extension().and_then(|e| e.to_str()).unwrap_or_default();
-    let extension = extension.to_ascii_lowercase();
-    let of_slices = match extension.as_str() {
-        "slcs" => Some(ProfileKind::Rail),
-        "slcw" => Some(ProfileKind::Wheel),
-        _ => None,
-    };
-    let Ok(path) = find(name, kind, folders) else {
-        // What has to be said of a missing file the reader of profiles says.
-        return if of_slices.is_some() {
-            find(name, kind, folders).map(|_| None).map_err(refuse)
-        } else {
-            Ok(None)
-        };
-    };
-    let file = path.display().to_string();
-    if of_slices.is_some_and(|of| of != kind) {
-        return Err(refuse(ProfileError::WrongKind { file, line: 1, kind }));
-    }
-    if of_slices.is_none() && !path.is_file() {
+    let is_of_slices = extension.eq_ignore_ascii_case("slcs");
+    // What has to be said of a missing file the reader of profiles says.
+    let Ok(path) = find(name, RAIL, folders) else { return Ok(None) };
+    if !is_of_slices && !path.is_file() {
         return Ok(None);
     }
+    let file = path.display().to_string();
     let bytes = bytes_of(&path).map_err(refuse)?;
     let text = String::from_utf8_lossy(&bytes);
     let text = text.trim_start_matches('\u{feff}');
-    let listed = if of_slices.is_some() {
-        read_slices(&file, text, kind).map_err(refuse)?
+    let listed = if is_of_slices {
+        read_slices(&file, text).map_err(refuse)?
     } else if is_table(text) {
-        read_table(&file, text, kind).map_err(refuse)?
+        read_table(&file, text).map_err(refuse)?
     } else {
         return Ok(None);
     };
-    listed.check(&file, kind).map_err(refuse)?;
+    listed.check(&file).map_err(refuse)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     let own_folders = [folder];
     let mut known: HashMap<String, Profile> = HashMap::new();
@@ -94,7 +79,7 @@ pub fn load_slices(
         let profile = match known.get(&name) {
             Some(profile) => profile.clone(),
             None => {
-                let read = load_profile(parameter, &name, kind, smoothing, &own_folders);
+                let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
                 let read = read.map_err(|error| match error {
                     ContactError::Profile { problem, .. } => {
                         let (file, what) = (file.clone(), problem.to_string());
@@ -108,7 +93,7 @@ pub fn load_slices(
         };
         slices.push(Slice { place, profile, features });
     }
-    Slices::new(&file, kind, slices, listed.passes_near)
+    Slices::new(&file, slices, listed.passes_near)
         .map(Some)
         .map_err(|what| refuse(ProfileError::BadSlices { file, line: 1, what }))
 }
@@ -117,7 +102,7 @@ pub fn load_slices(
 #[derive(Debug)]
 struct Entry {
     line: usize,
-    /// Station [m] or angle [rad].
+    /// Station [m].
     place: f64,
     name: String,
     /// Lengths along the slice to its features [m]; nothing for what is not there.
@@ -131,35 +116,25 @@ struct Listed {
 }
 
 impl Listed {
-    fn check(&self, file: &str, kind: ProfileKind) -> Result<(), ProfileError> {
+    fn check(&self, file: &str) -> Result<(), ProfileError> {
         let bad =
             |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
-        let least = LEAST_DISTANCE[usize::from(kind == ProfileKind::Wheel)];
         let last = self.entries.last().map_or(1, |entry| entry.line);
         if self.entries.len() < 2 {
             return bad(last, "there is one slice or none; give two or more".into());
         }
         for pair in self.entries.windows(2) {
             let [before, entry] = [&pair[0], &pair[1]];
-            if entry.place - before.place < least {
-                let (unit, scale) = shown_unit(kind);
+            if entry.place - before.place < LEAST_DISTANCE {
+                let [own, other, least] =
+                    [entry.place, before.place, LEAST_DISTANCE].map(|x| 1e3 * x);
                 let what = format!(
-                    "the slice at {} {unit} does not lie behind the one before, at {} {unit}; put the slices in the order of their places, at least {} {unit} apart",
-                    scale * entry.place,
-                    scale * before.place,
-                    scale * least
+                    "the slice at {own} mm does not lie behind the one before, at {other} mm; put the slices in the order of their places, at least {least} mm apart"
                 );
                 return bad(entry.line, what);
             }
         }
         Ok(())
-    }
-}
-
-fn shown_unit(kind: ProfileKind) -> (&'static str, f64) {
-    match kind {
-        ProfileKind::Rail => ("mm", 1e3),
-        ProfileKind::Wheel => ("rad", 1.0),
     }
 }
 
@@ -261,31 +236,28 @@ fn token(text: &str) -> Option<(Token, &str)> {
     Some((Token::Number(number(word)?), rest))
 }
 
-fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, ProfileError> {
+fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
     let mut tokens = Tokens::new(file, text);
-    let letter = if kind == ProfileKind::Rail { "U" } else { "TH" };
-    let named = |what: &str| format!("{letter}_{what}");
-    let (offset, _) = tokens.number(&named("OFFSET"))?;
-    let (scale, line) = tokens.number(&named("SCALE"))?;
+    let (offset, _) = tokens.number("U_OFFSET")?;
+    let (scale, line) = tokens.number("U_SCALE")?;
     if scale <= 0.0 {
-        let what = format!("{} is {scale}; give a number greater than 0", named("SCALE"));
+        let what = format!("U_SCALE is {scale}; give a number greater than 0");
         return tokens.bad(line, what);
     }
     let count = tokens.count("the number of slices NSLC", MOST_SLICES)?;
     let feature_count = tokens.count("the number of features NFEAT", MOST_FEATURES)?;
     let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
     let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
-    let (interpolation, line) = tokens.number(&named("INTPOL"))?;
+    let (interpolation, line) = tokens.number("U_INTPOL")?;
     if interpolation != 1.0 && interpolation != 2.0 {
         let what = format!(
-            "{} is {interpolation}; give 1 for a surface through the slices or 2 for one near them",
-            named("INTPOL")
+            "U_INTPOL is {interpolation}; give 1 for a surface through the slices or 2 for one near them"
         );
         return tokens.bad(line, what);
     }
     tokens.end_line();
     // Millimetres to metres.
-    let scale = if kind == ProfileKind::Rail { 1e-3 * scale } else { scale };
+    let scale = 1e-3 * scale;
     let place_of = |u: f64| scale * (offset + u);
     let mut entries = Vec::with_capacity(count);
     for i in 1..=count {
@@ -299,11 +271,10 @@ fn read_slices(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Prof
         }
     }
     if feature_count > 1 {
-        let least = LEAST_DISTANCE[usize::from(kind == ProfileKind::Wheel)];
         for (i, entry) in entries.iter_mut().enumerate() {
             let (u, line) =
                 tokens.number(&format!("the place in line {} of the features", i + 1))?;
-            if (place_of(u) - entry.place).abs() > SAME * least {
+            if (place_of(u) - entry.place).abs() > SAME * LEAST_DISTANCE {
                 let what = format!(
                     "the line of features is for the place {u}, slice {} is another; give the features in the order of the slices",
                     i + 1
@@ -365,21 +336,15 @@ fn cells(text: &str) -> Vec<String> {
         .collect()
 }
 
-fn read_table(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, ProfileError> {
+fn read_table(file: &str, text: &str) -> Result<Listed, ProfileError> {
     let bad = |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
     let (first, columns) = heading(text).unwrap_or_default();
-    let (wanted, scale) = match kind {
-        ProfileKind::Rail => ("station_m", 1.0),
-        ProfileKind::Wheel => ("angle_deg", std::f64::consts::PI / 180.0),
-    };
-    if columns[0] != wanted {
-        return bad(
-            first,
-            format!(
-                "the heading of sections of a {kind} is \"{wanted},profile\", not \"{},profile\"",
-                columns[0]
-            ),
+    if columns[0] != "station_m" {
+        let what = format!(
+            "the heading of a table of sections is \"station_m,profile\", not \"{},profile\"",
+            columns[0]
         );
+        return bad(first, what);
     }
     let mut entries = Vec::new();
     for line in lines(text).filter(|line| line.number > first) {
@@ -391,14 +356,14 @@ fn read_table(file: &str, text: &str, kind: ProfileKind) -> Result<Listed, Profi
         let (Some(place), [_, name]) = (place, cells.as_slice()) else {
             return bad(
                 line.number,
-                format!("\"{}\" is no section; give {wanted} and a profile", line.shown()),
+                format!("\"{}\" is no section; give station_m and a profile", line.shown()),
             );
         };
         if entries.len() == MOST_SLICES {
             return bad(line.number, format!("there are more than {MOST_SLICES} sections"));
         }
         let name = name.clone();
-        entries.push(Entry { line: line.number, place: scale * place, name, features: Vec::new() });
+        entries.push(Entry { line: line.number, place, name, features: Vec::new() });
     }
     Ok(Listed { entries, passes_near: false })
 }
