@@ -88,13 +88,19 @@ fn slices_that_are_all_the_same_are_one_profile() {
         let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
         assert_eq!(even.nominal_wheel_z(), varying.nominal_wheel_z());
         let mut random = Random::new(7);
-        for _ in 0..100 {
+        for i in 0..100 {
             let mut input = random_input(&mut even, &mut random);
+            // A search ends at a nanometre, which on a flank turns the frame, and the force with it, by 1e-7: on a yawed wheel more, whose line leads there.
+            let allowed = if i % 2 == 0 { tolerance::SIMILARITY } else { 1e-6 };
+            if i % 2 == 0 {
+                input.wheel.yaw = 0.0;
+            }
             input.track_s = random.about(3.0);
             let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
             assert_eq!(one.patch_count, other.patch_count);
+            let largest = one.wheel.force.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+            let scale = largest * allowed + tolerance::NO_FORCE;
             for i in 0..3 {
-                let scale = one.wheel.force[2].abs() * tolerance::SIMILARITY + tolerance::NO_FORCE;
                 assert_relative_eq!(one.wheel.force[i], other.wheel.force[i], epsilon = scale);
                 assert_relative_eq!(one.wheel.moment[i], other.wheel.moment[i], epsilon = scale);
             }
@@ -110,8 +116,7 @@ fn a_wheel_on_a_rail_that_rises_stands_on_its_slope() {
         let mut parameters = parameters();
         parameters.wheel.profile = "cylindrical".into();
         let mut element = element(&parameters, &folder);
-        let mut input = rolling(0.0, 20.0);
-        input.friction = 0.0;
+        let mut input = Input { friction: 0.0, ..Input::default() };
         for station in [-0.05, 0.013, 0.04] {
             input.track_s = station;
             let touch = element.touching_height(&input);
@@ -125,7 +130,7 @@ fn a_wheel_on_a_rail_that_rises_stands_on_its_slope() {
             // Pushed along the normal of the slope, which goes through the axle.
             assert_relative_eq!(fx / fz, slope, max_relative = 1e-3);
             let own = output.wheel.moment[1] / (fz * radius);
-            assert_relative_eq!(own, 0.0, epsilon = 1e-6);
+            assert_relative_eq!(own, 0.0, epsilon = tolerance::SIMILARITY);
             let ahead = radius * slope / f64::hypot(1.0, slope);
             assert_relative_eq!(the_patch(&output).position[0], ahead, epsilon = 2e-5);
         }
@@ -139,7 +144,8 @@ fn a_rail_that_runs_off_sideways_is_a_wheel_that_yaws() {
     let oblique =
         slices(places.clone(), |place| crown(1.0 / angle.cos(), [angle.tan() * place, 0.0]));
     let straight = slices(places, |_| crown(1.0, [0.0, 0.0]));
-    let parameters = parameters();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "conical:0.025".into();
     let (mut oblique, mut straight) =
         (element(&parameters, &oblique), element(&parameters, &straight));
     for shift in [-4e-3, 3e-3] {
@@ -171,6 +177,7 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     });
     let mut parameters = parameters();
     parameters.vertical_mode = VerticalMode::Load;
+    parameters.wheel.profile = "conical:0.025".into();
     let mut element = element(&parameters, &folder);
     let mut input = rolling(0.0, 20.0);
     input.wheel_load = 80e3;
@@ -180,7 +187,7 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     for i in 0..1200 {
         input.track_s = -0.03 + step * f64::from(i);
         element.evaluate(&input, &mut output).unwrap();
-        assert_eq!(output.fallback_count, 0);
+        assert_eq!(output.fallback_count, 0, "{}", input.track_s);
         last.push([output.wheel_z, output.wheel.force[0] / 8e4, output.wheel.force[1] / 8e4]);
     }
     for window in last.windows(4) {
@@ -294,8 +301,9 @@ fn every_real_time_normal_model_carries_a_wheel_on_a_slope() {
     let forces = models.map(|model| {
         let mut parameters = parameters();
         parameters.normal_model = model;
+        parameters.wheel.profile = "conical:0.025".into();
         let mut element = element(&parameters, &folder);
-        let mut input = rolling(0.0, 20.0);
+        let mut input = Input::default();
         input.wheel.position[2] = element.touching_height(&input) + 1e-4;
         let output = evaluate(&mut element, &input);
         assert!((the_patch(&output).position[0] - 0.023).abs() < 1e-3);

@@ -108,9 +108,15 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             fallbacks += u64::from(tractions.fell_back);
             let normal_force = zone.load * load_factor;
             let pressing = axes.normal * -normal_force;
-            let is_even = lifting.is_none() && self.rail.variation().is_none();
-            let bearing =
-                if is_even { meeting_axle(&wheel, position, axes.normal) } else { position };
+            let bearing = match lifting {
+                None => {
+                    // Where the even part of the normal meets the axle, the part that leans does too.
+                    let even =
+                        position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
+                    position + (meeting_axle(&wheel, even, even_axes.normal) - even)
+                }
+                Some(_) => position,
+            };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
             let creep_force =

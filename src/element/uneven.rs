@@ -230,6 +230,8 @@ pub struct ZoneSurface<T = f64> {
     pub radius: T,
     /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
     pub lean: T,
+    /// How far the centroid of the load on a rail that varies along the track is ahead of the contact line [m].
+    pub ahead: T,
 }
 
 impl<T: Real> ZoneSurface<T> {
@@ -237,7 +239,7 @@ impl<T: Real> ZoneSurface<T> {
     #[must_use]
     pub fn even() -> Self {
         let zero = T::from(0.0);
-        Self { depth: zero, radius: zero, lean: zero }
+        Self { depth: zero, radius: zero, lean: zero, ahead: zero }
     }
 }
 
@@ -260,7 +262,7 @@ impl ZoneSurface {
         let [deviation, slope] = deviations.wheel_deviation(zone.x);
         let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
         let depth = share * (deviation - 0.5 * to * to / radius);
-        Self { depth, radius: deviation, lean }
+        Self { depth, radius: deviation, lean, ahead: 0.0 }
     }
 
     /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
@@ -277,7 +279,7 @@ impl ZoneSurface {
         let to = ahead(zone, strips, centre);
         let height = (radius * radius - to * to).max(0.0).sqrt();
         let lean = if height > 0.0 { share * to / height } else { 0.0 };
-        Self { depth: share * (height - radius), radius: 0.0, lean }
+        Self { depth: share * (height - radius), radius: 0.0, lean, ahead: to }
     }
 }
 

@@ -125,8 +125,9 @@ struct Over<'a> {
     yaws: bool,
     nominal_radius: f64,
     station: f64,
-    /// Number of the slice before the station.
+    /// Number of the slice before the station, and of those around all that is within reach.
     slice: usize,
+    within: [usize; 2],
 }
 
 impl WheelTable {
@@ -298,6 +299,13 @@ impl VaryingRail {
             nominal_radius: line.nominal_radius(),
             station,
             slice,
+            within: [
+                self.rows.places.partition_point(|p| *p <= station - REACH).max(1) - 1,
+                self.rows
+                    .places
+                    .partition_point(|p| *p < station + REACH)
+                    .min(self.rows.places.len() - 1),
+            ],
         };
         let mut met = std::mem::take(&mut self.met);
         met.clear();
@@ -306,7 +314,7 @@ impl VaryingRail {
         let mut guess = 0.0;
         let mut j = 0;
         loop {
-            let here = self.meet(&over, j, guess);
+            let here = self.meet(&over, j, guess, true);
             if let Some(here) = &here {
                 guess = here.x;
             }
@@ -318,8 +326,11 @@ impl VaryingRail {
                     .max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))
                     ..j
                 {
-                    let guess = before.map_or(guess, |m| m.x);
-                    met.push(self.meet(&over, k, guess));
+                    // As the nearer of the two rows beside, so that rows between need not be looked through.
+                    let is_near = 2 * (j - k) < STRIDE;
+                    let beside = if is_near { here.or(before) } else { before.or(here) };
+                    let guess = beside.map_or(guess, |m| m.x);
+                    met.push(self.meet(&over, k, guess, false));
                 }
             }
             met.push(here);
@@ -350,7 +361,7 @@ impl VaryingRail {
                 None => rows.parameter[m.row],
                 Some(b) => {
                     let reached = arc(b.point, b.direction, m.point, m.direction);
-                    if !(reached >= LEAST_ARC) {
+                    if reached.is_nan() || reached < LEAST_ARC {
                         continue;
                     }
                     // As long as the section is that of the pattern the parameter is its own.
@@ -417,7 +428,7 @@ impl VaryingRail {
     }
 
     /// Where the wheel meets row `j`; nothing where the row is not there.
-    fn meet(&self, over: &Over, j: usize, guess: f64) -> Option<Met> {
+    fn meet(&self, over: &Over, j: usize, guess: f64, looks_through: bool) -> Option<Met> {
         let places = &self.rows.places;
         let run = self.run(j, over)?;
         let [first, last] = run;
@@ -459,7 +470,7 @@ impl VaryingRail {
         };
         let centre = opposite.x;
         let mut x = if guess == 0.0 { centre } else { guess }.clamp(range[0], range[1]);
-        if self.is_hollow(j, over) {
+        if looks_through && self.is_hollow(j, over) {
             x = self.scanned(j, run, over, &here, [centre, range[0], range[1]]);
         }
         let mut p = at(x);
@@ -483,8 +494,7 @@ impl VaryingRail {
                 break;
             }
         }
-        let [y, z] = in_wheel(&p);
-        let lowest = self.wheel.cell(y).map_or(f64::NEG_INFINITY, |cell| self.wheel.lowest(cell));
+        let [_, z] = in_wheel(&p);
         Some(Met {
             row: j,
             point: met.point,
@@ -497,26 +507,14 @@ impl VaryingRail {
                 lean: met.lean,
                 drift: met.drift,
             },
-            apart: z + met.down - lowest - over.nominal_radius,
+            apart: z + met.down - opposite.depth,
         })
     }
 
     /// Whether row `j` may be hollow within reach.
     fn is_hollow(&self, j: usize, over: &Over) -> bool {
         let count = self.rows.parameter.len();
-        let places = &self.rows.places;
-        let last = places.len() - 1;
-        let before = |station: f64, mut i: usize| {
-            while i > 0 && places[i] > station {
-                i -= 1;
-            }
-            while i < last && places[i] < station {
-                i += 1;
-            }
-            i
-        };
-        let from = before(over.station - REACH, over.slice).saturating_sub(1);
-        let to = before(over.station + REACH, over.slice);
+        let [from, to] = over.within;
         self.hollows[to * count + j] > self.hollows[from * count + j]
     }
 
@@ -654,7 +652,15 @@ impl Over<'_> {
                 let advance = if self.yaws { self.line.advance(u) } else { 0.0 };
                 let x = if self.yaws { at.x + advance * step } else { 0.0 };
                 let normal = [-tangent[1], tangent[0]];
-                return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
+                let depth = dot(to, self.down) + dot(derivative, self.down) * step;
+                return Some(Opposite {
+                    u: next,
+                    depth,
+                    x,
+                    advance: advance / rate,
+                    normal,
+                    curvature,
+                });
             }
             u = next;
         }
@@ -665,6 +671,8 @@ impl Over<'_> {
 /// A point of the contact line.
 struct Opposite {
     u: f64,
+    /// How far it is below the axle [m].
+    depth: f64,
     /// Its place along the track, and the derivative of that across [m, -].
     x: f64,
     advance: f64,
