@@ -338,17 +338,10 @@ impl RailContact {
             models.strips.clear();
             let even_radius = line.wheel_point(contact.u).section_radius;
             let lifting = separation.lifting();
-            let radius = match (&lifting, self.rail.variation()) {
-                (Some(lifting), _) => {
-                    local_radius(even_radius, lifting, separation.at(contact.u).x)
-                }
-                (None, Some(varying)) => {
-                    let along = varying.along(contact.rail_s);
-                    let share = 1.0 + even_radius * along.curvature * along.shortening();
-                    even_radius / share.max(LEAST_CURVATURE_SHARE)
-                }
-                (None, None) => even_radius,
-            };
+            let radius = lifting.map_or_else(
+                || varying_radius(even_radius, &self.rail, contact.rail_s),
+                |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
+            );
             let problem = NormalProblem {
                 approach: contact.penetration,
                 radius,
@@ -407,4 +400,11 @@ fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;
     1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
+}
+
+/// Radius of relative curvature along the track at parameter `s` of a rail that may vary along it, for a wheel whose even section has `radius` [m].
+fn varying_radius(radius: f64, rail: &PlacedRail, s: f64) -> f64 {
+    let Some(varying) = rail.variation() else { return radius };
+    let along = varying.along(s);
+    radius / (1.0 + radius * along.curvature * along.shortening()).max(LEAST_CURVATURE_SHARE)
 }

@@ -23,7 +23,7 @@ pub struct Slices {
     /// The file, for messages.
     pub name: String,
     /// Two or more of them.
-    slices: Vec<Slice>,
+    all: Vec<Slice>,
     /// Whether the surface passes near the slices and not through them.
     passes_near: bool,
 }
@@ -68,7 +68,7 @@ impl Slices {
     /// # Errors
     /// In words what cannot be made a surface.
     pub fn new(name: &str, slices: Vec<Slice>, passes_near: bool) -> Result<Self, String> {
-        let found = Self { name: name.into(), slices, passes_near };
+        let found = Self { name: name.into(), all: slices, passes_near };
         found.parts()?;
         Ok(found)
     }
@@ -76,14 +76,14 @@ impl Slices {
     /// The slices.
     #[must_use]
     pub fn slices(&self) -> &[Slice] {
-        &self.slices
+        &self.all
     }
 
     /// The first profile, which the body stands by, with what was found wrong and mended in any of them.
     #[must_use]
     pub fn first_profile(&self) -> Profile {
-        let mut profile = self.slices[0].profile.clone();
-        for slice in &self.slices[1..] {
+        let mut profile = self.all[0].profile.clone();
+        for slice in &self.all[1..] {
             for remark in slice.profile.remarks.iter().filter(|remark| remark.is_warning()) {
                 if !profile.remarks.contains(remark) {
                     profile.remarks.push(remark.clone());
@@ -96,7 +96,7 @@ impl Slices {
     /// First and last place.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
-        [self.slices[0].place, self.slices[self.slices.len() - 1].place]
+        [self.all[0].place, self.all[self.all.len() - 1].place]
     }
 
     /// Lengths of the features of a slice as parameters of its curve; its ends where it has none.
@@ -109,7 +109,7 @@ impl Slices {
     }
 
     fn parts(&self) -> Result<Vec<Part>, String> {
-        let features: Vec<Vec<Option<f64>>> = self.slices.iter().map(Self::features).collect();
+        let features: Vec<Vec<Option<f64>>> = self.all.iter().map(Self::features).collect();
         let count = features[0].len();
         let mut parts = Vec::new();
         for f in 0..count - 1 {
@@ -143,10 +143,10 @@ impl Slices {
                     return Err(format!(
                         "feature {} of the slice at {} lies beyond its end; give lengths along the slice in mm",
                         f + 1,
-                        self.slices[i].place
+                        self.all[i].place
                     ));
                 }
-                let knots = self.slices[i].profile.curve.knots();
+                let knots = self.all[i].profile.curve.knots();
                 let knots = knots.filter(|s| *s > from && *s < to).count();
                 if knots > pattern.0 {
                     pattern = (knots, i);
@@ -163,10 +163,10 @@ impl Slices {
         point: impl Fn([f64; 2]) -> [f64; 2],
         direction: impl Fn([f64; 2]) -> [f64; 2],
     ) -> Rows {
-        let features: Vec<Vec<Option<f64>>> = self.slices.iter().map(Self::features).collect();
+        let features: Vec<Vec<Option<f64>>> = self.all.iter().map(Self::features).collect();
         // Checked when the slices were made.
         let parts = self.parts().unwrap_or_default();
-        let places: Vec<f64> = self.slices.iter().map(|slice| slice.place).collect();
+        let places: Vec<f64> = self.all.iter().map(|slice| slice.place).collect();
         let mut rows = Rows {
             places,
             parameter: Vec::new(),
@@ -180,17 +180,18 @@ impl Slices {
         for (f, Part { span, pattern }) in parts.iter().enumerate() {
             let ends = |i: usize| [f, f + 1].map(|f| features[i][f].unwrap_or_default());
             let [from, to] = ends(*pattern);
-            let curve = &self.slices[*pattern].profile.curve;
+            let curve = &self.all[*pattern].profile.curve;
             let inner = curve.knots().filter(|s| *s > from && *s < to);
             let begin = rows.parameter.last().map_or(from, |last| *last);
-            for s in std::iter::once(from).chain(inner).chain([to]) {
+            for (i, s) in std::iter::once(from).chain(inner).chain([to]).enumerate() {
+                let is_seam = f > 0 && i == 0;
                 let share = (s - from) / (to - from);
                 let row: Vec<RowValue> = (span[0]..=span[1])
                     .map(|i| {
                         let [from, to] = ends(i);
                         // The pattern's own parameter, not a rounded one.
                         let own = if i == *pattern { s } else { from + share * (to - from) };
-                        let p = self.slices[i].profile.curve.at(own);
+                        let p = self.all[i].profile.curve.at(own);
                         let ([y, z], [dy, dz]) = (point(p.point), direction(p.first));
                         let [pattern_from, pattern_to] = ends(*pattern);
                         let stretch = (to - from) / (pattern_to - pattern_from);
@@ -199,12 +200,12 @@ impl Slices {
                     .collect();
                 let of_pattern = row[pattern - span[0]];
                 // Parts that are there together share the row between them.
-                let shared = f > 0 && s == from && parts[f - 1].span == *span;
+                let shared = is_seam && parts[f - 1].span == *span;
                 if shared {
                     continue;
                 }
                 let parameter = if f == 0 { s } else { begin + (s - from) };
-                rows.parameter.push(if f > 0 && s == from { parameter + SEAM } else { parameter });
+                rows.parameter.push(if is_seam { parameter + SEAM } else { parameter });
                 rows.pattern.push(of_pattern);
                 rows.parts.push(f);
                 values.push((*span, row));
@@ -215,7 +216,7 @@ impl Slices {
         rows.knots = vec![none; count * rows.places.len()];
         rows.runs = vec![None; rows.knots.len()];
         let broken: Vec<Vec<bool>> =
-            (0..parts.len()).map(|part| self.breaks(&rows, part, &values)).collect();
+            (0..parts.len()).map(|part| breaks(&rows, part, &values)).collect();
         for (j, ([first, _], row)) in values.iter().enumerate() {
             let mut begin = 0;
             while begin < row.len() {
@@ -245,30 +246,20 @@ impl Slices {
     }
 }
 
-impl Slices {
-    /// Whether the surface of a part is broken between each slice and the next, by the rows that run too steeply there.
-    fn breaks(
-        &self,
-        rows: &Rows,
-        part: usize,
-        values: &[([usize; 2], Vec<RowValue>)],
-    ) -> Vec<bool> {
-        let count = rows.places.len();
-        let (mut all, mut steep) = (vec![0_usize; count], vec![0_usize; count]);
-        let own = values.iter().zip(&rows.parts).filter(|(_, of)| **of == part);
-        for (([first, _], row), _) in own {
-            for (i, pair) in row.windows(2).enumerate() {
-                let apart = rows.places[first + i + 1] - rows.places[first + i];
-                let [a, b] = [pair[0], pair[1]];
-                all[first + i] += 1;
-                steep[first + i] +=
-                    usize::from((b[0] - a[0]).hypot(b[1] - a[1]) > STEEPEST * apart);
-            }
+/// Whether the surface of a part is broken between each slice and the next, by the rows that run too steeply there.
+fn breaks(rows: &Rows, part: usize, values: &[([usize; 2], Vec<RowValue>)]) -> Vec<bool> {
+    let count = rows.places.len();
+    let (mut all, mut steep) = (vec![0_usize; count], vec![0_usize; count]);
+    let own = values.iter().zip(&rows.parts).filter(|(_, of)| **of == part);
+    for (([first, _], row), _) in own {
+        for (i, pair) in row.windows(2).enumerate() {
+            let apart = rows.places[first + i + 1] - rows.places[first + i];
+            let [a, b] = [pair[0], pair[1]];
+            all[first + i] += 1;
+            steep[first + i] += usize::from((b[0] - a[0]).hypot(b[1] - a[1]) > STEEPEST * apart);
         }
-        (all.iter().zip(&steep))
-            .map(|(all, steep)| *steep as f64 > STEEP_SHARE * *all as f64)
-            .collect()
     }
+    (all.iter().zip(&steep)).map(|(all, steep)| *steep as f64 > STEEP_SHARE * *all as f64).collect()
 }
 
 impl Rows {

@@ -474,10 +474,10 @@ impl VaryingRail {
             x = self.scanned(j, run, over, &here, [centre, range[0], range[1]]);
         }
         let mut p = at(x);
-        if x != start {
+        if (x - start).abs() > 0.0 {
             opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
         }
-        let mut met = self.state(over, &p, x, &opposite);
+        let mut met = Self::state(over, &p, x, &opposite);
         for _ in 0..MOST_STEPS {
             let step = (-met.g / met.bend.max(0.1 / over.nominal_radius))
                 .clamp(-LONGEST_STEP, LONGEST_STEP);
@@ -489,7 +489,7 @@ impl VaryingRail {
             x = next;
             p = at(x);
             opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
-            met = self.state(over, &p, x, &opposite);
+            met = Self::state(over, &p, x, &opposite);
             if moved.abs() < LAST_STEP {
                 break;
             }
@@ -546,7 +546,7 @@ impl VaryingRail {
     }
 
     /// The condition of touch at `x` on a row, opposite to a point of the wheel.
-    fn state(&self, over: &Over, p: &RowPoint, x: f64, wheel: &Opposite) -> State {
+    fn state(over: &Over, p: &RowPoint, x: f64, wheel: &Opposite) -> State {
         let first = [p.first[0], p.first[1]];
         let across = [p.value[2], p.value[3]];
         let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];

@@ -76,21 +76,18 @@ pub fn load_slices(
     let mut known: HashMap<String, Profile> = HashMap::new();
     let mut slices = Vec::with_capacity(listed.entries.len());
     for Entry { line, place, name, features } in listed.entries {
-        let profile = match known.get(&name) {
-            Some(profile) => profile.clone(),
-            None => {
-                let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
-                let read = read.map_err(|error| match error {
-                    ContactError::Profile { problem, .. } => {
-                        let (file, what) = (file.clone(), problem.to_string());
-                        refuse(ProfileError::BadSlices { file, line, what })
-                    }
-                    other => other,
-                })?;
-                known.insert(name.clone(), read.clone());
-                read
-            }
-        };
+        if !known.contains_key(&name) {
+            let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
+            let read = read.map_err(|error| match error {
+                ContactError::Profile { problem, .. } => {
+                    let (file, what) = (file.clone(), problem.to_string());
+                    refuse(ProfileError::BadSlices { file, line, what })
+                }
+                other => other,
+            })?;
+            known.insert(name.clone(), read);
+        }
+        let Some(profile) = known.get(&name).cloned() else { continue };
         slices.push(Slice { place, profile, features });
     }
     Slices::new(&file, slices, listed.passes_near)
@@ -249,12 +246,16 @@ fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
     let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
     let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
     let (interpolation, line) = tokens.number("U_INTPOL")?;
-    if interpolation != 1.0 && interpolation != 2.0 {
-        let what = format!(
-            "U_INTPOL is {interpolation}; give 1 for a surface through the slices or 2 for one near them"
-        );
-        return tokens.bad(line, what);
-    }
+    let passes_near = match interpolation.to_string().as_str() {
+        "1" => false,
+        "2" => true,
+        shown => {
+            let what = format!(
+                "U_INTPOL is {shown}; give 1 for a surface through the slices or 2 for one near them"
+            );
+            return tokens.bad(line, what);
+        }
+    };
     tokens.end_line();
     // Millimetres to metres.
     let scale = 1e-3 * scale;
@@ -316,7 +317,7 @@ fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
         );
         return tokens.bad(*line, what);
     }
-    Ok(Listed { entries, passes_near: interpolation == 2.0 })
+    Ok(Listed { entries, passes_near })
 }
 
 /// Whether a text is a table of sections.
