@@ -30,6 +30,8 @@ const STRIDE: usize = 4;
 const FAR_BELOW: f64 = 0.02;
 /// Distance of the envelope from the wheel from which on one row of four is enough: nothing touches there [m].
 const APART: f64 = 5e-4;
+/// Distance of four rows from which on all of them are looked at [m].
+const WIDE: f64 = 2e-3;
 /// How far beside the wheel rows are looked at [m].
 const BESIDE: f64 = 0.01;
 /// Farthest place of touch from the axle [m].
@@ -320,7 +322,9 @@ impl VaryingRail {
             }
             let from = before.map_or(f64::INFINITY, |m| m.apart);
             let to = here.map_or(f64::INFINITY, |m| m.apart);
-            if from.min(to) < APART {
+            let is_wide =
+                self.rows.parameter[j] - self.rows.parameter[j.saturating_sub(STRIDE)] > WIDE;
+            if is_wide || from.min(to) < APART {
                 for k in j
                     .saturating_sub(STRIDE - 1)
                     .max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))
@@ -466,7 +470,8 @@ impl VaryingRail {
             return Some(far(&here, start));
         }
         let Some(mut opposite) = over.opposite(self.wheel.cells[cell][0], y) else {
-            return Some(far(&here, start));
+            // A wheel that stands upright there may touch.
+            return Some(Met { apart: 0.0, ..far(&here, start) });
         };
         let centre = opposite.x;
         let mut x = if guess == 0.0 { centre } else { guess }.clamp(range[0], range[1]);
