@@ -9,29 +9,93 @@ use std::env;
 use std::fmt::Write;
 use std::hint::black_box;
 
-use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
+use wheelrail::element::parameters::{
+    CreepageModel, FrictionDistribution, NormalModel, TangentialModel,
+};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// An option as the table names it, what it changes, and the depth of the wheel below first touch [m].
-type Case = (&'static str, fn(&mut Parameters), f64);
+/// An option, on top of another one.
+struct Case {
+    /// As the table names it.
+    name: &'static str,
+    /// What it is compared with, by its place in the table.
+    over: usize,
+    change: fn(&mut Parameters),
+    /// Depth of the wheel below first touch [m].
+    depth: f64,
+}
 
 const DEPTH: f64 = 6e-5;
-const CASES: [Case; 10] = [
-    ("none on", |_| (), DEPTH),
-    ("none on, lifted wheel", |_| (), -1e-3),
-    ("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz, DEPTH),
-    ("`normal.model` = piotrowski_kik", |p| p.normal_model = NormalModel::PiotrowskiKik, DEPTH),
-    (
-        "`normal.model` = piotrowski_kik_corrected",
-        |p| p.normal_model = NormalModel::PiotrowskiKikCorrected,
-        DEPTH,
-    ),
-    ("`creepage.model` = kinematic", |p| p.creepage_model = CreepageModel::Kinematic, DEPTH),
-    ("`creepage.model` = flat", |p| p.creepage_model = CreepageModel::Flat, DEPTH),
-    ("`tangential.model` = linear", |p| p.tangential_model = TangentialModel::Linear, DEPTH),
-    ("`tangential.model` = tables", |p| p.tangential_model = TangentialModel::Tables, DEPTH),
-    ("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim, DEPTH),
+/// Place of the fastest models.
+const FASTEST: usize = 10;
+const CASES: [Case; 18] = [
+    option("none on", |_| ()),
+    Case { depth: -1e-3, ..option("none on, lifted wheel", |_| ()) },
+    option("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz),
+    option("`normal.model` = piotrowski_kik", |p| p.normal_model = NormalModel::PiotrowskiKik),
+    option("`normal.model` = piotrowski_kik_corrected", |p| {
+        p.normal_model = NormalModel::PiotrowskiKikCorrected;
+    }),
+    option("`creepage.model` = kinematic", |p| p.creepage_model = CreepageModel::Kinematic),
+    option("`creepage.model` = flat", |p| p.creepage_model = CreepageModel::Flat),
+    option("`tangential.model` = linear", |p| p.tangential_model = TangentialModel::Linear),
+    option("`tangential.model` = tables", |p| p.tangential_model = TangentialModel::Tables),
+    option("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim),
+    option("piotrowski_kik + fastsim, flat", fastest),
+    option("`friction.distribution` = regions", regions),
+    option("`friction.falling.*` and `friction.reduction.*`", falling),
+    option("`friction.temperature.*`", hot),
+    of_fastest("with `friction.distribution` = regions", |p| {
+        fastest(p);
+        regions(p);
+    }),
+    of_fastest("with `friction.distribution` = profile", |p| {
+        fastest(p);
+        p.friction_distribution = FrictionDistribution::Profile;
+        p.friction_profile = PROFILE.into();
+    }),
+    of_fastest("with `friction.falling.*` and `friction.reduction.*`", |p| {
+        fastest(p);
+        falling(p);
+    }),
+    of_fastest("with `friction.temperature.*`", |p| {
+        fastest(p);
+        hot(p);
+    }),
 ];
+/// A table of friction by inclination that changes over the tread.
+const PROFILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/friction_by_inclination.csv");
+
+const fn option(name: &'static str, change: fn(&mut Parameters)) -> Case {
+    Case { name, over: 0, change, depth: DEPTH }
+}
+
+const fn of_fastest(name: &'static str, change: fn(&mut Parameters)) -> Case {
+    Case { over: FASTEST, ..option(name, change) }
+}
+
+fn fastest(parameters: &mut Parameters) {
+    parameters.normal_model = NormalModel::PiotrowskiKik;
+    parameters.tangential_model = TangentialModel::Fastsim;
+    parameters.creepage_model = CreepageModel::Flat;
+}
+
+fn regions(parameters: &mut Parameters) {
+    parameters.friction_distribution = FrictionDistribution::Regions;
+}
+
+fn falling(parameters: &mut Parameters) {
+    let law = &mut parameters.friction_law;
+    (law.falling_share, law.falling_decay) = (0.4, 0.7);
+    (law.reduction, law.reduction_share, law.reduction_decay) = (0.6, 0.3, 0.5);
+    parameters.gauge_face_law = *law;
+}
+
+fn hot(parameters: &mut Parameters) {
+    let heat = &mut parameters.flash_temperature;
+    (heat.share, heat.onset, heat.range) = (0.4, 0.0, 400.0);
+}
+
 /// Step of the height between evaluations, so that nothing is reused [m].
 const STEP: f64 = 1e-10;
 
@@ -54,29 +118,29 @@ fn main() {
         return;
     };
     let mut text = String::from("| | instructions | |\n|---|---|---|\n");
-    for (k, ((name, _, depth), count)) in CASES.iter().zip(&counts).enumerate() {
-        let more = match 100.0 * (count / counts[0] - 1.0) {
-            more if k > 0 && *depth > 0.0 && more.abs() < 0.5 => "0".into(),
-            more if k > 0 && *depth > 0.0 => format!("{more:+.0} %"),
-            _ => String::new(),
+    for (k, (case, count)) in CASES.iter().zip(&counts).enumerate() {
+        let more = match 100.0 * (count / counts[case.over] - 1.0) {
+            _ if k == 0 || case.depth < 0.0 => String::new(),
+            more if more.abs() < 0.05 => "0".into(),
+            more => format!("{more:+.1} %"),
         };
-        writeln!(text, "| {name} | {count:.0} | {more} |").expect("a text");
+        writeln!(text, "| {} | {count:.0} | {more} |", case.name).expect("a text");
     }
     print!("{text}");
     page::write("instructions", &text);
 }
 
 /// A wheel that runs, in steps of height.
-fn evaluate((_, change, depth): &Case, evaluations: usize) {
+fn evaluate(case: &Case, evaluations: usize) {
     let mut parameters = Parameters::default();
-    change(&mut parameters);
+    (case.change)(&mut parameters);
     let mut input = Input::default();
     input.wheel.position[1] -= 3e-3;
     input.wheel.yaw = 1e-3;
     input.wheel.velocity = [20.0, 0.0, 0.0];
     input.wheel.pitch_rate = -20.0 / 0.46;
     let mut element = Element::new(&parameters, &input, &[]).expect("built-in profiles");
-    input.wheel.position[2] = element.nominal_wheel_z() + depth;
+    input.wheel.position[2] = element.nominal_wheel_z() + case.depth;
     let (mut output, mut step) = (Output::default(), STEP);
     // What happens once only comes with the first.
     for _ in 0..=evaluations {

@@ -24,6 +24,8 @@ struct Sides {
     once: Vec<String>,
     of_centre: Vec<String>,
     placed_by: String,
+    moved_by: Vec<String>,
+    side_moved_by: Vec<String>,
     left_out: Vec<String>,
 }
 
@@ -144,6 +146,8 @@ impl Sides {
             if self.of_centre.contains(name) {
                 names.push(name.replacen("wheel.", "wheelset.", 1));
                 names.push(self.placed_by.clone());
+                names.extend(self.moved_by.iter().cloned());
+                names.extend(self.side_moved_by.iter().map(|name| format!("{side}.{name}")));
             } else if self.is_once(name) {
                 names.push(name.clone());
             } else if self.is_of_side(name) {

@@ -12,16 +12,20 @@ pub enum Style {
     /// Everything.
     Full,
     /// For importers that know no enumerations and for people who look at the list: choices as integers, and the heaviest
-    /// [`PLAIN_PATCHES`] patches alone. References are the same, and so is the library.
+    /// [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`]. References are the same, and so is the library.
     Plain,
 }
 
 /// Patches of a wheel that a plain description has: more than tread and flange touch at once is rare.
 const PLAIN_PATCHES: usize = 4;
+/// What of a patch it has not: what only laws of friction by place and heat tell.
+const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
 impl Style {
     fn describes(self, v: &Variable) -> bool {
-        self == Self::Full || !v.name.contains("patch[") || v.number <= PLAIN_PATCHES
+        let is_detail = PLAIN_LACKS.iter().any(|end| v.name.ends_with(end));
+        let is_plain = v.number <= PLAIN_PATCHES && !is_detail;
+        self == Self::Full || !v.name.contains("patch[") || is_plain
     }
 }
 
@@ -29,24 +33,10 @@ impl Style {
 pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Result<Vec<u8>> {
     let mut text = b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_vec();
     let mut writer = Writer::new_with_indent(&mut text, b' ', 2);
-    let model = &declaration.model;
-    let identifier = &*model.name;
-    let tool = format!("wheelrail {version}");
-    let root = writer.create_element("fmiModelDescription").with_attributes([
-        ("fmiVersion", "2.0"),
-        ("modelName", &model.name),
-        ("guid", &declaration.guid),
-        ("description", &model.description),
-        ("version", version),
-        ("author", &model.author),
-        ("copyright", &model.copyright),
-        ("license", &model.license),
-        ("generationDateAndTime", &model.date),
-        ("generationTool", &tool),
-        ("variableNamingConvention", "structured"),
-        // Of model exchange: one for all outputs that are whole numbers.
-        ("numberOfEventIndicators", "1"),
-    ]);
+    let identifier = &*declaration.model.name;
+    // Of model exchange: one for all outputs that are whole numbers.
+    let root = root(&mut writer, declaration, version, ["2.0", "guid"])
+        .with_attribute(("numberOfEventIndicators", "1"));
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
         w.create_element("ModelExchange")
@@ -74,17 +64,7 @@ pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Resul
         if style == Style::Full {
             list(w, "TypeDefinitions", &declaration.enumerations, enumeration)?;
         }
-        list(w, "LogCategories", &declaration.log_categories, |w, category| {
-            let attributes = [("name", &*category.name), ("description", &*category.description)];
-            w.create_element("Category").with_attributes(attributes).write_empty().map(drop)
-        })?;
-        let experiment = &declaration.experiment;
-        w.create_element("DefaultExperiment")
-            .with_attribute(("startTime", &*experiment.start.to_string()))
-            .with_attribute(("stopTime", &*experiment.stop.to_string()))
-            .with_attribute(("tolerance", &*experiment.tolerance.to_string()))
-            .with_attribute(("stepSize", &*experiment.step.to_string()))
-            .write_empty()?;
+        log_and_experiment(w, declaration)?;
         let all = declaration.variables.iter().enumerate();
         let all: Vec<(usize, &Variable)> = all.filter(|(_, v)| style.describes(v)).collect();
         list(w, "ModelVariables", &all, |w, (reference, v)| {
@@ -94,6 +74,48 @@ pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Resul
     })?;
     text.push(b'\n');
     Ok(text)
+}
+
+/// The element around a description, with the attributes that both versions of FMI have; `fmi` is the version and its name for the token by which
+/// library and description know each other.
+pub fn root<'a, W: Write>(
+    writer: &'a mut Writer<W>,
+    declaration: &Declaration,
+    version: &str,
+    fmi: [&str; 2],
+) -> ElementWriter<'a, W> {
+    let model = &declaration.model;
+    let [fmi_version, token] = fmi;
+    let tool = format!("wheelrail {version}");
+    writer.create_element("fmiModelDescription").with_attributes([
+        ("fmiVersion", fmi_version),
+        ("modelName", &*model.name),
+        (token, &*declaration.guid),
+        ("description", &*model.description),
+        ("version", version),
+        ("author", &*model.author),
+        ("copyright", &*model.copyright),
+        ("license", &*model.license),
+        ("generationDateAndTime", &*model.date),
+        ("generationTool", &*tool),
+        ("variableNamingConvention", "structured"),
+    ])
+}
+
+/// What both versions say of logging and of a run to begin with.
+pub fn log_and_experiment<W: Write>(w: &mut Writer<W>, declaration: &Declaration) -> Result<()> {
+    list(w, "LogCategories", &declaration.log_categories, |w, category| {
+        let attributes = [("name", &*category.name), ("description", &*category.description)];
+        w.create_element("Category").with_attributes(attributes).write_empty().map(drop)
+    })?;
+    let experiment = &declaration.experiment;
+    w.create_element("DefaultExperiment")
+        .with_attribute(("startTime", &*experiment.start.to_string()))
+        .with_attribute(("stopTime", &*experiment.stop.to_string()))
+        .with_attribute(("tolerance", &*experiment.tolerance.to_string()))
+        .with_attribute(("stepSize", &*experiment.step.to_string()))
+        .write_empty()
+        .map(drop)
 }
 
 pub fn list<W: Write, T>(

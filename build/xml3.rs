@@ -8,28 +8,14 @@ use std::io::{Result, Write};
 use quick_xml::writer::Writer;
 
 use crate::declaration::{Causality, Declaration, Enumeration, Kind, Variable};
-use crate::xml::{list, optional, unit};
+use crate::xml::{list, log_and_experiment, optional, root, unit};
 
 /// The text of the file; `version` is that of the crate.
 pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
     let mut text = b"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_vec();
     let mut writer = Writer::new_with_indent(&mut text, b' ', 2);
-    let model = &declaration.model;
-    let identifier = &*model.name;
-    let tool = format!("wheelrail {version}");
-    let root = writer.create_element("fmiModelDescription").with_attributes([
-        ("fmiVersion", "3.0"),
-        ("modelName", &model.name),
-        ("instantiationToken", &declaration.guid),
-        ("description", &model.description),
-        ("version", version),
-        ("author", &model.author),
-        ("copyright", &model.copyright),
-        ("license", &model.license),
-        ("generationDateAndTime", &model.date),
-        ("generationTool", &tool),
-        ("variableNamingConvention", "structured"),
-    ]);
+    let identifier = &*declaration.model.name;
+    let root = root(&mut writer, declaration, version, ["3.0", "instantiationToken"]);
     root.write_inner_content(|w| {
         // Only what the library can do; what is left out is false.
         let capabilities = [
@@ -45,17 +31,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
             .write_empty()?;
         list(w, "UnitDefinitions", &declaration.units, unit)?;
         list(w, "TypeDefinitions", &declaration.enumerations, enumeration)?;
-        list(w, "LogCategories", &declaration.log_categories, |w, category| {
-            let attributes = [("name", &*category.name), ("description", &*category.description)];
-            w.create_element("Category").with_attributes(attributes).write_empty().map(drop)
-        })?;
-        let experiment = &declaration.experiment;
-        w.create_element("DefaultExperiment")
-            .with_attribute(("startTime", &*experiment.start.to_string()))
-            .with_attribute(("stopTime", &*experiment.stop.to_string()))
-            .with_attribute(("tolerance", &*experiment.tolerance.to_string()))
-            .with_attribute(("stepSize", &*experiment.step.to_string()))
-            .write_empty()?;
+        log_and_experiment(w, declaration)?;
         let all = described(declaration);
         w.create_element("ModelVariables").write_inner_content(|w| {
             all.iter().try_for_each(|place| variable(w, declaration, *place))?;

@@ -8,7 +8,7 @@ use std::process::Command;
 use std::{env, fs};
 
 /// The units that a wheel carries.
-const UNITS: [&str; 2] = ["WheelRail.fmu", "WheelSet.fmu"];
+const UNITS: [&str; 4] = ["WheelRail.fmu", "WheelSet.fmu", "WheelRail3.fmu", "WheelSet3.fmu"];
 /// What the units are made from.
 const SOURCES: [&str; 8] = [
     "src",
@@ -46,7 +46,7 @@ fn main() {
         let copied = fs::copy(&from, units.join(unit));
         copied.unwrap_or_else(|e| {
             panic!(
-                "cannot take {}: {e}; WHEELRAIL_UNITS names a folder with both units",
+                "cannot take {}: {e}; WHEELRAIL_UNITS names a folder with all units",
                 from.display()
             )
         });

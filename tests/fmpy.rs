@@ -36,6 +36,11 @@ fn fmpy_gets_through_fmi_3_what_it_gets_through_fmi_2() {
     check("check_fmi3.py");
 }
 
+#[test]
+fn a_bogie_hunts_from_its_published_speed_on() {
+    check("check_vehicles.py");
+}
+
 /// Needs a C compiler, `cc`, besides.
 #[test]
 fn fmpy_runs_a_system_of_a_wheelset_and_a_mass() {

@@ -4,13 +4,15 @@ mod common;
 mod tolerance;
 
 use approx::assert_relative_eq;
-use common::planar::{HertzRow, steel_case};
+use common::planar::{HertzRow, parabola, steel_case};
+use common::summary::Summary;
+use common::{read_table, value};
 use wheelrail::element::parameters::{
     FallingLaw, FlashTemperature, FrictionLaw, TangentialModel, WearModel,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;
-use wheelrail::planar::{PlanarCase, PlanarResult, solve};
+use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
 
 const BOUNDED: [TangentialModel; 5] = [
     TangentialModel::Fastsim,
@@ -204,5 +206,113 @@ fn what_adheres_stays_cold() {
         let plain = rolled(model, FrictionLaw::default(), [1e-6, 0.0, 0.0]).unwrap();
         let cold = -plain.fx / plain.normal_force;
         assert_relative_eq!(heated(model, 10.0, 1e-6), cold, max_relative = 1e-12);
+    }
+}
+
+/// Fall of friction of a patch that slides as a whole, h, with the temperatures of `elements` pieces along each of its strips, `rise` the greatest μ q s
+/// sqrt(a/V)/(2 β) and `fall` what is lost for each kelvin: friction of each piece at its own temperature, summed over a circular patch as CONTACT
+/// sums it (its share of the sources on the piece itself is that of a whole piece, where half of it has passed).
+fn as_contact_sums(elements: i32, rise: f64, fall: f64) -> f64 {
+    let n = f64::from(elements);
+    let (mut load, mut held) = (0.0, 0.0);
+    for row in 0..elements {
+        let y = (2.0 * f64::from(row) + 1.0) / n - 1.0;
+        let half = (1.0 - y * y).sqrt();
+        let pressure = |k: i32| {
+            let x = 1.0 - (2.0 * f64::from(k) + 1.0) / n;
+            (half * half - x * x).max(0.0).sqrt()
+        };
+        // Of the sources that a piece has passed its own friction is asked for: piece after piece from the leading edge.
+        let mut sources: Vec<f64> = Vec::new();
+        for k in 0..elements {
+            let piece = 1.0 / n;
+            let before: f64 = (sources.iter().enumerate())
+                .map(|(j, source)| {
+                    let way = 2.0 * f64::from(k - j as i32) * piece;
+                    source * ((way + piece).sqrt() - (way - piece).sqrt())
+                })
+                .sum();
+            let own = pressure(k) * 2.0 * piece.sqrt();
+            let at = |h: f64| 2.0 * rise / std::f64::consts::PI.sqrt() * (before + h * own);
+            let h = (1.0 - fall * at(0.0)) / (1.0 + fall * (at(1.0) - at(0.0)));
+            sources.push(h * pressure(k));
+            load += pressure(k);
+            held += h * pressure(k);
+        }
+    }
+    held / load
+}
+
+#[test]
+fn friction_that_falls_with_temperature_is_that_of_the_contact_program() {
+    let table = read_table("contact_25_1/temperature.csv");
+    let mut summary = Summary::new("temperature");
+    for row in &table.rows {
+        let v = |name: &str| value(&table, row, name);
+        let separation = parabola(5.0, 3e-3);
+        let share = 1.0 - v("fall") / 0.3;
+        let case = PlanarCase {
+            tangential_model: TangentialModel::FastsimCorrected,
+            flash_temperature: FlashTemperature { share, onset: 0.0, range: v("fall_K"), ..HOT },
+            creepage: [v("cksi"), v("ceta"), 1e3 * v("cphi_per_mm")],
+            speed: 1e-3 * v("v_mm_s"),
+            indentation: Indentation::Load(v("fn_N")),
+            ..steel_case(&separation, 0.1, 1e-5)
+        };
+        let found = solve(&case).unwrap();
+        let limit = 0.3 * v("fn_N");
+        let expected = v("fx_N").hypot(v("fs_N")) / limit;
+        let found = found.fx.hypot(found.fy) / limit;
+        let half_length = (1.5 * v("fn_N") / (std::f64::consts::PI * 1e6 * v("pmax_MPa"))).sqrt();
+        let rise = 0.3
+            * 1e6
+            * v("pmax_MPa")
+            * case.speed
+            * v("cksi").hypot(v("ceta"))
+            * (half_length / case.speed).sqrt()
+            / (2.0 * (HOT.conductivity * HOT.heat_capacity).sqrt());
+        let elements = (2.0 * half_length / 2e-4).round() as i32;
+        let on_grid = as_contact_sums(elements, rise, v("fall") / 0.3 / v("fall_K"));
+        let name = if v("fall") > 0.0 { "falls by 0.45 in 1000 K" } else { "is constant" };
+        let percent = |share: f64| [100.0 * (share - expected)];
+        let here = format!("creep force, friction {name} [% of the friction limit]");
+        summary.add(&here, percent(found), "");
+        summary.add("the same, temperatures summed on the program's grid", percent(on_grid), "");
+        // The program is between the closed form and what its own grid makes of it.
+        let least = on_grid.min(found) - tolerance::FULL_SLIDING;
+        assert!(expected >= least, "{expected} {on_grid} {found}");
+        assert!(expected <= found + tolerance::FULL_SLIDING, "{expected} {on_grid} {found}");
+    }
+    summary.write();
+}
+
+#[test]
+fn a_patch_tells_its_friction_and_its_temperature() {
+    let told = |law: FrictionLaw, heat: FlashTemperature| {
+        let parameters =
+            Parameters { friction_law: law, flash_temperature: heat, ..Parameters::default() };
+        let mut input = Input::default();
+        let mut element = Element::new(&parameters, &input, &[]).unwrap();
+        input.wheel.position[2] = element.nominal_wheel_z() + 5e-5;
+        input.wheel.velocity[0] = 20.0;
+        input.wheel.pitch_rate = -1.1 * 20.0 / 0.46;
+        let mut output = Output::default();
+        element.evaluate(&input, &mut output).unwrap();
+        let patch = output.patches[0];
+        let held = patch.creep_force[0].abs() / patch.normal_force;
+        assert_relative_eq!(patch.friction_coefficient, held, max_relative = 5e-3);
+        [patch.friction_coefficient, patch.temperature]
+    };
+    let cold = FlashTemperature::default();
+    let unchanged = told(FrictionLaw::default(), cold);
+    assert_eq!(unchanged.map(f64::to_bits), [0.3_f64, 0.0].map(f64::to_bits));
+    let [fallen, _] = told(FALLING, cold);
+    assert!(fallen < 0.2, "{fallen}");
+    for law in [FrictionLaw::default(), FALLING] {
+        let [friction, _] = told(law, cold);
+        let [left, rise] = told(law, HOT);
+        let expected = friction * (1.0 - 0.6 * (rise - 20.0) / 200.0).clamp(0.4, 1.0);
+        assert_relative_eq!(left, expected, max_relative = 1e-3);
+        assert!(rise > 50.0, "{rise}");
     }
 }

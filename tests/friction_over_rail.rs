@@ -8,7 +8,10 @@ use std::path::PathBuf;
 
 use approx::assert_relative_eq;
 use common::random::Random;
-use common::wheel::{benchmark, evaluate, mirrored, of_wheelset, pressed, random_input, rolling};
+use common::summary::Summary;
+use common::wheel::{
+    benchmark, element, evaluate, mirrored, of_wheelset, pressed, random_input, rolling,
+};
 use common::{median_and_worst, read_table, value, write_report};
 use tempfile::TempDir;
 use wheelrail::element::input::INPUT_NAMES;
@@ -175,6 +178,10 @@ fn a_sliding_patch_has_the_friction_of_each_of_its_strips() {
         let mut even = tables.element(&with_table("none.csv", base.clone()));
         let mut rising = tables.element(&with_table("rising.csv", base.clone()));
         let input = pressed(&mut even, &sliding(), 8e-5);
+        // The pressure of strips goes on 12 rows of elements, which are as good as a sum of trapezia.
+        let on_rows = base.normal_model == NormalModel::Strips
+            && base.tangential_model == TangentialModel::BoundaryElement;
+        let within = if on_rows { 1.0 / 144.0 } else { tolerance::FULL_SLIDING };
         let [even, rising] = [&mut even, &mut rising].map(|element| evaluate(element, &input));
         assert!(even.patch_count >= 1);
         for (even, rising) in
@@ -182,6 +189,11 @@ fn a_sliding_patch_has_the_friction_of_each_of_its_strips() {
         {
             let coefficient = even.creep_force[0].abs() / even.normal_force;
             assert_relative_eq!(coefficient, a, max_relative = tolerance::FULL_SLIDING);
+            for patch in [even, rising] {
+                let held = patch.creep_force[0].abs() / patch.normal_force;
+                let told = patch.friction_coefficient;
+                assert_relative_eq!(told, held, max_relative = within);
+            }
             let more = rising.creep_force[0].abs() / rising.normal_force - coefficient;
             // Towards the gauge face it rises; the patch is there.
             assert!(more > 0.03, "{more}");
@@ -344,6 +356,53 @@ fn forces_depend_on_the_inputs_that_tell_friction_alone() {
     }
 }
 
+/// Friction of a patch that a law of its own lets fall.
+const STEEP: FrictionLaw = FrictionLaw {
+    falling_law: FallingLaw::Exponential,
+    falling_share: 0.2,
+    falling_decay: 3.0,
+    ..CLEAN
+};
+const CLEAN: FrictionLaw = FrictionLaw {
+    falling_law: FallingLaw::Exponential,
+    falling_share: 1.0,
+    falling_decay: 0.0,
+    reduction: 1.0,
+    reduction_share: 1.0,
+    reduction_decay: 0.0,
+};
+
+#[test]
+fn corrected_creep_forces_stay_within_the_friction_that_laws_of_tread_and_gauge_face_leave() {
+    let changeover = Changeover { inclination: -0.15, width: 0.2 };
+    let base = Parameters {
+        friction_law: CLEAN,
+        gauge_face_law: STEEP,
+        friction_changeover: changeover,
+        ..Parameters::default()
+    };
+    let mut element = element(&regions(base));
+    let mut random = Random::new(77);
+    let mut mixed = 0;
+    for _ in 0..SLIDING_POSES {
+        let mut input = random_input(&mut element, &mut random);
+        input.wheel.pitch_rate *= 1.0 + random.within(2e-3, 3e-2);
+        (input.tread_friction, input.gauge_face_friction) = (0.5, 0.5);
+        let output = evaluate(&mut element, &input);
+        for patch in output.patches.iter().take(output.patch_count as usize) {
+            let limit = patch.friction_coefficient * patch.normal_force;
+            let [x, y] = patch.creep_force;
+            assert!(x.hypot(y) <= limit * (1.0 + 1e-12), "{patch:?}\n{input:?}");
+            mixed += usize::from((0.12..0.45).contains(&patch.friction_coefficient));
+        }
+    }
+    // Some of them have friction of both laws.
+    assert!(mixed >= 10, "{mixed}");
+}
+
+/// Random poses in which most patches slide.
+const SLIDING_POSES: usize = 300;
+
 /// Tables of the reference.
 const REFERENCE: [&str; 2] = [
     "inclination_deg friction\n-20 0.20\n-10 0.30\n",
@@ -379,8 +438,10 @@ fn friction_by_inclination_is_that_of_the_contact_program() {
     };
     let mut even = benchmark(base.clone());
     let mut own = with_reference_tables(&folder, &base);
-    let mut report = String::from("id,angle_deg,error_constant,error_table\n");
-    let mut errors = Vec::new();
+    let mut report = String::from("id,angle_deg,error_constant,error_table,friction_off\n");
+    // Errors over the friction limit with one coefficient and with the table, and by how much the mean over the load of the table differs from
+    // the one coefficient, which is that of the inclination of the plane.
+    let mut found: Vec<[f64; 3]> = Vec::new();
     for row in &table.rows {
         let v = |name: &str| value(&table, row, name);
         let input = Input { friction: v("p1_friction"), ..of_wheelset(&v) };
@@ -392,18 +453,42 @@ fn friction_by_inclination_is_that_of_the_contact_program() {
             let found = in_plane(output, angle);
             (found[0] - expected[0]).hypot(found[1] - expected[1]) / limit
         };
-        // The reference has one coefficient for each patch.
         let constant = missed(&evaluate(&mut even, &input));
-        let varying = missed(&evaluate(&mut own[v("friction_table") as usize - 1], &input));
+        let output = evaluate(&mut own[v("friction_table") as usize - 1], &input);
+        let varying = missed(&output);
+        let load: f64 = output.patches.iter().map(|patch| patch.normal_force).sum();
+        let left = output.patches.iter().map(|p| p.friction_coefficient * p.normal_force);
+        let off = (left.sum::<f64>() / load / v("p1_friction") - 1.0).abs();
         let degrees = angle.to_degrees();
-        writeln!(report, "{},{degrees:.2},{constant:.4},{varying:.4}", &row[0]).unwrap();
-        let most = constant + tolerance::ONE_COEFFICIENT_OF_A_PATCH;
-        assert!(varying <= most, "{}: {varying} {constant}", &row[0]);
-        errors.push(varying);
+        writeln!(report, "{},{degrees:.2},{constant:.4},{varying:.4},{off:.4}", &row[0]).unwrap();
+        found.push([constant, varying, off]);
     }
     write_report("friction_by_inclination.csv", &report);
-    let [median, _] = median_and_worst(errors);
-    assert!(median <= tolerance::FRICTION_BY_INCLINATION, "{median}\n{report}");
+    let column = |k: usize| found.iter().map(|own| own[k]).collect::<Vec<f64>>();
+    let benchmark_states = found.len() - 2..found.len();
+    let percent = |errors: &[f64]| errors.iter().map(|error| 100.0 * error).collect::<Vec<f64>>();
+    let mut summary = Summary::new("friction_by_inclination");
+    for (name, k, aim) in [
+        ("force, one coefficient for each patch [% of the friction limit]", 0, ""),
+        ("force, a coefficient for each strip", 1, "one coefficient"),
+        ("mean coefficient of the strips against that of the plane [%]", 2, ""),
+    ] {
+        summary.add(name, percent(&column(k)), aim);
+    }
+    for (name, k) in [("one coefficient for each patch", 0), ("a coefficient for each strip", 1)] {
+        let own = percent(&column(k)[benchmark_states.clone()]);
+        summary.add(&format!("force, Manchester benchmark A-2.2, {name}"), own, "");
+    }
+    summary.write();
+    // No worse than with one coefficient but for what the coefficients themselves differ by, within what the models are off by in the median.
+    let [median, _] = median_and_worst(column(0));
+    for ([constant, varying, off], row) in found.iter().zip(&table.rows) {
+        assert!(*varying <= constant + off + median, "{}: {varying} {constant} {off}", &row[0]);
+    }
+    let [own_median, _] = median_and_worst(column(1));
+    let with_off = found.iter().map(|[constant, _, off]| constant + off);
+    let [allowed, _] = median_and_worst(with_off.collect());
+    assert!(own_median <= allowed, "{own_median} {allowed}\n{report}");
 }
 
 #[test]
@@ -419,6 +504,7 @@ fn friction_of_strips_is_as_close_to_boundary_elements_as_one_coefficient() {
     };
     let [mut even, mut exact_even] = [benchmark(strips.clone()), benchmark(elements.clone())];
     let [mut own, mut exact] = [strips, elements].map(|base| with_reference_tables(&folder, &base));
+    let mut found: Vec<[f64; 2]> = Vec::new();
     // Between the kinks of the tables, where friction changes over the patch.
     for id in ["f05", "f12", "f20", "f26", "f34", "m4"] {
         let row = table.rows.iter().find(|row| &row[0] == id).unwrap();
@@ -438,8 +524,19 @@ fn friction_of_strips_is_as_close_to_boundary_elements_as_one_coefficient() {
                 let normal: f64 = exact.patches.iter().map(|patch| patch.normal_force).sum();
                 (a[0] - b[0]).hypot(a[1] - b[1]) / (v("p1_friction") * normal)
             });
-        let [constant, varying] = errors;
-        let most = constant + tolerance::FRICTION_OF_STRIPS;
-        assert!(varying <= most, "{id}: {varying} {constant}");
+        found.push(errors);
+    }
+    let column = |k: usize| found.iter().map(|own| own[k]).collect::<Vec<f64>>();
+    let mut summary = Summary::new("friction_of_strips");
+    for (name, k, aim) in
+        [("one coefficient", 0, ""), ("a coefficient for each strip", 1, "one coefficient")]
+    {
+        let own = column(k).into_iter().map(|error| 100.0 * error);
+        summary.add(&format!("creep force, {name} [% of the friction limit]"), own, aim);
+    }
+    summary.write();
+    let [median, _] = median_and_worst(column(0));
+    for [constant, varying] in &found {
+        assert!(*varying <= constant + median, "{found:?}");
     }
 }

@@ -11,6 +11,7 @@ use super::evaluate::Work;
 use super::models::Models;
 use super::output::Output;
 use super::parameters::CreepageModel;
+use super::rail_walk::RailPlace;
 use crate::geometry::contact::Contact;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
@@ -236,7 +237,8 @@ fn tractions(
         forces.frame.marker + forces.frame.direction(element.point) + Vector3::x() * element.x
     };
     // Of a row of elements, each of which has a place on the arc of its own.
-    let own_friction = |row: usize, x: f64| forces.strip_friction(grid.y(row), x);
+    let own_friction =
+        |row: usize, x: f64| forces.strip_friction(&RailPlace::at(forces.rail, grid.y(row)), x);
     for_each_element(elements, strip_of_row, |element| {
         let Some(z) = zone_of_strip(element.strip) else { return };
         let ZoneState { law, centre } = &zones[z];

@@ -11,6 +11,7 @@ use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
 use super::rail_friction::RailFriction;
+use super::rail_walk::{RailPlace, RailWalk};
 use super::uneven::{ZoneSurface, closing_speed};
 use super::wear_sums::WearSums;
 use crate::friction::StripFriction;
@@ -126,8 +127,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             add(rail, -tractions.force, position - marker, -tractions.moment);
             add(rail, -pressing, bearing + Vector3::x() * station - marker, Vector3::zeros());
             let dissipation = tractions.dissipation.at_least(0.0);
+            let state = self.state(&rolling, slip);
+            let left = models.tangential.friction_left(&zone, &models.strips, &state);
             if models.wear.as_deref().is_some_and(WearSums::is_recording) {
-                let state = self.state(&rolling, slip);
                 T::record(self, index, &state, models, separation);
             }
             let frictional_power = dissipation * speed.reference;
@@ -149,6 +151,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 width: zone.width,
                 area: zone.area,
                 creepage: [slip.longitudinal, slip.lateral, slip.spin],
+                friction_coefficient: left.coefficient,
+                temperature: left.temperature,
                 slip_share: (tractions.slip_area / zone.area).at_most(1.0),
                 frictional_power,
                 tgamma_damage: rcf::tgamma_damage(
@@ -207,29 +211,34 @@ impl<T: ElementNumber> ContactForces<'_, T> {
 
     /// Gives each of the `strips` a friction of its own, where that is not the same all over the rail.
     pub(super) fn fill_friction(&self, separation: &T::Separation<'_>, strips: &mut Strips<T>) {
-        if self.friction.is_none() {
-            return;
-        }
+        let Some(friction) = self.friction else { return };
         // A separation remembers its last point; what is found with it later is not to depend on friction.
         let mut separation = separation.clone();
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
-        for j in 0..strips.y.len() {
-            let s = if self.is_on_arc {
-                self.contact.rail_s + strips.y[j]
+        let mut walk = RailWalk::new(self.rail, self.contact);
+        let Strips { y, u, x, friction: own, .. } = strips;
+        for ((&y, &u), &x) in y.iter().zip(u.iter()).zip(x.iter()) {
+            let place = if self.is_on_arc {
+                RailPlace::at(self.rail, self.contact.rail_s + y)
             } else {
-                separation.rail_parameter(strips.u[j].within(start, end))
+                walk.to(y, || separation.rail_parameter(u.within(start, end)))
             };
-            strips.friction.extend(self.strip_friction(s, strips.x[j]));
+            own.push(friction.at(&place, self.rail.hand(), self.station(x), self.input));
         }
     }
 
-    /// Friction at the parameter `s` of the rail's curve and `x` along the track from the wheel marker, where it is not the same all over the
-    /// rail.
+    /// Station of a place `x` along the track from the wheel marker [m].
     #[inline]
-    pub(super) fn strip_friction(&self, s: T, x: T) -> Option<StripFriction<T>> {
-        let station = self.input.track_s + self.input.wheel.position[0] + x;
-        self.friction.map(|friction| friction.at(self.rail, s, station, self.input))
+    fn station(&self, x: T) -> T {
+        self.input.track_s + self.input.wheel.position[0] + x
+    }
+
+    /// Friction at a `place` of the rail and `x` along the track from the wheel marker, where it is not the same all over the rail.
+    #[inline]
+    pub(super) fn strip_friction(&self, place: &RailPlace<T>, x: T) -> Option<StripFriction<T>> {
+        let hand = self.rail.hand();
+        self.friction.map(|friction| friction.at(place, hand, self.station(x), self.input))
     }
 
     /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.

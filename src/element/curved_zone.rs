@@ -184,8 +184,14 @@ fn leaning_axes<T: Real>(tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::friction::StripFriction;
     use crate::kinematics::motion::{RailMotion, WheelMotion};
+    use crate::material::Material;
+    use crate::tangential::fastsim::TractionBound;
+    use crate::tangential::friction_law::FrictionLaw;
+    use crate::tangential::{Flexibilities, TangentialModel};
     use approx::assert_relative_eq;
+    use std::f64::consts::PI;
 
     #[test]
     fn a_wheel_that_does_not_yaw_has_the_rigid_slip_of_the_paper() {
@@ -226,5 +232,86 @@ mod tests {
         wheel.yaw = 1e-3;
         let along = wheel.yaw.sin() * turning * rolling_radius / (speed * angle.cos());
         assert_relative_eq!(creepage(&wheel).lateral, expected - along, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn corrected_tractions_in_many_planes_stay_within_the_friction_that_laws_leave() {
+        // An ellipse bent round a corner of 7 mm, from tread to gauge face.
+        let (count, along, across, pressure) = (20, 4e-3, 6e-3, 1.5e9);
+        let mut strips = Strips::with_capacity(1, count);
+        let mut curved = CurvedZone::with_capacity(count);
+        let mut zone = Zone {
+            count,
+            length: 2.0 * along,
+            width: 2.0 * across,
+            area: PI * along * across,
+            max_pressure: pressure,
+            ..Zone::default()
+        };
+        for j in 0..count {
+            let place = (2.0 * j as f64 + 1.0) / count as f64 - 1.0;
+            let chord = (1.0 - place * place).sqrt();
+            let (y, angle) = (across * place, across * place / 7e-3);
+            for (column, value) in [
+                (&mut strips.y, y),
+                (&mut strips.width, 2.0 * across / count as f64),
+                (&mut strips.x, 0.0),
+                (&mut strips.half_length, along * chord),
+                (&mut strips.pressure, pressure * chord),
+                (&mut strips.u, y),
+            ] {
+                column.push(value);
+            }
+            strips.friction.push(StripFriction {
+                gauge_face_share: 0.5 + 0.5 * place,
+                ..StripFriction::of(0.4)
+            });
+            zone.load += 0.5 * PI * along * chord * pressure * chord * 2.0 * across / count as f64;
+            curved.points.push(Vector3::new(0.0, 7e-3 * angle.sin(), 7e-3 * (1.0 - angle.cos())));
+            curved.tangents.push(Vector3::new(0.0, angle.cos(), angle.sin()));
+        }
+        let clean = FrictionLaw::default();
+        let steep = FrictionLaw { falling_share: 0.3, falling_decay: 3.0, ..clean };
+        let model = TangentialModel::FastsimCorrected;
+        let bound = TractionBound::Elliptic;
+        let tangential = Tangential::new(model, Flexibilities::Blended, bound, 20, [12, 12])
+            .with_laws([clean, steep]);
+        let steel = Material { young_modulus: 2.1e11, poisson_ratio: 0.28 };
+        let mut fallen = 0;
+        for case in 0..4000 {
+            let at = |k: i32, n: i32| f64::from(case / k % n) / f64::from(n - 1);
+            let mean = Creepage {
+                longitudinal: 1e-4 * 100f64.powf(at(1, 20)),
+                lateral: 1e-2 * (at(20, 10) - 0.5),
+                spin: 4.0 * (at(200, 20) - 0.5),
+            };
+            curved.creepages.clear();
+            for y in strips.y.iter() {
+                let longitudinal = mean.longitudinal - mean.spin * y;
+                curved.creepages.push(Creepage { longitudinal, ..mean });
+            }
+            let state = RollingState {
+                creepage: mean,
+                forward_share: 1.0,
+                friction: 0.4,
+                load_factor: 1.0,
+                speed: 30.0,
+            };
+            let left = tangential.friction_left(&zone, &strips, &state);
+            let material = MaterialPair::new(steel, steel);
+            let found = curved.tractions(
+                &zone,
+                &strips,
+                &tangential,
+                &material,
+                &state,
+                Vector3::zeros(),
+                |_, _, _| {},
+            );
+            let (force, limit) = (found.unwrap().force.norm(), left.coefficient * zone.load);
+            assert!(force <= limit * (1.0 + 1e-12), "{force} {limit} {mean:?}");
+            fallen += usize::from(left.coefficient < 0.35);
+        }
+        assert!(fallen >= 100, "{fallen}");
     }
 }

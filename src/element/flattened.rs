@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::contact_forces::ContactForces;
 use super::input::WheelMotion;
+use super::rail_walk::RailPlace;
 use crate::friction::StripFriction;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::separation::Separation;
@@ -78,7 +79,8 @@ impl ContactForces<'_> {
             let grows = points.last().is_none_or(|last| at.y > last[0]);
             if at.f < BEYOND && grows {
                 points.push([at.y, at.f]);
-                let own = self.strip_friction(separation.last_rail_parameter(), at.x);
+                let place = RailPlace::at(self.rail, separation.last_rail_parameter());
+                let own = self.strip_friction(&place, at.x);
                 friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
@@ -101,7 +103,7 @@ impl ContactForces<'_> {
             penetration: self.contact.penetration,
             creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
             friction: self
-                .strip_friction(self.contact.rail_s, place.x)
+                .strip_friction(&RailPlace::at(self.rail, self.contact.rail_s), place.x)
                 .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
             friction_across,
             wheel: outline,

@@ -16,6 +16,7 @@ pub mod parameters;
 mod rail_contact;
 mod rail_frame;
 mod rail_friction;
+mod rail_walk;
 mod ranges;
 mod start;
 mod stiffness;

@@ -48,6 +48,10 @@ pub struct Patch<T = f64> {
     pub area: T,
     /// Longitudinal, lateral [-] and spin [1/m] creepage at the patch's position.
     pub creepage: [T; 3],
+    /// Coefficient of friction as slip and heat leave it, the mean over the load, ≥ 0 [-].
+    pub friction_coefficient: T,
+    /// Mean rise of temperature over the pressure as if all of the zone slid, where friction depends on it; otherwise 0 [K].
+    pub temperature: T,
     /// Share of the area that slips, 0 to 1 [-].
     pub slip_share: T,
     /// Power turned into heat [W].
@@ -177,6 +181,8 @@ impl<T: Real> Patch<T> {
             width: turn(self.width),
             area: turn(self.area),
             creepage: self.creepage.map(&mut *turn),
+            friction_coefficient: turn(self.friction_coefficient),
+            temperature: turn(self.temperature),
             slip_share: turn(self.slip_share),
             frictional_power: turn(self.frictional_power),
             tgamma_damage: turn(self.tgamma_damage),

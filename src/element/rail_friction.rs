@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::input::Input;
 use super::parameters::{FrictionDistribution, Parameters};
+use super::rail_walk::RailPlace;
 use crate::error::ContactError;
 use crate::friction::{Across, Changeover, FrictionProfile, StripFriction};
 use crate::geometry::arc_length::ArcLength;
@@ -20,6 +21,7 @@ pub struct RailFriction {
     /// The table; a place across is the parameter of the rail's curve, growing from its gauge face. Without it both regions have the
     /// coefficients of the input.
     profile: Option<FrictionProfile>,
+    inclinations: Inclinations,
 }
 
 impl RailFriction {
@@ -46,11 +48,11 @@ impl RailFriction {
                 Some(profile)
             }
         };
-        Ok(Some(Self {
-            changeover: parameters.friction_changeover,
-            has_two_laws: parameters.friction_law != parameters.gauge_face_law,
-            profile,
-        }))
+        let changeover = parameters.friction_changeover;
+        let has_two_laws = parameters.friction_law != parameters.gauge_face_law;
+        let is_divided = has_two_laws || profile.is_none();
+        let inclinations = Inclinations::new(is_divided.then_some(&changeover), profile.as_ref());
+        Ok(Some(Self { changeover, has_two_laws, profile, inclinations }))
     }
 
     /// Whether friction changes along the track.
@@ -63,18 +65,16 @@ impl RailFriction {
         self.profile.is_none()
     }
 
-    /// Friction of a strip at the parameter `s` of the curve of `rail` and at `station` along the track [m].
+    /// Friction at a `place` of a rail of that `hand` and at `station` along the track [m].
+    #[inline]
     pub fn at<T: Real>(
         &self,
-        rail: &PlacedRail,
-        s: T,
+        place: &RailPlace<T>,
+        hand: f64,
         station: T,
         input: &Input<T>,
     ) -> StripFriction<T> {
-        let inclination = || {
-            let [y, z] = rail.curve().at(s).first;
-            (z * rail.hand()).atan2(y)
-        };
+        let inclination = || self.inclinations.of(place.tangent, hand);
         let Some(profile) = &self.profile else {
             return StripFriction {
                 tread: input.tread_friction,
@@ -82,21 +82,68 @@ impl RailFriction {
                 gauge_face_share: self.changeover.gauge_face_share(inclination()),
             };
         };
-        match profile.across {
-            Across::Place => {
-                let own = StripFriction::of(profile.coefficient(s * rail.hand(), station));
-                if self.has_two_laws { self.divided(own, inclination()) } else { own }
-            }
-            Across::Inclination => {
-                let inclination = inclination();
-                let own = StripFriction::of(profile.coefficient(inclination, station));
-                self.divided(own, inclination)
-            }
+        let inclination =
+            (self.has_two_laws || profile.across == Across::Inclination).then(inclination);
+        let across = match profile.across {
+            Across::Place => place.s * hand,
+            Across::Inclination => inclination.unwrap_or_default(),
+        };
+        let own = StripFriction::of(profile.coefficient(across, station));
+        match inclination {
+            Some(inclination) if self.has_two_laws => StripFriction {
+                gauge_face_share: self.changeover.gauge_face_share(inclination),
+                ..own
+            },
+            _ => own,
         }
     }
+}
 
-    fn divided<T: Real>(&self, own: StripFriction<T>, inclination: T) -> StripFriction<T> {
-        StripFriction { gauge_face_share: self.changeover.gauge_face_share(inclination), ..own }
+/// Inclinations between which friction changes.
+#[derive(Clone, Copy, Debug)]
+struct Inclinations {
+    /// [rad]
+    ends: [f64; 2],
+    /// Their tangents, if both are less than a right angle.
+    slopes: Option<[f64; 2]>,
+}
+
+/// Margin by which an inclination is beyond the ends [rad].
+const BEYOND: f64 = 1e-9;
+
+impl Inclinations {
+    fn new(changeover: Option<&Changeover>, profile: Option<&FrictionProfile>) -> Self {
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut widen = |inclination: f64| {
+            ends = [ends[0].min(inclination - BEYOND), ends[1].max(inclination + BEYOND)];
+        };
+        if let Some(Changeover { inclination, width }) = changeover {
+            widen(inclination - 0.5 * width);
+            widen(inclination + 0.5 * width);
+        }
+        let profile = profile.filter(|profile| profile.across == Across::Inclination);
+        for point in profile.iter().flat_map(|p| &p.sections).flat_map(|section| &section.points) {
+            widen(point[0]);
+        }
+        let slopes = ends.map(f64::tan);
+        Self { ends, slopes: ends.iter().all(|end| end.abs() < 1.57).then_some(slopes) }
+    }
+
+    /// Inclination of a rail of that `hand` with this `tangent`, or the end that it is beyond [rad]: there friction does not change, and an angle
+    /// takes longer than a comparison.
+    #[inline]
+    fn of<T: Real>(&self, tangent: [T; 2], hand: f64) -> T {
+        let (y, z) = (tangent[0], tangent[1] * hand);
+        let Some([least, greatest]) = self.slopes.filter(|_| y > 0.0) else { return z.atan2(y) };
+        let slope = z / y;
+        if slope < least {
+            return self.ends[0].into();
+        }
+        if slope > greatest {
+            return self.ends[1].into();
+        }
+        let value = slope.value();
+        slope.chain(value.atan(), || 1.0 / (1.0 + value * value))
     }
 }
 

@@ -31,6 +31,7 @@ pub struct FrictionProfile {
 
 impl Section {
     /// Coefficient of friction at `place` [-].
+    #[inline]
     #[must_use]
     pub fn coefficient<T: Real>(&self, place: T) -> T {
         interpolated(&self.points, place, |point| point[0], |point| T::from(point[1]))
@@ -39,8 +40,12 @@ impl Section {
 
 impl FrictionProfile {
     /// Coefficient of friction at `place` across the rail and `station` along the track [-].
+    #[inline]
     #[must_use]
     pub fn coefficient<T: Real>(&self, place: T, station: T) -> T {
+        if let [everywhere] = self.sections.as_slice() {
+            return everywhere.coefficient(place);
+        }
         interpolated(&self.sections, station, |s| s.station, |s| s.coefficient(place))
     }
 

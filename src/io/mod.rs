@@ -3,6 +3,7 @@
 mod deviation_file;
 mod draft;
 mod friction_file;
+mod irregularity_file;
 mod miniprof;
 mod named_text;
 mod point_lines;
@@ -15,6 +16,7 @@ mod two_column;
 pub use deviation_file::{Deviations, load_deviations};
 pub use draft::{Draft, write as write_whole};
 pub use friction_file::load_friction;
+pub use irregularity_file::load_irregularities;
 pub(crate) use profile_file::{can_be_written, profile_file};
 pub use profile_file::{load_profile, save_profile};
 pub use slices_file::load_slices;

@@ -7,8 +7,9 @@ use crate::material::MaterialPair;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::Strips;
+use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
-use crate::tangential::{RollingState, Tangential, TangentialModel};
+use crate::tangential::{RollingState, Tangential, TangentialModel, UnderLaw};
 
 /// What the derivatives of adhesion are by: friction, then share and decay of its fall, then initial slope, share and decay of the reduction.
 pub const LAW_PARAMETERS: usize = 6;
@@ -19,7 +20,9 @@ type Number = Dual<LAW_PARAMETERS>;
 pub struct PressedContact {
     strips: Strips<Number>,
     material: MaterialPair<Number>,
+    /// Without laws of friction: they come with each call.
     tangential: Tangential,
+    flash_temperature: Option<FlashTemperature>,
     contact_y: f64,
     /// Normal force [N].
     load: f64,
@@ -41,7 +44,10 @@ impl PressedContact {
             load: strips.load(),
             strips: strips.in_other_numbers(),
             material: material.fixed(),
-            tangential: tangential_of(case).with_law(FrictionLaw::default()),
+            tangential: tangential_of(case)
+                .with_law(FrictionLaw::default())
+                .with_flash_temperature(FlashTemperature::default()),
+            flash_temperature: case.flash_temperature.is_on().then_some(case.flash_temperature),
             contact_y,
         })
     }
@@ -69,7 +75,7 @@ impl PressedContact {
         for zone in self.strips.zones.iter() {
             let y = self.contact_y + zone.y.value();
             let at = Creepage { longitudinal: bounded(longitudinal - spin * y), lateral, spin };
-            let mut state = RollingState {
+            let state = RollingState {
                 creepage: Creepage {
                     longitudinal: at.longitudinal.into(),
                     lateral: at.lateral.into(),
@@ -80,9 +86,9 @@ impl PressedContact {
                 load_factor: Number::from(1.0),
                 speed: Number::from(speed),
             };
-            state.friction *= law.factor(zone, &state);
-            let mut material = self.material;
-            material.shear_modulus *= law.reduced(zone, &material, &state);
+            let heat = self.flash_temperature.as_ref();
+            let UnderLaw { state, material, .. } =
+                UnderLaw::of(Some(&[law; 2]), heat, zone, &self.strips, &self.material, &state);
             let found = self.tangential.creep_force(zone, &self.strips, &material, &state);
             if let Some(found) = found {
                 force = [force[0] + found.longitudinal, force[1] + found.lateral];
@@ -114,37 +120,48 @@ mod tests {
             reduction_decay: 0.5,
         };
         let creepage = [8e-3, 1e-3, 0.05];
-        let found = |friction: f64, law: FrictionLaw| {
-            let parameters = Parameters { friction_law: law, ..Parameters::default() };
-            let load = Indentation::Load(8e4);
-            let case = parameters.planar_case(&separation, 0.46, load, creepage, friction);
-            PlanarCase { speed: 15.0, ..case }
-        };
-        let case = found(0.35, law);
-        let contact = PressedContact::new(&case).unwrap();
-        let (adhesion, slopes) = contact.adhesion(creepage, 15.0, 0.35, &law);
-        let planar = |friction: f64, law: FrictionLaw| {
-            let result = solve(&found(friction, law)).unwrap();
-            result.fx.hypot(result.fy) / result.normal_force
-        };
-        assert_relative_eq!(adhesion, planar(0.35, law), max_relative = 1e-12);
-        let h = 1e-6;
-        let moved: [fn(&mut f64, &mut FrictionLaw, f64); LAW_PARAMETERS] = [
-            |friction, _, h| *friction += h,
-            |_, law, h| law.falling_share += h,
-            |_, law, h| law.falling_decay += h,
-            |_, law, h| law.reduction += h,
-            |_, law, h| law.reduction_share += h,
-            |_, law, h| law.reduction_decay += h,
-        ];
-        for (slope, change) in slopes.iter().zip(moved) {
-            let at = |h: f64| {
-                let (mut friction, mut law) = (0.35, law);
-                change(&mut friction, &mut law, h);
-                contact.adhesion(creepage, 15.0, friction, &law).0
+        let cold = FlashTemperature::default();
+        let hot = FlashTemperature { share: 0.4, range: 200.0, ..cold };
+        let mut adhesions = Vec::new();
+        for heat in [cold, hot] {
+            let found = |friction: f64, law: FrictionLaw| {
+                let parameters = Parameters {
+                    friction_law: law,
+                    flash_temperature: heat,
+                    ..Parameters::default()
+                };
+                let load = Indentation::Load(8e4);
+                let case = parameters.planar_case(&separation, 0.46, load, creepage, friction);
+                PlanarCase { speed: 15.0, ..case }
             };
-            let expected = (at(h) - at(-h)) / (2.0 * h);
-            assert_relative_eq!(*slope, expected, max_relative = 1e-5, epsilon = 1e-9);
+            let case = found(0.35, law);
+            let contact = PressedContact::new(&case).unwrap();
+            let (adhesion, slopes) = contact.adhesion(creepage, 15.0, 0.35, &law);
+            let planar = |friction: f64, law: FrictionLaw| {
+                let result = solve(&found(friction, law)).unwrap();
+                result.fx.hypot(result.fy) / result.normal_force
+            };
+            assert_relative_eq!(adhesion, planar(0.35, law), max_relative = 1e-12);
+            adhesions.push(adhesion);
+            let h = 1e-6;
+            let moved: [fn(&mut f64, &mut FrictionLaw, f64); LAW_PARAMETERS] = [
+                |friction, _, h| *friction += h,
+                |_, law, h| law.falling_share += h,
+                |_, law, h| law.falling_decay += h,
+                |_, law, h| law.reduction += h,
+                |_, law, h| law.reduction_share += h,
+                |_, law, h| law.reduction_decay += h,
+            ];
+            for (slope, change) in slopes.iter().zip(moved) {
+                let at = |h: f64| {
+                    let (mut friction, mut law) = (0.35, law);
+                    change(&mut friction, &mut law, h);
+                    contact.adhesion(creepage, 15.0, friction, &law).0
+                };
+                let expected = (at(h) - at(-h)) / (2.0 * h);
+                assert_relative_eq!(*slope, expected, max_relative = 1e-5, epsilon = 1e-9);
+            }
         }
+        assert!(adhesions[1] < 0.95 * adhesions[0], "{adhesions:?}");
     }
 }

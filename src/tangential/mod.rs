@@ -24,7 +24,7 @@ pub mod waist;
 pub use crate::kinematics::creepage::Creepage;
 pub use forces::{CreepForce, StripForce};
 pub use loaded_zone::LoadedZone;
-pub use under_law::UnderLaw;
+pub use under_law::{FrictionLeft, UnderLaw};
 
 use crate::material::MaterialPair;
 use crate::math::dual::Dual;

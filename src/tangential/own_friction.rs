@@ -11,12 +11,16 @@ pub fn mean<T: Real>(
     strips: &Strips<T>,
     of: impl Fn(&StripFriction<T>) -> T,
 ) -> Option<T> {
-    let first = of(strips.friction.get(zone.first)?);
+    let range = zone.first..zone.first + zone.count;
+    let own = strips.friction.get(range.clone())?;
+    let first = of(own.first()?);
     let (mut load, mut excess) = (T::from(0.0), T::from(0.0));
-    for j in zone.first..zone.first + zone.count {
-        let weight = strips.half_length[j] * strips.width[j] * strips.pressure[j];
+    let columns = [&strips.half_length, &strips.width, &strips.pressure].map(|c| &c[range.clone()]);
+    for (((own, a), width), pressure) in own.iter().zip(columns[0]).zip(columns[1]).zip(columns[2])
+    {
+        let weight = *a * *width * *pressure;
         load += weight;
-        excess += weight * (of(&strips.friction[j]) - first);
+        excess += weight * (of(own) - first);
     }
     Some(if load > 0.0 { first + excess / load } else { first })
 }

@@ -1,6 +1,9 @@
 //! Derivatives of the outputs of a wheelset by its inputs, from those of its wheels.
 
-use super::{Input, LEFT, Output, RIGHT, SIDES, Wheelset, on_side, total};
+use super::guiding::Guiding;
+use super::rail_frame::RailFrame;
+use super::track::{RailLine, TrackTurn};
+use super::{Input, LEFT, Output, RIGHT, SIDES, SideForces, Wheelset, guiding, on_side, total};
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
 use crate::element::{self, Element};
@@ -30,59 +33,103 @@ impl Wheelset {
             element.set_fallbacks(count);
         }
         evaluated?;
-        let (mut input, mut direction) = (*input, *direction);
+        let mut direction = *direction;
+        if let Some(irregularities) = &self.irregularities {
+            irregularities.add_rates(input, &mut direction);
+        }
+        let mut input = self.on_its_rails(input);
         let loaded = self.vertical_mode == VerticalMode::Load;
         if loaded {
             (input.wheelset.position[2], input.wheelset.roll) = (at.wheelset_z, at.roll);
-            direction.wheelset.roll = self.rate_of_roll(&input, &direction)?;
         }
         let mut found = Output::default();
-        let motion = self.sides_along(&input, &direction, &mut found.sides)?;
-        let mut total = Wrench::<Dual<1>>::default();
-        for k in [RIGHT, LEFT] {
-            let wrench = moving(&at.sides[k].wheel, &found.sides[k].wheel);
-            total::add(&mut total, &motion, self.markers[k], &wrench);
+        let mut motion = self.follow_loads(&input, &mut direction, &at.sides, &mut found)?;
+        if loaded && input.track != TrackTurn::default() {
+            // Velocities go with the height, as in the search for it.
+            direction.wheelset.position[2] = found.wheelset_z;
+            motion = self.follow_loads(&input, &mut direction, &at.sides, &mut found)?;
         }
-        let rate = |x: Dual<1>| x.slopes[0];
-        found.wheelset = Wrench { force: total.force.map(rate), moment: total.moment.map(rate) };
+        let mut total = Wrench::<Dual<1>>::default();
+        let wrenches = [RIGHT, LEFT].map(|k| moving(&at.sides[k].wheel, &found.sides[k].wheel));
+        for (along, wrench) in self.markers.iter().zip(&wrenches) {
+            total::add(&mut total, &motion, *along, wrench);
+        }
+        found.wheelset = rates_of_wrench(&total);
+        found.guiding = rates_of_guiding(&guiding(&wrenches.map(|wrench| wrench.force)));
         let [right, left] = &found.sides;
         found.wear_number = right.wear_number + left.wear_number;
         found.frictional_power = right.frictional_power + left.frictional_power;
+        found.roll = direction.wheelset.roll;
+        *rates = found;
+        Ok(())
+    }
+
+    /// Rates of both sides and of the height, at the roll rate that goes with the loads where these are given; returns the motion of the centre with its rates.
+    fn follow_loads(
+        &mut self,
+        input: &Input,
+        direction: &mut Input,
+        at: &[element::Output; 2],
+        found: &mut Output,
+    ) -> Result<Moving, ContactError> {
+        let loaded = self.vertical_mode == VerticalMode::Load;
+        if loaded {
+            direction.wheelset.roll = self.rate_of_roll(input, direction, at)?;
+        }
+        let motion = self.sides_along(input, direction, at, &mut found.sides)?;
         found.wheelset_z = direction.wheelset.position[2];
         if loaded {
             let up = motion.axle().z.slopes[0];
             let height = |k: usize| found.sides[k].wheel_z - self.markers[k] * up;
             found.wheelset_z = 0.5 * (height(RIGHT) + height(LEFT));
         }
-        found.roll = direction.wheelset.roll;
-        *rates = found;
-        Ok(())
+        Ok(motion)
     }
 
-    /// Rates of both sides; returns the motion of the centre with its rates.
+    /// Rates of both sides, which are `at` these outputs; returns the motion of the centre with its rates.
     fn sides_along(
         &mut self,
         input: &Input,
         direction: &Input,
+        at: &[element::Output; 2],
         rates: &mut [element::Output; 2],
     ) -> Result<Moving, ContactError> {
         let motion = with_rates(&input.wheelset, &direction.wheelset);
+        let turn = turn_with_rates(&input.track, &direction.track);
+        let against_ground = turn.against_ground(&motion);
         for k in [RIGHT, LEFT] {
-            let marker = motion.along_axle(self.markers[k]);
-            let side = input.of_side(k, self.markers[k]);
-            let own = element::Input { wheel: rates_of(&marker), ..direction.of_side(k, 0.0) };
-            let found = self.elements[k].directional_derivative(&side, &own, &mut rates[k]);
+            let along = self.markers[k];
+            let (own, rate) = (&input.sides[k], &direction.sides[k]);
+            let mut marker = against_ground.along_axle(along);
+            marker.pitch += number(own.own_pitch, rate.own_pitch);
+            marker.pitch_rate += number(own.own_pitch_rate, rate.own_pitch_rate);
+            let height = marker.position[2];
+            let line = line_with_rates(&own.line, &rate.line);
+            let frame = RailFrame::new(&line, &turn, motion.position[0], along);
+            marker = frame.motion(&marker);
+            let side = input.of_side(k, along);
+            let within = element::Input {
+                wheel: rates_of(&marker),
+                ..rate.with(direction.wheelset, direction.track_s)
+            };
+            let found = self.elements[k].directional_derivative(&side, &within, &mut rates[k]);
             found.map_err(|error| on_side(error, SIDES[k]))?;
+            bring_out(&frame, [height, marker.position[2]], &at[k], &mut rates[k]);
         }
         Ok(motion)
     }
 
     /// Rate of the roll at which the heights of both wheels go on to fit the axle.
-    fn rate_of_roll(&mut self, input: &Input, direction: &Input) -> Result<f64, ContactError> {
+    fn rate_of_roll(
+        &mut self,
+        input: &Input,
+        direction: &Input,
+        at: &[element::Output; 2],
+    ) -> Result<f64, ContactError> {
         let between = self.markers[RIGHT] - self.markers[LEFT];
         let mut misfit = |direction: &Input| {
             let mut rates = [element::Output::default(); 2];
-            let motion = self.sides_along(input, direction, &mut rates)?;
+            let motion = self.sides_along(input, direction, at, &mut rates)?;
             let apart = rates[RIGHT].wheel_z - rates[LEFT].wheel_z;
             Ok::<f64, ContactError>(apart - between * motion.axle().z.slopes[0])
         };
@@ -99,9 +146,73 @@ impl Wheelset {
     }
 }
 
+/// Brings the `rates` of the outputs of a side, which are `at` these in the frame of the track, there from the frame of the rails.
+fn bring_out(
+    frame: &RailFrame<Dual<1>>,
+    [z, within]: [Dual<1>; 2],
+    at: &element::Output,
+    rates: &mut element::Output,
+) {
+    let wrench = |at: &Wrench, rates: &Wrench| {
+        let constant = moving(at, &Wrench::default());
+        let inside = frame.wrench_within(&constant);
+        let value = |x: Dual<1>| x.value;
+        let inside = Wrench { force: inside.force.map(value), moment: inside.moment.map(value) };
+        rates_of_wrench(&frame.wrench(&moving(&inside, rates)))
+    };
+    rates.wheel = wrench(&at.wheel, &rates.wheel);
+    for (rail, at) in rates.rails.iter_mut().zip(&at.rails) {
+        *rail = wrench(at, rail);
+    }
+    let height = frame.height_within(within, [z, Dual::from(at.wheel_z)]).value;
+    rates.wheel_z = frame.height(z, [within, number(height, rates.wheel_z)]).slopes[0];
+    for (patch, at) in rates.patches.iter_mut().zip(&at.patches).filter(|(_, at)| at.rail > 0) {
+        let inside = frame.place_within(at.position.map(Dual::from)).map(|x| x.value);
+        let place = [0, 1, 2].map(|i| number(inside[i], patch.position[i]));
+        patch.position = frame.place(place).map(|x| x.slopes[0]);
+    }
+}
+
+fn rates_of_wrench(wrench: &Wrench<Dual<1>>) -> Wrench {
+    let rate = |x: Dual<1>| x.slopes[0];
+    Wrench { force: wrench.force.map(rate), moment: wrench.moment.map(rate) }
+}
+
+fn number(value: f64, rate: f64) -> Dual<1> {
+    Dual { value, slopes: [rate] }
+}
+
+fn turn_with_rates(at: &TrackTurn, rates: &TrackTurn) -> TrackTurn<Dual<1>> {
+    TrackTurn {
+        twist: number(at.twist, rates.twist),
+        gradient_change: number(at.gradient_change, rates.gradient_change),
+        curvature: number(at.curvature, rates.curvature),
+    }
+}
+
+fn line_with_rates(at: &RailLine, rates: &RailLine) -> RailLine<Dual<1>> {
+    RailLine {
+        y: number(at.y, rates.y),
+        z: number(at.z, rates.z),
+        y_slope: number(at.y_slope, rates.y_slope),
+        z_slope: number(at.z_slope, rates.z_slope),
+    }
+}
+
+fn rates_of_guiding(guiding: &Guiding<Dual<1>>) -> Guiding {
+    let rate = |x: Dual<1>| x.slopes[0];
+    Guiding {
+        sides: guiding.sides.map(|side| SideForces {
+            guiding_force: rate(side.guiding_force),
+            vertical_force: rate(side.vertical_force),
+            quotient: rate(side.quotient),
+        }),
+        track_shifting_force: rate(guiding.track_shifting_force),
+    }
+}
+
 /// A motion with rates.
 fn with_rates(at: &WheelMotion, rates: &WheelMotion) -> Moving {
-    let number = |value: f64, rate: f64| Dual { value, slopes: [rate] };
     let vector = |value: [f64; 3], rate: [f64; 3]| [0, 1, 2].map(|i| number(value[i], rate[i]));
     Moving {
         position: vector(at.position, rates.position),

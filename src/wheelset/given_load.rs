@@ -9,7 +9,7 @@
 //! It is found by bracketed secants, from 0 and never from the roll of the input. Where there is none up to [`MOST_ROLL`], as of wheels
 //! beside their rails, the roll nearest to it counts, and a fallback.
 
-use super::{Input, LEFT, Output, RIGHT, Wheelset};
+use super::{Input, LEFT, Output, RIGHT, TrackTurn, Wheelset};
 use crate::element::Element;
 use crate::error::ContactError;
 use crate::math::root::bracketed;
@@ -29,10 +29,22 @@ impl Wheelset {
     /// # Errors
     /// The input at fault, by its name.
     pub(super) fn carry_loads(&mut self, input: &Input) -> Result<(Input, bool), ContactError> {
-        let mut trial = Output::default();
         let mut at = *input;
         // The given roll and height must not matter, not even in the last digit.
-        (at.wheelset.roll, at.wheelset.position[2]) = (0.0, -1.0);
+        at.wheelset.position[2] = -1.0;
+        let (found, is_missed) = self.carry_loads_about(&at)?;
+        if input.track == TrackTurn::default() {
+            return Ok((found, is_missed));
+        }
+        // On a track that turns velocities go with the height, and friction with them bears some of the load: a millionth of what the height is off is left of it.
+        self.carry_loads_about(&found)
+    }
+
+    /// The same with velocities that belong to the height in `input`.
+    fn carry_loads_about(&mut self, input: &Input) -> Result<(Input, bool), ContactError> {
+        let mut trial = Output::default();
+        let mut at = *input;
+        at.wheelset.roll = 0.0;
         let counts = self.elements.each_ref().map(Element::fallbacks);
         let between = self.markers[RIGHT] - self.markers[LEFT];
         // Numbers that leave their range on the way to the markers are refused here, and by no roll after it.

@@ -1,5 +1,7 @@
 //! What an evaluation of a wheelset depends on besides its parameters.
 
+use super::rail_frame::RailFrame;
+use super::track::{RailLine, TrackTurn};
 use super::{SIDES, name_on_side};
 use crate::element;
 use crate::element::input::{RailMotion, WheelMotion};
@@ -9,12 +11,14 @@ use crate::error::ContactError;
 /// All inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// Motion of the centre of the wheelset, midway between the wheel markers.
+    /// Motion of the centre of the wheelset, midway between the wheel markers, in the track frame, which goes along the track with its velocity along x.
     pub wheelset: WheelMotion,
     /// What is under the right wheel and under the left one.
     pub sides: [SideInput; 2],
     /// Station along the track [m].
     pub track_s: f64,
+    /// How the track frame turns along the track.
+    pub track: TrackTurn,
 }
 
 /// Rails and friction of one side; values are those of the real side in the track frame, not mirrored.
@@ -30,6 +34,12 @@ pub struct SideInput {
     pub tread_friction: f64,
     /// Coefficient of friction of their gauge faces, ≥ 0 [-].
     pub gauge_face_friction: f64,
+    /// Where the rails lie beside their design line.
+    pub line: RailLine,
+    /// Pitch angle of the wheel against that of the wheelset, of wheels that turn by themselves [rad].
+    pub own_pitch: f64,
+    /// Pitch rate of the wheel against that of the wheelset [rad/s].
+    pub own_pitch_rate: f64,
 }
 
 impl SideInput {
@@ -43,12 +53,22 @@ impl SideInput {
             gauge_face_friction,
             ..
         } = input;
-        Self { rails, wheel_load, friction, tread_friction, gauge_face_friction }
+        let (line, own_pitch, own_pitch_rate) = (RailLine::default(), 0.0, 0.0);
+        Self {
+            rails,
+            wheel_load,
+            friction,
+            tread_friction,
+            gauge_face_friction,
+            line,
+            own_pitch,
+            own_pitch_rate,
+        }
     }
 
-    /// The input of the wheel of this side.
-    fn with(&self, wheel: WheelMotion, track_s: f64) -> element::Input {
-        let &Self { rails, wheel_load, friction, tread_friction, gauge_face_friction } = self;
+    /// The input of an element with a `wheel` of this side.
+    pub(super) fn with(&self, wheel: WheelMotion, track_s: f64) -> element::Input {
+        let &Self { rails, wheel_load, friction, tread_friction, gauge_face_friction, .. } = self;
         element::Input {
             wheel,
             wheel_load,
@@ -61,6 +81,23 @@ impl SideInput {
     }
 }
 
+impl SideInput {
+    /// # Errors
+    /// What is not in its range of what an element has not, by its name on a `side`.
+    fn check(&self, side: &str) -> Result<(), ContactError> {
+        self.line.check(side)?;
+        for (name, value) in
+            [("own_pitch", self.own_pitch), ("own_pitch_rate", self.own_pitch_rate)]
+        {
+            if !value.is_finite() {
+                let name = format!("{side}.wheel.{name}");
+                return Err(ContactError::bad_value(name, value, "a finite number"));
+            }
+        }
+        Ok(())
+    }
+}
+
 impl Default for Input {
     /// The nominal position in the middle of the track, just lifted, at rest.
     fn default() -> Self {
@@ -70,6 +107,7 @@ impl Default for Input {
             wheelset: WheelMotion { position: [x, 0.0, z], ..input.wheel },
             sides: [SideInput::of(&input); 2],
             track_s: input.track_s,
+            track: TrackTurn::default(),
         }
     }
 }
@@ -80,13 +118,29 @@ impl Input {
     pub fn at_rest() -> Self {
         let input = element::Input::from_array([0.0; element::input::INPUTS]);
         let sides = [SideInput::of(&input); 2];
-        Self { wheelset: input.wheel, sides, track_s: input.track_s }
+        let track = TrackTurn::default();
+        Self { wheelset: input.wheel, sides, track_s: input.track_s, track }
     }
 
-    /// The input of the element on one side, whose marker is `along` [m] to the right of the centre.
+    /// The input of the element on one side, whose marker is `along` [m] to the right of the centre, in the frame of its rails.
     #[must_use]
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {
-        self.sides[side].with(self.wheelset.along_axle(along), self.track_s)
+        let own = &self.sides[side];
+        let mut wheel = self.track.against_ground(&self.wheelset).along_axle(along);
+        wheel.pitch += own.own_pitch;
+        wheel.pitch_rate += own.own_pitch_rate;
+        if let Some(frame) = self.rail_frame(side, along) {
+            wheel = frame.motion(&wheel);
+        }
+        own.with(wheel, self.track_s)
+    }
+
+    /// The frame of the rails of a side, where it is not that of the track.
+    pub(super) fn rail_frame(&self, side: usize, along: f64) -> Option<RailFrame<f64>> {
+        let Self { track, sides, .. } = self;
+        let line = &sides[side].line;
+        let is_other = *line != RailLine::default() || *track != TrackTurn::default();
+        is_other.then(|| RailFrame::new(line, track, self.wheelset.position[0], along))
     }
 
     /// Whether every input is finite and friction is not negative.
@@ -94,6 +148,7 @@ impl Input {
     /// # Errors
     /// The first input at fault, by its name.
     pub fn check(&self) -> Result<(), ContactError> {
+        self.track.check()?;
         // The centre is checked as a wheel would be, the sides with it, so that names can be told apart.
         for (k, side) in SIDES.into_iter().enumerate() {
             let as_wheel = self.sides[k].with(self.wheelset, self.track_s);
@@ -103,6 +158,7 @@ impl Input {
                     _ => name_on_side(name, side),
                 })
             })?;
+            self.sides[k].check(side)?;
         }
         Ok(())
     }

@@ -18,16 +18,22 @@
 
 mod derivatives;
 mod given_load;
+mod guiding;
 mod input;
+mod irregularity;
 mod output;
 mod parameters;
+mod rail_frame;
 mod total;
+mod track;
 
 use std::path::PathBuf;
 
+pub use guiding::{Guiding, SideForces};
 pub use input::{Input, SideInput};
 pub use output::Output;
 pub use parameters::{Parameters, TAPE_CIRCLE};
+pub use track::{MOST_SLOPE, MOST_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
@@ -35,6 +41,8 @@ use crate::element::subject::Subject;
 use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element};
 use crate::error::ContactError;
+use guiding::guiding;
+use irregularity::Irregularities;
 
 /// Place of the right side in all pairs.
 pub const RIGHT: usize = 0;
@@ -52,6 +60,7 @@ pub struct Wheelset {
     vertical_mode: VerticalMode,
     /// Place of each wheel marker along the axle [m].
     markers: [f64; 2],
+    irregularities: Option<Irregularities>,
     nominal: NominalHeights,
 }
 
@@ -77,16 +86,27 @@ impl Wheelset {
     ) -> Result<Self, ContactError> {
         start.check()?;
         let markers = parameters.markers();
+        let irregularities = Irregularities::load(&parameters.irregularity_file, profile_folders)?;
+        let mut start = *start;
+        if let Some(irregularities) = &irregularities {
+            irregularities.add(&mut start);
+        }
         let [right, left] = parameters.checked()?;
         let mut nominal =
             NominalHeights { wheelset_z: f64::INFINITY, wheel_z: [start.wheelset.position[2]; 2] };
         let mut side = |k: usize, parameters: &element::Parameters| {
             let input = start.of_side(k, markers[k]);
             let mut element = Element::new(parameters, &input, profile_folders)?;
-            nominal.wheel_z[k] = element.nominal_wheel_z();
+            let z = start.wheelset.along_axle(markers[k]).position[2];
+            let frame = start.rail_frame(k, markers[k]);
+            let height = |found: f64| match &frame {
+                Some(frame) => frame.height(z, [input.wheel.position[2], found]),
+                None => found,
+            };
+            nominal.wheel_z[k] = height(element.nominal_wheel_z());
             if let Some(touching) = element.touch(&input) {
-                let lower = input.wheel.position[2] - start.wheelset.position[2];
-                nominal.wheelset_z = nominal.wheelset_z.min(touching - lower);
+                let lower = z - start.wheelset.position[2];
+                nominal.wheelset_z = nominal.wheelset_z.min(height(touching) - lower);
             }
             Ok(element)
         };
@@ -97,7 +117,7 @@ impl Wheelset {
         if nominal.wheelset_z.is_infinite() {
             nominal.wheelset_z = start.wheelset.position[2];
         }
-        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, nominal })
+        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, irregularities, nominal })
     }
 
     /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its starting height where it stands
@@ -152,7 +172,7 @@ impl Wheelset {
         ) -> Result<(), ContactError>,
     ) -> Result<(), ContactError> {
         input.check()?;
-        let mut input = *input;
+        let mut input = self.on_its_rails(input);
         let mut is_missed = false;
         if self.vertical_mode == VerticalMode::Load {
             (input, is_missed) = self.carry_loads(&input)?;
@@ -167,6 +187,7 @@ impl Wheelset {
         for (along, side) in self.markers.iter().zip(&output.sides) {
             total::add(&mut total, &input.wheelset, *along, &side.wheel);
         }
+        output.guiding = guiding(&output.sides.map(|side| side.wheel.force));
         let [right, left] = &output.sides;
         output.patch_count = right.patch_count + left.patch_count;
         output.fallback_count = right.fallback_count.saturating_add(left.fallback_count);
@@ -175,6 +196,15 @@ impl Wheelset {
         (output.wheelset, output.wheelset_z) = (total, input.wheelset.position[2]);
         output.roll = input.wheelset.roll;
         Ok(())
+    }
+
+    /// The input with the irregularities of the rails at its station.
+    fn on_its_rails(&self, input: &Input) -> Input {
+        let mut input = *input;
+        if let Some(irregularities) = &self.irregularities {
+            irregularities.add(&mut input);
+        }
+        input
     }
 
     /// Each side by itself.
@@ -195,6 +225,10 @@ impl Wheelset {
         }
         for (k, side) in sides.iter().enumerate() {
             evaluate(&mut self.elements[k], side, &mut output.sides[k])?;
+            if let Some(frame) = input.rail_frame(k, self.markers[k]) {
+                let z = input.wheelset.along_axle(self.markers[k]).position[2];
+                total::bring_out(&frame, [z, side.wheel.position[2]], &mut output.sides[k]);
+            }
         }
         Ok(())
     }
@@ -265,11 +299,11 @@ impl Subject for Wheelset {
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
         let sides = input.sides.iter().zip(&output.sides);
         let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));
-        work_pairs((&input.wheelset, &output.wheelset), rails)
+        work_pairs((&input.track.against_ground(&input.wheelset), &output.wheelset), rails)
     }
 
     fn input_of_element(&self, k: usize, input: &Input, output: &Output) -> element::Input {
-        let mut found = *input;
+        let mut found = self.on_its_rails(input);
         found.wheelset.position[2] = output.wheelset_z;
         found.wheelset.roll = output.roll;
         found.of_side(k, self.markers[k])

@@ -1,5 +1,6 @@
 //! What an evaluation of a wheelset gives.
 
+use super::guiding::Guiding;
 use crate::element;
 use crate::element::output::Wrench;
 
@@ -22,4 +23,6 @@ pub struct Output {
     pub wear_number: f64,
     /// Power turned into heat [W].
     pub frictional_power: f64,
+    /// Guiding forces and wheel loads.
+    pub guiding: Guiding,
 }

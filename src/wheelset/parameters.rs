@@ -13,6 +13,8 @@ pub const TAPE_CIRCLE: f64 = 0.07;
 pub struct Parameters {
     /// Distance of the flange backs, > 0; the wheel markers are the distance of the tape circle farther out on both sides [m].
     pub flange_back_distance: f64,
+    /// File with the irregularities of the rails over the station (five columns, see `io::irregularity_file`); none if empty.
+    pub irregularity_file: String,
     /// Right and left wheel with their rails; each `side` is that of its place, whatever it says.
     pub sides: [element::Parameters; 2],
 }
@@ -28,7 +30,7 @@ impl Parameters {
     #[must_use]
     pub fn of_both(one: &element::Parameters) -> Self {
         let sides = [Side::Right, Side::Left].map(|side| one.on_side(side));
-        Self { flange_back_distance: 1.36, sides }
+        Self { flange_back_distance: 1.36, irregularity_file: String::new(), sides }
     }
 
     /// Distance of each wheel marker from the centre, positive to the right [m].

@@ -1,5 +1,6 @@
 //! `wheelrail fit`: laws that synthetic curves were made with come back, and what data leave open is said.
 
+use super::common::summary::Summary;
 use super::*;
 use wheelrail::element::Parameters;
 use wheelrail::element::parameters::{FallingLaw, FrictionLaw, NormalModel, TangentialModel};
@@ -83,6 +84,86 @@ fn a_law_comes_back_from_its_curves() {
             assert_eq!(rest, "", "{text}");
         }
     }
+}
+
+/// The bodies of the published curves.
+const EUROSPRINTER: [&str; 8] = [
+    "--radius-along",
+    "0.625",
+    "--radius-across",
+    "1.777",
+    "--set",
+    "wheel.young_modulus=2.0992e11",
+    "--set",
+    "rail.young_modulus=2.0992e11",
+];
+
+/// What is said of the fit to a published curve, and by how much it misses each point.
+fn fitted(name: &str, settings: &[&str]) -> (String, Vec<f64>) {
+    let points = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/creep_curves").join(name);
+    let folder = TempDir::new().unwrap();
+    let result = folder.path().join("fit.csv");
+    let [points, result] = [&points, &result].map(|path| path.to_str().unwrap());
+    let arguments = [&["fit", points, "-o", result], &EUROSPRINTER[..], settings].concat();
+    let output = wheelrail(&arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let rows = table(&std::fs::read(result).unwrap());
+    let misfits = rows.iter().map(|row| number(row, "misfit")).collect();
+    (String::from_utf8(output.stdout).unwrap(), misfits)
+}
+
+#[test]
+fn published_curves_give_their_parameters() {
+    let mut summary = Summary::new("creep_curves");
+    let friction = [
+        ("friction.coefficient", 0.36),
+        ("friction.falling.share", 0.38),
+        ("friction.falling.decay", 0.7),
+    ];
+    let reduction = [
+        ("friction.reduction.initial", 0.54),
+        ("friction.reduction.share", 0.02),
+        ("friction.reduction.decay", 0.64),
+    ];
+    // As the source has it: simplified theory with a parabolic bound, on enough elements.
+    let simplified: Vec<&str> = [
+        "tangential.model=fastsim",
+        "tangential.bound=parabolic",
+        "tangential.flexibilities=three",
+        "tangential.elements_along=100",
+        "normal.strips=60",
+    ]
+    .into_iter()
+    .flat_map(|setting| ["--set", setting])
+    .collect();
+    let off = |text: &str, (name, published): (&str, f64)| found(text, name).0[0] / published - 1.0;
+    let percent = |errors: &[f64]| errors.iter().map(|error| 100.0 * error).collect::<Vec<_>>();
+    let (text, _) = fitted("spiryagin_2013.csv", &simplified);
+    let own: Vec<f64> = friction.iter().chain(&reduction).map(|own| off(&text, *own)).collect();
+    summary.add("Spiryagin, all six parameters, models of the source [%]", percent(&own), "0.1");
+    assert!(own.iter().all(|error| error.abs() <= 1e-3), "{text}");
+    // With better models the slope is another one.
+    let (text, misfits) = fitted("spiryagin_2013.csv", &[]);
+    let own = friction.map(|own| off(&text, own));
+    summary.add("the same, friction and its fall, models as they start [%]", percent(&own), "");
+    summary.add("the same, adhesion [% of the load]", percent(&misfits), "1 (rms)");
+    for (name, friction) in [("dry", [0.55, 0.4, 0.6]), ("wet", [0.3, 0.4, 0.2])] {
+        let (text, misfits) = fitted(&format!("polach_2005_{name}.csv"), &[]);
+        summary.add(
+            &format!("Polach, {name}, adhesion [% of the load]"),
+            percent(&misfits),
+            "1 (rms)",
+        );
+        let squares: f64 = misfits.iter().map(|misfit| misfit * misfit).sum();
+        // Adhesion on rails is hardly measured within a hundredth of the load.
+        assert!((squares / misfits.len() as f64).sqrt() <= 0.01, "{text}");
+        let names = ["friction.coefficient", "friction.falling.share", "friction.falling.decay"];
+        for (name, published) in names.into_iter().zip(friction) {
+            let ([value, error], _) = found(&text, name);
+            assert!((value - published).abs() <= 3.0 * error, "{name} {published}\n{text}");
+        }
+    }
+    summary.write();
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! The binary as scripts see it: tables in, tables out, and messages that say where a table is wrong.
 
+#[path = "../common/mod.rs"]
+mod common;
 mod evaluate;
 mod fit;
+mod linearize;
 mod patch;
 mod plot;
 

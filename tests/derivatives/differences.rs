@@ -58,6 +58,8 @@ pub fn groups(output: &Output) -> Vec<Group> {
             // Differences of speeds over the speed.
             (1.0, patch.creepage[..2].to_vec()),
             (0.0, vec![patch.creepage[2]]),
+            (0.0, vec![patch.friction_coefficient]),
+            (0.0, vec![patch.temperature]),
             (0.0, vec![patch.frictional_power]),
             // What T-gamma is above 15 N, of which rounding is that of 15 N.
             (15.0 * 10e-6 / 50.0, vec![patch.tgamma_damage]),

@@ -444,13 +444,3 @@ pub const LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2];
 pub const WIDE_LOOP_WORK: [f64; 2] = [1e-3, 1.5e-2];
 /// Energy that a bounce without damping and friction wins or loses, median and worst: the aim for each.
 pub const BOUNCE: [f64; 2] = [1e-3, 1e-3];
-
-/// Force in the plane of contact, over the friction limit, of strips with a friction of their own against CONTACT with one coefficient for each
-/// patch: median, and how much more than with that one coefficient. Friction changes by 4 % of itself for each degree of the reference's tables and a patch on
-/// the gauge corner spans some 5 degrees: its mean over the load differs from that at the plane by a few per cent.
-pub const FRICTION_BY_INCLINATION: f64 = 0.01;
-pub const ONE_COEFFICIENT_OF_A_PATCH: f64 = 0.04;
-
-/// By how much more of the friction limit strips with a friction of their own may be off boundary elements with one for each row than with one
-/// coefficient for both: half of the mean error that the strip model is held to.
-pub const FRICTION_OF_STRIPS: f64 = 0.0035;

@@ -5,14 +5,18 @@ use wheelrail::element::parameters::TangentialModel;
 
 /// The coordinates, rates and loads of an input, to be changed one by one.
 fn numbers(input: &mut Input) -> Vec<&mut f64> {
-    let Input { wheelset: w, sides, track_s: _ } = input;
+    let Input { wheelset: w, sides, track_s: _, track } = input;
     let mut all: Vec<&mut f64> = w.position.iter_mut().chain(&mut w.velocity).collect();
     all.extend([&mut w.roll, &mut w.yaw, &mut w.pitch]);
     all.extend([&mut w.roll_rate, &mut w.yaw_rate, &mut w.pitch_rate]);
-    for SideInput { rails: [rail, _], wheel_load, friction, .. } in sides {
+    let mut others = vec![&mut track.twist, &mut track.gradient_change, &mut track.curvature];
+    for SideInput { rails: [rail, _], wheel_load, friction, line, own_pitch_rate, .. } in sides {
         all.extend([&mut rail.y, &mut rail.z, &mut rail.roll]);
         all.extend([&mut rail.vy, &mut rail.vz, &mut rail.roll_rate, friction, wheel_load]);
+        others.extend([&mut line.y, &mut line.z, &mut line.y_slope, &mut line.z_slope]);
+        others.push(own_pitch_rate);
     }
+    all.extend(others);
     all
 }
 
@@ -26,6 +30,10 @@ fn results(output: &Output) -> [Vec<f64>; 4] {
         moments.extend(side.wheel.moment);
         moments.extend(side.rails[0].moment);
     }
+    forces.extend(
+        output.guiding.sides.iter().flat_map(|side| [side.guiding_force, side.vertical_force]),
+    );
+    forces.push(output.guiding.track_shifting_force);
     [forces, moments, vec![output.wheelset_z, output.roll], vec![output.frictional_power]]
 }
 
@@ -41,7 +49,7 @@ fn judge_derivatives(model: TangentialModel, mode: VerticalMode, step: f64) -> f
     let mut random = Random::new(27);
     let (mut worst, mut count) = (0.0_f64, 0);
     for _ in 0..30 {
-        let mut input = random_input(&mut random);
+        let mut input = random_on_track(&mut random);
         for side in &mut input.sides {
             side.wheel_load = random.within(3e4, 9e4);
         }

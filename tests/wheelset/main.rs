@@ -7,13 +7,16 @@ mod gravity;
 mod rigid_body;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
+mod track;
 
 use common::random::Random;
 use wheelrail::element;
 use wheelrail::element::input::{RailMotion, WheelMotion};
 use wheelrail::element::output::Wrench;
 use wheelrail::element::parameters::{NormalModel, Side, VerticalMode, WearModel};
-use wheelrail::wheelset::{Input, LEFT, Output, Parameters, RIGHT, SideInput, Wheelset};
+use wheelrail::wheelset::{
+    Input, LEFT, Output, Parameters, RIGHT, RailLine, SideInput, TrackTurn, Wheelset,
+};
 
 const HALF: f64 = 0.75;
 
@@ -58,7 +61,28 @@ fn random_input(random: &mut Random) -> Input {
             ..Input::default().sides[k]
         }),
         track_s: random.about(100.0),
+        track: TrackTurn::default(),
     }
+}
+
+/// The same on a track that turns, on rails that run at an angle, with wheels that turn by themselves.
+fn random_on_track(random: &mut Random) -> Input {
+    let mut input = random_input(random);
+    for side in &mut input.sides {
+        side.line = RailLine {
+            y: random.about(1e-3),
+            z: random.about(2e-5),
+            y_slope: random.about(5e-3),
+            z_slope: random.about(5e-4),
+        };
+        side.own_pitch_rate = random.about(0.1);
+    }
+    input.track = TrackTurn {
+        twist: random.about(2e-3),
+        gradient_change: random.about(1e-3),
+        curvature: random.about(5e-3),
+    };
+    input
 }
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
@@ -74,7 +98,7 @@ fn the_mirror_image_of_a_motion_gives_the_mirror_image_of_the_forces_bit_for_bit
     let mut wheelset = wheelset(&Parameters::default());
     let mut random = Random::new(23);
     for _ in 0..100 {
-        let input = random_input(&mut random);
+        let input = random_on_track(&mut random);
         let mut image = input;
         let centre = &mut image.wheelset;
         for value in [
@@ -88,6 +112,12 @@ fn the_mirror_image_of_a_motion_gives_the_mirror_image_of_the_forces_bit_for_bit
             *value = -*value;
         }
         image.sides.swap(0, 1);
+        for value in [&mut image.track.twist, &mut image.track.curvature] {
+            *value = -*value;
+        }
+        for line in image.sides.iter_mut().map(|side| &mut side.line) {
+            (line.y, line.y_slope) = (-line.y, -line.y_slope);
+        }
         for rail in image.sides.iter_mut().flat_map(|side| &mut side.rails) {
             for value in [&mut rail.y, &mut rail.roll, &mut rail.vy, &mut rail.roll_rate] {
                 *value = -*value;

@@ -17,17 +17,24 @@ __all__ = ["fmu", "profile", "profile_folder"]
 _HERE = Path(__file__).parent
 
 
-def fmu(name: Literal["WheelRail", "WheelSet"] = "WheelRail") -> Path:
-    """Path of an FMU (FMI 2.0, co-simulation and model exchange), as FMPy and other importers take it.
+_UNITS = ("WheelRail", "WheelSet", "WheelRail3", "WheelSet3")
+
+
+def fmu(
+    name: Literal["WheelRail", "WheelSet", "WheelRail3", "WheelSet3"] = "WheelRail",
+) -> Path:
+    """Path of an FMU (co-simulation and model exchange), as FMPy and other importers take it.
 
     Parameters
     ----------
-    name : {"WheelRail", "WheelSet"}
-        One wheel, or two on an axle.
+    name : {"WheelRail", "WheelSet", "WheelRail3", "WheelSet3"}
+        One wheel, or two on an axle; of FMI 2.0, or with a 3 of FMI 3.0.
     """
     path = _HERE / "units" / f"{name}.fmu"
-    if name not in ("WheelRail", "WheelSet"):
-        raise BadValueError(f'name = "{name}" is not admitted: WheelRail or WheelSet', variable="name")
+    if name not in _UNITS:
+        raise BadValueError(
+            f'name = "{name}" is not admitted: one of {", ".join(_UNITS)}', variable="name"
+        )
     if not path.is_file():
         raise FileNotFoundError(
             f"{path} is not there: this wheelrail was built without its FMUs; build it with maturin"

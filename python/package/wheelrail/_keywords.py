@@ -419,7 +419,7 @@ class WheelSetInputs(TypedDict, total=False):
     pitch: npt.ArrayLike
     """Pitch angle, about the axle [rad]."""
     vx: npt.ArrayLike
-    """Longitudinal velocity of the centre [m/s]."""
+    """Longitudinal velocity of the centre, with which the track frame goes along the track [m/s]."""
     vy: npt.ArrayLike
     """Lateral velocity of the centre [m/s]."""
     vz: npt.ArrayLike
@@ -430,6 +430,36 @@ class WheelSetInputs(TypedDict, total=False):
     """Rate of the yaw angle [rad/s]."""
     pitch_rate: npt.ArrayLike
     """Rate of the pitch angle, negative when the wheelset rolls forward [rad/s]."""
+    track_curvature: npt.ArrayLike
+    """Curvature of the track in plan, positive to the right: the track frame yaws at wheelset.vx times it, and the motion of the wheelset is that in the track frame [1/m]."""
+    track_twist: npt.ArrayLike
+    """Change of the cant angle over the length of the track, positive where the right rail goes down against the left one [1/m]."""
+    track_gradient_change: npt.ArrayLike
+    """Vertical curvature of the track, positive in a sag [1/m]."""
+    right_irregularity_y: npt.ArrayLike
+    """Right side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with right.rail[1].vy [m]."""
+    right_irregularity_z: npt.ArrayLike
+    """Right side: vertical deviation, down [m]."""
+    right_irregularity_y_slope: npt.ArrayLike
+    """Right side: derivative of the lateral deviation by the station: the angle at which the rails run [-]."""
+    right_irregularity_z_slope: npt.ArrayLike
+    """Right side: derivative of the vertical deviation by the station [-]."""
+    right_wheel_own_pitch: npt.ArrayLike
+    """Right side: pitch angle of the wheel against wheelset.pitch, of wheels that turn independently [rad]."""
+    right_wheel_own_pitch_rate: npt.ArrayLike
+    """Right side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
+    left_irregularity_y: npt.ArrayLike
+    """Left side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with left.rail[1].vy [m]."""
+    left_irregularity_z: npt.ArrayLike
+    """Left side: vertical deviation, down [m]."""
+    left_irregularity_y_slope: npt.ArrayLike
+    """Left side: derivative of the lateral deviation by the station: the angle at which the rails run [-]."""
+    left_irregularity_z_slope: npt.ArrayLike
+    """Left side: derivative of the vertical deviation by the station [-]."""
+    left_wheel_own_pitch: npt.ArrayLike
+    """Left side: pitch angle of the wheel against wheelset.pitch, of wheels that turn independently [rad]."""
+    left_wheel_own_pitch_rate: npt.ArrayLike
+    """Left side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
     track_s: npt.ArrayLike
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     right_wheel_load: npt.ArrayLike
@@ -503,6 +533,8 @@ class WheelSetParameters(TypedDict, total=False):
 
     flange_back_distance: float
     """Distance of the flange backs of the two wheels; the wheel markers, in the planes of the running circles, are 0.07 m farther out on each side [m]."""
+    track_irregularity_file: str | os.PathLike[str]
+    """File with the irregularities of both rails over the station, found like right.wheel.profile: columns station_m, right_y_mm, right_z_mm, left_y_mm, left_z_mm (y to the right, z down), on top of the inputs; empty for none."""
     wheel_young_modulus: float
     """Young's modulus of the wheel [Pa]."""
     wheel_poisson_ratio: float
@@ -846,7 +878,7 @@ class WheelSetParameters(TypedDict, total=False):
     pitch: float
     """Pitch angle, about the axle [rad]."""
     vx: float
-    """Longitudinal velocity of the centre [m/s]."""
+    """Longitudinal velocity of the centre, with which the track frame goes along the track [m/s]."""
     vy: float
     """Lateral velocity of the centre [m/s]."""
     vz: float
@@ -857,6 +889,36 @@ class WheelSetParameters(TypedDict, total=False):
     """Rate of the yaw angle [rad/s]."""
     pitch_rate: float
     """Rate of the pitch angle, negative when the wheelset rolls forward [rad/s]."""
+    track_curvature: float
+    """Curvature of the track in plan, positive to the right: the track frame yaws at wheelset.vx times it, and the motion of the wheelset is that in the track frame [1/m]."""
+    track_twist: float
+    """Change of the cant angle over the length of the track, positive where the right rail goes down against the left one [1/m]."""
+    track_gradient_change: float
+    """Vertical curvature of the track, positive in a sag [1/m]."""
+    right_irregularity_y: float
+    """Right side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with right.rail[1].vy [m]."""
+    right_irregularity_z: float
+    """Right side: vertical deviation, down [m]."""
+    right_irregularity_y_slope: float
+    """Right side: derivative of the lateral deviation by the station: the angle at which the rails run [-]."""
+    right_irregularity_z_slope: float
+    """Right side: derivative of the vertical deviation by the station [-]."""
+    right_wheel_own_pitch: float
+    """Right side: pitch angle of the wheel against wheelset.pitch, of wheels that turn independently [rad]."""
+    right_wheel_own_pitch_rate: float
+    """Right side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
+    left_irregularity_y: float
+    """Left side: lateral deviation of the rails from their design line at the wheelset, over the station: the rails lie still, other than with left.rail[1].vy [m]."""
+    left_irregularity_z: float
+    """Left side: vertical deviation, down [m]."""
+    left_irregularity_y_slope: float
+    """Left side: derivative of the lateral deviation by the station: the angle at which the rails run [-]."""
+    left_irregularity_z_slope: float
+    """Left side: derivative of the vertical deviation by the station [-]."""
+    left_wheel_own_pitch: float
+    """Left side: pitch angle of the wheel against wheelset.pitch, of wheels that turn independently [rad]."""
+    left_wheel_own_pitch_rate: float
+    """Left side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
     track_s: float
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     right_wheel_load: float

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use anyhow::{Context, Result, bail};
 use clap::{Args, Parser, Subcommand};
+use wheelrail::variables::{Causality, Values, find};
 
-use crate::{compare, conicity, evaluate, fit, patch, plot, simulate, sweep, tables};
+use crate::{compare, conicity, evaluate, fit, linearize, patch, plot, simulate, sweep, tables};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -25,6 +27,7 @@ pub enum Command {
     Evaluate(evaluate::Arguments),
     Patch(patch::Arguments),
     Conicity(conicity::Arguments),
+    Linearize(linearize::Arguments),
     Compare(compare::Arguments),
     Plot(plot::Arguments),
     Tables(tables::Arguments),
@@ -72,6 +75,22 @@ impl ContactOptions {
         named.chain(self.settings.iter().cloned()).collect()
     }
 
+    /// Parameters of both wheels as the options set them.
+    ///
+    /// # Errors
+    /// A name that no parameter has or that wheels do not share, or a value that is not admitted.
+    pub fn shared_values(&self) -> Result<Values> {
+        let mut values = Values::default();
+        for (name, value) in self.all_settings() {
+            let variable = find(&name).with_context(|| format!("--set {name}"))?;
+            if variable.causality != Causality::Parameter || name == "side" {
+                bail!("--set {name}: only parameters that both wheels share can be set");
+            }
+            values.set_from_text(variable, &value)?;
+        }
+        Ok(values)
+    }
+
     /// The pair, for titles.
     pub fn profiles(&self) -> String {
         format!("{} on {}", self.wheel_profile, self.rail_profile)
@@ -79,7 +98,7 @@ impl ContactOptions {
 }
 
 /// Reads NAME=VALUE.
-pub fn assignment(text: &str) -> Result<(String, String), String> {
+pub fn assignment(text: &str) -> std::result::Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => {
             Ok((name.trim().into(), value.trim().into()))
@@ -107,7 +126,7 @@ mod tests {
         let parsed =
             parse(&["--stiffness", "1,2e3,3", "--set", "friction.coefficient = 0.4"]).unwrap();
         let Command::Simulate(simulate) = parsed.command else { panic!("not simulate") };
-        assert_eq!(simulate.stiffness.map(|value| value as i32), [1, 2000, 3]);
+        assert_eq!(simulate.wheelset.stiffness.map(|value| value as i32), [1, 2000, 3]);
         assert_eq!(simulate.contact.settings, [("friction.coefficient".into(), "0.4".into())]);
         assert!(simulate.check().is_ok());
         for wrong in [["--stiffness", "1,2"], ["--damping", "a,b,c"], ["--set", "friction"]] {

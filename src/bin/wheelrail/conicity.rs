@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
-use wheelrail::variables::{Causality, Values, find};
 
 use crate::args::ContactOptions;
 use crate::remarks::{Found, Remarks};
@@ -68,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];
     let outputs = [arguments.output.as_deref(), arguments.figure.as_deref()];
     output::check_names(profiles.map(Path::new), outputs)?;
-    let values = values(arguments)?;
+    let values = arguments.contact.shared_values()?;
     let here = [PathBuf::from(".")];
     let mut wheelset = TrackedWheelset::new(&values.parameters, arguments.running_circles, &here)?;
     Remarks::default().tell(&Found::default().with_profiles(wheelset.profile_remarks().to_vec()));
@@ -121,19 +120,6 @@ fn check(arguments: &Arguments) -> Result<()> {
         );
     }
     Ok(())
-}
-
-/// The element's parameters as the options set them.
-fn values(arguments: &Arguments) -> Result<Values> {
-    let mut values = Values::default();
-    for (name, value) in arguments.contact.all_settings() {
-        let variable = find(&name).with_context(|| format!("--set {name}"))?;
-        if variable.causality != Causality::Parameter || name == "side" {
-            bail!("--set {name}: only parameters that both wheels share can be set");
-        }
-        values.set_from_text(variable, &value)?;
-    }
-    Ok(values)
 }
 
 fn cells(radii: &RollingRadii, conicity: Option<f64>) -> [String; COLUMNS.len()] {

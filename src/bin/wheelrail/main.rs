@@ -9,6 +9,7 @@ mod evaluate;
 mod figures;
 mod fit;
 mod importer;
+mod linearize;
 mod named_files;
 mod output;
 mod patch;
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Patch(arguments) => patch::run(&arguments),
         Command::Conicity(arguments) => conicity::run(&arguments),
+        Command::Linearize(arguments) => linearize::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Tables(arguments) => tables::run(&arguments),

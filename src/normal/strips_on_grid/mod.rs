@@ -83,7 +83,7 @@ impl GridSolver {
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
     ///
-    /// Returns the number of zones that found no room.
+    /// Returns the number of fallbacks: zones that found no room, and one where the last step was longer than it should have been.
     pub fn solve(
         &mut self,
         line: &mut impl Line,
@@ -108,11 +108,11 @@ impl GridSolver {
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
         let Newton { z, shapes, .. } = &self.newton;
-        Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips)
+        Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips) + usize::from(!settled)
     }
 }
 
-/// Adds the zones of one contact frame to `strips`; returns the number of those that found no room.
+/// Adds the zones of one contact frame to `strips`; returns the number of fallbacks as [`GridSolver::solve`] does.
 pub fn solve_in_frame(
     solver: &mut GridSolver,
     problem: &NormalProblem,

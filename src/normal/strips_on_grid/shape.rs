@@ -5,10 +5,10 @@
 
 use crate::math::real::Real;
 
-/// Nodes for each knot.
+/// Nodes for each knot, of which a field has some more besides; but two nodes for each at least, or the falls of few nodes do not tell them apart.
 const NODES_PER_KNOT: f64 = 3.5;
-/// Knots that a field has at least besides.
-const LEAST_KNOTS: usize = 2;
+const MORE_KNOTS: usize = 2;
+const LEAST_NODES_PER_KNOT: usize = 2;
 /// Weights of squared second and first differences of the field between knots against squared relative errors of the fall of the displacement, weighted by the
 /// share of load: they matter where there is no load, and extend the field there.
 const PENALTIES: [f64; 2] = [1e-3, 1e-4];
@@ -24,7 +24,8 @@ pub(super) struct Knots {
 impl Knots {
     /// Knots for `nodes` nodes.
     pub fn new(nodes: usize) -> Self {
-        let count = LEAST_KNOTS + (nodes as f64 / NODES_PER_KNOT) as usize;
+        let wanted = MORE_KNOTS + (nodes as f64 / NODES_PER_KNOT) as usize;
+        let count = wanted.min(nodes / LEAST_NODES_PER_KNOT);
         let place = |i: usize| {
             let at = (i * (count - 1)) as f64 / (nodes - 1) as f64;
             let first = (at as usize).min(count - 2);

@@ -7,6 +7,7 @@ pub mod errors;
 pub mod fit;
 pub mod motion;
 pub mod patches;
+pub mod roots;
 pub mod sweep;
 pub mod wear;
 

@@ -7,9 +7,7 @@ use clap::Args;
 
 use super::fmu_wheel::is_driven;
 use crate::args::ContactOptions;
-use crate::wheelset::GRAVITY;
-use crate::wheelset::body::Body;
-use crate::wheelset::suspension::Suspension;
+use crate::wheelset::options::WheelsetOptions;
 use crate::wheelset::track::{RampShape, Track};
 
 /// Let a wheelset run over a lateral ramp, by way of the packaged FMU
@@ -57,57 +55,9 @@ pub struct Arguments {
     #[arg(long, value_name = "M", default_value_t = 0.02, help_heading = "Run")]
     pub record_every: f64,
 
-    /// Mass of the wheelset [kg]
-    #[arg(long, value_name = "KG", default_value_t = 1500.0, help_heading = "Wheelset")]
-    pub mass: f64,
-    /// Moment of inertia about the roll and yaw axes [kg m²]
-    #[arg(long, value_name = "KG_M2", default_value_t = 900.0, help_heading = "Wheelset")]
-    pub inertia: f64,
-    /// Moment of inertia about the axle [kg m²]
-    #[arg(long, value_name = "KG_M2", default_value_t = 100.0, help_heading = "Wheelset")]
-    pub axle_inertia: f64,
-    /// Force of the wheelset on the track, its own weight included [N]
-    #[arg(long, value_name = "N", default_value_t = 100e3, help_heading = "Wheelset")]
-    pub axle_load: f64,
-    /// Distance of the running circles [m]
-    #[arg(long, value_name = "M", default_value_t = 1.5, help_heading = "Wheelset")]
-    pub running_circles: f64,
-
-    /// Distance of the axle boxes [m]
-    #[arg(
-        long,
-        value_name = "M",
-        default_value_t = 2.0,
-        help_heading = "Primary suspension, one axle box"
-    )]
-    pub axle_boxes: f64,
-    /// Stiffness along x, y and z [N/m]
-    #[arg(
-        long,
-        value_name = "CX,CY,CZ",
-        default_value = "1e6,5e5,1e6",
-        value_parser = three,
-        help_heading = "Primary suspension, one axle box"
-    )]
-    pub stiffness: [f64; 3],
-    /// Damping along x, y and z [N s/m]
-    #[arg(
-        long,
-        value_name = "DX,DY,DZ",
-        default_value = "0,0,2e4",
-        value_parser = three,
-        help_heading = "Primary suspension, one axle box"
-    )]
-    pub damping: [f64; 3],
-}
-
-fn three(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Vec<f64> = text
-        .split(',')
-        .map(|part| part.trim().parse())
-        .collect::<Result<_, _>>()
-        .unwrap_or_default();
-    numbers.try_into().map_err(|_| "write three numbers, for x, y and z: 1e6,5e5,1e6".into())
+    /// The wheelset and its suspension.
+    #[command(flatten)]
+    pub wheelset: WheelsetOptions,
 }
 
 impl Arguments {
@@ -118,11 +68,6 @@ impl Arguments {
             ("length", self.length),
             ("ramp-length", self.ramp_length),
             ("record-every", self.record_every),
-            ("mass", self.mass),
-            ("inertia", self.inertia),
-            ("axle-inertia", self.axle_inertia),
-            ("running-circles", self.running_circles),
-            ("axle-boxes", self.axle_boxes),
             ("step", self.step.unwrap_or(1.0)),
         ];
         for (name, value) in positive {
@@ -130,14 +75,7 @@ impl Arguments {
                 bail!("--{name} {value} is not admitted: it must be a finite number above 0");
             }
         }
-        let not_negative = [("stiffness", self.stiffness), ("damping", self.damping)];
-        for (name, values) in not_negative {
-            if let Some(value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
-                bail!(
-                    "--{name}: {value} is not admitted: it must be a finite number of at least 0"
-                );
-            }
-        }
+        self.wheelset.check()?;
         for (name, value) in [("ramp", self.ramp), ("ramp-start", self.ramp_start)] {
             if !value.is_finite() {
                 bail!("--{name} {value} is not admitted: it must be a finite number");
@@ -146,35 +84,7 @@ impl Arguments {
         if let Some((name, _)) = self.contact.settings.iter().find(|(name, _)| is_driven(name)) {
             bail!("--set {name}: the run itself sets it, for each wheel and at every step");
         }
-        let weight = self.mass * GRAVITY;
-        if !(self.axle_load.is_finite() && self.axle_load >= weight) {
-            bail!(
-                "--axle-load {} is not admitted: the wheelset alone weighs {weight:.0} N",
-                self.axle_load
-            );
-        }
         Ok(())
-    }
-
-    /// The rigid body.
-    pub fn body(&self) -> Body {
-        Body {
-            mass: self.mass,
-            inertia: self.inertia,
-            axle_inertia: self.axle_inertia,
-            half_marker_distance: 0.5 * self.running_circles,
-        }
-    }
-
-    /// The suspension, its resting height not yet known.
-    pub fn suspension(&self) -> Suspension {
-        Suspension {
-            half_distance: 0.5 * self.axle_boxes,
-            stiffness: self.stiffness,
-            damping: self.damping,
-            load: self.axle_load - self.mass * GRAVITY,
-            resting_z: 0.0,
-        }
     }
 
     /// The track.

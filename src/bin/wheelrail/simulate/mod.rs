@@ -54,8 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut out = stdout().lock();
     report::situation(&mut out, arguments, &path)?;
     let mut wheelset = Wheelset {
-        body: arguments.body(),
-        suspension: arguments.suspension(),
+        body: arguments.wheelset.body(),
+        suspension: arguments.wheelset.suspension(),
         track: arguments.track(),
         speed: arguments.speed,
         wheels: [right, left],

@@ -16,7 +16,7 @@ const SMALLEST_OSCILLATION: f64 = 2e-6;
 
 /// Wheelset, suspension, track and contact.
 pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io::Result<()> {
-    let (suspension, contact) = (arguments.suspension(), &arguments.contact);
+    let (suspension, contact) = (arguments.wheelset.suspension(), &arguments.contact);
     writeln!(out, "Unit        {}", unit.display())?;
     writeln!(
         out,
@@ -29,18 +29,18 @@ pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io
     writeln!(
         out,
         "Wheelset    {} kg, inertia {} kg m² (roll, yaw) and {} kg m² (axle), {} kN on the track, circles {} m apart",
-        arguments.mass,
-        arguments.inertia,
-        arguments.axle_inertia,
-        1e-3 * arguments.axle_load,
-        arguments.running_circles
+        arguments.wheelset.mass,
+        arguments.wheelset.inertia,
+        arguments.wheelset.axle_inertia,
+        1e-3 * arguments.wheelset.axle_load,
+        arguments.wheelset.running_circles
     )?;
     writeln!(
         out,
         "Suspension  each axle box {} kN/m, {} kN s/m (x, y, z); boxes {} m apart; static force {:.1} kN;",
         list(suspension.stiffness),
         list(suspension.damping),
-        arguments.axle_boxes,
+        arguments.wheelset.axle_boxes,
         1e-3 * suspension.load
     )?;
     writeln!(

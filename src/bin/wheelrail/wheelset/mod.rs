@@ -6,6 +6,7 @@
 
 pub mod body;
 pub mod equilibrium;
+pub mod options;
 pub mod oscillation;
 pub mod step_limit;
 pub mod suspension;

@@ -1,0 +1,153 @@
+//! From strip to strip along a rail: the place of its surface opposite to each.
+
+use crate::geometry::contact::Contact;
+use crate::geometry::curve::CurvePoint;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::math::real::Real;
+
+/// A place on the surface of a rail.
+#[derive(Clone, Copy, Debug)]
+pub struct RailPlace<T = f64> {
+    /// Parameter of the rail's curve [m].
+    pub s: T,
+    /// Derivative of the curve's point by its parameter, in the frame of the rail.
+    pub tangent: [T; 2],
+}
+
+impl<T: Real> RailPlace<T> {
+    /// That with the parameter `s` of the curve of `rail`.
+    pub fn at(rail: &PlacedRail, s: T) -> Self {
+        Self { s, tangent: rail.curve().at(s).first }
+    }
+}
+
+/// Step over which the curve of a rail is as good as a parabola [m].
+const NEAR: f64 = 3e-6;
+/// Cosine of the angle to the frame beyond which a rail has turned away.
+const LEAST_COSINE: f64 = 0.15;
+
+/// The last place of a walk.
+#[derive(Clone, Copy, Debug)]
+struct Last<T> {
+    y: T,
+    s: T,
+    /// One over the derivative of y by s, and the second derivative.
+    steepness: T,
+    bend: T,
+}
+
+/// A walk along a rail in the frame of a contact.
+#[derive(Clone, Debug)]
+pub struct RailWalk<'a, T = f64> {
+    rail: &'a PlacedRail,
+    contact: Contact<T>,
+    last: Option<Last<T>>,
+}
+
+impl<'a, T: Real> RailWalk<'a, T> {
+    /// A walk that begins with its first place.
+    pub fn new(rail: &'a PlacedRail, contact: Contact<T>) -> Self {
+        Self { rail, contact, last: None }
+    }
+
+    /// The place opposite to the lateral coordinate `y` of the frame [m]. From the last one it takes a step of Newton's method; where that is
+    /// far, the parameter of the curve is that of `search` [m].
+    pub fn to(&mut self, y: T, search: impl FnOnce() -> T) -> RailPlace<T> {
+        self.step(y).unwrap_or_else(|| {
+            let s = search();
+            let on = self.rail.curve().at(s);
+            self.arrive(y, s, &on);
+            RailPlace { s, tangent: on.first }
+        })
+    }
+
+    #[inline]
+    fn step(&mut self, y: T) -> Option<RailPlace<T>> {
+        let last = self.last?;
+        let way = (y - last.y) * last.steepness;
+        let guess = last.s + way - way * way * last.bend * last.steepness * 0.5;
+        let on = self.rail.curve().at(guess);
+        let steepness = self.arrive(y, guess, &on)?;
+        let origin = self.contact.origin;
+        let to = [on.point[0] - origin[0], on.point[1] - origin[1]];
+        let error = self.across(to) - y;
+        let step = -error * steepness;
+        (step.abs() <= NEAR).then(|| {
+            let s = guess + step;
+            if let Some(last) = &mut self.last {
+                last.s = s;
+            }
+            let tangent = [on.first[0] + step * on.second[0], on.first[1] + step * on.second[1]];
+            RailPlace { s, tangent }
+        })
+    }
+
+    /// Keeps the place for the next step, and the slope there; nothing where the rail has turned away.
+    #[inline]
+    fn arrive(&mut self, y: T, s: T, on: &CurvePoint<T>) -> Option<T> {
+        let cosine = self.across(on.first);
+        self.last = None;
+        (cosine >= LEAST_COSINE).then(|| {
+            let steepness = T::from(1.0) / cosine;
+            self.last = Some(Last { y, s, steepness, bend: self.across(on.second) });
+            steepness
+        })
+    }
+
+    #[inline]
+    fn across(&self, v: [T; 2]) -> T {
+        let tangent = self.contact.tangent;
+        v[0] * tangent[0] + v[1] * tangent[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::profile::ProfileKind;
+    use crate::io::load_profile;
+    use approx::assert_abs_diff_eq;
+
+    #[test]
+    fn places_are_opposite_to_what_they_are_asked_for() {
+        let rail = load_profile("rail", "60E1", ProfileKind::Rail, 0.0, &[]).unwrap().curve;
+        let rail = PlacedRail::by_gauge(&rail, 0.025, 1.435, 0.014, false).unwrap();
+        let middle = 0.5 * (rail.curve().start() + rail.curve().end());
+        for shift in [-0.02, 0.0, 0.012] {
+            let rail_s = middle + shift;
+            let on = rail.curve().at(rail_s);
+            let size = on.first[0].hypot(on.first[1]);
+            let contact = Contact {
+                u: 0.0,
+                rail_s,
+                penetration: 0.0,
+                origin: on.point,
+                tangent: on.first.map(|x| x / size),
+                probes: [0; 2],
+            };
+            let across = |s: f64| {
+                let to = [0, 1].map(|i| rail.curve().at(s).point[i] - on.point[i]);
+                to[0] * contact.tangent[0] + to[1] * contact.tangent[1]
+            };
+            let (mut walk, mut searches) = (RailWalk::new(&rail, contact), 0);
+            for j in 0..=40 {
+                let y = 2e-4 * f64::from(j - 20);
+                let found = walk.to(y, || {
+                    searches += 1;
+                    let (mut low, mut high) = (rail_s - 0.02, rail_s + 0.02);
+                    while high - low > 1e-12 {
+                        let s = 0.5 * (low + high);
+                        if across(s) < y { low = s } else { high = s }
+                    }
+                    low
+                });
+                assert_abs_diff_eq!(across(found.s), y, epsilon = 1e-11);
+                let tangent = rail.curve().at(found.s).first;
+                for (found, tangent) in found.tangent.into_iter().zip(tangent) {
+                    assert_abs_diff_eq!(found, tangent, epsilon = 1e-6);
+                }
+            }
+            assert!(searches <= 3, "{searches}");
+        }
+    }
+}

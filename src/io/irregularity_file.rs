@@ -1,0 +1,112 @@
+//! Irregularities of both rails of a track over the station, as five columns of text.
+//!
+//! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the rails from their design lines, y to the
+//! right and z down. Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may
+//! stand first.
+
+use std::path::PathBuf;
+
+use crate::error::ContactError;
+use crate::io::named_text::named_text;
+use crate::io::table::{lines, numbers};
+
+/// The columns, in words.
+const COLUMNS: &str = "the five columns station_m right_y_mm right_z_mm left_y_mm left_z_mm";
+/// Steepest irregularities that are admitted [-].
+const MOST_SLOPE: f64 = 0.1;
+
+/// The points of the file that the parameter `parameter` names: an absolute path or one that is looked for in `folders`. Of each of the four deviations the pairs of
+/// station and deviation [m], in the order of the columns.
+///
+/// # Errors
+/// The parameter, the file and what is wrong with it, with its line.
+pub fn load_irregularities(
+    parameter: &str,
+    name: &str,
+    folders: &[PathBuf],
+) -> Result<[Vec<[f64; 2]>; 4], ContactError> {
+    let content = named_text(parameter, name, folders)?;
+    points(&content).map_err(|allowed| ContactError::BadText {
+        name: parameter.into(),
+        value: name.into(),
+        allowed,
+    })
+}
+
+/// The points of a file.
+fn points(content: &str) -> Result<[Vec<[f64; 2]>; 4], String> {
+    let mut rows: Vec<[f64; 5]> = Vec::new();
+    let mut heading = true;
+    for line in lines(content) {
+        let text = line.text.split(['#', '!']).next().unwrap_or_default().trim();
+        if text.is_empty() {
+            continue;
+        }
+        let number = line.number;
+        let is_first = std::mem::take(&mut heading);
+        let Some(found) = numbers(text) else {
+            if is_first {
+                continue;
+            }
+            return Err(format!("numbers in {COLUMNS} (line {number})"));
+        };
+        let Ok(row) = <[f64; 5]>::try_from(found) else {
+            return Err(format!("{COLUMNS} (line {number})"));
+        };
+        if row.iter().any(|value| !value.is_finite()) {
+            return Err(format!("finite numbers (line {number})"));
+        }
+        if let Some(last) = rows.last() {
+            let step = row[0] - last[0];
+            if step <= 1e-6 {
+                return Err(format!(
+                    "stations that grow by a micrometre or more from line to line (line {number})"
+                ));
+            }
+            let is_steep =
+                |column: usize| 1e-3 * (row[column] - last[column]).abs() > MOST_SLOPE * step;
+            if (1..5).any(is_steep) {
+                return Err(format!("deviations no steeper than {MOST_SLOPE} (line {number})"));
+            }
+        }
+        rows.push(row);
+    }
+    if rows.len() < 4 {
+        return Err(format!("at least four lines with {COLUMNS}"));
+    }
+    Ok([1, 2, 3, 4].map(|column| rows.iter().map(|row| [row[0], 1e-3 * row[column]]).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stations_are_metres_and_deviations_millimetres() {
+        let text = "station_m,right_y_mm,right_z_mm,left_y_mm,left_z_mm\n# measured\n0,1,2,3,4\n1,2,2,3,4\n2 2 2 3 4\n3;2;2;3;4,0\n";
+        let [right_y, _, left_y, left_z] = points(text).unwrap();
+        assert_eq!(right_y[..2], [[0.0, 1e-3], [1.0, 2e-3]]);
+        assert_eq!((left_y[3], left_z[3]), ([3.0, 3e-3], [3.0, 4e-3]));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_line() {
+        for (text, words) in [
+            (
+                "0 0 0 0 0\n0 0 0 0 0\n",
+                "stations that grow by a micrometre or more from line to line (line 2)",
+            ),
+            ("0 0 0 0 0\n1 0 0 0 101\n", "no steeper than 0.1 (line 2)"),
+            ("a b c d e\n0 0 0 0 x\n", "line 2"),
+            (
+                "0 0 0\n",
+                "five columns station_m right_y_mm right_z_mm left_y_mm left_z_mm (line 1)",
+            ),
+            ("0 0 nan 0 0\n", "finite numbers (line 1)"),
+            ("0 0 0 0 0\n1 0 0 0 0\n", "at least four lines"),
+        ] {
+            let error = points(text).unwrap_err();
+            assert!(error.contains(words), "{error}");
+        }
+    }
+}
