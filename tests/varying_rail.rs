@@ -174,7 +174,7 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     });
     let mut parameters = parameters();
     parameters.vertical_mode = VerticalMode::Load;
-    parameters.wheel.profile = "conical:0.025".into();
+    parameters.wheel.profile = "conical:0.01".into();
     let mut element = element(&parameters, &folder);
     let mut input = rolling(0.0, 20.0);
     input.wheel_load = 80e3;

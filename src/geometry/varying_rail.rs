@@ -24,21 +24,29 @@ use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::slices::{Rows, Slices, arc};
 use crate::math::room::Room;
 
-/// Rows of which first only one is looked at.
+/// Rows of which only one is looked through for hollows.
 const STRIDE: usize = 4;
-/// Height of a row over the wheel, as it stands at the axle, from which on it is too far down to be looked at: a rail that rises by 1:5 gains half of it [m].
+/// How far below the wheel a row surely stays where its place is no longer looked for [m].
 const FAR_BELOW: f64 = 0.02;
-/// Distance of the envelope from the wheel from which on one row of four is enough: nothing touches there [m].
-const APART: f64 = 5e-4;
-/// Distance of four rows from which on all of them are looked at [m].
+/// How far below the wheel rows surely stay of which a few are enough: nothing touches there [m].
+const APART: f64 = 3e-4;
+/// Distance of these few [m].
 const WIDE: f64 = 2e-3;
+/// Radius of the lowest points of any wheel over its nominal one, and steepest flank of any wheel [-].
+const LARGEST: f64 = 1.1;
+const STEEPEST_FLANK: f64 = 3.0;
+/// Distance of rows over which their places and those of the wheel opposite go on as before [m].
+const CLOSE: f64 = 3e-3;
+/// Greatest difference of places along the track of two rows that are taken for a trend [m].
+const TREND: f64 = 5e-3;
 /// How far beside the wheel rows are looked at [m].
 const BESIDE: f64 = 0.01;
 /// Farthest place of touch from the axle [m].
 const REACH: f64 = 0.12;
 /// Newton steps to the place along a row, the last of them, and the longest [m].
 const MOST_STEPS: usize = 8;
-const LAST_STEP: f64 = 1e-6;
+/// What is left of it is of the order of its square over the distance of slices.
+const LAST_STEP: f64 = 1e-5;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
@@ -63,6 +71,16 @@ pub struct Along {
 }
 
 impl Along {
+    /// Each of them by its own function of itself.
+    fn each(value: impl Fn(fn(&Self) -> f64) -> f64) -> Self {
+        Self {
+            ahead: value(|a| a.ahead),
+            curvature: value(|a| a.curvature),
+            lean: value(|a| a.lean),
+            drift: value(|a| a.drift),
+        }
+    }
+
     /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
     #[must_use]
     pub fn shortening(&self) -> f64 {
@@ -76,14 +94,26 @@ pub struct VaryingRail {
     rows: Rows,
     /// For each row and slice the number of slices up to it between which the row may be hollow.
     hollows: Vec<u32>,
+    /// By slices but the last, and rows within each: where a row can be met by a wheel between this slice and the next one.
+    bounds: Vec<Bound>,
     /// Parameter and radius of the wheel over cells of its width; of what lies lowest.
     wheel: WheelTable,
     /// Rows of the envelope: parameters and what belongs to them.
-    s: Room<f64>,
-    along: Room<Along>,
+    along: Room<[Along; 2]>,
     knots: Room<Knot>,
     kept: Room<Met>,
-    met: Room<Option<Met>>,
+    met: Room<Met>,
+}
+
+/// Where a row is within reach.
+#[derive(Clone, Copy, Debug)]
+struct Bound {
+    /// Range of y [m].
+    y: [f64; 2],
+    /// Least z [m].
+    least: f64,
+    /// Least z of what a wheel meets, lowered by what its part above stands higher [m].
+    top: f64,
 }
 
 /// A wheel by its width.
@@ -95,7 +125,7 @@ struct WheelTable {
 }
 
 /// A row that the wheel meets.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Met {
     row: usize,
     point: [f64; 2],
@@ -105,8 +135,8 @@ struct Met {
     /// Where it is, from the wheel marker [m].
     x: f64,
     along: Along,
-    /// How far the envelope is below the wheel [m].
-    apart: f64,
+    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not looked for.
+    opposite: Option<[f64; 2]>,
 }
 
 /// A row at one place: point and derivative across, both with their derivatives along the track.
@@ -126,6 +156,8 @@ struct Over<'a> {
     down: [f64; 2],
     yaws: bool,
     nominal_radius: f64,
+    /// How far to either side and below a yawed and rolled wheel may be beyond its table [m].
+    margin: [f64; 2],
     station: f64,
     /// Number of the slice before the station, and of those around all that is within reach.
     slice: usize,
@@ -167,12 +199,12 @@ impl WheelTable {
         (cell > -beside && cell < last as f64 + beside).then(|| (cell.max(0.0) as usize).min(last))
     }
 
-    /// Greatest z of the wheel within [`BESIDE`]/2 of a cell [m].
-    fn lowest(&self, cell: usize) -> f64 {
-        let reach = (0.5 * BESIDE / CELL) as usize;
-        let cells =
-            &self.cells[cell.saturating_sub(reach)..(cell + reach + 1).min(self.cells.len())];
-        cells.iter().map(|c| c[1]).fold(f64::NEG_INFINITY, f64::max)
+    /// Greatest z of the wheel from one place across to another one [m].
+    fn lowest(&self, [from, to]: [f64; 2]) -> f64 {
+        let cell = |y: f64| ((y - self.start) / CELL).max(0.0) as usize;
+        let cells = &self.cells[cell(from).min(self.cells.len())..];
+        let count = (cell(to) + 1).saturating_sub(cell(from)).min(cells.len());
+        cells[..count].iter().map(|c| c[1]).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 
@@ -211,8 +243,8 @@ impl VaryingRail {
         }
         Self {
             hollows,
+            bounds: bounds(&rows, nominal_radius),
             wheel: WheelTable::new(wheel),
-            s: Room::new(count),
             along: Room::new(count),
             knots: Room::new(count),
             kept: Room::new(count),
@@ -291,6 +323,8 @@ impl VaryingRail {
         curve: &mut Curve,
     ) -> bool {
         let (sine, cosine) = pose.roll.sin_cos();
+        let radius = line.nominal_radius();
+        let yawed = STEEPEST_FLANK * radius * pose.yaw * pose.yaw;
         let slice = self.rows.places.partition_point(|p| *p <= station).max(1) - 1;
         let over = Over {
             line,
@@ -298,7 +332,8 @@ impl VaryingRail {
             right: [cosine, sine],
             down: [-sine, cosine],
             yaws: pose.yaw != 0.0,
-            nominal_radius: line.nominal_radius(),
+            nominal_radius: radius,
+            margin: [CELL + yawed, APART + 0.5 * STEEPEST_FLANK * yawed],
             station,
             slice,
             within: [
@@ -311,57 +346,106 @@ impl VaryingRail {
         };
         let mut met = std::mem::take(&mut self.met);
         met.clear();
-        let count = self.rows.parameter.len();
+        let Rows { parameter, parts, .. } = &self.rows;
+        let count = parameter.len();
         let mut before: Option<Met> = None;
-        let mut guess = 0.0;
-        let mut j = 0;
-        loop {
-            let here = self.meet(&over, j, guess, true);
-            if let Some(here) = &here {
-                guess = here.x;
+        let (mut kept, mut looked) = (None, None);
+        for j in 0..count {
+            let below = self.below(&over, j);
+            let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
+            let is_far = kept.is_none_or(|k: usize| parameter[j] - parameter[k] > WIDE);
+            if !(below < 0.0 || is_far || is_end(j)) {
+                continue;
             }
-            let from = before.map_or(f64::INFINITY, |m| m.apart);
-            let to = here.map_or(f64::INFINITY, |m| m.apart);
-            let is_wide =
-                self.rows.parameter[j] - self.rows.parameter[j.saturating_sub(STRIDE)] > WIDE;
-            if is_wide || from.min(to) < APART {
-                for k in j
-                    .saturating_sub(STRIDE - 1)
-                    .max(met.last().copied().flatten().map_or(0, |m: Met| m.row + 1))
-                    ..j
-                {
-                    // As the nearer of the two rows beside, so that rows between need not be looked through.
-                    let is_near = 2 * (j - k) < STRIDE;
-                    let beside = if is_near { here.or(before) } else { before.or(here) };
-                    let guess = beside.map_or(guess, |m| m.x);
-                    met.push(self.meet(&over, k, guess, false));
+            kept = Some(j);
+            if below > FAR_BELOW {
+                met.extend(self.aside(&over, j));
+                continue;
+            }
+            let looks = looked.is_none_or(|k: usize| j - k >= STRIDE);
+            if looks {
+                looked = Some(j);
+            }
+            let beside = before.filter(|m| parameter[j] - parameter[m.row] < CLOSE);
+            let trend = match (beside, met.len().checked_sub(2).map(|k| met[k])) {
+                (Some(b), Some(a)) if (b.x - a.x).abs() < TREND => {
+                    (b.x - a.x) / (parameter[b.row] - parameter[a.row])
                 }
+                _ => 0.0,
+            };
+            let guess = beside.map(|b| b.x + trend * (parameter[j] - parameter[b.row]));
+            if let Some(here) = self.meet(&over, j, guess, beside, looks) {
+                met.push(here);
+                before = Some(here);
             }
-            met.push(here);
-            before = here;
-            if j + 1 == count {
-                break;
-            }
-            j = (j + STRIDE).min(count - 1);
         }
         let is_there = self.lay(&met, curve);
         self.met = met;
         is_there
     }
 
+    /// How far row `j` is surely below the wheel but for the margin within which it counts as near [m].
+    fn below(&self, over: &Over, j: usize) -> f64 {
+        let count = self.rows.parameter.len();
+        let slice = over.slice.min(self.rows.places.len().max(2) - 2);
+        let Bound { y, top, .. } = self.bounds[slice * count + j];
+        let z = top - over.marker[1];
+        let [first, last] = y.map(|y| y - over.marker[0]);
+        let across = [first, last].map(|y| y * over.right[0] + z * over.right[1]);
+        let lowest = self.wheel.lowest([across[0] - over.margin[0], across[1] + over.margin[0]]);
+        let highest = (first * over.down[0]).min(last * over.down[0]) + z * over.down[1];
+        highest - (lowest + over.nominal_radius) - over.margin[1]
+    }
+
+    /// Row `j` as it is under the axle; nothing where it is not there.
+    fn aside(&self, over: &Over, j: usize) -> Option<Met> {
+        let run = self.run(j, over)?;
+        let range = self.reach(run, over);
+        if range[0] > range[1] {
+            return None;
+        }
+        let x = 0.0_f64.clamp(range[0], range[1]);
+        let p = self.row(j, run, over.station + x, over.slice);
+        Some(over.under_axle(j, &p, x))
+    }
+
+    /// From where to where a run of slices is within reach [m].
+    fn reach(&self, [first, last]: [usize; 2], over: &Over) -> [f64; 2] {
+        let places = &self.rows.places;
+        // A row that goes on to the end of the rail is held there.
+        let from = if first == 0 { -REACH } else { places[first] - over.station };
+        let to = if last + 1 == places.len() { REACH } else { places[last] - over.station };
+        [from.max(-REACH), to.min(REACH)]
+    }
+
     /// Makes a curve of the rows that are met.
-    fn lay(&mut self, met: &[Option<Met>], curve: &mut Curve) -> bool {
-        let Self { rows, s, along, knots, kept, .. } = self;
-        s.clear();
+    fn lay(&mut self, met: &[Met], curve: &mut Curve) -> bool {
+        let Self { rows, along, knots, kept, .. } = self;
         along.clear();
         knots.clear();
         kept.clear();
-        let mut before: Option<Met> = None;
-        for m in met.iter().flatten() {
-            let [_, _, dy, dz] = rows.pattern[m.row];
-            let speed = dy.hypot(dz);
+        for m in met {
+            let speed = pattern_speed(rows, m.row);
             let size = m.direction[0].hypot(m.direction[1]);
-            let parameter = match before {
+            // Where the rows are met in another place they may turn back: what is covered is no part of the outline.
+            let mut is_covered = false;
+            while let Some(b) = kept.last() {
+                let to = [m.point[0] - b.point[0], m.point[1] - b.point[1]];
+                if dot(to, [b.direction[0] + m.direction[0], b.direction[1] + m.direction[1]]) > 0.0
+                {
+                    break;
+                }
+                is_covered = to[0] * b.direction[1] - to[1] * b.direction[0] <= 0.0;
+                if is_covered {
+                    break;
+                }
+                kept.pop();
+                knots.pop();
+            }
+            if is_covered {
+                continue;
+            }
+            let parameter = match kept.last() {
                 None => rows.parameter[m.row],
                 Some(b) => {
                     let reached = arc(b.point, b.direction, m.point, m.direction);
@@ -370,7 +454,7 @@ impl VaryingRail {
                     }
                     // As long as the section is that of the pattern the parameter is its own.
                     let grown = if rows.parts[b.row] == rows.parts[m.row] {
-                        let [from, to] = [b, *m].map(|m| {
+                        let [from, to] = [b, m].map(|m| {
                             let [y, z, dy, dz] = rows.pattern[m.row];
                             ([y, z], [dy, dz])
                         });
@@ -379,23 +463,22 @@ impl VaryingRail {
                     } else {
                         reached
                     };
-                    s[s.len() - 1] + grown
+                    knots[knots.len() - 1].s + grown
                 }
             };
-            s.push(parameter);
-            along.push(m.along);
             kept.push(*m);
             knots.push(Knot {
                 s: parameter,
                 point: m.point,
                 tangent: m.direction.map(|d| d * speed / size),
             });
-            before = Some(*m);
         }
         // The envelope goes on to the next row, and along the track with it.
         for k in 1..knots.len().saturating_sub(1) {
             let apart = rows.parameter[kept[k + 1].row] - rows.parameter[kept[k - 1].row];
-            let rate = (kept[k + 1].x - kept[k - 1].x) / apart;
+            let moved = kept[k + 1].x - kept[k - 1].x;
+            // Rows that are met in different places are not neighbours on the envelope.
+            let rate = if moved.abs() < TREND { moved / apart } else { 0.0 };
             let [a, b] = [kept[k].direction, kept[k].first];
             let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
             let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
@@ -406,6 +489,26 @@ impl VaryingRail {
         }
         if knots.len() < 2 {
             return false;
+        }
+        // Slopes by the neighbours, weighted by their distance.
+        let last = knots.len() - 1;
+        for k in 0..=last {
+            let (a, b) = (k.max(1) - 1, (k + 1).min(last));
+            let [before, behind] = [[a, k], [k, b]].map(|[from, to]| {
+                [knots[to].s - knots[from].s, 1.0 / (knots[to].s - knots[from].s)]
+            });
+            let slope = |of: fn(&Along) -> f64| {
+                let rise = |from: usize, to: usize| of(&kept[to].along) - of(&kept[from].along);
+                if a == k {
+                    return rise(k, b) * behind[1];
+                }
+                if b == k {
+                    return rise(a, k) * before[1];
+                }
+                let (one, other) = (rise(a, k) * before[1], rise(k, b) * behind[1]);
+                (one * behind[0] + other * before[0]) / (before[0] + behind[0])
+            };
+            along.push([kept[k].along, Along::each(slope)]);
         }
         curve.put_through(knots);
         true
@@ -431,56 +534,45 @@ impl VaryingRail {
         }
     }
 
-    /// Where the wheel meets row `j`; nothing where the row is not there.
-    fn meet(&self, over: &Over, j: usize, guess: f64, looks_through: bool) -> Option<Met> {
-        let places = &self.rows.places;
+    /// Where the wheel meets row `j`, from the place `guess` and the row `beside` if there are any; nothing where the row is not there.
+    fn meet(
+        &self,
+        over: &Over,
+        j: usize,
+        guess: Option<f64>,
+        beside: Option<Met>,
+        looks_through: bool,
+    ) -> Option<Met> {
         let run = self.run(j, over)?;
-        let [first, last] = run;
-        // A row that goes on to the end of the rail is held there.
-        let from = if first == 0 { -REACH } else { places[first] - over.station };
-        let to = if last + 1 == places.len() { REACH } else { places[last] - over.station };
-        let range = [from.max(-REACH), to.min(REACH)];
+        let range = self.reach(run, over);
         if range[0] > range[1] {
             return None;
         }
         let at = |x: f64| self.row(j, run, over.station + x, over.slice);
-        let start = 0.0_f64.clamp(range[0], range[1]);
-        let here = at(start);
-        let in_wheel = |p: &RowPoint| {
-            let to = [p.value[0] - over.marker[0], p.value[1] - over.marker[1]];
-            [over.right, over.down].map(|axis| to[0] * axis[0] + to[1] * axis[1])
+        let start = guess.unwrap_or(0.0).clamp(range[0], range[1]);
+        let mut x = start;
+        let mut p = at(x);
+        let [y, _] = over.in_wheel(&p);
+        let near = beside.and_then(|b| b.opposite).filter(|[_, own]| (y - own).abs() < CLOSE);
+        let near = near.map(|[u, own]| u + y - own);
+        let Some(near) = near.or_else(|| self.wheel.cell(y).map(|cell| self.wheel.cells[cell][0]))
+        else {
+            return Some(over.under_axle(j, &p, x));
         };
-        let [y, z] = in_wheel(&here);
-        let far = |p: &RowPoint, x: f64| {
-            let [_, z] = in_wheel(p);
-            let down = x.hypot(z) - z;
-            Met {
-                row: j,
-                point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
-                direction: [p.value[2], p.value[3]],
-                first: [0.0; 2],
-                x,
-                along: Along::default(),
-                apart: f64::INFINITY,
-            }
-        };
-        let Some(cell) = self.wheel.cell(y) else { return Some(far(&here, start)) };
-        let lowest = self.wheel.lowest(cell) + over.nominal_radius;
-        if z > lowest + FAR_BELOW {
-            return Some(far(&here, start));
-        }
-        let Some(mut opposite) = over.opposite(self.wheel.cells[cell][0], y) else {
-            // A wheel that stands upright there may touch.
-            return Some(Met { apart: 0.0, ..far(&here, start) });
+        // A wheel that stands upright there may touch.
+        let Some(mut opposite) = over.opposite(near, y) else {
+            return Some(over.under_axle(j, &p, x));
         };
         let centre = opposite.x;
-        let mut x = if guess == 0.0 { centre } else { guess }.clamp(range[0], range[1]);
-        if looks_through && self.is_hollow(j, over) {
-            x = self.scanned(j, run, over, &here, [centre, range[0], range[1]]);
+        if guess.is_none() {
+            x = centre.clamp(range[0], range[1]);
         }
-        let mut p = at(x);
+        if looks_through && self.is_hollow(j, over) {
+            x = self.scanned(j, run, over, (x, &p), [centre, range[0], range[1]]);
+        }
         if (x - start).abs() > 0.0 {
-            opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
+            p = at(x);
+            opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
         let mut met = Self::state(over, &p, x, &opposite);
         for _ in 0..MOST_STEPS {
@@ -493,27 +585,16 @@ impl VaryingRail {
             }
             x = next;
             p = at(x);
-            opposite = over.opposite(opposite.u, in_wheel(&p)[0]).unwrap_or(opposite);
+            opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
             met = Self::state(over, &p, x, &opposite);
             if moved.abs() < LAST_STEP {
                 break;
             }
         }
-        let [_, z] = in_wheel(&p);
-        Some(Met {
-            row: j,
-            point: met.point,
-            direction: met.direction,
-            first: met.first,
-            x,
-            along: Along {
-                ahead: x - opposite.x,
-                curvature: met.curvature,
-                lean: met.lean,
-                drift: met.drift,
-            },
-            apart: z + met.down - opposite.depth,
-        })
+        let State { point, direction, first, curvature, lean, drift, .. } = met;
+        let along = Along { ahead: x - opposite.x, curvature, lean, drift };
+        let opposite = Some([opposite.u, over.in_wheel(&p)[0]]);
+        Some(Met { row: j, point, direction, first, x, along, opposite })
     }
 
     /// Whether row `j` may be hollow within reach.
@@ -529,11 +610,17 @@ impl VaryingRail {
         j: usize,
         run: [usize; 2],
         over: &Over,
-        here: &RowPoint,
+        (place, here): (f64, &RowPoint),
         [centre, from, to]: [f64; 3],
     ) -> f64 {
         let normal = [-here.value[3], here.value[2]];
         let mut best = (f64::INFINITY, centre);
+        // No farther than where a wheel stands higher than the row ever rises.
+        let rows = self.rows.parameter.len();
+        let slice = over.slice.min(self.rows.places.len().max(2) - 2);
+        let rise = (here.value[1] - self.bounds[slice * rows + j].least).max(0.0);
+        let far = (2.0 * LARGEST * over.nominal_radius * rise).sqrt() + (place - centre).abs();
+        let [from, to] = [from.max(centre - far).min(to), to.min(centre + far).max(from)];
         let count = ((to - from) / SCAN).ceil().max(1.0) as usize;
         for i in 0..=count {
             let x = from + (to - from) * i as f64 / count as f64;
@@ -575,7 +662,6 @@ impl VaryingRail {
             point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
             direction: [0, 1].map(|i| across[i] + by_row * over.down[i]),
             first: [0, 1].map(|i| first[i] + along * over.down[i]),
-            down,
             g: dot(normal, first) + share * along,
             bend: rail + share * cosine * cosine / radius,
             curvature: rail,
@@ -587,36 +673,18 @@ impl VaryingRail {
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
     #[must_use]
     pub fn along(&self, s: f64) -> Along {
-        let Self { s: places, along, .. } = self;
-        let n = places.len();
+        let n = self.along.len();
         if n < 2 {
             return Along::default();
         }
-        let i = places.partition_point(|p| *p <= s).clamp(1, n - 1) - 1;
-        let h = places[i + 1] - places[i];
-        let t = ((s - places[i]) / h).clamp(0.0, 1.0);
-        let of = |f: fn(&Along) -> f64| {
-            let value = |k: usize| f(&along[k]);
-            // Slopes by the neighbours, weighted by their distance.
-            let slope = |k: usize| {
-                if k == 0 || k + 1 == n {
-                    return (value((k + 1).min(n - 1)) - value(k.max(1) - 1))
-                        / (places[(k + 1).min(n - 1)] - places[k.max(1) - 1]);
-                }
-                let (h, g) = (places[k] - places[k - 1], places[k + 1] - places[k]);
-                let (a, b) = ((value(k) - value(k - 1)) / h, (value(k + 1) - value(k)) / g);
-                (a * g + b * h) / (h + g)
-            };
-            let (a, b) = (value(i), value(i + 1));
-            let (m, q) = (h * slope(i), h * slope(i + 1));
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, n - 1) - 1;
+        let [from, to] = [&self.along[i], &self.along[i + 1]];
+        let h = self.knots[i + 1].s - self.knots[i].s;
+        let t = ((s - self.knots[i].s) / h).clamp(0.0, 1.0);
+        Along::each(|of| {
+            let [(a, m), (b, q)] = [from, to].map(|[value, slope]| (of(value), h * of(slope)));
             a + t * (m + t * (3.0 * (b - a) - 2.0 * m - q + t * (m + q - 2.0 * (b - a))))
-        };
-        Along {
-            ahead: of(|a| a.ahead),
-            curvature: of(|a| a.curvature),
-            lean: of(|a| a.lean),
-            drift: of(|a| a.drift),
-        }
+        })
     }
 }
 
@@ -625,7 +693,6 @@ struct State {
     point: [f64; 2],
     direction: [f64; 2],
     first: [f64; 2],
-    down: f64,
     g: f64,
     bend: f64,
     curvature: f64,
@@ -634,6 +701,27 @@ struct State {
 }
 
 impl Over<'_> {
+    /// Coordinates to the right and down from the marker in the plane across the track [m].
+    fn in_wheel(&self, p: &RowPoint) -> [f64; 2] {
+        let to = [p.value[0] - self.marker[0], p.value[1] - self.marker[1]];
+        [self.right, self.down].map(|axis| dot(to, axis))
+    }
+
+    /// Row `j` at `x`, where nothing touches it.
+    fn under_axle(&self, j: usize, p: &RowPoint, x: f64) -> Met {
+        let [_, z] = self.in_wheel(p);
+        let down = x.hypot(z) - z;
+        Met {
+            row: j,
+            point: [0, 1].map(|i| p.value[i] + down * self.down[i]),
+            direction: [p.value[2], p.value[3]],
+            first: [0.0; 2],
+            x,
+            along: Along::default(),
+            opposite: None,
+        }
+    }
+
     /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where the wheel stands upright.
     fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
         let [start, end] = self.line.range();
@@ -657,15 +745,7 @@ impl Over<'_> {
                 let advance = if self.yaws { self.line.advance(u) } else { 0.0 };
                 let x = if self.yaws { at.x + advance * step } else { 0.0 };
                 let normal = [-tangent[1], tangent[0]];
-                let depth = dot(to, self.down) + dot(derivative, self.down) * step;
-                return Some(Opposite {
-                    u: next,
-                    depth,
-                    x,
-                    advance: advance / rate,
-                    normal,
-                    curvature,
-                });
+                return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
             }
             u = next;
         }
@@ -676,14 +756,56 @@ impl Over<'_> {
 /// A point of the contact line.
 struct Opposite {
     u: f64,
-    /// How far it is below the axle [m].
-    depth: f64,
     /// Its place along the track, and the derivative of that across [m, -].
     x: f64,
     advance: f64,
     /// Normal into the rail, and curvature of the wheel across, positive where it bulges [1/m].
     normal: [f64; 2],
     curvature: f64,
+}
+
+/// How fast the section of the pattern passes row `j` [-].
+fn pattern_speed(rows: &Rows, j: usize) -> f64 {
+    let [_, _, dy, dz] = rows.pattern[j];
+    dy.hypot(dz)
+}
+
+/// Bounds of all rows under a wheel of `radius` between each slice and the next.
+fn bounds(rows: &Rows, radius: f64) -> Vec<Bound> {
+    let Rows { places, knots, .. } = rows;
+    let count = rows.parameter.len();
+    let none =
+        Bound { y: [f64::INFINITY, f64::NEG_INFINITY], least: f64::INFINITY, top: f64::INFINITY };
+    let spans = places.len() - 1;
+    // The points that control a cubic go around it.
+    let mut own = vec![none; count * spans];
+    for (i, own) in own.chunks_mut(count).enumerate() {
+        let third = (places[i + 1] - places[i]) / 3.0;
+        for (j, bound) in own.iter_mut().enumerate() {
+            for (k, way) in [(i, third), (i + 1, -third)] {
+                let knot = &knots[k * count + j];
+                for way in [0.0, way] {
+                    let [y, z] = [0, 1].map(|c| knot.value[c] + way * knot.slope[c]);
+                    bound.y = [bound.y[0].min(y), bound.y[1].max(y)];
+                    bound.least = bound.least.min(z);
+                }
+            }
+        }
+    }
+    let mut all = vec![none; count * spans];
+    for (i, all) in all.chunks_mut(count).enumerate() {
+        let (first, last) = (places[i] - REACH, places[i + 1] + REACH);
+        for k in (0..spans).filter(|&k| places[k + 1] >= first && places[k] <= last) {
+            let away = (places[k] - places[i + 1]).max(places[i] - places[k + 1]).max(0.0);
+            let drop = 0.5 * away * away / (LARGEST * radius);
+            for (bound, own) in all.iter_mut().zip(&own[k * count..]) {
+                bound.y = [bound.y[0].min(own.y[0]), bound.y[1].max(own.y[1])];
+                bound.least = bound.least.min(own.least);
+                bound.top = bound.top.min(own.least + drop);
+            }
+        }
+    }
+    all
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
