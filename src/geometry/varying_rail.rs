@@ -229,16 +229,24 @@ impl VaryingRail {
             let h = rows.places[i] - rows.places[i - 1];
             for j in 0..count {
                 let [from, to] = [i - 1, i].map(|i| rows.knots[i * count + j]);
+                // Second derivatives at both ends, between which that of a cubic is straight.
                 let bends = |c: usize| {
                     let rise = 3.0 * (to.value[c] - from.value[c]) / h;
-                    let at = [
-                        rise - 2.0 * from.slope[c] - to.slope[c],
-                        from.slope[c] + 2.0 * to.slope[c] - rise,
-                    ];
-                    at.iter().any(|half| 2.0 * half.abs() / h > most)
+                    [
+                        2.0 * (rise - 2.0 * from.slope[c] - to.slope[c]) / h,
+                        2.0 * (from.slope[c] + 2.0 * to.slope[c] - rise) / h,
+                    ]
                 };
-                hollows[i * count + j] =
-                    hollows[(i - 1) * count + j] + u32::from(bends(0) || bends(1));
+                let (y, z) = (bends(0), bends(1));
+                // Along any normal between that of the section and the vertical: hollow is what bends up.
+                let is_hollow = [from, to].into_iter().any(|knot| {
+                    let [_, _, dy, dz] = knot.value;
+                    let limit = most * dy.hypot(dz);
+                    [0, 1]
+                        .into_iter()
+                        .any(|end| (y[end] * dz).abs() - z[end].min(0.0) * dy.hypot(dz) > limit)
+                });
+                hollows[i * count + j] = hollows[(i - 1) * count + j] + u32::from(is_hollow);
             }
         }
         Self {
