@@ -1,5 +1,6 @@
 //! Rails whose section varies along the track: slices and tables of sections.
 
+mod allocations;
 mod common;
 mod tolerance;
 
@@ -9,10 +10,12 @@ use std::fs;
 use approx::assert_relative_eq;
 use common::planar::STEEL;
 use common::random::Random;
-use common::wheel::{evaluate, random_input, rolling, the_patch};
+use common::vectors::{add, assert_close, cross};
+use common::wheel::{evaluate, mirrored, random_input, rolling, the_patch};
 use common::{median_and_worst, read_table, value};
 use tempfile::TempDir;
-use wheelrail::element::parameters::{NormalModel, Placement, VerticalMode, WearModel};
+use wheelrail::element::input::RailMotion;
+use wheelrail::element::parameters::{NormalModel, Placement, Side, VerticalMode, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
@@ -314,5 +317,249 @@ fn every_real_time_normal_model_carries_a_wheel_on_a_slope() {
     });
     for force in forces {
         assert!((force / forces[2] - 1.0).abs() < 0.2, "{forces:?}");
+    }
+}
+
+/// Half the width of the crowns of wing and nose [mm].
+const HALF: f64 = 12.0;
+
+/// Points of a crown of radius 300 mm, [`HALF`] to either side of `y`, at height `z` [mm].
+fn narrow([y, z]: [f64; 2]) -> Vec<[f64; 2]> {
+    let angles = (-24..=24).map(|i| HALF / 24.0 * f64::from(i) / 300.0);
+    angles.map(|a: f64| [300.0 * a.sin() + y, 300.0 * (1.0 - a.cos()) + z]).collect()
+}
+
+fn text(points: &[[f64; 2]]) -> String {
+    // A section with a groove does not tell by its shape how it stands.
+    points
+        .iter()
+        .fold(String::from("# mirror_z 0\n"), |text, [y, z]| text + &format!("{y:.9} {z:.9}\n"))
+}
+
+/// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files of their own, and as one rail with three parts, the
+/// groove between them among them.
+fn crossing() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let wing_at = |s: f64| [-16.0 - 0.03 * s, 0.3 + 1e-3 * s];
+    let nose_at = |s: f64| [18.0, 0.3 - 6e-3 * s];
+    let places: Vec<f64> = (-15..=15).map(|i| 10.0 * f64::from(i)).collect();
+    let (mut wing, mut nose, mut one, mut features) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let arc = |points: &[[f64; 2]]| {
+        points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum::<f64>()
+    };
+    let write = |name: &str, points: &[[f64; 2]]| {
+        fs::write(folder.path().join(name), text(points)).unwrap();
+    };
+    for (i, s) in places.iter().enumerate() {
+        let (a, b) = (narrow(wing_at(*s)), narrow(nose_at(*s)));
+        write(&format!("wing{i}.txt"), &a);
+        wing.push(format!("{s} 'wing{i}.txt'"));
+        if *s < -50.0 {
+            one.push(format!("{s} 'wing{i}.txt'"));
+            features.push(format!("{s} 0 {:.6} -1 -1", arc(&a)));
+            continue;
+        }
+        write(&format!("nose{i}.txt"), &b);
+        nose.push(format!("{s} 'nose{i}.txt'"));
+        // A groove 20 mm deep between them.
+        let (from, to) = (a[a.len() - 1], b[0]);
+        let groove: Vec<[f64; 2]> = (1..40)
+            .map(|k| {
+                let share = f64::from(k) / 40.0;
+                let [y, z] = [0, 1].map(|c| from[c] + share * (to[c] - from[c]));
+                [y, z + 20.0 * (std::f64::consts::PI * share).sin()]
+            })
+            .collect();
+        let all = [a.clone(), groove, b.clone()].concat();
+        write(&format!("both{i}.txt"), &all);
+        one.push(format!("{s} 'both{i}.txt'"));
+        let whole = arc(&all);
+        let ends = [0.0, arc(&a), whole - arc(&b), whole].map(|length| format!("{length:.6}"));
+        features.push(format!("{s} {}", ends.join(" ")));
+    }
+    let list = |name: &str, slices: &[String], features: &[String], count: usize| {
+        let parts = [slices, features].concat().join("\n");
+        let text = format!("0 1\n{}\n{count} 0 0\n1\n{parts}\n", slices.len());
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    list("wing.slcs", &wing, &[], 0);
+    list("nose.slcs", &nose, &[], 0);
+    list("rail.slcs", &one, &features, 4);
+    folder
+}
+
+#[test]
+fn a_rail_with_parts_is_two_rails() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut one = element(&parameters, &folder);
+    parameters.rails[0].profile = "wing.slcs".into();
+    parameters.rails[1].enabled = true;
+    let [wing, nose] = &mut parameters.rails;
+    (nose.profile, nose.placement) = ("nose.slcs".into(), Placement::Origin);
+    (nose.position, nose.inclination, nose.mirrored) = (wing.position, 0.0, false);
+    let mut two = element(&parameters, &folder);
+    let (mut on_wing, mut on_nose) = (0, 0);
+    for i in 0..60 {
+        let mut input = rolling(0.0, 10.0);
+        input.track_s = 1e-3 * (-110.0 + 3.5 * f64::from(i));
+        let [first, other] = [&mut one, &mut two].map(|e| e.touching_height(&input));
+        assert_relative_eq!(first, other, epsilon = 2e-9);
+        input.wheel.position[2] = first + 5e-5;
+        let (first, other) = (evaluate(&mut one, &input), evaluate(&mut two, &input));
+        // Where both carry, patches of one rail press each other down and those of two do not.
+        if first.patch_count.max(other.patch_count) > 1 {
+            continue;
+        }
+        let counted = if other.patches[0].rail == 1 { &mut on_wing } else { &mut on_nose };
+        *counted += 1;
+        let scale = 1e-4 * other.wheel.force[2].abs();
+        for k in 0..3 {
+            assert_relative_eq!(first.wheel.force[k], other.wheel.force[k], epsilon = scale);
+        }
+    }
+    assert!(on_wing > 10 && on_nose > 10, "{on_wing} {on_nose}");
+}
+
+#[test]
+fn forces_on_wheel_and_rail_are_in_balance_and_the_left_side_is_a_mirror() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "conical:0.025".into();
+    let mut right = element(&parameters, &folder);
+    parameters.side = Side::Left;
+    parameters.rails[0].position[0] *= -1.0;
+    let mut left = element(&parameters, &folder);
+    // The highest point of the first section, that of the wing 150 mm before the origin.
+    let marker = [0.0, 0.75 - 0.0115, 0.00015];
+    let mut random = Random::new(3);
+    for _ in 0..40 {
+        let mut input = random_input(&mut right, &mut random);
+        input.rails[0] = RailMotion::default();
+        // On the crowns, not on their ends.
+        input.wheel.position[1] = 0.75 + random.about(2e-3);
+        (input.wheel.roll, input.wheel.yaw) = (random.about(1e-3), random.about(5e-3));
+        input.track_s = random.about(0.1);
+        input.wheel.position[2] = right.touching_height(&input) + 8e-5;
+        let output = evaluate(&mut right, &input);
+        assert!(output.patch_count > 0);
+        let (wheel, rail) = (output.wheel, output.rails[0]);
+        let scale = wheel.force.iter().fold(1.0_f64, |most, f| most.max(f.abs()));
+        let allowed = tolerance::SIMILARITY * scale;
+        assert_close(wheel.force, rail.force.map(|f| -f), allowed, "reaction");
+        let other = evaluate(&mut left, &mirrored(&input));
+        let [fx, fy, fz] = other.wheel.force;
+        assert_close(wheel.force, [fx, -fy, fz], allowed, "mirror");
+        // About the origin of the track: every force acts on both bodies at the same point.
+        let on_wheel = add(wheel.moment, cross(input.wheel.position, wheel.force));
+        let on_rail = add(rail.moment, cross(marker, rail.force));
+        assert_close(on_wheel, on_rail.map(|m| -m), allowed, "moment");
+    }
+}
+
+#[test]
+fn sections_that_are_turned_over_differently_are_refused() {
+    let folder = crossing();
+    for name in ["wing0.txt", "both20.txt"] {
+        let path = folder.path().join(name);
+        let plain = fs::read_to_string(&path).unwrap().replace("# mirror_z 0\n", "");
+        fs::write(&path, plain).unwrap();
+    }
+    let list = "0 1\n2\n0 0 0\n1\n0 'wing0.txt'\n10 'both20.txt'\n";
+    fs::write(folder.path().join("rail.slcs"), list).unwrap();
+    let made = Element::new(&parameters(), &Input::default(), &[folder.path().to_path_buf()]);
+    let message = made.unwrap_err().to_string();
+    for part in ["rail.slcs:6", "both20.txt", "wing0.txt", "mirror_z"] {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+#[test]
+fn heights_converge_with_the_fourth_power_of_the_distance_of_slices() {
+    let wave = std::f64::consts::TAU / 0.3;
+    let height = |s: f64| -1e-3 * (wave * s).cos();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let radius = parameters.wheel.nominal_radius;
+    let worst = [30.0, 15.0, 7.5].map(|apart| {
+        let count = (600.0 / apart) as i32;
+        let places = (-count..=count).map(|i| apart * f64::from(i));
+        let folder = slices(places, |place| crown(1.0, [0.0, 1e3 * height(1e-3 * place)]));
+        let mut element = element(&parameters, &folder);
+        let mut worst: f64 = 0.0;
+        for i in 0..30 {
+            let mut input = Input { track_s: 0.01 * f64::from(i) + 1e-3, ..Input::default() };
+            input.wheel.position[0] = 2e-3;
+            let station = input.track_s + input.wheel.position[0];
+            // Newton's method on the slope of the distance from the wheel's circle.
+            let mut x = 0.0_f64;
+            for _ in 0..30 {
+                let root = (radius * radius - x * x).sqrt();
+                let slope = 1e-3 * wave * (wave * (station + x)).sin() + x / root;
+                let bend = 1e-3 * wave * wave * (wave * (station + x)).cos()
+                    + radius * radius / root.powi(3);
+                x -= slope / bend;
+            }
+            let exact = height(station + x) - (radius * radius - x * x).sqrt();
+            worst = worst.max((element.touching_height(&input) - exact).abs());
+        }
+        worst
+    });
+    // Rounded files are left at the end.
+    assert!(worst[0] / worst[1] > 12.0 && worst[1] / worst[2] > 12.0, "{worst:?}");
+    assert!(worst[2] < tolerance::VARYING_HEIGHT, "{worst:?}");
+}
+
+#[test]
+fn evaluations_on_a_crossing_allocate_nothing() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    for mode in [VerticalMode::Penetration, VerticalMode::Load] {
+        parameters.vertical_mode = mode;
+        let mut element = element(&parameters, &folder);
+        let mut output = Output::default();
+        let mut touched = 0;
+        let before = allocations::count();
+        for i in 0..300 {
+            let t = f64::from(i);
+            let mut input = rolling(5e-3 * (0.3 * t).sin(), 20.0);
+            input.track_s = 0.25 * (0.05 * t).sin();
+            input.wheel.yaw = 0.02 * (0.7 * t).sin();
+            input.wheel.position[2] = -0.46 + 4e-4 * (0.11 * t).sin();
+            if i % 20 == 0 {
+                // Right through the rail.
+                input.wheel.position[2] += 0.012;
+            }
+            input.wheel_load = 5e4 * (0.2 * t).sin();
+            element.evaluate(&input, &mut output).unwrap();
+            touched += i32::from(output.patch_count > 0);
+        }
+        assert_eq!(allocations::count(), before);
+        assert!(touched > 100, "{touched}");
+    }
+}
+
+#[test]
+fn frictionless_forces_on_a_slope_that_bends_have_an_energy() {
+    // The change of the vertical force along the track is that of the longitudinal one with the height.
+    let places = (-20..=20).map(|i| 10.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, 4.0 * (place / 60.0).cos()]));
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut element = element(&parameters, &folder);
+    for station in [-0.06, -0.02, 0.03, 0.08] {
+        let mut input = Input { friction: 0.0, track_s: station, ..Input::default() };
+        let height = element.touching_height(&input) + 1e-4;
+        let mut force = |ahead: f64, down: f64| {
+            input.track_s = station + ahead;
+            input.wheel.position[2] = height + down;
+            evaluate(&mut element, &input).wheel.force
+        };
+        let (h, d) = (2e-6, 2e-7);
+        let along = (force(h, 0.0)[2] - force(-h, 0.0)[2]) / (2.0 * h);
+        let down = (force(0.0, d)[0] - force(0.0, -d)[0]) / (2.0 * d);
+        assert_relative_eq!(along, down, max_relative = tolerance::VARYING_ENERGY);
     }
 }

@@ -74,8 +74,8 @@ impl RailContact {
         let nominal_radius = parameters.wheel.nominal_radius;
         let mut clearance = Clearance::new(&wheel.curve, nominal_radius, rail.curve());
         let here = rail.variation().map(|varying| {
-            let own = clearance.clone();
-            clearance.raise(varying.faces());
+            let mut own = clearance.clone();
+            own.reserve(clearance.raise(varying.faces()));
             own
         });
         Self {

@@ -134,7 +134,8 @@ impl Clearance {
     }
 
     /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y, z) of each: no wheel above them touches it anywhere.
-    pub fn raise(&mut self, faces: impl Iterator<Item = [[f64; 2]; 4]> + Clone) {
+    /// Returns how far it then reaches beyond its sides [m].
+    pub fn raise(&mut self, faces: impl Iterator<Item = [[f64; 2]; 4]> + Clone) -> f64 {
         let across = |face: &[[f64; 2]; 4]| {
             let y = face.map(|corner| corner[0]);
             [y.iter().copied().fold(f64::MAX, f64::min), y.iter().copied().fold(f64::MIN, f64::max)]
@@ -151,6 +152,8 @@ impl Clearance {
         self.top.resize(self.top.len() + after, f64::INFINITY);
         self.rail_start -= before as f64 * CELL;
         let start = first - before as f64 * CELL;
+        let own = self.rail_top;
+        let mut lowest = own;
         for face in faces {
             let [left, right] = across(&face).map(|y| PADDING + ((y - start) / CELL) as usize);
             let top = face.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min) - BULGE;
@@ -158,8 +161,13 @@ impl Clearance {
                 *cell = cell.min(top);
             }
             self.rail_top = self.rail_top.min(top);
+            lowest = face.iter().map(|corner| corner[1]).fold(lowest, f64::max);
         }
+        let more = (own - self.rail_top) + (lowest - own);
+        let circle = 2.0 * (self.nominal_radius + self.wheel_low);
+        self.chord = (self.chord * self.chord + circle * more).sqrt();
         self.put_levels();
+        (before + after) as f64 * CELL
     }
 
     /// Level 0 is the least over one cell to either side, each further level doubles the reach.

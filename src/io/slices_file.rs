@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use super::profile_file::{bytes_of, find, load_profile};
 use super::table::{lines, number};
 use crate::error::ContactError;
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::geometry::slices::{Slice, Slices};
 use crate::geometry::standard_profiles::built_in;
 
@@ -75,6 +75,8 @@ pub fn load_slices(
     let own_folders = [folder];
     let mut known: HashMap<String, Profile> = HashMap::new();
     let mut slices = Vec::with_capacity(listed.entries.len());
+    // A section without a mark whether it stands upright is judged by its own shape, which does not tell for one with a groove.
+    let mut turned: Option<(String, bool)> = None;
     for Entry { line, place, name, features } in listed.entries {
         if !known.contains_key(&name) {
             let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
@@ -85,6 +87,20 @@ pub fn load_slices(
                 }
                 other => other,
             })?;
+            let is_turned =
+                read.remarks.iter().any(|r| matches!(r, ProfileRemark::MirroredZ { .. }));
+            let is_file = matches!(built_in(&name, RAIL), Ok(None));
+            match &turned {
+                Some((other, of_other)) if is_file && *of_other != is_turned => {
+                    let [up, down] = if is_turned { [other, &name] } else { [&name, other] };
+                    let what = format!(
+                        "\"{down}\" looks upside down and is turned over, \"{up}\" is not; write # mirror_z 0 (as it stands) or # mirror_z 1 into each"
+                    );
+                    return Err(refuse(ProfileError::BadSlices { file, line, what }));
+                }
+                None if is_file => turned = Some((name.clone(), is_turned)),
+                _ => {}
+            }
             known.insert(name.clone(), read);
         }
         let Some(profile) = known.get(&name).cloned() else { continue };

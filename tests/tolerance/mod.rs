@@ -21,6 +21,8 @@ pub const VARYING_HEIGHT: f64 = 1e-6;
 pub const VARYING_PLACE: f64 = 2e-4;
 pub const VARYING_PRESSURE: f64 = 0.03;
 pub const VARYING_FORCE: f64 = 0.03;
+/// Change of the vertical force along a track that bends against that of the longitudinal one with the height: the aim for loads.
+pub const VARYING_ENERGY: f64 = 1e-2;
 
 /// Full sliding against friction times normal force.
 pub const FULL_SLIDING: f64 = 1e-3;
