@@ -228,7 +228,7 @@ fn against_contact(rail: &str, folder: &TempDir) -> Errors {
         let mut input = rolling(0.0, 20.0);
         input.track_s = 1e-3 * of("s_mm");
         // The wheelset turns about its centre.
-        input.wheel.yaw = yaw;
+        (input.wheel.yaw, input.wheel.pitch_rate) = (yaw, of("pitch_rate_rad_s"));
         input.wheel.position[0] = -0.75 * yaw.sin();
         input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
         if rail == "nose" {
