@@ -512,6 +512,21 @@ fn heights_converge_with_the_fourth_power_of_the_distance_of_slices() {
 }
 
 #[test]
+fn a_contact_laid_flat_is_as_round_as_wheel_and_rail_together() {
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, 0.5e-3 * place * place]));
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut element = element(&parameters, &folder);
+    let mut input = Input::default();
+    input.wheel.position[2] = element.touching_height(&input) + 1e-4;
+    let flat = element.flat_contacts(&input).unwrap();
+    let radius = 1.0 / (1.0 / parameters.wheel.nominal_radius + 1.0);
+    // Ends of the rail without curvature are ten slices away, each of which leaves a quarter of their effect.
+    assert_relative_eq!(flat[0].radius, radius, max_relative = 1e-5);
+}
+
+#[test]
 fn evaluations_on_a_crossing_allocate_nothing() {
     let folder = crossing();
     let mut parameters = parameters();

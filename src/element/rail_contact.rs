@@ -207,7 +207,8 @@ impl RailContact {
         self.search.search(&line, &self.rail, &self.ranges);
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
-            let radius = line.wheel_point(contact.u).section_radius;
+            let even_radius = line.wheel_point(contact.u).section_radius;
+            let radius = varying_radius(even_radius, &self.rail, contact.rail_s);
             let forces = ContactForces {
                 k,
                 input,
