@@ -187,7 +187,12 @@ fn models_and_places_without_exact_derivatives_answer_by_differences() {
         host.set_integer("tangential.elements_along", 6)
             .max(host.set_integer("tangential.model", 7))
     };
-    let models: [&dyn Fn(&Host) -> Status; 3] = [&uneven, &boundary_elements, &tangential];
+    let folder = tempfile::TempDir::new().unwrap();
+    let table = folder.path().join("rail.csv");
+    std::fs::write(&table, "station_m,profile\n-1,60E1\n0,60E1\n1,60E1\n").unwrap();
+    let varying = |host: &Host| host.set_text("rail[1].profile", table.to_str().unwrap());
+    let models: [&dyn Fn(&Host) -> Status; 4] =
+        [&uneven, &boundary_elements, &tangential, &varying];
     for (place, set) in models.into_iter().enumerate() {
         let host = Host::initializing();
         assert_eq!(set(&host), Status::Ok, "{}", host.last());

@@ -75,6 +75,8 @@ struct ZoneRolling<T> {
     load_factor: T,
     /// How much deeper than the even contact line the wheel is along the normal [m].
     surface_depth: T,
+    /// Lean of the strips of a rail that varies along the track [-].
+    lean: T,
 }
 
 impl<T: ElementNumber> ContactForces<'_, T> {
@@ -103,9 +105,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 continue;
             }
             work.zones += 1;
-            let surface = lifting.map_or(ZoneSurface::even(), |lifting| {
-                T::zone_surface(self, &lifting, &zone, models)
-            });
+            let surface = match &lifting {
+                Some(lifting) => T::zone_surface(self, lifting, &zone, models),
+                None if self.rail.variation().is_some() => T::met_surface(self, &zone, models),
+                None => ZoneSurface::even(),
+            };
             let axes = even_axes.leaning(surface.lean);
             let rolling = self.rolling(zone, &surface, load_factor, models.minimum_speed);
             let ZoneRolling { position, rolling_radius, speed, .. } = rolling;
@@ -117,7 +121,12 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             let normal_force = zone.load * load_factor;
             let pressing = axes.normal * -normal_force;
             let bearing = match lifting {
-                None => meeting_axle(&wheel, position, axes.normal),
+                None => {
+                    // Where the even part of the normal meets the axle, the part that leans does too.
+                    let even =
+                        position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
+                    position + (meeting_axle(&wheel, even, even_axes.normal) - even)
+                }
                 Some(_) => position,
             };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
@@ -205,6 +214,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             ),
             load_factor,
             surface_depth: surface.depth,
+            lean: if self.rail.variation().is_some() { surface.lean } else { T::from(0.0) },
         }
     }
 
@@ -282,7 +292,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
     ) -> (UnderLaw<T>, Option<Tractions<T>>) {
-        let ZoneRolling { zone, position, axes, speed, surface_depth, .. } = rolling;
+        let ZoneRolling { zone, position, axes, speed, surface_depth, lean, .. } = rolling;
         let Models { curved_zone, strips, tangential, material, wear, given, .. } = models;
         let material = &material.fixed();
         let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
@@ -307,7 +317,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                     let [point, tangent] = self.surface(u, x);
                     [point + axes.normal * *surface_depth, tangent]
                 };
-                curved_zone.place(zone, strips, motion, speed.reference, place)
+                curved_zone.place(zone, strips, motion, speed.reference, *lean, place)
             }
         };
         let state = self.state(rolling, creepage);
@@ -382,7 +392,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let wheel = &self.input.wheel;
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
-        let x = if lifting.is_some() && load > 0.0 {
+        let varying = self.rail.variation();
+        let x = if (lifting.is_some() || varying.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
         } else {
             self.line.even_at(self.contact.u).x
@@ -391,8 +402,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.closing_velocity(touch).dot(&normal);
-        let Some(lifting) = lifting else { return even };
         let [forward, ..] = wheel.velocity;
+        if let Some(varying) = varying {
+            return even + forward * varying.along(self.contact.rail_s.value()).lean;
+        }
+        let Some(lifting) = lifting else { return even };
         let radius = self.line.nominal_radius();
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }

@@ -70,6 +70,8 @@ pub struct CurvedZone<T = f64> {
     points: Room<Vector3<T>>,
     tangents: Room<Vector3<T>>,
     creepages: Room<Creepage<T>>,
+    /// Tangent of the angle by which its normals lean forward [-].
+    lean: T,
 }
 
 impl<T: Real> CurvedZone<T> {
@@ -79,6 +81,7 @@ impl<T: Real> CurvedZone<T> {
             points: Room::new(strips),
             tangents: Room::new(strips),
             creepages: Room::new(strips),
+            lean: T::from(0.0),
         }
     }
 
@@ -89,23 +92,24 @@ impl<T: Real> CurvedZone<T> {
 
     /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted by load.
     ///
-    /// `surface` gives point and tangent of the wheel at a parameter of the contact line and an x [m].
+    /// `lean` is the tangent of the angle by which the normals of a rail that rises along the track lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact line and an x [m].
     pub fn place(
         &mut self,
         zone: &Zone<T>,
         strips: &Strips<T>,
         motion: &RelativeMotion<T>,
         reference_speed: T,
+        lean: T,
         surface: impl Fn(T, T) -> [Vector3<T>; 2],
     ) -> Creepage<T> {
         self.points.clear();
         self.tangents.clear();
         self.creepages.clear();
+        self.lean = lean;
         let (mut mean, mut load) = (Creepage::<T>::default(), T::from(0.0));
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
-            let normal = Vector3::x().cross(&tangent);
-            let axes = ContactAxes::along_track(tangent, normal);
+            let axes = leaning_axes(tangent, lean);
             let creepage = motion.creepage(point, &axes, reference_speed);
             let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
             load += weight;
@@ -147,10 +151,10 @@ impl<T: Real> CurvedZone<T> {
         let solved = tangential.strip_forces(zone, strips, &slip, law, |j, strip| {
             let i = j - zone.first;
             let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
-            let force = Vector3::x() * strip.longitudinal + tangent * strip.lateral;
+            let axes = leaning_axes(tangent, self.lean);
+            let force = axes.longitudinal * strip.longitudinal + tangent * strip.lateral;
             total.force += force;
-            total.moment += (self.points[i] - position).cross(&force)
-                + Vector3::x().cross(&tangent) * strip.moment;
+            total.moment += (self.points[i] - position).cross(&force) + axes.normal * strip.moment;
             let dissipation = -(strip.longitudinal * creepage.longitudinal
                 + strip.lateral * creepage.lateral
                 + strip.moment * creepage.spin);
@@ -165,6 +169,11 @@ impl<T: Real> CurvedZone<T> {
         }
         Some(total)
     }
+}
+
+/// The axes of a strip with the tangent `tangent` across, whose normal leans forward by an angle with the tangent `lean`.
+fn leaning_axes<T: Real>(tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
+    ContactAxes::along_track(tangent, Vector3::x().cross(&tangent)).leaning(lean)
 }
 
 #[cfg(test)]
@@ -202,7 +211,7 @@ mod tests {
         let mut curved = CurvedZone::with_capacity(1);
         let mut creepage = |wheel: &WheelMotion| {
             let motion = RelativeMotion::new(wheel, &rail, Vector3::new(0.0, 0.76, 0.0));
-            curved.place(&zone, &strips, &motion, speed, |_, x| {
+            curved.place(&zone, &strips, &motion, speed, 0.0, |_, x| {
                 let point = Vector3::new(x, 0.755, wheel.position[2] + rolling_radius);
                 [point, Vector3::new(0.0, angle.cos(), angle.sin())]
             })

@@ -142,6 +142,10 @@ impl Element {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             return refuse(name, "they are there for bodies that are even along the track");
         }
+        if self.rails.iter().flatten().any(|rail| rail.rail.variation().is_some()) {
+            let reason = "they are there for rails that are the same all along the track";
+            return refuse("rail[k].profile with slices", reason);
+        }
         Ok(())
     }
 

@@ -16,7 +16,8 @@ use super::{Input, Output, Parameters};
 use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
-use crate::io::load_profile;
+use crate::geometry::slices::Slices;
+use crate::io::{load_profile, load_slices};
 
 /// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,14 +78,19 @@ impl Element {
             load_profile(parameter, name, kind, parameters.profile_smoothing, profile_folders)
         };
         let wheel = load("wheel.profile", &parameters.wheel.profile, ProfileKind::Wheel)?;
-        let mut rails = [const { None }; RAILS];
+        let (mut rails, mut slices) = ([const { None }; RAILS], [const { None }; RAILS]);
         for (k, rail) in parameters.rails.iter().enumerate() {
             if rail.enabled {
-                let parameter = format!("rail[{}].profile", k + 1);
-                rails[k] = Some(load(&parameter, &rail.profile, ProfileKind::Rail)?);
+                let (parameter, kind) = (format!("rail[{}].profile", k + 1), ProfileKind::Rail);
+                let smoothing = parameters.profile_smoothing;
+                slices[k] = load_slices(&parameter, &rail.profile, smoothing, profile_folders)?;
+                rails[k] = Some(match &slices[k] {
+                    Some(slices) => slices.first_profile(),
+                    None => load(&parameter, &rail.profile, kind)?,
+                });
             }
         }
-        Self::build(parameters, start, &wheel, &rails, profile_folders)
+        Self::build(parameters, start, &wheel, &rails, &slices, profile_folders)
     }
 
     /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail that is not there.
@@ -98,7 +104,7 @@ impl Element {
         rails: &[Option<Profile>; RAILS],
     ) -> Result<Self, ContactError> {
         parameters.check()?;
-        Self::build(parameters, start, wheel, rails, &[])
+        Self::build(parameters, start, wheel, rails, &[const { None }; RAILS], &[])
     }
 
     /// The element of checked `parameters`; `folders` is where files of deviations are looked for.
@@ -107,9 +113,15 @@ impl Element {
         start: &Input,
         wheel: &Profile,
         rails: &[Option<Profile>; RAILS],
+        slices: &[Option<Slices>; RAILS],
         folders: &[PathBuf],
     ) -> Result<Self, ContactError> {
         start.check()?;
+        for (k, slices) in slices.iter().enumerate() {
+            if let Some(slices) = slices {
+                parameters.check_variation(&format!("rail[{}].profile", k + 1), slices)?;
+            }
+        }
         let radius = parameters.wheel.nominal_radius;
         let [least, greatest] = wheel.bounds().z;
         // All of the wheel is on one side of its axle, and none of it further out than twice the nominal radius.
@@ -122,6 +134,10 @@ impl Element {
             let Some(profile) = profile else { continue };
             let deviations = deviations(parameters, k, folders)?;
             let placed = placed(k, profile, parameters)?;
+            let placed = match &slices[k] {
+                Some(slices) => placed.varying(slices, &wheel.curve, radius),
+                None => placed,
+            };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;
             let contact = RailContact::new(wheel, name, parameters, placed, deviations, friction);

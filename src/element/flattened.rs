@@ -22,7 +22,7 @@ pub struct FlatContact {
     pub position: [f64; 2],
     /// Separation f from the contact point: points (y, f), y growing [m].
     pub separation: Vec<[f64; 2]>,
-    /// Radius of the wheel's normal section along x [m].
+    /// Radius of the wheel's normal section along x, together with that of a rail that varies along the track [m].
     pub radius: f64,
     /// Approach [m].
     pub penetration: f64,

@@ -98,6 +98,7 @@ impl RailContact {
                 frame: &frame,
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
+                varying: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
                 let contact =

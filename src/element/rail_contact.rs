@@ -32,6 +32,8 @@ pub struct RailContact {
     pub(super) nominal_radius: f64,
     pub(super) rail: PlacedRail,
     clearance: Clearance,
+    /// The same for a rail that varies along the track as it is where the wheel is, for wheels that are inside.
+    here: Option<Clearance>,
     /// Stretches of the contact line that may touch.
     ranges: Room<[f64; 2]>,
     pub(super) search: ContactSearch,
@@ -70,8 +72,15 @@ impl RailContact {
         friction: Option<RailFriction>,
     ) -> Self {
         let nominal_radius = parameters.wheel.nominal_radius;
+        let mut clearance = Clearance::new(&wheel.curve, nominal_radius, rail.curve());
+        let here = rail.variation().map(|varying| {
+            let mut own = clearance.clone();
+            own.reserve(clearance.raise(varying.faces()));
+            own
+        });
         Self {
-            clearance: Clearance::new(&wheel.curve, nominal_radius, rail.curve()),
+            clearance,
+            here,
             ranges: Room::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
             probes: Room::new(MOST_PROBES),
@@ -147,6 +156,9 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
+        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+            return false;
+        }
         self.search.search(&line, &self.rail, &self.ranges);
         true
     }
@@ -189,10 +201,14 @@ impl RailContact {
         self.find_ranges(input, &pose);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
+        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+            return Vec::new();
+        }
         self.search.search(&line, &self.rail, &self.ranges);
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
-            let radius = line.wheel_point(contact.u).section_radius;
+            let even_radius = line.wheel_point(contact.u).section_radius;
+            let radius = varying_radius(even_radius, &self.rail, contact.rail_s);
             let forces = ContactForces {
                 k,
                 input,
@@ -247,9 +263,16 @@ impl RailContact {
     }
 
     /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it is not [m].
-    fn depth(&self, k: usize, input: &Input) -> f64 {
+    fn depth(&mut self, k: usize, input: &Input) -> f64 {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
-        self.clearance.sunk(&pose).unwrap_or(0.0)
+        let clearance = match &mut self.here {
+            None => &self.clearance,
+            Some(here) => {
+                here.put_curves(&self.wheel.curve, self.rail.curve());
+                here
+            }
+        };
+        clearance.sunk(&pose).unwrap_or(0.0)
     }
 
     /// Adds the forces of the contacts found; returns how many zones found no room or fell back to a simpler model.
@@ -301,9 +324,10 @@ impl RailContact {
             models.strips.clear();
             let even_radius = line.wheel_point(contact.u).section_radius;
             let lifting = separation.lifting();
-            let radius = lifting.map_or(even_radius, |lifting| {
-                local_radius(even_radius, &lifting, separation.at(contact.u).x)
-            });
+            let radius = lifting.map_or_else(
+                || varying_radius(even_radius, &self.rail, contact.rail_s),
+                |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
+            );
             let problem = NormalProblem {
                 approach: contact.penetration,
                 radius,
@@ -363,4 +387,11 @@ fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;
     1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
+}
+
+/// Radius of relative curvature along the track at parameter `s` of a rail that may vary along it, for a wheel whose even section has `radius` [m].
+fn varying_radius(radius: f64, rail: &PlacedRail, s: f64) -> f64 {
+    let Some(varying) = rail.variation() else { return radius };
+    let along = varying.along(s);
+    radius / (1.0 + radius * along.curvature * along.shortening()).max(LEAST_CURVATURE_SHARE)
 }

@@ -17,6 +17,7 @@ use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
+use crate::geometry::varying_rail::{Along, VaryingRail};
 use crate::kinematics::creepage::RelativeMotion;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -60,6 +61,22 @@ impl<'a> LocalLine<'a> {
                 (point, derivative)
             }
         }
+    }
+
+    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along it; the place `x` of the contact line on others.
+    fn met(&self, s: f64, x: f64) -> [f64; 2] {
+        let Some(varying) = self.rail.variation() else { return [x, 1.0] };
+        let Along { ahead, lean, .. } = varying.along(s);
+        [x + ahead, 1.0 / lean.hypot(1.0)]
+    }
+
+    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies [m].
+    fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
+        let even = self.line.wheel_point(u).section_radius;
+        let along = varying.along(self.place(u).y);
+        // The wheel's circle is as round along the lean as it is along the track.
+        let share = 1.0 + even * along.curvature * along.shortening();
+        even / (share / (1.0 + along.drift * along.drift)).max(LEAST_CURVATURE_SHARE)
     }
 
     /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's
@@ -112,8 +129,11 @@ impl LocalLine<'_> {
                 let point = [0, 1].map(|i| at.point[i] + step * derivative[i]);
                 u += step;
                 self.near = [u, y, dy];
-                let overlap = overlap_slope * step - up(to);
-                let place = LinePlace { u, y, dy, overlap, overlap_slope, x: at.x, tangent };
+                // The overlap along the normal that leans with the rail.
+                let [x, cosine] = self.met(y, at.x);
+                let overlap = cosine * (overlap_slope * step - up(to));
+                let overlap_slope = cosine * overlap_slope;
+                let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
                 return Some((place, point));
             }
             u += step;
@@ -140,18 +160,22 @@ impl Line for LocalLine<'_> {
         let dy = (nearest.ratio * along(tangent)).max(LEAST_RATE);
         self.near = [u, nearest.s, dy];
         let away = [tangent[1], -tangent[0]];
+        let [x, cosine] = self.met(nearest.s, at.x);
         LinePlace {
             u,
             y: nearest.s,
             dy,
-            overlap: -nearest.distance,
-            overlap_slope: -along(away),
-            x: at.x,
+            overlap: -cosine * nearest.distance,
+            overlap_slope: -cosine * along(away),
+            x,
             tangent,
         }
     }
 
     fn radius(&mut self, u: f64) -> f64 {
+        if let Some(varying) = self.rail.variation() {
+            return self.varying_radius(u, varying);
+        }
         match self.line.deviations() {
             None => self.line.wheel_point(u).section_radius,
             Some(deviations) => self.uneven_radius(u, deviations),
@@ -224,6 +248,7 @@ pub fn add<'a>(
         frame,
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
+        varying: rail.variation().map(|varying| (varying, speeds[0])),
     };
     for zone in 0..models.rail_strips.zones.len() {
         let contact = take_zone(line, rail, search, zone, &damping, models);
@@ -253,11 +278,20 @@ pub struct StripDamping<'a, T: Real = f64> {
     pub whole: [T; 2],
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
+    /// The section of the rail as it varies along the track, and the forward speed [m/s].
+    pub varying: Option<(&'a VaryingRail, T)>,
 }
 
 impl<T: Real> StripDamping<'_, T> {
-    /// Pressure with damping over that without at a place of the rail: `x` along the track and a point, unit tangent and overlap across.
-    fn factor(&self, coefficient: f64, x: T, point: [T; 2], tangent: [T; 2], overlap: T) -> T {
+    /// Pressure with damping over that without at a place (x, y) along the track and on the arc of the rail: its point, unit tangent and overlap across.
+    fn factor(
+        &self,
+        coefficient: f64,
+        [x, y]: [T; 2],
+        point: [T; 2],
+        tangent: [T; 2],
+        overlap: T,
+    ) -> T {
         if coefficient == 0.0 {
             return T::from(1.0);
         }
@@ -268,6 +302,9 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.closing_velocity(touch).dot(&along);
+        let even = self
+            .varying
+            .map_or(even, |(varying, forward)| even + forward * varying.along(y.value()).lean);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]
@@ -334,7 +371,7 @@ fn zone_in_frame<T: Real>(
     let mut penetration = zero;
     for j in range {
         let (point, direction, overlap) = place(all.u[j], all.y[j]);
-        let factor = damping.factor(*coefficient, all.x[j], point, direction, overlap);
+        let factor = damping.factor(*coefficient, [all.x[j], all.y[j]], point, direction, overlap);
         let pressure = all.pressure[j] * factor;
         let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;

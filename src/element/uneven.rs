@@ -4,10 +4,11 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use super::parameters::{NormalModel, Parameters};
+use super::parameters::{FrictionDistribution, NormalModel, Parameters, WearModel};
 use crate::error::ContactError;
 use crate::geometry::line_separation::Lifting;
 use crate::geometry::longitudinal::Longitudinal;
+use crate::geometry::slices::Slices;
 use crate::geometry::waviness::{Flat, FlatShape, Harmonic, Waviness};
 use crate::io::{Deviations, load_deviations};
 use crate::math::real::Real;
@@ -134,6 +135,35 @@ impl Parameters {
     }
 }
 
+impl Parameters {
+    /// Whether the models go with a body whose section varies, which the parameter `name` names.
+    pub(super) fn check_variation(&self, name: &str, slices: &Slices) -> Result<(), ContactError> {
+        let refuse = |allowed: &str| {
+            let (name, value) = (name.into(), slices.name.clone());
+            Err(ContactError::BadText { name, value, allowed: allowed.into() })
+        };
+        if self.is_uneven() {
+            return refuse(
+                "one profile for all the track where there is wheel.flat, wheel.out_of_round or rail[k].corrugation",
+            );
+        }
+        if self.wear.model != WearModel::Off {
+            return refuse(
+                "one profile for all the track, as wear.model is not off: what wears is a profile that is the same all along",
+            );
+        }
+        if self.normal_model == NormalModel::BoundaryElement {
+            return refuse(
+                "one profile for all the track where normal.model is boundary_element; slices go with strips, hertz and piotrowski_kik",
+            );
+        }
+        if self.friction_distribution == FrictionDistribution::Profile {
+            return refuse("one profile for all the track where friction.distribution is profile");
+        }
+        Ok(())
+    }
+}
+
 /// Steepest waves that are admitted [-].
 const MOST_SLOPE: f64 = 0.3;
 
@@ -200,6 +230,8 @@ pub struct ZoneSurface<T = f64> {
     pub radius: T,
     /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
     pub lean: T,
+    /// How far the centroid of the load on a rail that varies along the track is ahead of the contact line [m].
+    pub ahead: T,
 }
 
 impl<T: Real> ZoneSurface<T> {
@@ -207,7 +239,7 @@ impl<T: Real> ZoneSurface<T> {
     #[must_use]
     pub fn even() -> Self {
         let zero = T::from(0.0);
-        Self { depth: zero, radius: zero, lean: zero }
+        Self { depth: zero, radius: zero, lean: zero, ahead: zero }
     }
 }
 
@@ -226,19 +258,41 @@ impl ZoneSurface {
         centre: impl Fn(f64) -> f64,
     ) -> Self {
         let Lifting { deviations, radius, share } = *lifting;
-        // Strips of a yawed wheel each have their own place on the line.
-        let (mut ahead, mut load) = (0.0, 0.0);
-        for j in zone.first..zone.first + zone.count {
-            let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
-            ahead += weight * (strips.x[j] - centre(strips.u[j]));
-            load += weight;
-        }
-        let to = if load > 0.0 { ahead / load } else { 0.0 };
+        let to = ahead(zone, strips, centre);
         let [deviation, slope] = deviations.wheel_deviation(zone.x);
         let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
         let depth = share * (deviation - 0.5 * to * to / radius);
-        Self { depth, radius: deviation, lean }
+        Self { depth, radius: deviation, lean, ahead: 0.0 }
     }
+
+    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
+    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
+    /// height along the normal, `centre` as of [`new`](Self::new).
+    #[must_use]
+    pub fn met(
+        share: f64,
+        radius: f64,
+        zone: &Zone,
+        strips: &Strips,
+        centre: impl Fn(f64) -> f64,
+    ) -> Self {
+        let to = ahead(zone, strips, centre);
+        let height = (radius * radius - to * to).max(0.0).sqrt();
+        let lean = if height > 0.0 { share * to / height } else { 0.0 };
+        Self { depth: share * (height - radius), radius: 0.0, lean, ahead: to }
+    }
+}
+
+/// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the parameter of a strip [m].
+fn ahead(zone: &Zone, strips: &Strips, centre: impl Fn(f64) -> f64) -> f64 {
+    // Strips of a yawed wheel each have their own place on the line.
+    let (mut ahead, mut load) = (0.0, 0.0);
+    for j in zone.first..zone.first + zone.count {
+        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+        ahead += weight * (strips.x[j] - centre(strips.u[j]));
+        load += weight;
+    }
+    if load > 0.0 { ahead / load } else { 0.0 }
 }
 
 /// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their

@@ -16,6 +16,8 @@ const CELL: f64 = 5e-4;
 const SAMPLE: f64 = 1e-4;
 /// What a body may reach beyond its samples: bulges of radius 1 mm between them, and rounding [m].
 const MARGIN: f64 = 5e-6;
+/// What a rail that varies may reach beyond the corners of a face between two slices and two rows [m].
+const BULGE: f64 = 5e-4;
 /// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
 const LEVELS: usize = 9;
 /// Cells of the wheel that are looked at together before any of them is looked at alone.
@@ -101,7 +103,7 @@ impl Clearance {
         let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(wheel);
         let [[rail_left, rail_right], [rail_top, rail_low]] = extent(rail);
         let cells = cell_count(wheel_left, wheel_right);
-        let Self { top, tops, lows, block_lows, spans, .. } = self;
+        let Self { top, lows, block_lows, spans, .. } = self;
         lows.clear();
         lows.resize(cells, f64::NEG_INFINITY);
         spans.clear();
@@ -118,12 +120,6 @@ impl Clearance {
             let cell = &mut top[PADDING + ((y - rail_left) / CELL) as usize];
             *cell = cell.min(z);
         }
-        // Level 0 is the least over one cell to either side, each further level doubles the reach.
-        put_least_within(top, 1, &mut tops[0]);
-        for level in 1..LEVELS {
-            let (known, further) = tops.split_at_mut(level);
-            put_least_within(&known[level - 1], 1 << (level - 1), &mut further[0]);
-        }
         block_lows.clear();
         let lowest = |block: &[f64]| block.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         block_lows.extend(lows.chunks(BLOCK).map(lowest));
@@ -134,6 +130,54 @@ impl Clearance {
         self.wheel_extent =
             [wheel_left.abs().max(wheel_right.abs()), wheel_top.abs().max(wheel_low.abs())];
         self.chord = (2.0 * (self.nominal_radius + wheel_low) * reach).sqrt();
+        self.put_levels();
+    }
+
+    /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y, z) of each: no wheel above them touches it anywhere.
+    /// Returns how far it then reaches beyond its sides [m].
+    pub fn raise(&mut self, faces: impl Iterator<Item = [[f64; 2]; 4]> + Clone) -> f64 {
+        let across = |face: &[[f64; 2]; 4]| {
+            let y = face.map(|corner| corner[0]);
+            [y.iter().copied().fold(f64::MAX, f64::min), y.iter().copied().fold(f64::MIN, f64::max)]
+        };
+        let first = self.rail_start + PADDING as f64 * CELL;
+        let last = first + (self.top.len() - 2 * PADDING) as f64 * CELL;
+        let [left, right] = faces
+            .clone()
+            .map(|face| across(&face))
+            .fold([first, last], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let more = |by: f64| (by / CELL).ceil() as usize;
+        let (before, after) = (more(first - left), more(right - last) + 1);
+        self.top.splice(0..0, std::iter::repeat_n(f64::INFINITY, before));
+        self.top.resize(self.top.len() + after, f64::INFINITY);
+        self.rail_start -= before as f64 * CELL;
+        let start = first - before as f64 * CELL;
+        let own = self.rail_top;
+        let mut lowest = own;
+        for face in faces {
+            let [left, right] = across(&face).map(|y| PADDING + ((y - start) / CELL) as usize);
+            let top = face.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min) - BULGE;
+            for cell in &mut self.top[left..=right] {
+                *cell = cell.min(top);
+            }
+            self.rail_top = self.rail_top.min(top);
+            lowest = face.iter().map(|corner| corner[1]).fold(lowest, f64::max);
+        }
+        let more = (own - self.rail_top) + (lowest - own);
+        let circle = 2.0 * (self.nominal_radius + self.wheel_low);
+        self.chord = (self.chord * self.chord + circle * more).sqrt();
+        self.put_levels();
+        (before + after) as f64 * CELL
+    }
+
+    /// Level 0 is the least over one cell to either side, each further level doubles the reach.
+    fn put_levels(&mut self) {
+        let Self { top, tops, .. } = self;
+        put_least_within(top, 1, &mut tops[0]);
+        for level in 1..LEVELS {
+            let (known, further) = tops.split_at_mut(level);
+            put_least_within(&known[level - 1], 1 << (level - 1), &mut further[0]);
+        }
     }
 
     /// Makes room for curves that reach `further` [m] to either side.

@@ -98,10 +98,14 @@ impl Curve {
         let count = BINS_PER_PIECE * pieces.len();
         let bins_per_length = count as f64 / (end - start);
         bins.clear();
+        let mut first = 0;
         bins.extend((0..=count).map(|bin| {
             // A bin holds what is rounded to its number; a little more makes up for rounding errors.
             let s = start + (bin as f64 - 0.51) / bins_per_length;
-            (pieces.partition_point(|p| p.start <= s).max(1) - 1) as u32
+            while first + 1 < pieces.len() && pieces[first + 1].start <= s {
+                first += 1;
+            }
+            first as u32
         }));
         (self.start, self.end) = (start, end);
         (self.bins_per_length, self.last_bin) = (bins_per_length, count as f64);

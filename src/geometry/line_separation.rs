@@ -173,7 +173,11 @@ impl Separation for LineSeparation<'_> {
     #[inline]
     fn at(&mut self, u: f64) -> SeparationPoint {
         let (point, _) = self.even_with_rate(u);
-        let Some(lifting) = self.lifting else { return point };
+        let Some(lifting) = self.lifting else {
+            let Some(varying) = self.rail.variation() else { return point };
+            let x = point.x + varying.along(self.near[0]).ahead;
+            return SeparationPoint { x, ..point };
+        };
         let lift = lifting.deviations.lift(point.x, lifting.radius);
         SeparationPoint { f: point.f - lifting.share * lift.height, x: lift.x, ..point }
     }
@@ -191,6 +195,9 @@ impl Separation for LineSeparation<'_> {
     }
 
     fn along(&mut self, u: f64) -> f64 {
+        if self.rail.variation().is_some() {
+            return self.at(u).x;
+        }
         self.line.at(u).x
     }
 }

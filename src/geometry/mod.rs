@@ -21,5 +21,7 @@ pub(crate) mod profile_points;
 mod profile_remark;
 mod rail_heads;
 pub mod separation;
+pub mod slices;
 pub mod standard_profiles;
+pub mod varying_rail;
 pub mod waviness;

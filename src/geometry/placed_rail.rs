@@ -1,6 +1,10 @@
 //! A rail as it stands under the wheel: its curve in the frame of its marker, and the nearest point to a given one.
 
+use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::profile::Profile;
+use crate::geometry::slices::Slices;
+use crate::geometry::varying_rail::VaryingRail;
 use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
@@ -24,6 +28,8 @@ pub struct PlacedRail {
     pub concavity: f64,
     /// Points (y, z) of the curve at equal steps of the parameter [m].
     coarse: Vec<[f64; 2]>,
+    /// The surface of a rail whose section varies along the track.
+    varying: Option<Box<VaryingRail>>,
 }
 
 /// The point of a rail nearest to a given point, and the signed distance.
@@ -96,7 +102,16 @@ impl PlacedRail {
         let curve = Curve::through(&knots);
         let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve).collect());
         let hand = if mirrored { -1.0 } else { 1.0 };
-        Self { curve, marker, inclination: [sine, cosine], top, hand, concavity, coarse }
+        Self {
+            curve,
+            marker,
+            inclination: [sine, cosine],
+            top,
+            hand,
+            concavity,
+            coarse,
+            varying: None,
+        }
     }
 
     /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is inclined, at `origin` (y, z) [m]: for profiles
@@ -168,6 +183,58 @@ impl PlacedRail {
     fn unturned(&self, [y, z]: [f64; 2]) -> [f64; 2] {
         let [sine, cosine] = self.inclination;
         [y * cosine + z * sine, z * cosine - y * sine]
+    }
+
+    /// A point of a profile as given in the frame of the marker [m].
+    #[must_use]
+    pub fn placed_point(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let [sine, cosine] = self.inclination;
+        let turned = [y * cosine - z * sine, y * sine + z * cosine];
+        [self.hand * (turned[0] - self.top[0]), turned[1] - self.top[1]]
+    }
+
+    /// A direction of a profile as given in the frame of the marker.
+    #[must_use]
+    pub fn placed_direction(&self, [y, z]: [f64; 2]) -> [f64; 2] {
+        let [sine, cosine] = self.inclination;
+        [self.hand * (y * cosine - z * sine), y * sine + z * cosine]
+    }
+
+    /// The rail whose section varies as `slices` say, which stands as that of their first one does, under wheels with the profile `wheel` and the
+    /// radius `nominal_radius` [m].
+    #[must_use]
+    pub fn varying(mut self, slices: &Slices, wheel: &Curve, nominal_radius: f64) -> Self {
+        let varying = VaryingRail::new(
+            slices,
+            |point| self.placed_point(point),
+            |direction| self.placed_direction(direction),
+            self.hand < 0.0,
+            wheel,
+            nominal_radius,
+        );
+        self.reserve(varying.most_knots());
+        let hollow = |profile: &Profile| greatest_concavity(&profile.curve);
+        let hollowest = slices.slices().iter().map(|slice| hollow(&slice.profile));
+        self.concavity = hollowest.fold(self.concavity, f64::max);
+        self.varying = Some(Box::new(varying));
+        self
+    }
+
+    /// What varies along the track, where anything does.
+    #[must_use]
+    pub fn variation(&self) -> Option<&VaryingRail> {
+        self.varying.as_deref()
+    }
+
+    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above `station` [m], meets it; nothing for others. False where
+    /// there is no rail within reach.
+    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64) -> bool {
+        let Self { curve, coarse, varying, .. } = self;
+        let Some(varying) = varying else { return true };
+        let is_there = varying.pass(line, pose, station, curve);
+        coarse.clear();
+        coarse.extend(coarse_points(curve));
+        is_there
     }
 
     /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].

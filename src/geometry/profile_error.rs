@@ -126,6 +126,16 @@ pub enum ProfileError {
         /// What is missing.
         what: String,
     },
+    /// A file of slices or a table of sections that is not as it should be.
+    #[error("{file}:{line}: {what}")]
+    BadSlices {
+        /// The file.
+        file: String,
+        /// The line.
+        line: usize,
+        /// What is wrong there and what to do.
+        what: String,
+    },
     /// Fewer points than a profile can be made of.
     #[error(
         "{file}:{line}: too few points: {found} different ones up to here, {needed} are needed; \

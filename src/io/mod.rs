@@ -10,6 +10,7 @@ mod named_text;
 mod point_lines;
 mod profile_file;
 mod simpack;
+mod slices_file;
 mod table;
 mod two_column;
 
@@ -19,4 +20,5 @@ pub use friction_file::load_friction;
 pub use irregularity_file::load_irregularities;
 pub(crate) use profile_file::{can_be_written, profile_file};
 pub use profile_file::{load_profile, save_profile};
+pub use slices_file::load_slices;
 pub use table::number;

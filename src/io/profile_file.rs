@@ -86,7 +86,11 @@ pub(crate) fn profile_file(name: &str, kind: ProfileKind, folders: &[PathBuf]) -
 }
 
 /// The file of that name: an absolute path, or the first of the folders that has it.
-fn find(name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Result<PathBuf, ProfileError> {
+pub(super) fn find(
+    name: &str,
+    kind: ProfileKind,
+    folders: &[PathBuf],
+) -> Result<PathBuf, ProfileError> {
     let path = Path::new(name);
     let candidates: Vec<PathBuf> = if name.trim().is_empty() {
         Vec::new()
@@ -107,6 +111,13 @@ fn find(name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Result<PathBuf, P
 }
 
 fn from_file(path: &Path, kind: ProfileKind, smoothing: f64) -> Result<Profile, ProfileError> {
+    let bytes = bytes_of(path)?;
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    read(&path.display().to_string(), extension, &bytes, kind)?.into_profile(kind, smoothing)
+}
+
+/// The content of a file.
+pub(super) fn bytes_of(path: &Path) -> Result<Vec<u8>, ProfileError> {
     let file = path.display().to_string();
     let unreadable = |reason: String| ProfileError::Unreadable { file: file.clone(), reason };
     let about = fs::metadata(path).map_err(|e| unreadable(e.to_string()))?;
@@ -116,9 +127,7 @@ fn from_file(path: &Path, kind: ProfileKind, smoothing: f64) -> Result<Profile, 
     if about.len() > LARGEST_FILE {
         return Err(unreadable(format!("{} bytes are too many for a profile", about.len())));
     }
-    let bytes = fs::read(path).map_err(|e| unreadable(e.to_string()))?;
-    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    read(&file, extension, &bytes, kind)?.into_profile(kind, smoothing)
+    fs::read(path).map_err(|e| unreadable(e.to_string()))
 }
 
 /// Points of a file by its extension and content.
@@ -141,6 +150,11 @@ fn read(
     let extension = extension.to_ascii_lowercase();
     if let ("whl", ProfileKind::Rail) | ("ban", ProfileKind::Wheel) = (extension.as_str(), kind) {
         return Err(ProfileError::WrongKind { file: file.into(), line: 1, kind });
+    }
+    if let "slcs" | "slcw" = extension.as_str() {
+        let what = "slices make rails that vary along the track, as rail[k].profile; give one profile here, and for a wheel that is not round wheel.out_of_round.file";
+        let (file, what) = (file.into(), what.into());
+        return Err(ProfileError::BadSlices { file, line: 1, what });
     }
     match extension.as_str() {
         "prw" | "prr" if simpack_like || !miniprof_like => simpack::read(file, content, kind),

@@ -71,6 +71,11 @@ fn profile_files() {
 }
 
 #[test]
+fn files_of_slices() {
+    files("Files of slices");
+}
+
+#[test]
 fn files_of_friction() {
     files("Files of friction");
 }

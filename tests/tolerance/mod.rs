@@ -15,6 +15,15 @@ pub const PIOTROWSKI_KIK_SPHERE: f64 = 1e-4;
 /// Linear limit of FASTSIM against Kalker's coefficients at 20 elements: middle rule along the strips.
 pub const FASTSIM_LINEAR: f64 = 5e-3;
 
+/// A wheel on a rail that varies along the track against CONTACT, medians: height of the wheel [m] and contact position [m], greatest pressure, creep force
+/// over the friction limit. The corners of these rails step in curvature, and their patches are 1.5 mm wide on elements of 0.2 mm.
+pub const VARYING_HEIGHT: f64 = 1e-6;
+pub const VARYING_PLACE: f64 = 2e-4;
+pub const VARYING_PRESSURE: f64 = 0.03;
+pub const VARYING_FORCE: f64 = 0.03;
+/// Change of the vertical force along a track that bends against that of the longitudinal one with the height: the aim for loads.
+pub const VARYING_ENERGY: f64 = 1e-2;
+
 /// Full sliding against friction times normal force.
 pub const FULL_SLIDING: f64 = 1e-3;
 

@@ -93,7 +93,7 @@ impl<'a> ContactLine<'a> {
     }
 
     /// Derivative of the even line's x with respect to its parameter.
-    fn advance(&self, s: f64) -> f64 {
+    pub(crate) fn advance(&self, s: f64) -> f64 {
         let p = self.profile.at(s);
         let on = self.circle(&p);
         if self.follows_rim(&p) {

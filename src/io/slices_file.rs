@@ -1,0 +1,386 @@
+//! Rails whose section varies along the track: files of slices (.slcs) and tables of sections.
+//!
+//! A file of slices holds numbers and names in a fixed order, several on a line, `%` before a comment:
+//!
+//! ```text
+//! U_OFFSET  U_SCALE           place [mm] = U_SCALE (U_OFFSET + U_SLC)
+//! NSLC                        number of slices
+//! NFEAT  NKINK  NACCEL        numbers of features, kinks and accelerations
+//! U_INTPOL                    1: through the slices, 2: near them
+//! U_SLC  'file'               NSLC times
+//! ...                         part numbers of kinks and accelerations, without effect
+//! U_SLC  S_1 .. S_NFEAT       NSLC times, if NFEAT > 1: lengths [mm] along the slice to its features, -1 for none
+//! ```
+//!
+//! A table of sections has the heading `station_m,profile` and a line for each section. Names of profiles are built-in ones or files, relative to the folder of the file.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use super::profile_file::{bytes_of, find, load_profile};
+use super::table::{lines, number};
+use crate::error::ContactError;
+use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
+use crate::geometry::slices::{Slice, Slices};
+use crate::geometry::standard_profiles::built_in;
+
+const RAIL: ProfileKind = ProfileKind::Rail;
+/// What begins a comment.
+const COMMENT: [char; 3] = ['%', '!', '#'];
+/// Most slices of a body.
+const MOST_SLICES: usize = 20_000;
+/// Most features of a slice.
+const MOST_FEATURES: usize = 1000;
+/// Least distance of two slices [m].
+const LEAST_DISTANCE: f64 = 1e-6;
+/// Distance up to which the place in a line of features is that of its slice, over the least distance of slices.
+const SAME: f64 = 0.5;
+
+/// The slices that a parameter names, or nothing where it names no file of slices and no table of sections.
+///
+/// * `parameter`, `name`, `smoothing`, `folders`: as of [`load_profile`]
+///
+/// # Errors
+/// [`ContactError::Profile`] with the file, the line and what to do.
+pub fn load_slices(
+    parameter: &str,
+    name: &str,
+    smoothing: f64,
+    folders: &[PathBuf],
+) -> Result<Option<Slices>, ContactError> {
+    let refuse = |problem| ContactError::Profile { name: parameter.into(), problem };
+    if !matches!(built_in(name, RAIL), Ok(None)) {
+        return Ok(None);
+    }
+    let extension = Path::new(name).extension().and_then(|e| e.to_str()).unwrap_or_default();
+    let is_of_slices = extension.eq_ignore_ascii_case("slcs");
+    // What has to be said of a missing file the reader of profiles says.
+    let Ok(path) = find(name, RAIL, folders) else { return Ok(None) };
+    if !is_of_slices && !path.is_file() {
+        return Ok(None);
+    }
+    let file = path.display().to_string();
+    let bytes = bytes_of(&path).map_err(refuse)?;
+    let text = String::from_utf8_lossy(&bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let listed = if is_of_slices {
+        read_slices(&file, text).map_err(refuse)?
+    } else if is_table(text) {
+        read_table(&file, text).map_err(refuse)?
+    } else {
+        return Ok(None);
+    };
+    listed.check(&file).map_err(refuse)?;
+    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+    let own_folders = [folder];
+    let mut known: HashMap<String, Profile> = HashMap::new();
+    let mut slices = Vec::with_capacity(listed.entries.len());
+    // A section without a mark whether it stands upright is judged by its own shape, which does not tell for one with a groove.
+    let mut turned: Option<(String, bool)> = None;
+    for Entry { line, place, name, features } in listed.entries {
+        if !known.contains_key(&name) {
+            let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
+            let read = read.map_err(|error| match error {
+                ContactError::Profile { problem, .. } => {
+                    let (file, what) = (file.clone(), problem.to_string());
+                    refuse(ProfileError::BadSlices { file, line, what })
+                }
+                other => other,
+            })?;
+            let is_turned =
+                read.remarks.iter().any(|r| matches!(r, ProfileRemark::MirroredZ { .. }));
+            let is_file = matches!(built_in(&name, RAIL), Ok(None));
+            match &turned {
+                Some((other, of_other)) if is_file && *of_other != is_turned => {
+                    let [up, down] = if is_turned { [other, &name] } else { [&name, other] };
+                    let what = format!(
+                        "\"{down}\" looks upside down and is turned over, \"{up}\" is not; write # mirror_z 0 (as it stands) or # mirror_z 1 into each"
+                    );
+                    return Err(refuse(ProfileError::BadSlices { file, line, what }));
+                }
+                None if is_file => turned = Some((name.clone(), is_turned)),
+                _ => {}
+            }
+            known.insert(name.clone(), read);
+        }
+        let Some(profile) = known.get(&name).cloned() else { continue };
+        slices.push(Slice { place, profile, features });
+    }
+    Slices::new(&file, slices, listed.passes_near)
+        .map(Some)
+        .map_err(|what| refuse(ProfileError::BadSlices { file, line: 1, what }))
+}
+
+/// A slice as it is named.
+#[derive(Debug)]
+struct Entry {
+    line: usize,
+    /// Station [m].
+    place: f64,
+    name: String,
+    /// Lengths along the slice to its features [m]; nothing for what is not there.
+    features: Vec<Option<f64>>,
+}
+
+#[derive(Debug)]
+struct Listed {
+    entries: Vec<Entry>,
+    passes_near: bool,
+}
+
+impl Listed {
+    fn check(&self, file: &str) -> Result<(), ProfileError> {
+        let bad =
+            |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
+        let last = self.entries.last().map_or(1, |entry| entry.line);
+        if self.entries.len() < 2 {
+            return bad(last, "there is one slice or none; give two or more".into());
+        }
+        for pair in self.entries.windows(2) {
+            let [before, entry] = [&pair[0], &pair[1]];
+            if entry.place - before.place < LEAST_DISTANCE {
+                let [own, other, least] =
+                    [entry.place, before.place, LEAST_DISTANCE].map(|x| 1e3 * x);
+                let what = format!(
+                    "the slice at {own} mm does not lie behind the one before, at {other} mm; put the slices in the order of their places, at least {least} mm apart"
+                );
+                return bad(entry.line, what);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A number or a name of a file, and its line.
+#[derive(Clone, Debug, PartialEq)]
+enum Token {
+    Number(f64),
+    Name(String),
+}
+
+/// The numbers and names of a file, one after the other.
+struct Tokens<'a> {
+    file: &'a str,
+    all: Vec<(Token, usize)>,
+    next: usize,
+    last_line: usize,
+}
+
+impl<'a> Tokens<'a> {
+    fn new(file: &'a str, text: &str) -> Self {
+        let mut all = Vec::new();
+        let mut last_line = 1;
+        for line in lines(text) {
+            let mut rest = line.text;
+            last_line = line.number;
+            while let Some((token, after)) = token(rest) {
+                all.push((token, line.number));
+                rest = after;
+            }
+        }
+        Self { file, all, next: 0, last_line }
+    }
+
+    fn bad<T>(&self, line: usize, what: String) -> Result<T, ProfileError> {
+        Err(ProfileError::BadSlices { file: self.file.into(), line, what })
+    }
+
+    fn take(&mut self, wanted: &str) -> Result<(Token, usize), ProfileError> {
+        let Some(found) = self.all.get(self.next).cloned() else {
+            return self.bad(self.last_line, format!("the file ends before {wanted}; complete it"));
+        };
+        self.next += 1;
+        Ok(found)
+    }
+
+    fn number(&mut self, wanted: &str) -> Result<(f64, usize), ProfileError> {
+        match self.take(wanted)? {
+            (Token::Number(x), line) if x.is_finite() => Ok((x, line)),
+            (Token::Number(x), line) => {
+                self.bad(line, format!("{wanted} is {x}; give a finite number"))
+            }
+            (Token::Name(name), line) => {
+                self.bad(line, format!("'{name}' stands in the place of {wanted}; give a number"))
+            }
+        }
+    }
+
+    fn count(&mut self, wanted: &str, most: usize) -> Result<usize, ProfileError> {
+        let (x, line) = self.number(wanted)?;
+        if x.fract() != 0.0 || !(0.0..=most as f64).contains(&x) {
+            return self
+                .bad(line, format!("{wanted} is {x}; give a whole number from 0 to {most}"));
+        }
+        Ok(x as usize)
+    }
+
+    fn name(&mut self, wanted: &str) -> Result<(String, usize), ProfileError> {
+        match self.take(wanted)? {
+            (Token::Name(name), line) => Ok((name, line)),
+            (Token::Number(x), line) => self
+                .bad(line, format!("{x} stands in the place of {wanted}; give it between quotes")),
+        }
+    }
+
+    /// Passes over what is left of the line of the last token.
+    fn end_line(&mut self) {
+        let line = self.all[self.next - 1].1;
+        while self.all.get(self.next).is_some_and(|(_, own)| *own == line) {
+            self.next += 1;
+        }
+    }
+}
+
+/// The first token of a line and what is behind it; nothing at a comment, or at a word, from which on there are words.
+fn token(text: &str) -> Option<(Token, &str)> {
+    let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
+    let first = text.chars().next()?;
+    if COMMENT.contains(&first) {
+        return None;
+    }
+    if first == '\'' || first == '"' {
+        let (name, rest) = text[1..].split_once(first)?;
+        return Some((Token::Name(name.trim().into()), rest));
+    }
+    let end = text.find(|c: char| {
+        c.is_whitespace() || c == ',' || c == '\'' || c == '"' || COMMENT.contains(&c)
+    });
+    let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+    Some((Token::Number(number(word)?), rest))
+}
+
+fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
+    let mut tokens = Tokens::new(file, text);
+    let (offset, _) = tokens.number("U_OFFSET")?;
+    let (scale, line) = tokens.number("U_SCALE")?;
+    if scale <= 0.0 {
+        let what = format!("U_SCALE is {scale}; give a number greater than 0");
+        return tokens.bad(line, what);
+    }
+    let count = tokens.count("the number of slices NSLC", MOST_SLICES)?;
+    let feature_count = tokens.count("the number of features NFEAT", MOST_FEATURES)?;
+    let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
+    let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
+    let (interpolation, line) = tokens.number("U_INTPOL")?;
+    let passes_near = match interpolation.to_string().as_str() {
+        "1" => false,
+        "2" => true,
+        shown => {
+            let what = format!(
+                "U_INTPOL is {shown}; give 1 for a surface through the slices or 2 for one near them"
+            );
+            return tokens.bad(line, what);
+        }
+    };
+    tokens.end_line();
+    // Millimetres to metres.
+    let scale = 1e-3 * scale;
+    let place_of = |u: f64| scale * (offset + u);
+    let mut entries = Vec::with_capacity(count);
+    for i in 1..=count {
+        let (u, _) = tokens.number(&format!("the place of slice {i} of {count}"))?;
+        let (name, line) = tokens.name(&format!("the file of slice {i} of {count}"))?;
+        entries.push(Entry { line, place: place_of(u), name, features: Vec::new() });
+    }
+    for (count, what) in [(kinks, "kink"), (accelerations, "acceleration")] {
+        for i in 1..=count {
+            tokens.number(&format!("the part number of {what} {i}"))?;
+        }
+    }
+    if feature_count > 1 {
+        for (i, entry) in entries.iter_mut().enumerate() {
+            let (u, line) =
+                tokens.number(&format!("the place in line {} of the features", i + 1))?;
+            if (place_of(u) - entry.place).abs() > SAME * LEAST_DISTANCE {
+                let what = format!(
+                    "the line of features is for the place {u}, slice {} is another; give the features in the order of the slices",
+                    i + 1
+                );
+                return tokens.bad(line, what);
+            }
+            let mut before = f64::NEG_INFINITY;
+            for f in 1..=feature_count {
+                let (length, line) = tokens.number(&format!("feature {f} of slice {}", i + 1))?;
+                if length < 0.0 {
+                    entry.features.push(None);
+                    continue;
+                }
+                if length <= before {
+                    let what = format!(
+                        "feature {f} at {length} mm does not lie behind the one before, at {before} mm; features may not cross"
+                    );
+                    return tokens.bad(line, what);
+                }
+                before = length;
+                entry.features.push(Some(1e-3 * length));
+            }
+            if entry.features.iter().flatten().count() < 2 {
+                let what = format!(
+                    "slice {} has fewer than two features; at least one part has to be there",
+                    i + 1
+                );
+                return tokens.bad(line, what);
+            }
+        }
+    }
+    if let Some((token, line)) = tokens.all.get(tokens.next) {
+        let shown = match token {
+            Token::Number(x) => x.to_string(),
+            Token::Name(name) => format!("'{name}'"),
+        };
+        let what = format!(
+            "{shown} is left over behind {count} slices and {feature_count} features; check NSLC and NFEAT"
+        );
+        return tokens.bad(*line, what);
+    }
+    Ok(Listed { entries, passes_near })
+}
+
+/// Whether a text is a table of sections.
+fn is_table(text: &str) -> bool {
+    heading(text).is_some_and(|(_, columns)| columns.len() == 2 && columns[1] == "profile")
+}
+
+/// The number of the first line that is no comment, and its columns.
+fn heading(text: &str) -> Option<(usize, Vec<String>)> {
+    let line = lines(text).find(|line| !line.text.is_empty() && !line.text.starts_with(COMMENT))?;
+    Some((line.number, cells(line.text)))
+}
+
+fn cells(text: &str) -> Vec<String> {
+    text.split([',', ';', '\t'])
+        .map(|cell| cell.trim().trim_matches(['\'', '"']).to_owned())
+        .collect()
+}
+
+fn read_table(file: &str, text: &str) -> Result<Listed, ProfileError> {
+    let bad = |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
+    let (first, columns) = heading(text).unwrap_or_default();
+    if columns[0] != "station_m" {
+        let what = format!(
+            "the heading of a table of sections is \"station_m,profile\", not \"{},profile\"",
+            columns[0]
+        );
+        return bad(first, what);
+    }
+    let mut entries = Vec::new();
+    for line in lines(text).filter(|line| line.number > first) {
+        if line.text.is_empty() || line.text.starts_with(COMMENT) {
+            continue;
+        }
+        let cells = cells(line.text);
+        let place = cells.first().and_then(|cell| number(cell)).filter(|x| x.is_finite());
+        let (Some(place), [_, name]) = (place, cells.as_slice()) else {
+            return bad(
+                line.number,
+                format!("\"{}\" is no section; give station_m and a profile", line.shown()),
+            );
+        };
+        if entries.len() == MOST_SLICES {
+            return bad(line.number, format!("there are more than {MOST_SLICES} sections"));
+        }
+        let name = name.clone();
+        entries.push(Entry { line: line.number, place, name, features: Vec::new() });
+    }
+    Ok(Listed { entries, passes_near: false })
+}

@@ -1,0 +1,579 @@
+//! Rails whose section varies along the track: slices and tables of sections.
+
+mod allocations;
+mod common;
+mod tolerance;
+
+use std::fmt::Write;
+use std::fs;
+
+use approx::assert_relative_eq;
+use common::planar::STEEL;
+use common::random::Random;
+use common::vectors::{add, assert_close, cross};
+use common::wheel::{evaluate, mirrored, random_input, rolling, the_patch};
+use common::{median_and_worst, read_table, value};
+use tempfile::TempDir;
+use wheelrail::element::input::RailMotion;
+use wheelrail::element::parameters::{NormalModel, Placement, Side, VerticalMode, WearModel};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
+fn head(left: f64, z: f64, corner: f64) -> String {
+    let steep = 80_f64.to_radians();
+    let mut points = Vec::new();
+    let side = 30.0;
+    let [sine, cosine] = [steep.sin(), steep.cos()];
+    for i in (1..=60).rev() {
+        let along = side * f64::from(i) / 60.0;
+        let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
+        points.push([edge[0] - along * cosine, edge[1] + along * sine]);
+    }
+    let steps = (corner * steep / 0.2).ceil() as i32;
+    for i in 0..=steps {
+        let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
+        points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
+    }
+    points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
+    let right = left + 10.0;
+    let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
+    points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
+    points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
+}
+
+/// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by `stretch` and moved by (`y`, `z`) [mm].
+fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
+    (-40..=40).fold(String::new(), |text, i| {
+        let angle = 0.5 * f64::from(i) / 300.0;
+        let point = [stretch * 300.0 * angle.sin() + y, 300.0 * (1.0 - angle.cos()) + z];
+        text + &format!("{:.9} {:.9}\n", point[0], point[1])
+    })
+}
+
+/// A folder with slices `section(place)` at the `places` [mm], and their file `rail.slcs`.
+fn slices(places: impl Iterator<Item = f64>, section: impl Fn(f64) -> String) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let (mut listed, mut count) = (String::new(), 0);
+    for (i, place) in places.enumerate() {
+        fs::write(folder.path().join(format!("{i}.txt")), section(place)).unwrap();
+        writeln!(listed, "{place} '{i}.txt'").unwrap();
+        count += 1;
+    }
+    let text = format!("0 1\n{count}\n0 0 0\n1\n{listed}");
+    fs::write(folder.path().join("rail.slcs"), text).unwrap();
+    folder
+}
+
+/// A rail of slices in its own frame at y = 0.75 m.
+fn parameters() -> Parameters {
+    let mut parameters = Parameters { profile_smoothing: 0.0, ..Parameters::default() };
+    let rail = &mut parameters.rails[0];
+    rail.profile = "rail.slcs".into();
+    (rail.placement, rail.position, rail.inclination) = (Placement::Origin, [0.75, 0.0], 0.0);
+    parameters
+}
+
+fn element(parameters: &Parameters, folder: &TempDir) -> Element {
+    Element::new(parameters, &Input::default(), &[folder.path().to_path_buf()]).unwrap()
+}
+
+#[test]
+fn slices_that_are_all_the_same_are_one_profile() {
+    let folder = TempDir::new().unwrap();
+    let table = "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n";
+    fs::write(folder.path().join("rail.csv"), table).unwrap();
+    for mirrored in [false, true] {
+        let mut even = Parameters::default();
+        even.rails[0].mirrored = mirrored;
+        let mut varying = even.clone();
+        varying.rails[0].profile = "rail.csv".into();
+        let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
+        assert_eq!(even.nominal_wheel_z().to_bits(), varying.nominal_wheel_z().to_bits());
+        let mut random = Random::new(7);
+        for _ in 0..100 {
+            let mut input = random_input(&mut even, &mut random);
+            // A search ends at a nanometre. On the flank of a yawed wheel, whose line leads there, that turns the frame and the force with it.
+            input.wheel.yaw = 0.0;
+            input.track_s = random.about(3.0);
+            let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
+            assert_eq!(one.patch_count, other.patch_count);
+            let largest = one.wheel.force.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+            let scale = largest * tolerance::SIMILARITY + tolerance::NO_FORCE;
+            for i in 0..3 {
+                assert_relative_eq!(one.wheel.force[i], other.wheel.force[i], epsilon = scale);
+                assert_relative_eq!(one.wheel.moment[i], other.wheel.moment[i], epsilon = scale);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wheel_on_a_rail_that_rises_stands_on_its_slope() {
+    for slope in [0.05, -0.1] {
+        let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+        let folder = slices(places, |place| crown(1.0, [0.0, -slope * place]));
+        let mut parameters = parameters();
+        parameters.wheel.profile = "cylindrical".into();
+        let mut element = element(&parameters, &folder);
+        let mut input = Input { friction: 0.0, ..Input::default() };
+        for station in [-0.05, 0.013, 0.04] {
+            input.track_s = station;
+            let touch = element.touching_height(&input);
+            let radius = parameters.wheel.nominal_radius;
+            let expected = -slope * station - radius * f64::hypot(1.0, slope);
+            // The numbers of the files are rounded at 1e-12 m, and splines go through points of the crown.
+            assert_relative_eq!(touch, expected, epsilon = 1e-9);
+            input.wheel.position[2] = touch + 1e-4;
+            let output = evaluate(&mut element, &input);
+            let [fx, _, fz] = output.wheel.force;
+            // Pushed along the normal of the slope, which goes through the axle.
+            assert_relative_eq!(fx / fz, slope, max_relative = 1e-3);
+            let own = output.wheel.moment[1] / (fz * radius);
+            assert_relative_eq!(own, 0.0, epsilon = tolerance::SIMILARITY);
+            let ahead = radius * slope / f64::hypot(1.0, slope);
+            assert_relative_eq!(the_patch(&output).position[0], ahead, epsilon = 2e-5);
+        }
+    }
+}
+
+#[test]
+fn a_rail_that_runs_off_sideways_is_a_wheel_that_yaws() {
+    let angle = 0.06_f64;
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let oblique =
+        slices(places.clone(), |place| crown(1.0 / angle.cos(), [angle.tan() * place, 0.0]));
+    let straight = slices(places, |_| crown(1.0, [0.0, 0.0]));
+    let mut parameters = parameters();
+    parameters.wheel.profile = "conical:0.025".into();
+    let (mut oblique, mut straight) =
+        (element(&parameters, &oblique), element(&parameters, &straight));
+    for shift in [-4e-3, 3e-3] {
+        let mut input = Input::default();
+        input.wheel.position[1] = 0.75 + shift;
+        let mut turned = input;
+        turned.wheel.yaw = -angle;
+        turned.wheel.position[1] = 0.75 + shift * angle.cos();
+        let (one, other) = (oblique.touching_height(&input), straight.touching_height(&turned));
+        assert_relative_eq!(one, other, epsilon = 1e-8);
+        (input.wheel.position[2], turned.wheel.position[2]) = (one + 1e-4, other + 1e-4);
+        let (one, other) = (evaluate(&mut oblique, &input), evaluate(&mut straight, &turned));
+        let (one, other) = (the_patch(&one), the_patch(&other));
+        assert_relative_eq!(one.normal_force, other.normal_force, max_relative = 2e-3);
+        assert_relative_eq!(one.max_pressure, other.max_pressure, max_relative = 5e-3);
+        let along = other.position[0] * angle.cos() - (other.position[1] - 0.75) * angle.sin();
+        let along = along + shift * angle.cos() * angle.sin();
+        assert_relative_eq!(one.position[0], along, epsilon = 2e-4);
+    }
+}
+
+#[test]
+fn a_wheel_rolls_over_a_crossing_without_jumps() {
+    // A nose rises beside a head that runs off sideways and down.
+    let places = (-8..=12).map(|i| 25.0 * f64::from(i));
+    let folder = slices(places, |place| {
+        let drop = 0.5 * (0.02 * place).tanh();
+        crown(1.0, [0.03 * place, drop - 1e-5 * place * place])
+    });
+    let mut parameters = parameters();
+    parameters.vertical_mode = VerticalMode::Load;
+    parameters.wheel.profile = "conical:0.01".into();
+    let mut element = element(&parameters, &folder);
+    let mut input = rolling(0.0, 20.0);
+    input.wheel_load = 80e3;
+    let step = 5e-5;
+    let mut last: Vec<[f64; 3]> = Vec::new();
+    let mut output = Output::default();
+    for i in 0..1200 {
+        input.track_s = -0.03 + step * f64::from(i);
+        element.evaluate(&input, &mut output).unwrap();
+        let limit = input.friction * input.wheel_load;
+        last.push([output.wheel_z, output.wheel.force[0] / limit, output.wheel.force[1] / limit]);
+    }
+    // The height at which a ball would carry as much more or less as a force may jump.
+    let height = the_patch(&output).penetration * tolerance::WALK_JUMPS[0] / 1.5;
+    for window in last.windows(4) {
+        let allowed = [height, tolerance::WALK_JUMPS[1], tolerance::WALK_JUMPS[1]];
+        for (k, allowed) in allowed.into_iter().enumerate() {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|i| window[i][k]);
+            // Third differences are those of a jump alone: waves of the surface are 25 mm long, and their curvature bends at a slice.
+            let jump = (d - 3.0 * c + 3.0 * b - a).abs();
+            assert!(jump < allowed, "{k}: {jump}");
+        }
+    }
+}
+
+/// Median and worst of the errors against CONTACT on one of the rails of its table: height and place [m], pressure and creep force, over the friction limit.
+struct Errors {
+    height: [f64; 2],
+    pressure: [f64; 2],
+    place: [f64; 2],
+    force: [f64; 2],
+}
+
+fn against_contact(rail: &str, folder: &TempDir) -> Errors {
+    let table = read_table("contact_25_1/variable_profiles.csv");
+    let mut parameters = parameters();
+    parameters.vertical_mode = VerticalMode::Load;
+    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
+        (STEEL.young_modulus, STEEL.young_modulus);
+    let mut element = element(&parameters, folder);
+    let [mut height, mut pressure, mut place, mut force] = [const { Vec::new() }; 4];
+    for row in &table.rows {
+        let of = |name: &str| value(&table, row, name);
+        if !row.iter().any(|cell| cell == rail) {
+            continue;
+        }
+        let yaw = of("yaw_rad");
+        let mut input = rolling(0.0, 20.0);
+        input.track_s = 1e-3 * of("s_mm");
+        // The wheelset turns about its centre.
+        (input.wheel.yaw, input.wheel.pitch_rate) = (yaw, of("pitch_rate_rad_s"));
+        input.wheel.position[0] = -0.75 * yaw.sin();
+        input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
+        if rail == "nose" {
+            // The velocity at which the slip along the slope is the one that CONTACT has along the track.
+            input.wheel.velocity[0] *= 1.01;
+        }
+        let mut output = Output::default();
+        // CONTACT's normal force leans to the side alone: the same normal force, not the same load.
+        input.wheel_load = of("N_N");
+        for _ in 0..4 {
+            element.evaluate(&input, &mut output).unwrap();
+            input.wheel_load *= of("N_N") / the_patch(&output).normal_force;
+        }
+        let patch = the_patch(&output);
+        height.push((output.wheel_z + 0.46 - 1e-3 * of("z_ws_mm")).abs());
+        pressure.push((patch.max_pressure / (1e6 * of("pmax_MPa")) - 1.0).abs());
+        place.push((patch.position[0] - 1e-3 * of("x_mm")).abs());
+        place.push((patch.position[1] - 1e-3 * of("y_mm")).abs());
+        let limit = 0.3 * of("N_N");
+        let [fx, fy] = patch.creep_force;
+        force.push((fx + of("Fx_N")).hypot(fy + of("Fs_N")) / limit);
+    }
+    assert!(height.len() > 20);
+    let [height, pressure, place, force] = [height, pressure, place, force].map(median_and_worst);
+    let mut report = String::from("quantity,median,worst\n");
+    let named = [("height", height), ("pressure", pressure), ("place", place), ("force", force)];
+    for (quantity, [median, worst]) in named {
+        writeln!(report, "{quantity},{median:.3e},{worst:.3e}").unwrap();
+    }
+    common::write_report(&format!("varying_{rail}.csv"), &report);
+    Errors { height, pressure, place, force }
+}
+
+#[test]
+fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
+    let places = (0..=20).map(|i| 10.0 * f64::from(i));
+    let folder = slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0));
+    let errors = against_contact("wing", &folder);
+    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(errors.pressure[0] <= tolerance::VARYING_PRESSURE);
+    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
+    assert!(errors.force[0] <= tolerance::VARYING_FORCE);
+}
+
+#[test]
+fn a_nose_that_rises_is_met_as_by_contact() {
+    let places = (0..=20).map(|i| -100.0 + 10.0 * f64::from(i));
+    let folder = slices(places, |place| head(5.0, -0.1 * place, 5.0));
+    let errors = against_contact("nose", &folder);
+    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
+}
+
+#[test]
+fn what_does_not_go_with_slices_is_refused_by_name() {
+    let folder = slices([0.0, 10.0].into_iter(), |_| crown(1.0, [0.0, 0.0]));
+    let refused = |change: &dyn Fn(&mut Parameters), words: &str| {
+        let mut parameters = parameters();
+        change(&mut parameters);
+        let made = Element::new(&parameters, &Input::default(), &[folder.path().to_path_buf()]);
+        let message = made.unwrap_err().to_string();
+        for part in ["rail[1].profile", "rail.slcs", words] {
+            assert!(message.contains(part), "{message}");
+        }
+    };
+    refused(&|p| p.wear.model = WearModel::Archard, "wear.model");
+    refused(&|p| p.normal_model = NormalModel::BoundaryElement, "boundary_element");
+    refused(&|p| p.rails[0].corrugation.amplitude = 1e-5, "corrugation");
+}
+
+#[test]
+fn every_real_time_normal_model_carries_a_wheel_on_a_slope() {
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, -0.05 * place]));
+    let models = [NormalModel::Hertz, NormalModel::PiotrowskiKik, NormalModel::Strips];
+    let forces = models.map(|model| {
+        let mut parameters = parameters();
+        parameters.normal_model = model;
+        parameters.wheel.profile = "conical:0.025".into();
+        let mut element = element(&parameters, &folder);
+        let mut input = Input::default();
+        input.wheel.position[2] = element.touching_height(&input) + 1e-4;
+        let output = evaluate(&mut element, &input);
+        assert!((the_patch(&output).position[0] - 0.023).abs() < 1e-3);
+        the_patch(&output).normal_force
+    });
+    for force in forces {
+        assert!((force / forces[2] - 1.0).abs() < 0.2, "{forces:?}");
+    }
+}
+
+/// Half the width of the crowns of wing and nose [mm].
+const HALF: f64 = 12.0;
+
+/// Points of a crown of radius 300 mm, [`HALF`] to either side of `y`, at height `z` [mm].
+fn narrow([y, z]: [f64; 2]) -> Vec<[f64; 2]> {
+    let angles = (-24..=24).map(|i| HALF / 24.0 * f64::from(i) / 300.0);
+    angles.map(|a: f64| [300.0 * a.sin() + y, 300.0 * (1.0 - a.cos()) + z]).collect()
+}
+
+fn text(points: &[[f64; 2]]) -> String {
+    // A section with a groove does not tell by its shape how it stands.
+    points
+        .iter()
+        .fold(String::from("# mirror_z 0\n"), |text, [y, z]| text + &format!("{y:.9} {z:.9}\n"))
+}
+
+/// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files of their own, and as one rail with three parts, the
+/// groove between them among them.
+fn crossing() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let wing_at = |s: f64| [-16.0 - 0.03 * s, 0.3 + 1e-3 * s];
+    let nose_at = |s: f64| [18.0, 0.3 - 6e-3 * s];
+    let places: Vec<f64> = (-15..=15).map(|i| 10.0 * f64::from(i)).collect();
+    let (mut wing, mut nose, mut one, mut features) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let arc = |points: &[[f64; 2]]| {
+        points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum::<f64>()
+    };
+    let write = |name: &str, points: &[[f64; 2]]| {
+        fs::write(folder.path().join(name), text(points)).unwrap();
+    };
+    for (i, s) in places.iter().enumerate() {
+        let (a, b) = (narrow(wing_at(*s)), narrow(nose_at(*s)));
+        write(&format!("wing{i}.txt"), &a);
+        wing.push(format!("{s} 'wing{i}.txt'"));
+        if *s < -50.0 {
+            one.push(format!("{s} 'wing{i}.txt'"));
+            features.push(format!("{s} 0 {:.6} -1 -1", arc(&a)));
+            continue;
+        }
+        write(&format!("nose{i}.txt"), &b);
+        nose.push(format!("{s} 'nose{i}.txt'"));
+        // A groove 20 mm deep between them.
+        let (from, to) = (a[a.len() - 1], b[0]);
+        let groove: Vec<[f64; 2]> = (1..40)
+            .map(|k| {
+                let share = f64::from(k) / 40.0;
+                let [y, z] = [0, 1].map(|c| from[c] + share * (to[c] - from[c]));
+                [y, z + 20.0 * (std::f64::consts::PI * share).sin()]
+            })
+            .collect();
+        let all = [a.clone(), groove, b.clone()].concat();
+        write(&format!("both{i}.txt"), &all);
+        one.push(format!("{s} 'both{i}.txt'"));
+        let whole = arc(&all);
+        let ends = [0.0, arc(&a), whole - arc(&b), whole].map(|length| format!("{length:.6}"));
+        features.push(format!("{s} {}", ends.join(" ")));
+    }
+    let list = |name: &str, slices: &[String], features: &[String], count: usize| {
+        let parts = [slices, features].concat().join("\n");
+        let text = format!("0 1\n{}\n{count} 0 0\n1\n{parts}\n", slices.len());
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    list("wing.slcs", &wing, &[], 0);
+    list("nose.slcs", &nose, &[], 0);
+    list("rail.slcs", &one, &features, 4);
+    folder
+}
+
+#[test]
+fn a_rail_with_parts_is_two_rails() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut one = element(&parameters, &folder);
+    parameters.rails[0].profile = "wing.slcs".into();
+    parameters.rails[1].enabled = true;
+    let [wing, nose] = &mut parameters.rails;
+    (nose.profile, nose.placement) = ("nose.slcs".into(), Placement::Origin);
+    (nose.position, nose.inclination, nose.mirrored) = (wing.position, 0.0, false);
+    let mut two = element(&parameters, &folder);
+    let (mut on_wing, mut on_nose) = (0, 0);
+    for i in 0..60 {
+        let mut input = rolling(0.0, 10.0);
+        input.track_s = 1e-3 * (-110.0 + 3.5 * f64::from(i));
+        let [first, other] = [&mut one, &mut two].map(|e| e.touching_height(&input));
+        assert_relative_eq!(first, other, epsilon = 2e-9);
+        input.wheel.position[2] = first + 5e-5;
+        let (first, other) = (evaluate(&mut one, &input), evaluate(&mut two, &input));
+        // Where both carry, patches of one rail press each other down and those of two do not.
+        if first.patch_count.max(other.patch_count) > 1 {
+            continue;
+        }
+        let counted = if other.patches[0].rail == 1 { &mut on_wing } else { &mut on_nose };
+        *counted += 1;
+        let scale = 1e-4 * other.wheel.force[2].abs();
+        for k in 0..3 {
+            assert_relative_eq!(first.wheel.force[k], other.wheel.force[k], epsilon = scale);
+        }
+    }
+    assert!(on_wing > 10 && on_nose > 10, "{on_wing} {on_nose}");
+}
+
+#[test]
+fn forces_on_wheel_and_rail_are_in_balance_and_the_left_side_is_a_mirror() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "conical:0.025".into();
+    let mut right = element(&parameters, &folder);
+    parameters.side = Side::Left;
+    parameters.rails[0].position[0] *= -1.0;
+    let mut left = element(&parameters, &folder);
+    // The highest point of the first section, that of the wing 150 mm before the origin.
+    let marker = [0.0, 0.75 - 0.0115, 0.00015];
+    let mut random = Random::new(3);
+    for _ in 0..40 {
+        let mut input = random_input(&mut right, &mut random);
+        input.rails[0] = RailMotion::default();
+        // On the crowns, not on their ends.
+        input.wheel.position[1] = 0.75 + random.about(2e-3);
+        (input.wheel.roll, input.wheel.yaw) = (random.about(1e-3), random.about(5e-3));
+        input.track_s = random.about(0.1);
+        input.wheel.position[2] = right.touching_height(&input) + 8e-5;
+        let output = evaluate(&mut right, &input);
+        assert!(output.patch_count > 0);
+        let (wheel, rail) = (output.wheel, output.rails[0]);
+        let scale = wheel.force.iter().fold(1.0_f64, |most, f| most.max(f.abs()));
+        let allowed = tolerance::SIMILARITY * scale;
+        assert_close(wheel.force, rail.force.map(|f| -f), allowed, "reaction");
+        let other = evaluate(&mut left, &mirrored(&input));
+        let [fx, fy, fz] = other.wheel.force;
+        assert_close(wheel.force, [fx, -fy, fz], allowed, "mirror");
+        // About the origin of the track: every force acts on both bodies at the same point.
+        let on_wheel = add(wheel.moment, cross(input.wheel.position, wheel.force));
+        let on_rail = add(rail.moment, cross(marker, rail.force));
+        assert_close(on_wheel, on_rail.map(|m| -m), allowed, "moment");
+    }
+}
+
+#[test]
+fn sections_that_are_turned_over_differently_are_refused() {
+    let folder = crossing();
+    for name in ["wing0.txt", "both20.txt"] {
+        let path = folder.path().join(name);
+        let plain = fs::read_to_string(&path).unwrap().replace("# mirror_z 0\n", "");
+        fs::write(&path, plain).unwrap();
+    }
+    let list = "0 1\n2\n0 0 0\n1\n0 'wing0.txt'\n10 'both20.txt'\n";
+    fs::write(folder.path().join("rail.slcs"), list).unwrap();
+    let made = Element::new(&parameters(), &Input::default(), &[folder.path().to_path_buf()]);
+    let message = made.unwrap_err().to_string();
+    for part in ["rail.slcs:6", "both20.txt", "wing0.txt", "mirror_z"] {
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+#[test]
+fn heights_converge_with_the_fourth_power_of_the_distance_of_slices() {
+    let wave = std::f64::consts::TAU / 0.3;
+    let height = |s: f64| -1e-3 * (wave * s).cos();
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let radius = parameters.wheel.nominal_radius;
+    let worst = [30.0, 15.0, 7.5].map(|apart| {
+        let count = (600.0 / apart) as i32;
+        let places = (-count..=count).map(|i| apart * f64::from(i));
+        let folder = slices(places, |place| crown(1.0, [0.0, 1e3 * height(1e-3 * place)]));
+        let mut element = element(&parameters, &folder);
+        let mut worst: f64 = 0.0;
+        for i in 0..30 {
+            let mut input = Input { track_s: 0.01 * f64::from(i) + 1e-3, ..Input::default() };
+            input.wheel.position[0] = 2e-3;
+            let station = input.track_s + input.wheel.position[0];
+            // Newton's method on the slope of the distance from the wheel's circle.
+            let mut x = 0.0_f64;
+            for _ in 0..30 {
+                let root = (radius * radius - x * x).sqrt();
+                let slope = 1e-3 * wave * (wave * (station + x)).sin() + x / root;
+                let bend = 1e-3 * wave * wave * (wave * (station + x)).cos()
+                    + radius * radius / root.powi(3);
+                x -= slope / bend;
+            }
+            let exact = height(station + x) - (radius * radius - x * x).sqrt();
+            worst = worst.max((element.touching_height(&input) - exact).abs());
+        }
+        worst
+    });
+    // Rounded files are left at the end.
+    assert!(worst[0] / worst[1] > 12.0 && worst[1] / worst[2] > 12.0, "{worst:?}");
+    assert!(worst[2] < tolerance::VARYING_HEIGHT, "{worst:?}");
+}
+
+#[test]
+fn a_contact_laid_flat_is_as_round_as_wheel_and_rail_together() {
+    let places = (-10..=10).map(|i| 20.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, 0.5e-3 * place * place]));
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut element = element(&parameters, &folder);
+    let mut input = Input::default();
+    input.wheel.position[2] = element.touching_height(&input) + 1e-4;
+    let flat = element.flat_contacts(&input).unwrap();
+    let radius = 1.0 / (1.0 / parameters.wheel.nominal_radius + 1.0);
+    // Ends of the rail without curvature are ten slices away, each of which leaves a quarter of their effect.
+    assert_relative_eq!(flat[0].radius, radius, max_relative = 1e-5);
+}
+
+#[test]
+fn evaluations_on_a_crossing_allocate_nothing() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    for mode in [VerticalMode::Penetration, VerticalMode::Load] {
+        parameters.vertical_mode = mode;
+        let mut element = element(&parameters, &folder);
+        let mut output = Output::default();
+        let mut touched = 0;
+        let before = allocations::count();
+        for i in 0..300 {
+            let t = f64::from(i);
+            let mut input = rolling(5e-3 * (0.3 * t).sin(), 20.0);
+            input.track_s = 0.25 * (0.05 * t).sin();
+            input.wheel.yaw = 0.02 * (0.7 * t).sin();
+            input.wheel.position[2] = -0.46 + 4e-4 * (0.11 * t).sin();
+            if i % 20 == 0 {
+                // Right through the rail.
+                input.wheel.position[2] += 0.012;
+            }
+            input.wheel_load = 5e4 * (0.2 * t).sin();
+            element.evaluate(&input, &mut output).unwrap();
+            touched += i32::from(output.patch_count > 0);
+        }
+        assert_eq!(allocations::count(), before);
+        assert!(touched > 100, "{touched}");
+    }
+}
+
+#[test]
+fn frictionless_forces_on_a_slope_that_bends_have_an_energy() {
+    // The change of the vertical force along the track is that of the longitudinal one with the height.
+    let places = (-20..=20).map(|i| 10.0 * f64::from(i));
+    let folder = slices(places, |place| crown(1.0, [0.0, 4.0 * (place / 60.0).cos()]));
+    let mut parameters = parameters();
+    parameters.wheel.profile = "cylindrical".into();
+    let mut element = element(&parameters, &folder);
+    for station in [-0.06, -0.02, 0.03, 0.08] {
+        let mut input = Input { friction: 0.0, track_s: station, ..Input::default() };
+        let height = element.touching_height(&input) + 1e-4;
+        let mut force = |ahead: f64, down: f64| {
+            input.track_s = station + ahead;
+            input.wheel.position[2] = height + down;
+            evaluate(&mut element, &input).wheel.force
+        };
+        let (h, d) = (2e-6, 2e-7);
+        let along = (force(h, 0.0)[2] - force(-h, 0.0)[2]) / (2.0 * h);
+        let down = (force(0.0, d)[0] - force(0.0, -d)[0]) / (2.0 * d);
+        assert_relative_eq!(along, down, max_relative = tolerance::VARYING_ENERGY);
+    }
+}
