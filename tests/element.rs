@@ -90,7 +90,9 @@ fn the_wrench_is_the_sum_of_the_patches_with_normal_forces_on_lines_through_the_
 
 #[test]
 fn moments_of_a_cylinder_on_a_crowned_rail_are_those_worked_out_by_hand() {
-    let parameters = plain_parameters("cylindrical", "arc:0.3");
+    let mut parameters = plain_parameters("cylindrical", "arc:0.3");
+    // It would press more on the side to which the wheel drifts.
+    parameters.damping = 0.0;
     let mut element = element(&parameters);
     let top = rail_marker(&parameters)[1];
     let (radius, depth, aside) = (0.46, 5e-5, 0.012);

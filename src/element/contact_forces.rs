@@ -35,8 +35,8 @@ pub enum Damped<T> {
     Alone,
     /// Load and deepest penetration of all that shares one stiffness [N, m].
     Together([T; 2]),
-    /// The pressures of the strips hold it already.
-    Already,
+    /// Normal force with damping over that without [-].
+    By(T),
 }
 
 /// Brings the solution of one contact to forces on both bodies.
@@ -368,7 +368,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let [load, penetration] = match self.damped {
             Damped::Alone => [models.strips.load(), self.contact.penetration],
             Damped::Together(whole) => whole,
-            Damped::Already => return T::from(1.0),
+            Damped::By(load_factor) => return load_factor,
         };
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         if load > 0.0 { damped / load } else { T::from(0.0) }

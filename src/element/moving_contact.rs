@@ -101,7 +101,7 @@ impl RailContact {
                 varying: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
-                let contact =
+                let (contact, load_factor) =
                     strip_contact::take_moving_zone(&moving, rail, search, zone, &damping, models);
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, rail, contact);
@@ -113,7 +113,7 @@ impl RailContact {
                     rail,
                     contact,
                     slopes: [0.0; 2],
-                    damped: Damped::Already,
+                    damped: Damped::By(load_factor),
                     friction: friction.as_ref(),
                     is_on_arc: true,
                 };

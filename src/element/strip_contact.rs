@@ -238,7 +238,7 @@ pub fn add<'a>(
     work: &mut Work,
 ) -> u64 {
     let Some(&first) = search.contacts.first() else { return 0 };
-    let of_rail = forces(first, [0.0; 2], Damped::Already);
+    let of_rail = forces(first, [0.0; 2], Damped::Alone);
     let ContactForces { input, line, rail, frame, .. } = &of_rail;
     let mut left_out = solve(line, rail, search, probes, models) as u64;
     let wheel = &input.wheel;
@@ -251,9 +251,9 @@ pub fn add<'a>(
         varying: rail.variation().map(|varying| (varying, speeds[0])),
     };
     for zone in 0..models.rail_strips.zones.len() {
-        let contact = take_zone(line, rail, search, zone, &damping, models);
+        let (contact, load_factor) = take_zone(line, rail, search, zone, &damping, models);
         let mut separation = LineSeparation::new(line, rail, contact);
-        let forces = forces(contact, [0.0; 2], Damped::Already);
+        let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
         left_out += forces.add(&mut separation, models, output, work);
     }
     left_out
@@ -323,7 +323,7 @@ fn take_zone(
     index: usize,
     damping: &StripDamping,
     models: &mut Models,
-) -> Contact {
+) -> (Contact, f64) {
     let zone = models.rail_strips.zones[index];
     let contact = Contact {
         u: models.rail_strips.u[zone.first],
@@ -341,10 +341,10 @@ fn take_zone(
         let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.at(u).point, tangent, overlap)
     };
-    let found = zone_in_frame(index, damping, models, place);
+    let (found, load_factor) = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, &models.strips.u);
     let deepest = deepest.map_or(0.0, |contact| contact.penetration);
-    Contact { penetration: found.penetration.max(deepest), ..found }
+    (Contact { penetration: found.penetration.max(deepest), ..found }, load_factor)
 }
 
 /// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if there is one.
@@ -361,7 +361,7 @@ fn zone_in_frame<T: Real>(
     damping: &StripDamping<T>,
     models: &mut Models<T>,
     mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
-) -> Contact<T> {
+) -> (Contact<T>, T) {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
@@ -390,29 +390,28 @@ fn zone_in_frame<T: Real>(
     let (area, load) = (zone.area, zone.load);
     zone.first = 0;
     strips.summarise(&mut zone);
-    if load > 0.0 {
-        zone.max_pressure *= zone.load / load;
-    }
-    zone.area = area;
+    let load_factor = if load > 0.0 { zone.load / load } else { T::from(1.0) };
+    (zone.area, zone.load) = (area, load);
     let resultant = tangent[0].hypot(tangent[1]);
     let center = zone.y;
     // Normals that diverge carry less together.
     let share = if sum > 0.0 { resultant / sum } else { zero };
     for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()) {
         *y -= center;
-        *pressure *= share;
+        *pressure *= share / load_factor;
     }
     zone.load *= share;
     zone.y = zero;
     strips.zones.push(zone);
-    Contact {
+    let contact = Contact {
         u: zone.u,
         rail_s: center,
         penetration,
         origin: origin.map(|o| o / sum.at_least(f64::MIN_POSITIVE)),
         tangent: tangent.map(|t| t / resultant.at_least(f64::MIN_POSITIVE)),
         probes: [0, 0],
-    }
+    };
+    (contact, load_factor)
 }
 
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from there.
@@ -477,11 +476,11 @@ pub fn take_moving_zone<T: Real>(
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
-) -> Contact<T> {
+) -> (Contact<T>, T) {
     let value = line.value();
     let found = LocalLine::of(&value, rail, search);
     let mut local = MovingLocal { line, rail, found };
-    let found = zone_in_frame(index, damping, models, |u, y| {
+    let (found, load_factor) = zone_in_frame(index, damping, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());
         (line.even_at(u).point, tangent, overlap)
     });
@@ -489,5 +488,5 @@ pub fn take_moving_zone<T: Real>(
     let deepest = deepest.and_then(|contact| contact.moving(line, rail));
     let penetration =
         deepest.map_or(found.penetration, |contact| found.penetration.max(contact.penetration));
-    Contact { penetration, ..found }
+    (Contact { penetration, ..found }, load_factor)
 }

@@ -131,14 +131,16 @@ fn compare(element: &mut Element, input: &Input, noise: f64, errors: &mut Errors
                     Some([slope, scale])
                 });
                 // Kinks to both sides may hide each other, but not from a shorter step.
+                let error = |[slope, scale]: [f64; 2]| (rate - slope).abs() / scale;
                 let found = (0..smooth.len()).find_map(|n| {
                     let [slope, scale] = smooth[n]?;
-                    let agree = match smooth.get(n + 1) {
-                        Some(Some([near, scale])) => (slope - near).abs() <= 2.0 * SMOOTH * scale,
-                        Some(None) => false,
-                        None => true,
-                    };
-                    agree.then(|| (slope, (rate - slope).abs() / scale))
+                    match smooth.get(n + 1).copied() {
+                        // Of two that agree the longer one may have its bend and the shorter one its rounding.
+                        Some(Some(near)) => ((slope - near[0]).abs() <= 2.0 * SMOOTH * near[1])
+                            .then(|| (slope, error([slope, scale]).min(error(near)))),
+                        Some(None) => None,
+                        None => Some((slope, error([slope, scale]))),
+                    }
                 });
                 match found {
                     Some((slope, error)) if slope != 0.0 || rate != 0.0 => {

@@ -10,15 +10,15 @@ use crate::math::real::Real;
 /// Overlap in a valley over that at the edge of an ellipse at which half a node is left for it: hardly loaded, with other nodes near by.
 const SHALLOW_VALLEY: f64 = 0.6;
 /// Distance from a valley at which its place is seen to move, over that of samples: near enough for a parabola, and far above rounding.
-const NEAR_VALLEY: f64 = 1e-2;
+const NEAR_VALLEY: f64 = 1e-3;
 
 /// A lobe as nodes are laid by it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LobeSize<T> {
     /// Number of its interval of overlap.
-    interval: usize,
+    pub interval: usize,
     /// Integrals of the square and the cube of the overlap [m^3, m^4].
-    pub sums: [T; 2],
+    sums: [T; 2],
     /// Overlap at its peak and in the valley behind it, none where there is none [m].
     peak: T,
     valley: T,
@@ -47,6 +47,13 @@ impl<T: Real> LobeSize<T> {
         }
     }
 
+    /// Adds a `share` of the integrals `sums`.
+    pub fn add(&mut self, sums: [T; 2], share: T) {
+        for (own, sum) in self.sums.iter_mut().zip(sums) {
+            *own += sum * share;
+        }
+    }
+
     /// Its integrals with those of an `other` lobe, the least overlap on the way to which is `least`: all of these where both are one, nothing where they part; in between
     /// a greater one counts as much as the own one, or it would come in by a jump. A valley is seen when it has some depth already: at first nothing is parted by it.
     fn with(&self, sums: [T; 2], other: &Self, least: T) -> [T; 2] {
@@ -54,7 +61,8 @@ impl<T: Real> LobeSize<T> {
         if grown <= 0.0 {
             return sums;
         }
-        let apart = (-grown + 1.0) * (-grown + 1.0) * other.sums[0] / self.sums[0];
+        let apart = (-grown + 1.0) * (-grown + 1.0) * other.sums[0]
+            / self.sums[0].at_least(f64::MIN_POSITIVE);
         let share = grown / (grown + apart);
         [0, 1].map(|n| sums[n] + other.sums[n] * share)
     }
@@ -90,7 +98,9 @@ pub(super) fn grow_together<T: Real>(lobes: &mut [LobeSize<T>]) {
             least = least.min(pair[0].valley);
             sums = own.with(sums, &pair[0], least);
         }
-        lobes[i].depth = sums[1] / sums[0] * DEPTH_OVER_MEAN;
+        // A lobe may have nothing but rounding.
+        let mean = sums[1] / sums[0].at_least(f64::MIN_POSITIVE);
+        lobes[i].depth = (mean * DEPTH_OVER_MEAN).at_least(f64::MIN_POSITIVE);
     }
 }
 

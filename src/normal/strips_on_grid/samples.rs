@@ -7,7 +7,7 @@
 use super::equations::Scales;
 use super::line::OverlapLine;
 use super::lobes::{self, LobeSize};
-use super::overlap::{End, Lobe, MOST_LOBES, MOST_OVERLAPS, Overlaps};
+use super::overlap::{End, MOST_LOBES, MOST_OVERLAPS, Overlaps};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -52,8 +52,6 @@ pub(super) struct Sample<T> {
     density: T,
     /// Nodes that stand here: one between lobes.
     pub standing: T,
-    /// Number of the lobe that begins here or goes on.
-    lobe: usize,
 }
 
 impl<T: Real> Sample<T> {
@@ -106,7 +104,7 @@ impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS + MOST_LOBES) * PARTS),
+            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + 2 * MOST_LOBES),
             lobes: Room::new(MOST_LOBES),
             depth: zero,
             half_width: zero,
@@ -129,36 +127,41 @@ impl<T: Real> Samples<T> {
                 / width;
         let spacing =
             (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
-        let mut next = 0;
         // Not in the middle itself, or the ends of a single interval would be places too, on this side or that by rounding.
         for (interval, ends) in intervals.iter().enumerate() {
-            let first = self.list.len();
             self.take_interval(line, interval, ends, [middle + spacing * 0.5, spacing]);
-            let begin = next;
-            while overlaps.lobes.get(next).is_some_and(|lobe| lobe.interval == interval) {
-                next += 1;
-            }
-            self.take_lobes(line, first, &overlaps.lobes[begin..next], spacing);
         }
+        let sizes = overlaps.lobes.iter().map(|lobe| LobeSize::new(lobe, line, spacing));
+        self.lobes.extend(sizes);
         let zero = T::from(0.0);
         let [mut squares, mut cubes, mut moment, mut parameter] = [zero; 4];
+        let mut lobe = 0;
         for pair in self.list.windows(2).filter(|pair| pair[0].interval == pair[1].interval) {
             let width = pair[1].y - pair[0].y;
             let middle = pair[0].towards(&pair[1], T::from(0.5));
-            let [own_squares, own_cubes] = &mut self.lobes[pair[0].lobe].sums;
+            let mut sums = [zero; 2];
             // Simpson's rule.
             for (sample, weight) in [(&pair[0], 1.0), (&middle, 4.0), (&pair[1], 1.0)] {
                 let depth = sample.overlap.at_least(0.0);
                 let square = width * depth * depth * (weight / 6.0);
-                *own_squares += square;
-                *own_cubes += square * depth;
+                sums[0] += square;
+                sums[1] += square * depth;
                 moment += square * sample.y;
                 parameter += square * sample.u;
             }
-        }
-        for lobe in self.lobes.iter() {
-            squares += lobe.sums[0];
-            cubes += lobe.sums[1];
+            squares += sums[0];
+            cubes += sums[1];
+            while lobe + 1 < self.lobes.len() && self.lobes[lobe].interval < pair[0].interval {
+                lobe += 1;
+            }
+            // To the lobes by their parts of the way, so that the whole does not depend on them.
+            let mut from = pair[0].y;
+            while let Some(valley) = self.lobes[lobe].behind.filter(|&valley| valley < pair[1].y) {
+                let to = valley.max(from);
+                self.lobes[lobe].add(sums, (to - from) / width);
+                (from, lobe) = (to, lobe + 1);
+            }
+            self.lobes[lobe].add(sums, (pair[1].y - from) / width);
         }
         self.depth = cubes / squares * DEPTH_OVER_MEAN;
         self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
@@ -172,39 +175,6 @@ impl<T: Real> Samples<T> {
         [self.depth, self.half_width, self.radius, self.half_width / self.depth]
             .into_iter()
             .all(is_size)
-    }
-
-    /// Takes the `lobes` of the interval whose samples are those from number `first` on; valleys become samples.
-    fn take_lobes(
-        &mut self,
-        line: &mut impl OverlapLine<T>,
-        first: usize,
-        lobes: &[Lobe],
-        spacing: T,
-    ) {
-        let mut at = first;
-        for lobe in lobes {
-            let number = self.lobes.len();
-            let size = LobeSize::new(lobe, line, spacing);
-            if let Some((y, valley)) = size.behind.zip(lobe.valley) {
-                while at < self.list.len() && self.list[at].y < y {
-                    self.list[at].lobe = number;
-                    at += 1;
-                }
-                if at > first && at < self.list.len() {
-                    let [before, behind] = [self.list[at - 1], self.list[at]];
-                    let share = (y - before.y) / (behind.y - before.y);
-                    let between = before.towards(&behind, share);
-                    self.list.insert(at, Sample { y, u: valley.u, lobe: number + 1, ..between });
-                    at += 1;
-                }
-            } else {
-                for sample in &mut self.list[at..] {
-                    sample.lobe = number;
-                }
-            }
-            self.lobes.push(size);
-        }
     }
 
     /// Takes the interval of a number between its ends.
@@ -238,7 +208,7 @@ impl<T: Real> Samples<T> {
             // A body may end before the overlap does.
             let overlap =
                 if end.slope.is_some() { T::from(0.0) } else { line.at(y, end.u).overlap };
-            Sample { interval, y, u: end.u, overlap, bend, density, standing: density, lobe: 0 }
+            Sample { interval, y, u: end.u, overlap, bend, density, standing: density }
         };
         let (begin, last) = (end(one, left, 1), end(other, right, count - 3));
         self.list.push(begin);
@@ -253,7 +223,6 @@ impl<T: Real> Samples<T> {
                 bend,
                 density,
                 standing: density,
-                lobe: 0,
             });
         }
         self.list.push(last);
@@ -261,33 +230,60 @@ impl<T: Real> Samples<T> {
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
-        self.stand_between(scales.level);
+        lobes::stand_between(&mut self.lobes, scales.level);
         self.part();
-        let depth = self.depth;
         let width = self.sum_of(|[a, b]| b.y - a.y);
         // Where the bodies are parallel there is no curvature to go by.
-        let least = depth / (width * width);
-        for sample in self.list.iter_mut() {
-            let own = self.lobes[sample.lobe].depth;
+        let least = self.depth / (width * width);
+        let (depth, level) = (self.depth, scales.level);
+        let density = |sample: &Sample<T>, own: T| {
             let overlap = (sample.overlap / own).at_least(LEAST_OVERLAP);
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
             // A lesser lobe has fewer, by the root of its depth besides its width: less depends on it.
-            sample.density = bend * share_loaded(overlap, scales.level) * (own / depth).sqrt();
+            bend * share_loaded(overlap, level) * (own / depth).sqrt()
+        };
+        let (mut lobe, mut k) = (0, 0);
+        while k < self.list.len() {
+            let sample = self.list[k];
+            while lobe + 1 < self.lobes.len() && self.lobes[lobe].interval < sample.interval {
+                lobe += 1;
+            }
+            let own = self.lobes[lobe];
+            let passed = own.behind.filter(|&valley| k > 0 && valley < sample.y);
+            let before = self.list[k.max(1) - 1];
+            match passed {
+                Some(valley) if before.interval == sample.interval => {
+                    // Both sides of the valley: what it parts does not change where both are alike.
+                    let share = ((valley - before.y) / (sample.y - before.y)).at_least(0.0);
+                    let mut sides = [own.depth, self.lobes[lobe + 1].depth].map(|own| {
+                        let [a, b] = [&before, &sample].map(|sample| density(sample, own));
+                        let density = a + (b - a) * share;
+                        Sample { density, ..before.towards(&sample, share) }
+                    });
+                    sides[1].standing = own.standing;
+                    for side in sides {
+                        self.list.insert(k, side);
+                        k += 1;
+                    }
+                    lobe += 1;
+                }
+                _ => {
+                    self.list[k].density = density(&sample, own.depth);
+                    k += 1;
+                }
+            }
         }
+        self.stand_beside_gaps();
         self.sum_of(nodes_between)
     }
 
-    /// Takes how many nodes stand between lobes and between intervals: of one in a gap, a half at each of its ends.
-    fn stand_between(&mut self, level: T) {
-        lobes::stand_between(&mut self.lobes, level);
+    /// Half a node stands at each of the two ends beside a gap between intervals.
+    fn stand_beside_gaps(&mut self) {
         for k in 1..self.list.len() {
-            let [before, own] = [self.list[k - 1], self.list[k]];
-            if before.interval != own.interval {
+            if self.list[k - 1].interval != self.list[k].interval {
                 let half = T::from(0.5);
                 (self.list[k - 1].standing, self.list[k].standing) = (half, half);
-            } else if before.lobe != own.lobe {
-                self.list[k].standing = self.lobes[before.lobe].standing;
             }
         }
     }
