@@ -28,14 +28,14 @@ use crate::normal::{Strips, Zone, damping};
 use crate::tangential::{RollingState, StripForce, UnderLaw};
 use crate::wear::rcf;
 
-/// Load and penetration that the damping of a normal motion goes by.
+/// How the normal motion of a contact is damped.
 #[derive(Clone, Copy, Debug)]
 pub enum Damped<T> {
-    /// Those of the contact itself.
+    /// By its own load and penetration.
     Alone,
-    /// Load and deepest penetration of all that shares one stiffness [N, m].
+    /// By the load and the deepest penetration of all that shares one stiffness [N, m].
     Together([T; 2]),
-    /// Normal force with damping over that without [-].
+    /// Its normal force with damping over that without is known [-].
     By(T),
 }
 
@@ -55,7 +55,7 @@ pub struct ContactForces<'a, T = f64> {
     pub contact: Contact<T>,
     /// Slopes of rail and wheel along the track in the contact [-].
     pub slopes: [f64; 2],
-    /// What its normal motion is damped with.
+    /// How its normal motion is damped.
     pub damped: Damped<T>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub friction: Option<&'a RailFriction>,
@@ -96,8 +96,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let motion = self.motion();
         let even_axes = self.axes();
         let lifting = separation.lifting();
-        let closing_speed = self.closing_speed(&motion, lifting.as_ref(), &models.strips);
-        let load_factor = self.load_factor(closing_speed, models);
+        let load_factor = self.load_factor(&motion, lifting.as_ref(), models);
         self.fill_friction(separation, &mut models.strips);
         for index in 0..models.strips.zones.len() {
             let zone = models.strips.zones[index];
@@ -253,8 +252,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.
     pub(super) fn rolling_state(&self, models: &Models<T>) -> RollingState<T> {
         let motion = self.motion();
-        let load_factor =
-            self.load_factor(self.closing_speed(&motion, None, &models.strips), models);
+        let load_factor = self.load_factor(&motion, None, models);
         let zone = models.strips.zones[0];
         let rolling = self.rolling(zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
         let creepage = if models.creepage == CreepageModel::Kinematic {
@@ -364,12 +362,18 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     }
 
     /// Normal force with damping over that without [-].
-    fn load_factor(&self, closing_speed: T, models: &Models<T>) -> T {
+    fn load_factor(
+        &self,
+        motion: &RelativeMotion<T>,
+        lifting: Option<&Lifting>,
+        models: &Models<T>,
+    ) -> T {
         let [load, penetration] = match self.damped {
             Damped::Alone => [models.strips.load(), self.contact.penetration],
             Damped::Together(whole) => whole,
             Damped::By(load_factor) => return load_factor,
         };
+        let closing_speed = self.closing_speed(motion, lifting, &models.strips);
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         if load > 0.0 { damped / load } else { T::from(0.0) }
     }

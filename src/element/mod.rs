@@ -21,6 +21,7 @@ mod ranges;
 mod start;
 mod stiffness;
 mod strip_contact;
+mod strip_damping;
 pub mod subject;
 mod uneven;
 pub(crate) mod vertical_load;

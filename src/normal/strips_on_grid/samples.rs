@@ -55,7 +55,7 @@ pub(super) struct Sample<T> {
 }
 
 impl<T: Real> Sample<T> {
-    /// At a share of the way to an `other` one: a parabola, whose bend is that in the middle.
+    /// At a share of the way to an `other` one, where no node stands: a parabola, whose bend is that in the middle.
     fn towards(&self, other: &Self, share: T) -> Self {
         let mix = |a: T, b: T| a + (b - a) * share;
         let width = other.y - self.y;
@@ -66,7 +66,8 @@ impl<T: Real> Sample<T> {
             u: self.u + (other.u - self.u) * share.value(),
             overlap: mix(self.overlap, other.overlap) - bulge,
             bend: mix(self.bend, other.bend),
-            ..*self
+            density: self.density,
+            standing: T::from(0.0),
         }
     }
 }
@@ -250,29 +251,26 @@ impl<T: Real> Samples<T> {
                 lobe += 1;
             }
             let own = self.lobes[lobe];
-            let passed = own.behind.filter(|&valley| k > 0 && valley < sample.y);
-            let before = self.list[k.max(1) - 1];
-            match passed {
-                Some(valley) if before.interval == sample.interval => {
-                    // Both sides of the valley: what it parts does not change where both are alike.
-                    let share = ((valley - before.y) / (sample.y - before.y)).at_least(0.0);
-                    let mut sides = [own.depth, self.lobes[lobe + 1].depth].map(|own| {
-                        let [a, b] = [&before, &sample].map(|sample| density(sample, own));
-                        let density = a + (b - a) * share;
-                        Sample { density, ..before.towards(&sample, share) }
-                    });
-                    sides[1].standing = own.standing;
-                    for side in sides {
-                        self.list.insert(k, side);
-                        k += 1;
-                    }
-                    lobe += 1;
-                }
-                _ => {
-                    self.list[k].density = density(&sample, own.depth);
-                    k += 1;
-                }
+            let before = k.checked_sub(1).map(|k| self.list[k]);
+            let before = before.filter(|before| before.interval == sample.interval);
+            let Some((valley, before)) = own.behind.zip(before).filter(|(y, _)| *y < sample.y)
+            else {
+                self.list[k].density = density(&sample, own.depth);
+                k += 1;
+                continue;
+            };
+            // Both sides of the valley: what it parts does not change where both are alike.
+            let share = ((valley - before.y) / (sample.y - before.y)).at_least(0.0);
+            let mut sides = [own.depth, self.lobes[lobe + 1].depth].map(|own| {
+                let [a, b] = [&before, &sample].map(|sample| density(sample, own));
+                Sample { density: a + (b - a) * share, ..before.towards(&sample, share) }
+            });
+            sides[1].standing = own.standing;
+            for side in sides {
+                self.list.insert(k, side);
+                k += 1;
             }
+            lobe += 1;
         }
         self.stand_beside_gaps();
         self.sum_of(nodes_between)
@@ -291,22 +289,19 @@ impl<T: Real> Samples<T> {
     /// Puts samples of parabolas between all samples.
     fn part(&mut self) {
         let before = self.list.len();
-        let zero = Sample { density: T::from(0.0), standing: T::from(0.0), ..self.list[0] };
-        self.list.resize(before * PARTS, zero);
+        let any = self.list[0];
+        self.list.resize(before * PARTS, any);
         for k in (0..before).rev() {
             let one = self.list[k];
             let other = if k + 1 < before { self.list[(k + 1) * PARTS] } else { one };
             for part in 0..PARTS {
                 // Behind the last sample of an interval there is nothing.
                 let share = part as f64 / PARTS as f64;
-                let between = if other.interval == one.interval {
+                self.list[k * PARTS + part] = if other.interval == one.interval {
                     one.towards(&other, T::from(share))
                 } else {
                     one
                 };
-                let between =
-                    if part == 0 { one } else { Sample { standing: T::from(0.0), ..between } };
-                self.list[k * PARTS + part] = between;
             }
         }
     }

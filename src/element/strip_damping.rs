@@ -1,0 +1,59 @@
+//! Damping of the normal motion of strips.
+
+use nalgebra::Vector3;
+
+use super::rail_frame::RailFrame;
+use crate::geometry::longitudinal::Longitudinal;
+use crate::geometry::varying_rail::VaryingRail;
+use crate::kinematics::creepage::RelativeMotion;
+use crate::math::real::Real;
+use crate::normal::damping;
+
+/// Least pressure with damping over that without: strips that part keep a trace, by which their zone has a normal.
+const LEAST_FACTOR: f64 = f64::EPSILON;
+
+/// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on which strips are taken together as a zone.
+pub struct StripDamping<'a, T: Real = f64> {
+    /// How wheel and rail move against each other.
+    pub motion: &'a RelativeMotion<T>,
+    /// The frame of the rail.
+    pub frame: &'a RailFrame<T>,
+    /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
+    pub whole: [T; 2],
+    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
+    pub deviations: Option<(&'a Longitudinal, [T; 2])>,
+    /// The section of the rail as it varies along the track, and the forward speed [m/s].
+    pub varying: Option<(&'a VaryingRail, T)>,
+}
+
+impl<T: Real> StripDamping<'_, T> {
+    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail: its point, unit tangent and overlap across.
+    pub fn factor(
+        &self,
+        coefficient: f64,
+        [x, y]: [T; 2],
+        point: [T; 2],
+        tangent: [T; 2],
+        overlap: T,
+    ) -> T {
+        if coefficient == 0.0 {
+            return T::from(1.0);
+        }
+        let [load, penetration] = self.whole;
+        let normal = [-tangent[1], tangent[0]];
+        // The wheel's surface of first touch lies deeper in the rail by the overlap.
+        let touch = [0, 1].map(|axis| point[axis] + overlap * normal[axis]);
+        let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
+        let along = self.frame.direction(normal);
+        let even = self.motion.closing_velocity(touch).dot(&along);
+        let even = self
+            .varying
+            .map_or(even, |(varying, forward)| even + forward * varying.along(y.value()).lean);
+        let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
+            let [rail, wheel] = deviations.slopes(x.value());
+            even + (forward * rail - turning * wheel) * tangent[0]
+        });
+        (damping::damped_load(load, penetration, closing, coefficient) / load)
+            .at_least(LEAST_FACTOR)
+    }
+}
