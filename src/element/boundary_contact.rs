@@ -62,20 +62,18 @@ pub fn add<'a>(
     let whole = Damped::Together([models.rail_strips.load(), elements.approach]);
     let (mut contacts, mut states) = (Vec::new(), Vec::new());
     for index in 0..models.rail_strips.zones.len() {
-        let contact = take_zone(elements, index, models);
+        let (contact, share) = take_zone(elements, index, models);
         let Zone { x, y, .. } = models.rail_strips.zones[index];
         let forces = forces(contact, [0.0; 2], whole);
         let separation = LineSeparation::new(&forces.line, rail, contact);
         forces.fill_friction(&separation, &mut models.strips);
         let state = forces.rolling_state(models);
         let strips = &models.strips;
-        // The load of the elements, and not that of their resultant.
-        let of = Zone { load: models.rail_strips.zones[index].load, ..strips.zones[0] };
-        let law = models.tangential.under_law(&of, strips, &models.material, &state);
-        contacts.push(contact);
+        let law = models.tangential.under_law(&strips.zones[0], strips, &models.material, &state);
+        contacts.push((contact, share));
         states.push(ZoneState { law, centre: [x, y] });
     }
-    let found = contacts.first().and_then(|contact| {
+    let found = contacts.first().and_then(|(contact, _)| {
         let forces = forces(*contact, [0.0; 2], whole);
         tractions(elements, &forces, &forces.motion(), &states, models)
     });
@@ -84,10 +82,10 @@ pub fn add<'a>(
         given
     });
     given.reverse();
-    for (index, contact) in contacts.into_iter().enumerate() {
+    for (index, (contact, resultant_share)) in contacts.into_iter().enumerate() {
         take_zone(elements, index, models);
         models.given = given.pop();
-        let forces = forces(contact, [0.0; 2], whole);
+        let forces = ContactForces { resultant_share, ..forces(contact, [0.0; 2], whole) };
         let mut separation = LineSeparation::new(&forces.line, rail, contact);
         left_out += forces.add(&mut separation, models, output, work);
     }
@@ -95,8 +93,8 @@ pub fn add<'a>(
 }
 
 /// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
-/// where the line of action of that passes through the contact.
-fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Contact {
+/// where the line of action of that passes through the contact; and the share of [`ContactForces::resultant_share`].
+fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> (Contact, f64) {
     let Models { strips, rail_strips: all, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
@@ -127,7 +125,7 @@ fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Cont
         strips.width.push(all.width[j]);
         strips.x.push(all.x[j]);
         strips.half_length.push(all.half_length[j]);
-        strips.pressure.push(share * all.pressure[j]);
+        strips.pressure.push(all.pressure[j]);
         strips.u.push(all.u[j]);
     }
     let contact = Contact {
@@ -138,10 +136,9 @@ fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> Cont
         tangent,
         probes: [0, 0],
     };
-    zone.load *= share;
     (zone.first, zone.y) = (0, 0.0);
     strips.zones.push(zone);
-    contact
+    (contact, share)
 }
 
 /// A loaded element.

@@ -57,6 +57,9 @@ pub struct ContactForces<'a, T = f64> {
     pub slopes: [f64; 2],
     /// How its normal motion is damped.
     pub damped: Damped<T>,
+    /// Resultant of the normal loads of its strips over their sum: below one where their normals diverge. Friction is bounded by the loads
+    /// themselves, strip by strip, so that a patch that wraps around the rail holds a little more than μ times its normal force [-].
+    pub resultant_share: T,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub friction: Option<&'a RailFriction>,
     /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not across its frame.
@@ -117,7 +120,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
             fallbacks += u64::from(tractions.fell_back);
-            let normal_force = zone.load * load_factor;
+            let normal_force = zone.load * load_factor * self.resultant_share;
             let pressing = axes.normal * -normal_force;
             let bearing = match lifting {
                 None => {

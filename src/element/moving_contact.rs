@@ -102,8 +102,9 @@ impl RailContact {
                 varying: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
-                let (contact, load_factor) =
+                let taken =
                     strip_contact::take_moving_zone(&moving, rail, search, zone, &damping, models);
+                let contact = taken.contact;
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, rail, contact);
                 let forces = ContactForces {
@@ -114,7 +115,8 @@ impl RailContact {
                     rail,
                     contact,
                     slopes: [0.0; 2],
-                    damped: Damped::By(load_factor),
+                    damped: Damped::By(taken.load_factor),
+                    resultant_share: taken.resultant_share,
                     friction: friction.as_ref(),
                     is_on_arc: true,
                 };
@@ -157,6 +159,7 @@ impl RailContact {
                 contact,
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
+                resultant_share: T::from(1.0),
                 friction: friction.as_ref(),
                 is_on_arc: false,
             };

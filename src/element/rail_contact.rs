@@ -218,6 +218,7 @@ impl RailContact {
                 contact,
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
+                resultant_share: 1.0,
                 friction: self.friction.as_ref(),
                 is_on_arc: false,
             };
@@ -298,6 +299,7 @@ impl RailContact {
             contact,
             slopes,
             damped,
+            resultant_share: 1.0,
             friction: self.friction.as_ref(),
             // What shares its damping lies on the arc of the rail.
             is_on_arc: !matches!(damped, Damped::Alone),

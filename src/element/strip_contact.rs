@@ -247,12 +247,24 @@ pub fn add<'a>(
         varying: rail.variation().map(|varying| (varying, speeds[0])),
     };
     for zone in 0..models.rail_strips.zones.len() {
-        let (contact, load_factor) = take_zone(line, rail, search, zone, &damping, models);
+        let TakenZone { contact, load_factor, resultant_share } =
+            take_zone(line, rail, search, zone, &damping, models);
         let mut separation = LineSeparation::new(line, rail, contact);
         let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
+        let forces = ContactForces { resultant_share, ..forces };
         left_out += forces.add(&mut separation, models, output, work);
     }
     left_out
+}
+
+/// A zone in a frame of its own.
+pub struct TakenZone<T = f64> {
+    /// The frame, and how deep the zone is.
+    pub contact: Contact<T>,
+    /// Its load with damping over that without [-].
+    pub load_factor: T,
+    /// See [`ContactForces::resultant_share`].
+    pub resultant_share: T,
 }
 
 /// Load of all zones and deepest penetration of all contacts [N, m].
@@ -270,7 +282,7 @@ fn take_zone(
     index: usize,
     damping: &StripDamping,
     models: &mut Models,
-) -> (Contact, f64) {
+) -> TakenZone {
     let zone = models.rail_strips.zones[index];
     let contact = Contact {
         u: models.rail_strips.u[zone.first],
@@ -288,10 +300,11 @@ fn take_zone(
         let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.at(u).point, tangent, overlap)
     };
-    let (found, load_factor) = zone_in_frame(index, damping, models, place);
+    let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, &models.strips.u);
     let deepest = deepest.map_or(0.0, |contact| contact.penetration);
-    (Contact { penetration: found.penetration.max(deepest), ..found }, load_factor)
+    let penetration = taken.contact.penetration.max(deepest);
+    TakenZone { contact: Contact { penetration, ..taken.contact }, ..taken }
 }
 
 /// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if there is one.
@@ -308,7 +321,7 @@ fn zone_in_frame<T: Real>(
     damping: &StripDamping<T>,
     models: &mut Models<T>,
     mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
-) -> (Contact<T>, T) {
+) -> TakenZone<T> {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
@@ -342,12 +355,11 @@ fn zone_in_frame<T: Real>(
     let resultant = tangent[0].hypot(tangent[1]);
     let center = zone.y;
     // Normals that diverge carry less together.
-    let share = if sum > 0.0 { resultant / sum } else { zero };
+    let resultant_share = if sum > 0.0 { resultant / sum } else { zero };
     for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()) {
         *y -= center;
-        *pressure *= share / load_factor;
+        *pressure /= load_factor;
     }
-    zone.load *= share;
     zone.y = zero;
     strips.zones.push(zone);
     let contact = Contact {
@@ -358,7 +370,7 @@ fn zone_in_frame<T: Real>(
         tangent: tangent.map(|t| t / resultant.at_least(f64::MIN_POSITIVE)),
         probes: [0, 0],
     };
-    (contact, load_factor)
+    TakenZone { contact, load_factor, resultant_share }
 }
 
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from there.
@@ -423,17 +435,17 @@ pub fn take_moving_zone<T: Real>(
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
-) -> (Contact<T>, T) {
+) -> TakenZone<T> {
     let value = line.value();
     let found = LocalLine::of(&value, rail, search);
     let mut local = MovingLocal { line, rail, found };
-    let (found, load_factor) = zone_in_frame(index, damping, models, |u, y| {
+    let taken = zone_in_frame(index, damping, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());
         (line.even_at(u).point, tangent, overlap)
     });
     let deepest = deepest_within(search, &models.strips.u);
     let deepest = deepest.and_then(|contact| contact.moving(line, rail));
-    let penetration =
-        deepest.map_or(found.penetration, |contact| found.penetration.max(contact.penetration));
-    (Contact { penetration, ..found }, load_factor)
+    let own = taken.contact.penetration;
+    let penetration = deepest.map_or(own, |contact| own.max(contact.penetration));
+    TakenZone { contact: Contact { penetration, ..taken.contact }, ..taken }
 }

@@ -134,18 +134,21 @@ impl<T: Real> Waist<T> {
         let [depth, least, lower] = best?;
         let x = -(depth / WHOLE) + 1.0;
         let share = smooth_step(x);
-        // Its middle: strips by how far they are below a quarter of the way up, between strips that are above.
-        let level = least + (lower - least) * 0.25;
-        let first = range.clone().find(|&j| load(j) >= level)?;
-        let last = range.clone().rev().find(|&j| load(j) >= level)?;
-        let (mut sum, mut y) = (T::from(0.0), T::from(0.0));
-        for j in first..=last {
-            let weight = strips.width[j] * (level - load(j)).at_least(0.0).powi(2);
-            sum += weight;
-            y += weight * strips.y[j];
-        }
-        let blend = zone.width * 2.0 / zone.count as f64;
-        (sum > 0.0).then(|| Self { share, y: y / sum, blend })
+        // Where it is: strips between the peaks, the more the less they carry; where zones join that strip alone which carries nothing.
+        let weight = |j: usize| {
+            let own = load(j);
+            // A strip may carry nothing at all.
+            let [least, own_least] = [least, own].map(|load| load.at_least(f64::MIN_POSITIVE));
+            strips.width[j] * ((lower - own).at_least(0.0) * (least / own_least)).powi(2)
+        };
+        let first = range.clone().find(|&j| load(j) >= lower)?;
+        let last = range.clone().rev().find(|&j| load(j) >= lower)?;
+        let sum: T = (first..=last).map(weight).sum();
+        let y = (first..=last).map(|j| weight(j) * strips.y[j]).sum::<T>() / sum;
+        let square = (first..=last).map(|j| weight(j) * (strips.y[j] - y).powi(2)).sum::<T>() / sum;
+        // An even distribution as wide as that of these strips.
+        let blend = (square * 12.0).sqrt().at_least(f64::MIN_POSITIVE);
+        (sum > 0.0).then_some(Self { share, y, blend })
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.

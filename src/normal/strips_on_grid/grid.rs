@@ -11,9 +11,10 @@
 
 use super::equations::Scales;
 use super::line::{OverlapLine, Place};
-use super::overlap::{MOST_LOBES, MOST_OVERLAPS, Overlaps};
+use super::overlap::{MOST_OVERLAPS, Overlaps};
 use super::samples::{Samples, nodes_between, share_behind};
 use super::shape::{Between, Knots};
+use super::valleys::MOST_VALLEYS;
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -60,7 +61,7 @@ pub(super) struct Grid<T = f64> {
 impl<T: Real> Grid<T> {
     /// Room for `nodes` nodes; the ends of overlaps are nodes too, and there is one more for each gap and each valley between lobes.
     pub fn new(nodes: usize) -> Self {
-        let nodes = nodes + 2 * MOST_OVERLAPS + MOST_LOBES;
+        let nodes = nodes + 2 * MOST_OVERLAPS + MOST_VALLEYS;
         Self {
             nodes: Room::new(nodes),
             cells: Room::new(nodes + MOST_OVERLAPS),

@@ -22,11 +22,12 @@ mod equations;
 mod grid;
 mod influence;
 mod line;
-mod lobes;
 mod newton;
 mod overlap;
 mod samples;
 mod shape;
+mod turns;
+mod valleys;
 mod zones;
 
 pub use derivative::GridFollower;

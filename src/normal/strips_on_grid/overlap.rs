@@ -17,35 +17,14 @@ pub(super) struct End {
     pub slope: Option<f64>,
 }
 
-/// A part of an interval in which the overlap grows to a peak and falls again.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lobe {
-    /// Number of the interval.
-    pub interval: usize,
-    /// Its peak, and the valley behind it if another lobe follows in the interval.
-    pub peak: Turn,
-    pub valley: Option<Turn>,
-}
-
-/// A place at which the overlap is greatest or least beside itself.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Turn {
-    /// Parameter of the line [m].
-    pub u: f64,
-    /// Coordinate across [m].
-    pub y: f64,
-}
-
-/// The intervals of a contact line in which the bodies overlap, and the lobes in them.
+/// The intervals of a contact line in which the bodies overlap.
 #[derive(Clone, Debug)]
 pub(super) struct Overlaps {
     pub intervals: Room<[End; 2]>,
-    pub lobes: Room<Lobe>,
 }
 
-/// Most intervals of overlap of one rail, and lobes in all of them; further lobes belong to the last ones.
+/// Most intervals of overlap of one rail.
 pub(super) const MOST_OVERLAPS: usize = 32;
-pub(super) const MOST_LOBES: usize = 2 * MOST_OVERLAPS;
 /// Newton steps towards an end before it is bracketed.
 const MOST_STEPS: usize = 6;
 /// Last Newton step towards an end [m]; what is left is of the order of its square.
@@ -55,14 +34,13 @@ const BRACKET: f64 = 1e-15;
 
 impl Overlaps {
     pub fn new() -> Self {
-        Self { intervals: Room::new(MOST_OVERLAPS), lobes: Room::new(MOST_LOBES) }
+        Self { intervals: Room::new(MOST_OVERLAPS) }
     }
 
     /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between two of which it changes its
-    /// sign at most once, and among which are all places where it is least or greatest.
+    /// sign at most once.
     pub fn fill(&mut self, line: &mut impl Line, probes: &[Probe], level: f64) {
         self.intervals.clear();
-        self.lobes.clear();
         let is_inside = |probe: &Probe| level > probe.f;
         let mut k = 0;
         while k < probes.len() && self.intervals.len() < self.intervals.capacity() {
@@ -83,31 +61,7 @@ impl Overlaps {
             // Rounding may leave nothing of an overlap of picometres.
             if right.y > left.y {
                 self.intervals.push([left, right]);
-                self.add_lobes(line, &probes[begin..k]);
             }
-        }
-    }
-
-    /// Adds the lobes of the last interval, in which the `probes` are.
-    fn add_lobes(&mut self, line: &mut impl Line, probes: &[Probe]) {
-        let interval = self.intervals.len() - 1;
-        let mut turn = |probe: &Probe| Turn { u: probe.u, y: line.place(probe.u).y };
-        let mut peak = &probes[0];
-        for (k, probe) in probes.iter().enumerate() {
-            if probe.f < peak.f {
-                peak = probe;
-            }
-            let is_valley = k > 0
-                && probes[k - 1].f <= probe.f
-                && probes.get(k + 1).is_some_and(|next| next.f < probe.f);
-            // The last lobe of the interval needs room too.
-            if is_valley && self.lobes.len() + 1 < self.lobes.capacity() {
-                self.lobes.push(Lobe { interval, peak: turn(peak), valley: Some(turn(probe)) });
-                peak = &probes[k + 1];
-            }
-        }
-        if self.lobes.len() < self.lobes.capacity() {
-            self.lobes.push(Lobe { interval, peak: turn(peak), valley: None });
         }
     }
 }

@@ -6,8 +6,9 @@
 
 use super::equations::Scales;
 use super::line::OverlapLine;
-use super::lobes::{self, LobeSize};
-use super::overlap::{End, MOST_LOBES, MOST_OVERLAPS, Overlaps};
+use super::overlap::{End, MOST_OVERLAPS, Overlaps};
+use super::turns::turns;
+use super::valleys::{MOST_VALLEYS, Valley};
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -18,9 +19,11 @@ const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
+/// Most samples of all overlaps.
+const MOST_SAMPLES: usize = (MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + MOST_VALLEYS;
 
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-pub(super) const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
@@ -88,8 +91,7 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 #[derive(Clone, Debug)]
 pub(super) struct Samples<T = f64> {
     pub list: Room<Sample<T>>,
-    /// The lobes.
-    pub lobes: Room<LobeSize<T>>,
+    pub valleys: Room<Valley<T>>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
@@ -99,26 +101,29 @@ pub(super) struct Samples<T = f64> {
     ends: Room<[T; 2]>,
     /// Overlaps at the places within the interval under way and beside it.
     places: Room<T>,
+    /// Integrals of the square and the cube of the overlap up to each sample [m^3, m^4].
+    integrals: Room<[T; 2]>,
 }
 
 impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new((MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + 2 * MOST_LOBES),
-            lobes: Room::new(MOST_LOBES),
+            list: Room::new(MOST_SAMPLES),
+            valleys: Room::new(MOST_VALLEYS),
             depth: zero,
             half_width: zero,
             radius: zero,
             ends: Room::new(MOST_OVERLAPS),
             places: Room::new(MOST_PLACES + 4),
+            integrals: Room::new(MOST_SAMPLES),
         }
     }
 
     /// Takes the overlaps; false where there is nothing but rounding, or no numbers.
     pub fn take(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) -> bool {
         self.list.clear();
-        self.lobes.clear();
+        self.valleys.clear();
         self.ends.clear();
         let intervals = &overlaps.intervals;
         self.ends.extend(intervals.iter().map(|pair| [0, 1].map(|end| pair[end].moving(line))));
@@ -132,44 +137,26 @@ impl<T: Real> Samples<T> {
         for (interval, ends) in intervals.iter().enumerate() {
             self.take_interval(line, interval, ends, [middle + spacing * 0.5, spacing]);
         }
-        let sizes = overlaps.lobes.iter().map(|lobe| LobeSize::new(lobe, line, spacing));
-        self.lobes.extend(sizes);
         let zero = T::from(0.0);
         let [mut squares, mut cubes, mut moment, mut parameter] = [zero; 4];
-        let mut lobe = 0;
         for pair in self.list.windows(2).filter(|pair| pair[0].interval == pair[1].interval) {
             let width = pair[1].y - pair[0].y;
             let middle = pair[0].towards(&pair[1], T::from(0.5));
-            let mut sums = [zero; 2];
             // Simpson's rule.
             for (sample, weight) in [(&pair[0], 1.0), (&middle, 4.0), (&pair[1], 1.0)] {
                 let depth = sample.overlap.at_least(0.0);
                 let square = width * depth * depth * (weight / 6.0);
-                sums[0] += square;
-                sums[1] += square * depth;
+                squares += square;
+                cubes += square * depth;
                 moment += square * sample.y;
                 parameter += square * sample.u;
             }
-            squares += sums[0];
-            cubes += sums[1];
-            while lobe + 1 < self.lobes.len() && self.lobes[lobe].interval < pair[0].interval {
-                lobe += 1;
-            }
-            // To the lobes by their parts of the way, so that the whole does not depend on them.
-            let mut from = pair[0].y;
-            while let Some(valley) = self.lobes[lobe].behind.filter(|&valley| valley < pair[1].y) {
-                let to = valley.max(from);
-                self.lobes[lobe].add(sums, (to - from) / width);
-                (from, lobe) = (to, lobe + 1);
-            }
-            self.lobes[lobe].add(sums, (pair[1].y - from) / width);
         }
         self.depth = cubes / squares * DEPTH_OVER_MEAN;
         self.half_width = squares / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
         if !(squares.value() > 0.0 && squares.value().is_finite()) {
             return false;
         }
-        lobes::grow_together(&mut self.lobes);
         let middle = line.at(moment / squares, (parameter / squares).value());
         self.radius = line.section_radius(middle.u);
         let is_size = |x: T| x.value() > 0.0 && x.value().is_finite();
@@ -227,53 +214,125 @@ impl<T: Real> Samples<T> {
             });
         }
         self.list.push(last);
+        self.take_valleys(interval, [begin.overlap, last.overlap], place);
+    }
+
+    /// Takes the valleys of the interval of a number with overlaps at its ends, whose `places` are there.
+    fn take_valleys(
+        &mut self,
+        interval: usize,
+        [mut peak, last]: [T; 2],
+        place: impl Fn(usize) -> T,
+    ) {
+        let [left, right] = self.ends[interval];
+        let spacing = place(1) - place(0);
+        let mut valley: Option<Valley<T>> = None;
+        for k in 1..self.places.len() - 2 {
+            let around = [0, 1, 2, 3].map(|i| self.places[k - 1 + i]);
+            for turn in turns(around).into_iter().flatten() {
+                let y = place(k) + spacing * turn.share;
+                if !(y > left && y < right) {
+                    continue;
+                }
+                if !turn.is_valley {
+                    peak = peak.max(turn.height);
+                    continue;
+                }
+                self.end_valley(valley, peak);
+                let standing = T::from(0.0);
+                valley = Some(Valley { interval, y, overlap: turn.height, peak, standing });
+                peak = turn.height;
+            }
+        }
+        self.end_valley(valley, peak.max(last));
+    }
+
+    /// Takes a valley, if there is one, behind which is a `peak` [m].
+    fn end_valley(&mut self, valley: Option<Valley<T>>, peak: T) {
+        if let Some(valley) = valley.filter(|_| self.valleys.len() < MOST_VALLEYS) {
+            self.valleys.push(Valley { peak: peak.min(valley.peak), ..valley });
+        }
     }
 
     /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
     pub fn lay(&mut self, scales: &Scales<T>) -> T {
-        lobes::stand_between(&mut self.lobes, scales.level);
         self.part();
+        self.integrate();
         let width = self.sum_of(|[a, b]| b.y - a.y);
         // Where the bodies are parallel there is no curvature to go by.
         let least = self.depth / (width * width);
-        let (depth, level) = (self.depth, scales.level);
-        let density = |sample: &Sample<T>, own: T| {
-            let overlap = (sample.overlap / own).at_least(LEAST_OVERLAP);
+        let mut window = [0; 2];
+        for k in 0..self.list.len() {
+            let sample = self.list[k];
+            let near = self.depth_near(sample.y, &mut window);
+            let overlap = (sample.overlap / near).at_least(LEAST_OVERLAP);
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
-            // A lesser lobe has fewer, by the root of its depth besides its width: less depends on it.
-            bend * share_loaded(overlap, level) * (own / depth).sqrt()
-        };
-        let (mut lobe, mut k) = (0, 0);
-        while k < self.list.len() {
-            let sample = self.list[k];
-            while lobe + 1 < self.lobes.len() && self.lobes[lobe].interval < sample.interval {
-                lobe += 1;
-            }
-            let own = self.lobes[lobe];
-            let before = k.checked_sub(1).map(|k| self.list[k]);
-            let before = before.filter(|before| before.interval == sample.interval);
-            let Some((valley, before)) = own.behind.zip(before).filter(|(y, _)| *y < sample.y)
-            else {
-                self.list[k].density = density(&sample, own.depth);
-                k += 1;
-                continue;
-            };
-            // Both sides of the valley: what it parts does not change where both are alike.
-            let share = ((valley - before.y) / (sample.y - before.y)).at_least(0.0);
-            let mut sides = [own.depth, self.lobes[lobe + 1].depth].map(|own| {
-                let [a, b] = [&before, &sample].map(|sample| density(sample, own));
-                Sample { density: a + (b - a) * share, ..before.towards(&sample, share) }
-            });
-            sides[1].standing = own.standing;
-            for side in sides {
-                self.list.insert(k, side);
-                k += 1;
-            }
-            lobe += 1;
+            // Where the overlap is less deep there are fewer, by the root of its depth besides its width: less depends on it.
+            self.list[k].density =
+                bend * share_loaded(overlap, scales.level) * (near / self.depth).sqrt();
         }
+        self.stand_in_valleys(scales.level);
         self.stand_beside_gaps();
         self.sum_of(nodes_between)
+    }
+
+    /// Takes the integrals of the square and the cube of the overlap up to each sample.
+    fn integrate(&mut self) {
+        self.integrals.clear();
+        let mut sums = [T::from(0.0); 2];
+        for (k, sample) in self.list.iter().enumerate() {
+            let before = k.checked_sub(1).map(|k| &self.list[k]);
+            if let Some(before) = before.filter(|before| before.interval == sample.interval) {
+                let half = (sample.y - before.y) * 0.5;
+                let [a, b] = [before, sample].map(|sample| sample.overlap.at_least(0.0));
+                sums[0] += half * (a * a + b * b);
+                sums[1] += half * (a * a * a + b * b * b);
+            }
+            self.integrals.push(sums);
+        }
+    }
+
+    /// Depth of the parabola with the integrals of the overlap within the half width to both sides of coordinate `y`; the samples at which such a `window`
+    /// begins and ends are near those of the last one, which lay before [m].
+    fn depth_near(&self, y: T, window: &mut [usize; 2]) -> T {
+        let [begin, end] = [-self.half_width, self.half_width].map(|way| y + way);
+        let last = self.list.len() - 1;
+        let up_to = |y: T, k: &mut usize| {
+            while *k < last && self.list[*k + 1].y <= y {
+                *k += 1;
+            }
+            let here = &self.list[*k];
+            if *k == last || y <= here.y {
+                return self.integrals[*k];
+            }
+            let share = (y - here.y) / (self.list[*k + 1].y - here.y);
+            let [from, to] = [self.integrals[*k], self.integrals[*k + 1]];
+            [0, 1].map(|n| from[n] + (to[n] - from[n]) * share)
+        };
+        let [first, second] = window;
+        let (from, to) = (up_to(begin, first), up_to(end, second));
+        let [squares, cubes] = [0, 1].map(|n| (to[n] - from[n]).at_least(f64::MIN_POSITIVE));
+        cubes / squares * DEPTH_OVER_MEAN
+    }
+
+    /// Nodes stand in valleys, the `level` being the overlap at the edge of an ellipse over its depth; the density does not change there.
+    fn stand_in_valleys(&mut self, level: T) {
+        let mut window = [0; 2];
+        for k in 0..self.valleys.len() {
+            let near = self.depth_near(self.valleys[k].y, &mut window);
+            self.valleys[k].stand(level * near);
+        }
+        let mut k = 1;
+        for &Valley { interval, y, standing, .. } in self.valleys.iter() {
+            while self.list[k].interval < interval || self.list[k].y <= y {
+                k += 1;
+            }
+            let [before, behind] = [self.list[k - 1], self.list[k]];
+            let share = (y - before.y) / (behind.y - before.y);
+            let density = before.density + (behind.density - before.density) * share;
+            self.list.insert(k, Sample { density, standing, ..before.towards(&behind, share) });
+        }
     }
 
     /// Half a node stands at each of the two ends beside a gap between intervals.
