@@ -24,8 +24,8 @@ pub const VARYING_FORCE: f64 = 0.03;
 /// Change of the vertical force along a track that bends against that of the longitudinal one with the height: the aim for loads.
 pub const VARYING_ENERGY: f64 = 1e-2;
 
-/// Creep force over friction times normal force at most, where loads act along their own normals: half of the patch lies within 30 degrees of its
-/// normal, at which a patch is parted. Elsewhere it is one, but for rounding.
+/// Creep force over friction times normal force at most, where loads act along their own normals, within 30 degrees of the resultant: 1/cos(30°). Elsewhere
+/// it is one, but for rounding.
 pub const WRAPPED_FRICTION: f64 = 1.0 / 0.866;
 pub const FLAT_FRICTION: f64 = 1.0 + 1e-9;
 
