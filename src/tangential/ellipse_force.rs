@@ -3,40 +3,56 @@
 use super::equivalent_ellipse::{LoadedPart, RollingEllipse};
 use super::rigid_slip::RigidSlip;
 use super::tables::CreepForceTable;
-use super::waist::Lobes;
-use super::{CreepForce, CreepNumber, LoadedZone, Rolling, RollingState, Tangential};
+use super::waist::{Lobes, Side};
+use super::{CreepForce, CreepNumber, LoadedZone, Rolling, RollingState, StripForce, Tangential};
 
 impl Tangential {
-    /// The force of the ellipse that stands for the zone of `loaded`, or of those for its `lobes` where it has a waist; where FASTSIM
-    /// marches through the zone, what corrects that. `state.creepage` is the mean creepage. Nothing without friction.
+    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its `lobes` where it has a waist, to `each`, strip by strip in
+    /// proportion to the load; where FASTSIM marches through the zone, what corrects the forces `marched` of the same parts, which holds the sum to the friction
+    /// limit. `state.creepage` is the mean creepage. Nothing without friction or without a table.
     pub(super) fn ellipse_force<T: CreepNumber>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         lobes: Option<&Lobes<T>>,
         state: &RollingState<T>,
-    ) -> Option<CreepForce<T>> {
+        marched: &[CreepForce<T>; 3],
+        mut each: impl FnMut(usize, StripForce<T>),
+    ) -> Option<()> {
         let table = self.table?;
         let &LoadedZone { zone, strips, .. } = loaded;
-        (state.friction_limit(zone) > 0.0).then_some(())?;
-        let mut total = CreepForce::<T>::default();
-        let mut add = |part: &LoadedPart<T>, weight: T| {
-            self.add_part(&mut total, table, loaded, part, state, weight);
+        let limit = state.friction_limit(zone);
+        (limit > 0.0).then_some(())?;
+        let mut add =
+            |part: &LoadedPart<T>, weight: T, marched: &CreepForce<T>, member: &dyn Fn(T) -> T| {
+                let mut force = CreepForce::default();
+                self.add_part(&mut force, table, loaded, part, state, weight);
+                if self.is_corrected() {
+                    // What slips is what slips on the zone.
+                    force.slip_area = T::from(0.0);
+                    force.keep_within(limit * part.share * part.friction * weight, marched);
+                }
+                force.spread_by_load(zone, strips, member, &mut each);
+            };
+        let Some(Lobes { waist, parts }) = lobes else {
+            let part = LoadedPart::whole(zone, strips, state.creepage);
+            add(&part, T::from(1.0), &marched[0], &|_| T::from(1.0));
+            return Some(());
         };
-        let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
-        if share < 1.0 {
-            add(&LoadedPart::whole(zone, strips, state.creepage), -share + 1.0);
+        if waist.share < 1.0 {
+            let part = LoadedPart::whole(zone, strips, state.creepage);
+            add(&part, -waist.share + 1.0, &marched[0], &|_| T::from(1.0));
         }
-        for part in lobes.iter().flat_map(|lobes| lobes.parts.iter().flatten()) {
-            add(part, share);
+        for ((part, marched), side) in
+            parts.iter().zip(&marched[1..]).zip([Side::Left, Side::Right])
+        {
+            if let Some(part) = part {
+                add(part, waist.share, marched, &|y| waist.member(side, y));
+            }
         }
-        if self.is_corrected() {
-            // What slips is what slips on the zone.
-            total.slip_area = T::from(0.0);
-        }
-        Some(total)
+        Some(())
     }
 
-    /// Adds `weight` times the tabulated force of one part, about the centroid of the zone; where FASTSIM marches through the zone, less
+    /// Adds `weight` times the tabulated force of one part, about its centroid; where FASTSIM marches through the zone, less
     /// what FASTSIM has on the ellipse of the part.
     fn add_part<T: CreepNumber>(
         &self,
@@ -48,7 +64,7 @@ impl Tangential {
         weight: T,
     ) {
         let &LoadedZone { zone, material, .. } = loaded;
-        let LoadedPart { share, centre, ellipse, creepage, friction } = *part;
+        let LoadedPart { share, ellipse, creepage, friction, .. } = *part;
         let limit = share * friction * state.friction * zone.load * state.load_factor;
         if limit <= 0.0 {
             return;
@@ -68,7 +84,6 @@ impl Tangential {
                 let approximate = circle.force(&self.fastsim, self.flexibilities, &rolling);
                 force.add_share(&approximate, T::from(-1.0));
             }
-            force.spin_moment += centre[0] * force.lateral - centre[1] * force.longitudinal;
             total.add_share(&force, weight);
         }
     }

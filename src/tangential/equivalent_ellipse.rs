@@ -29,13 +29,11 @@ pub struct EquivalentEllipse<T = f64> {
     pub across: T,
 }
 
-/// A part of a zone: its load, where that is, and its ellipse.
+/// A part of a zone: its load and its ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadedPart<T = f64> {
     /// Share of the zone's load, above 0 to 1.
     pub share: T,
-    /// Centroid of its load along the track and across, from that of the zone [m].
-    pub centre: [T; 2],
     /// The ellipse.
     pub ellipse: EquivalentEllipse<T>,
     /// Mean creepage, weighted by load.
@@ -63,7 +61,7 @@ impl<T: Real> LoadedPart<T> {
         }
         let ellipse = EquivalentEllipse::of_load(along / load, across / load, within / load);
         let one = T::from(1.0);
-        Self { share: one, centre: [T::from(0.0); 2], ellipse, creepage, friction: one }
+        Self { share: one, ellipse, creepage, friction: one }
     }
 
     /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no load.
@@ -73,7 +71,7 @@ impl<T: Real> LoadedPart<T> {
         member: impl Fn(T) -> T,
     ) -> Option<Self> {
         let &LoadedZone { zone, strips, slip, friction, own_friction, .. } = loaded;
-        let [mut total, mut load, mut along, mut within, mut x, mut y] = [T::from(0.0); 6];
+        let [mut total, mut load, mut along, mut within, mut y] = [T::from(0.0); 5];
         let mut excess = T::from(0.0);
         let mut creepage = Creepage::<T>::default();
         let range = zone.first..zone.first + zone.count;
@@ -85,7 +83,6 @@ impl<T: Real> LoadedPart<T> {
             load += weight;
             along += weight * strips.half_length[j] * strips.half_length[j];
             within += weight * strips.width[j] * strips.width[j];
-            x += weight * strips.x[j];
             y += weight * strips.y[j];
             let own = slip.creepage(j);
             creepage.longitudinal += weight * own.longitudinal;
@@ -103,7 +100,6 @@ impl<T: Real> LoadedPart<T> {
             range.map(|j| weight_of(j) * member(strips.y[j]) * (strips.y[j] - y).powi(2)).sum();
         Some(Self {
             share: load / total,
-            centre: [x / load - zone.x, y - zone.y],
             ellipse: EquivalentEllipse::of_load(along / load, across / load, within / load),
             creepage: Creepage {
                 longitudinal: creepage.longitudinal / load,

@@ -78,15 +78,18 @@ impl<T: Real> CreepForce<T> {
         }
     }
 
-    /// Hands this force to `each` in parts that go with the load of the strips.
+    /// Hands this force, of the part of a zone to which strips at y belong by `member(y)`, 0 to 1, to `each` in parts that go with the load of the strips.
     pub(super) fn spread_by_load(
         &self,
         zone: &Zone<T>,
         strips: &Strips<T>,
+        member: impl Fn(T) -> T,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let range = zone.first..zone.first + zone.count;
-        let load = |j: usize| strips.half_length[j] * strips.width[j] * strips.pressure[j];
+        let load = |j: usize| {
+            strips.half_length[j] * strips.width[j] * strips.pressure[j] * member(strips.y[j])
+        };
         let total: T = range.clone().map(load).sum();
         let whole = StripForce {
             longitudinal: self.longitudinal,

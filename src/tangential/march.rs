@@ -68,20 +68,21 @@ impl Tangential {
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
     }
 
-    /// Hands the force of each strip of `loaded` to `each`, which adds them up: a strip may come twice.
+    /// Hands the number of each of the `parts` and the force of each strip of `loaded` in it to `each`, which adds them up: a strip may come twice.
     pub(super) fn march<T: CreepNumber>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         rolling: Rolling,
         parts: &[Option<MarchedPart<T>>; 3],
-        mut each: impl FnMut(usize, StripForce<T>),
+        mut each: impl FnMut(usize, usize, StripForce<T>),
     ) {
         let strips = loaded.strips;
-        for part in parts.iter().flatten() {
+        for (n, part) in parts.iter().enumerate() {
+            let Some(part) = part else { continue };
             let add = |j: usize, force: StripForce<T>| {
                 let weight = part.weight(strips.y[j]);
                 if weight > 0.0 {
-                    each(j, force.times(weight));
+                    each(n, j, force.times(weight));
                 }
             };
             if part.lobe.is_none() {

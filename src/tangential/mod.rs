@@ -216,9 +216,13 @@ impl Tangential {
         if self.model == TangentialModel::Tables {
             let loaded = LoadedZone::new(zone, strips, &slip, law);
             let lobes = Lobes::of(&loaded);
-            let force = self.ellipse_force(&loaded, lobes.as_ref(), &law.state)?;
-            force.spread_by_load(zone, strips, |j, force| each(j, &force));
-            return Some(force);
+            let mut total = CreepForce::<T>::default();
+            let none = [CreepForce::default(); 3];
+            self.ellipse_force(&loaded, lobes.as_ref(), &law.state, &none, |j, force| {
+                total.add(zone, strips, j, &force);
+                each(j, &force);
+            })?;
+            return Some(total);
         }
         let mut total = CreepForce::<T>::default();
         let marched = self.strip_forces(zone, strips, &slip, law, |j, force| {
@@ -252,8 +256,8 @@ impl Tangential {
         let lobes = Lobes::of(&loaded);
         let mut solved = Solved { limit, fell_back: false };
         if self.model == TangentialModel::Tables {
-            let force = self.ellipse_force(&loaded, lobes.as_ref(), &state)?;
-            force.spread_by_load(zone, strips, each);
+            let none = [CreepForce::default(); 3];
+            self.ellipse_force(&loaded, lobes.as_ref(), &state, &none, each)?;
             return Some(solved);
         }
         let elements = (self.model == TangentialModel::BoundaryElement)
@@ -261,7 +265,7 @@ impl Tangential {
             .flatten();
         let backward_share = -state.forward_share + 1.0;
         let parts = self.marched_parts(&loaded, lobes.as_ref(), limit);
-        let mut marched = CreepForce::<T>::default();
+        let mut marched = [CreepForce::<T>::default(); 3];
         for (rolling, share) in
             [(Rolling::Forward, state.forward_share), (Rolling::Backward, backward_share)]
         {
@@ -277,19 +281,16 @@ impl Tangential {
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
             let share = if is_bounded { share } else { share * state.load_factor.at_most(1.0) };
-            self.march(&loaded, rolling, &parts, |j, force| {
+            self.march(&loaded, rolling, &parts, |part, j, force| {
                 let force = force.times(share);
                 if self.is_corrected() {
-                    marched.add(zone, strips, j, &force);
+                    marched[part].add(zone, strips, j, &force);
                 }
                 each(j, force);
             });
         }
-        if self.is_corrected()
-            && let Some(mut force) = self.ellipse_force(&loaded, lobes.as_ref(), &state)
-        {
-            force.keep_within(limit, &marched);
-            force.spread_by_load(zone, strips, each);
+        if self.is_corrected() {
+            self.ellipse_force(&loaded, lobes.as_ref(), &state, &marched, each);
         }
         Some(solved)
     }
