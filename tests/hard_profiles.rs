@@ -174,7 +174,8 @@ fn evaluated(element: &mut Element, input: &Input, what: &str) -> f64 {
     assert!(numbers.copied().all(f64::is_finite), "{what}: {input:?}");
     for patch in &output.patches {
         let force = patch.creep_force[0].hypot(patch.creep_force[1]);
-        let limit = tolerance::WRAPPED_FRICTION * input.friction * patch.normal_force;
+        let most = tolerance::most_friction(false, patch.penetration);
+        let limit = most * input.friction * patch.normal_force;
         assert!(force <= limit, "{what}: {patch:?}");
         assert!(patch.frictional_power >= 0.0, "{what}: {patch:?}");
     }

@@ -134,7 +134,7 @@ impl Counters {
         self.feeding += u64::from(output.frictional_power < 0.0);
         let beyond = output.patches.iter().any(|p| {
             let force = p.creep_force[0].hypot(p.creep_force[1]);
-            force > tolerance::WRAPPED_FRICTION * friction * p.normal_force
+            force > tolerance::most_friction(false, p.penetration) * friction * p.normal_force
         });
         self.beyond_friction += u64::from(beyond);
     }

@@ -103,7 +103,8 @@ fn check(element: &mut Element, input: &Input) -> Result<(), TestCaseError> {
     prop_assert!(output.frictional_power.is_finite() && output.frictional_power >= 0.0);
     let friction = input.friction.min(1e100);
     for patch in output.patches.iter().take(output.patch_count as usize) {
-        let limit = tolerance::WRAPPED_FRICTION * friction * patch.normal_force;
+        let limit =
+            tolerance::most_friction(false, patch.penetration) * friction * patch.normal_force;
         let force = patch.creep_force[0].hypot(patch.creep_force[1]);
         prop_assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
         prop_assert!(force <= limit, "{patch:?}");

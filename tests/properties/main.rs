@@ -12,7 +12,7 @@ use common::vectors::{add, assert_close, cross, dot};
 use common::wheel::{evaluate, mirrored, rail_marker};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
-use wheelrail::element::output::Wrench;
+use wheelrail::element::output::{Patch, Wrench};
 use wheelrail::element::parameters::{CreepageModel, NormalModel, Side, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -57,12 +57,11 @@ fn models() -> impl Strategy<Value = Parameters> {
     })
 }
 
-/// Most of the creep force over friction times normal force.
-fn most_friction(parameters: &Parameters) -> f64 {
-    match parameters.normal_model {
-        NormalModel::Strips | NormalModel::BoundaryElement => tolerance::WRAPPED_FRICTION,
-        _ => tolerance::FLAT_FRICTION,
-    }
+/// Most of the creep force of a patch [N].
+fn most_creep_force(parameters: &Parameters, input: &Input, patch: &Patch) -> f64 {
+    let is_flat = parameters.normal_model != NormalModel::Strips;
+    let most = tolerance::most_friction(is_flat, patch.penetration);
+    most * input.friction * patch.normal_force
 }
 
 /// Elements that were made, with what they were made from: making one takes longer than using it.
@@ -214,7 +213,7 @@ fn creep_forces_stay_within_friction_and_take_energy() {
         let is_linear = parameters.tangential_model == TangentialModel::Linear;
         for patch in output.patches.iter().filter(|p| p.rail > 0) {
             let [fx, fy] = patch.creep_force;
-            let limit = most_friction(&parameters) * input.friction * patch.normal_force;
+            let limit = most_creep_force(&parameters, &input, patch);
             prop_assert!(is_linear || fx.hypot(fy) <= limit, "{patch:?}");
             prop_assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
             prop_assert!(patch.frictional_power >= 0.0, "{patch:?}");
@@ -331,7 +330,7 @@ fn forces_are_finite_for_bodies_of_any_size_and_stiffness() {
         prop_assert!(output.wear_number.is_finite() && output.frictional_power.is_finite());
         let is_linear = parameters.tangential_model == TangentialModel::Linear;
         for patch in output.patches.iter().filter(|p| p.rail > 0) {
-            let limit = most_friction(&parameters) * input.friction * patch.normal_force;
+            let limit = most_creep_force(&parameters, &input, patch);
             let force = patch.creep_force[0].hypot(patch.creep_force[1]);
             prop_assert!(is_linear || force <= limit, "{patch:?}");
             let numbers = [patch.length, patch.width, patch.area, patch.penetration];

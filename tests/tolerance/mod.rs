@@ -24,10 +24,17 @@ pub const VARYING_FORCE: f64 = 0.03;
 /// Change of the vertical force along a track that bends against that of the longitudinal one with the height: the aim for loads.
 pub const VARYING_ENERGY: f64 = 1e-2;
 
-/// Creep force over friction times normal force at most, where loads act along their own normals, within 30 degrees of the resultant: 1/cos(30°). Elsewhere
-/// it is one, but for rounding.
-pub const WRAPPED_FRICTION: f64 = 1.0 / 0.866;
-pub const FLAT_FRICTION: f64 = 1.0 + 1e-9;
+/// Creep force over friction times normal force at most: one and rounding where the patch is flat; 1/cos α where loads act along their own normals within an
+/// angle α of the resultant. That is 30 degrees at depths up to a millimetre, many times those of heavy loads, and 60 degrees, from the flank of a flange to
+/// half way to the tread, beyond.
+#[must_use]
+pub fn most_friction(is_flat: bool, penetration: f64) -> f64 {
+    if is_flat {
+        return 1.0 + 1e-9;
+    }
+    let angle = if penetration < 1e-3 { 30.0_f64 } else { 60.0 };
+    1.0 / angle.to_radians().cos()
+}
 
 /// Full sliding against friction times normal force.
 pub const FULL_SLIDING: f64 = 1e-3;

@@ -27,7 +27,7 @@ const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 /// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
-const UNLOADED: f64 = 0.8;
+const UNLOADED: f64 = 0.9;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
