@@ -196,9 +196,23 @@ mod tests {
         let waist = Waist::of(&zone, &strips).unwrap();
         assert_abs_diff_eq!(waist.share, 1.0, epsilon = 1e-12);
         assert_abs_diff_eq!(waist.y, 3e-3, epsilon = 1e-9);
-        assert_abs_diff_eq!(waist.left(1e-3), 1.0);
-        assert_abs_diff_eq!(waist.left(3e-3), 0.5, epsilon = 1e-12);
-        assert_abs_diff_eq!(waist.left(5e-3), 0.0);
+        // Of which lobe the strip is that carries nothing makes no difference.
+        assert_abs_diff_eq!(waist.left(2e-3), 1.0);
+        assert_abs_diff_eq!(waist.left(4e-3), 0.0);
+    }
+
+    #[test]
+    fn the_strip_in_a_waist_is_half_of_each_lobe_and_its_neighbours_come_to_belong_to_one() {
+        let mut before = 0.5;
+        for neck in [0.3, 0.1, 0.01, 1e-4, 1e-8] {
+            let (zone, strips) = strips(&[0.5, 1.0, 0.5, neck, 0.5, 1.0, 0.5]);
+            let waist = Waist::of(&zone, &strips).unwrap();
+            assert_abs_diff_eq!(waist.left(3e-3), 0.5, epsilon = 1e-6);
+            let neighbour = waist.left(2e-3);
+            assert!(neighbour >= before, "{neck}: {neighbour} after {before}");
+            before = neighbour;
+        }
+        assert_abs_diff_eq!(before, 1.0);
     }
 
     #[test]
