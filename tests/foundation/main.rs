@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod massless;
+mod masters;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
 mod with_mass;

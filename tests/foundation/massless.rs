@@ -292,3 +292,18 @@ fn what_no_foundation_can_have_is_refused_by_name() {
     let message = refused(|p| p.foundation.longest_step = f64::INFINITY);
     assert!(message.contains("track.foundation.longest_step = inf"), "{message}");
 }
+
+#[test]
+fn a_wheel_may_start_as_far_down_as_its_rails_sink() {
+    let start = |depth: f64, foundation: Foundation| {
+        let mut input = rolling(0.0, 20.0);
+        input.wheel.position[2] = -0.46 + depth;
+        let parameters = Parameters { foundation, ..Parameters::default() };
+        Element::new(&parameters, &input, &[]).unwrap().start_warning()
+    };
+    // 3 mm are 90 kN on this track, and no contact bears them.
+    let soft = massless([2e7, 3e7]);
+    assert_eq!(start(3e-3, soft), None);
+    assert_eq!(start(3e-3, Foundation { model: FoundationModel::Mass, ..soft }), None);
+    assert!(start(3e-3, Foundation::default()).is_some());
+}
