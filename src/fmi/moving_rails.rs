@@ -2,6 +2,7 @@
 
 use super::error::FmiError;
 use super::instance::{Instance, Purpose};
+use super::snapshot::MOST_ELEMENTS;
 use crate::element::parameters::FoundationModel;
 use crate::element::subject::Subject;
 use crate::element::{Element, TrackState};
@@ -10,8 +11,6 @@ use crate::variables::Described;
 
 /// Most parts of one step: longer ones are made then, which the method survives and tells as an error.
 const MOST_PARTS: f64 = 1000.0;
-/// Elements of a unit: a wheelset has two.
-const MOST_ELEMENTS: usize = super::snapshot::MOST_ELEMENTS;
 
 impl<S: Described> Instance<S> {
     /// Refuses rails with a mass to a host that integrates by itself.
