@@ -52,6 +52,9 @@ pub struct Element {
     pub(super) foundation: Foundation,
     /// Where rails with a mass are, from their first step on.
     pub(super) track: Option<TrackState>,
+    /// The last input under which rails without mass rested at a given height, where that was, and what was left of the way to it: asked for
+    /// derivatives at an input, they are not to be sought again.
+    pub(super) rested: Option<(Input, [f64; 2], f64)>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],
@@ -176,6 +179,7 @@ impl Element {
             vertical_mode: parameters.vertical_mode,
             foundation: parameters.foundation,
             track: None,
+            rested: None,
             nominal_radius: radius,
             models,
             rails: contacts,

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Under a wheel of given height it is found by Newton's method with the exact derivatives of F, each step shortened until the correction that
-//! follows it is the smaller one (natural monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); under a given load, which says
+//! follows it is the smaller one (natural monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is much smaller
+//! Broyden's correction of the derivatives serves for the next step; under a given load, which says
 //! how far the rails sink, by bracketed secants for the lateral deflection alone. Where a normal model jumps past the equilibrium the forces are
 //! those beside the jump, and a fallback.
 
@@ -22,6 +23,8 @@ use crate::math::root::outward;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.
 const MOST_STEPS: usize = 40;
+/// A matrix serves for one more step, with Broyden's correction, where the correction that followed a step was this share of it or less.
+const KEPT: f64 = 0.1;
 /// Shortest share of a step.
 const SHORTEST: f64 = 1.0 / 1024.0;
 /// Deflections are found to this [m]: 1e-9 of a small wheel load on a stiff contact.
@@ -68,14 +71,21 @@ impl Element {
         output: &mut Output,
     ) -> ([f64; 2], f64, u64) {
         let given = *input;
+        if let Some((known, deflection, left)) = self.rested
+            && known == given
+        {
+            let (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
+            return (deflection, left, fallbacks);
+        }
         let mut deflection = self.first_guess(&given);
         let (mut rest, mut fallbacks) = self.try_deflection(&given, deflection, input, output);
         // Under a lifted wheel they rest at once.
         let mut left = length(rest);
-        let mut steps = 0;
+        let (mut steps, mut kept) = (0, None);
         while left > RESOLUTION && steps < MOST_STEPS {
             steps += 1;
-            let matrix = self.compliance(input);
+            let matrix = kept
+                .unwrap_or_else(|| self.compliance(&given.with_rails_moved(deflection, [0.0; 2])));
             let step = solve(matrix, rest).unwrap_or(rest);
             left = length(step);
             let mut share = 1.0;
@@ -83,21 +93,27 @@ impl Element {
                 let trial = [0, 1].map(|i| deflection[i] + share * step[i]);
                 let found = self.try_deflection(&given, trial, input, output);
                 let next = solve(matrix, found.0).map_or(f64::INFINITY, length);
-                if next <= (1.0 - 0.25 * share) * left || next <= RESOLUTION {
+                let most = if kept.is_some() { KEPT } else { 1.0 - 0.25 * share };
+                if next <= most * left || next <= RESOLUTION {
                     break Some((trial, found, next));
                 }
                 share *= 0.5;
-                if share < SHORTEST || share * left < RESOLUTION {
+                if kept.is_some() || share < SHORTEST || share * left < RESOLUTION {
                     break None;
                 }
             };
             let Some((trial, found, next)) = accepted else {
+                if kept.take().is_some() {
+                    continue;
+                }
                 // The forces are to be those of the deflection.
                 (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
                 break;
             };
+            kept = (next <= KEPT * left).then(|| corrected(matrix, found.0, step));
             (deflection, (rest, fallbacks), left) = (trial, found, next);
         }
+        self.rested = Some((given, deflection, left));
         (deflection, left, fallbacks)
     }
 
@@ -211,6 +227,12 @@ impl Element {
         }
         Ok(ways)
     }
+}
+
+/// The `matrix` with which a whole `step` left the residual `rest`, so that it would have told it (Broyden 1965).
+fn corrected(matrix: [[f64; 2]; 2], rest: [f64; 2], step: [f64; 2]) -> [[f64; 2]; 2] {
+    let square = step[0] * step[0] + step[1] * step[1];
+    [0, 1].map(|i| [0, 1].map(|j| matrix[i][j] - rest[i] * step[j] / square))
 }
 
 fn length([y, z]: [f64; 2]) -> f64 {
