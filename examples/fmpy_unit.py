@@ -66,11 +66,12 @@ class Port:
         self.slave, self.count = unit.slave, len(names)
         self.references = (c_uint32 * self.count)(*(unit.variables[name].valueReference for name in names))
         self.values = (c_double * self.count)()
+        self.numbers = np.frombuffer(self.values)
 
     def set(self, values):
-        self.values[:] = values
+        self.numbers[:] = values
         self.slave.fmi2SetReal(self.slave.component, self.references, self.count, self.values)
 
     def get(self):
         self.slave.fmi2GetReal(self.slave.component, self.references, self.count, self.values)
-        return np.frombuffer(self.values).copy()
+        return self.numbers.copy()

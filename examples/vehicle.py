@@ -67,11 +67,12 @@ class Track:
             ]
         )
 
-    def at(self, station):
-        """Rows: lateral place, cant, heading; columns: value, first, second derivative."""
-        place = (station - self.stations[0]) / 0.01
-        i = int(place)
-        return self.lines[:, :, i] + (place - i) * (self.lines[:, :, i + 1] - self.lines[:, :, i])
+    def at(self, stations):
+        """Lateral place, cant, heading; of each value, first, second derivative at all stations."""
+        place = (stations - self.stations[0]) / 0.01
+        i = place.astype(int)
+        before = self.lines[:, :, i]
+        return before + (place - i) * (self.lines[:, :, i + 1] - before)
 
 
 class Vehicle:
@@ -115,14 +116,11 @@ class Vehicle:
 
     def on(self, track, station):
         """Coordinates of the track frames of all bodies, seen from a straight line, with their first and second derivative by the station; and cant and its derivative, curvature and twist at each."""
-        found = np.zeros((3, 42))
-        bends = np.zeros((7, 3))
-        for body, ahead in enumerate(self.stations):
-            lateral, cant, heading = track.at(station + ahead)
-            found[:, 6 * body + 1] = lateral + self.heights[body] * cant
-            found[:, 6 * body + 3], found[:, 6 * body + 5] = cant, heading
-            bends[body] = cant[0], heading[1], cant[1]
-        return found, bends
+        found = np.zeros((3, 7, 6))
+        lateral, cant, heading = track.at(station + self.stations)
+        found[:, :, 1] = lateral + self.heights * cant
+        found[:, :, 3], found[:, :, 5] = cant, heading
+        return found.reshape(3, 42), (cant[0], heading[1], cant[1])
 
 
 class Run:
@@ -142,15 +140,14 @@ class Run:
         self.station, self.renewed_at, self.renewed_for = 0.0, np.full(7, np.inf), None
 
     def put_inputs(self, bends):
+        _, curvature, twist = bends
+        motion = np.column_stack([self.position.reshape(7, 6), self.rate.reshape(7, 6), curvature, twist])
+        motion[:, 2] += self.height
+        motion[:, 4] = 0.0
+        motion[:, 6] += SPEED
+        motion[:, 10] -= SPEED / RADIUS
         for port, w in zip(self.given, WHEELSETS):
-            own = slice(6 * w, 6 * w + 6)
-            position, rate = self.position[own].copy(), self.rate[own].copy()
-            position[2] += self.height
-            position[4] = 0.0
-            rate[0] += SPEED
-            rate[4] -= SPEED / RADIUS
-            _, *turns = bends[w]
-            port.set([*position, *rate, *turns])
+            port.set(motion[w])
 
     def renew(self, h):
         """Takes the derivatives of wheelsets anew that have moved on their rails."""
@@ -179,7 +176,7 @@ class Run:
         force = contact + vehicle.weight - vehicle.mass * SPEED**2 * line[2]
         force -= vehicle.stiffness @ (self.position + line[0]) + vehicle.damping @ (self.rate + SPEED * line[1])
         # Weight across a canted track.
-        force[1::6] += vehicle.mass[1::6] * GRAVITY * bends[:, 0]
+        force[1::6] += vehicle.mass[1::6] * GRAVITY * bends[0]
         change = h * (self.inverse @ (force - 0.5 * h * (self.stiffness @ self.rate)))
         self.position = self.position + h * (self.rate + 0.5 * change)
         self.rate = self.rate + change

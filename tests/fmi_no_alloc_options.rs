@@ -216,6 +216,10 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
         vec![monitor, real("wheel.flat.length", 0.04), real("wheel.out_of_round.amplitude", 1e-4)],
         vec![monitor, integer("vertical.mode", 2)],
         vec![monitor, ("side", Value::Integer(2))],
+        vec![monitor, integer("track.foundation.model", 2)],
+        vec![monitor, integer("track.foundation.model", 2), integer("vertical.mode", 2)],
+        vec![monitor, integer("track.foundation.model", 3), second_rail],
+        vec![integer("track.foundation.model", 3), real("wheel.out_of_round.amplitude", 1e-4)],
         [wear(2, 1), vec![second_rail]].concat(),
         wear(6, 2),
     ];
@@ -224,14 +228,16 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
     options.extend([1, 2].map(|model| vec![monitor, integer("creepage.model", model)]));
     let mut faults = Vec::new();
     for settings in options {
-        let (allocations, messages) = rounds(&WHEEL, &settings, ROUNDS);
+        let is_soft = settings.iter().any(|(name, _)| *name == "track.foundation.model");
+        let count = if is_soft { ROUNDS / 10 } else { ROUNDS };
+        let (allocations, messages) = rounds(&WHEEL, &settings, count);
         if !allocations.is_empty() {
             faults.push(format!("{settings:?}: {allocations:?}"));
         }
         let is_left = settings.iter().any(|(name, _)| *name == "side");
         let is_loaded = settings.iter().any(|(name, _)| *name == "vertical.mode");
-        // The wheel that sinks is told; one that stands beside its rail or has no height of its own does not sink.
-        assert!(messages > 0 || is_left || is_loaded, "{settings:?}");
+        // The wheel that sinks is told; one that stands beside its rail, has no height of its own or takes its rail along does not sink.
+        assert!(messages > 0 || is_left || is_loaded || is_soft, "{settings:?}");
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
@@ -242,13 +248,14 @@ fn a_wheelset_runs_in_fixed_memory() {
     for settings in [
         vec![monitor],
         vec![monitor, integer("vertical.mode", 2)],
+        vec![monitor, integer("track.foundation.model", 3)],
         vec![
             integer("wear.model", 2),
             real("wear.acceleration_factor", 1e5),
             real("wear.update_interval", 5e-3),
         ],
     ] {
-        assert_eq!(rounds(&WHEELSET, &settings, 40).0, [], "{settings:?}");
+        assert_eq!(rounds(&WHEELSET, &settings, 20).0, [], "{settings:?}");
     }
 }
 

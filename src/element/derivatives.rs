@@ -7,6 +7,7 @@
 
 use super::Output;
 use super::evaluate::Element;
+use super::foundation::FoundationModel;
 use super::input::{INPUT_NAMES, INPUTS, Input};
 use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
@@ -19,7 +20,7 @@ use crate::math::dual::Dual;
 use crate::tangential::TangentialModel;
 
 /// Directions that are followed at once for a whole Jacobian.
-const DIRECTIONS: usize = 7;
+pub(super) const DIRECTIONS: usize = 7;
 
 /// Memory for evaluations with derivatives.
 #[derive(Clone, Debug)]
@@ -66,16 +67,19 @@ impl Element {
         direction: &Input,
         rates: &mut Output,
     ) -> Result<(), ContactError> {
-        let (input, mut memory) = self.begin_derivatives(input)?;
+        let input = input.admitted()?;
+        self.check_models()?;
         let mirrored = self.side == Side::Left;
-        let direction = if mirrored { direction.mirrored() } else { *direction };
-        let DerivativeMemory { one, one_output, .. } = &mut *memory;
+        let mut directions = [if mirrored { direction.mirrored() } else { *direction }.to_array()];
         let followed = self.carried_at(&input).and_then(|at| {
-            self.follow(&at, &[direction.to_array()], one, one_output, |_, found| {
-                *rates = if mirrored { found.mirrored() } else { found };
+            let ways = self.give_way(&at, &mut directions)?;
+            self.with_memory(|element, DerivativeMemory { one, one_output, .. }| {
+                element.follow(&at, &directions, one, one_output, |_, mut found| {
+                    found.foundation.deflection = ways[0];
+                    *rates = if mirrored { found.mirrored() } else { found };
+                })
             })
         });
-        self.memory = Some(memory);
         followed.map_err(at_this_input)
     }
 
@@ -90,23 +94,50 @@ impl Element {
         input: &Input,
         columns: &mut Vec<Output>,
     ) -> Result<(), ContactError> {
-        let (input, mut memory) = self.begin_derivatives(input)?;
-        let DerivativeMemory { all, all_output, .. } = &mut *memory;
-        let followed =
-            self.carried_at(&input).and_then(|at| self.all_columns(&at, all, all_output, columns));
-        self.memory = Some(memory);
+        let input = input.admitted()?;
+        self.check_models()?;
+        let followed = self.carried_at(&input).and_then(|at| self.all_columns(&at, columns));
         followed.map_err(at_this_input)
     }
 
-    /// Checks input and models, and takes the memory out, so that it can be lent beside the element.
-    fn begin_derivatives(
+    /// Lends the memory beside the element.
+    fn with_memory<R>(&mut self, work: impl FnOnce(&mut Self, &mut DerivativeMemory) -> R) -> R {
+        let mut memory = self.memory.take().unwrap_or_else(|| self.derivative_memory());
+        let done = work(self, &mut memory);
+        self.memory = Some(memory);
+        done
+    }
+
+    /// Hands the rates of the lateral and vertical force on the rails of a right wheel in each of the `directions` to `each`, without what the
+    /// foundation gives way; returns the forces.
+    ///
+    /// # Errors
+    /// What has no derivative there.
+    pub(super) fn rail_rates(
         &mut self,
-        input: &Input,
-    ) -> Result<(Input, Box<DerivativeMemory>), ContactError> {
-        let input = input.admitted()?;
-        self.check_models()?;
-        let memory = self.memory.take().unwrap_or_else(|| self.derivative_memory());
-        Ok((input, memory))
+        at: &(Input, Height),
+        directions: &[[f64; INPUTS]],
+        mut each: impl FnMut(usize, [f64; 2]),
+    ) -> Result<[f64; 2], Kink> {
+        if self.check_models().is_err() {
+            return Err("the models have no derivatives");
+        }
+        let found = |n: usize, rates: Output| {
+            let [_, y, z] = rates.wheel.force;
+            each(n, [-y, -z]);
+        };
+        self.with_memory(|element, memory| {
+            let DerivativeMemory { one, one_output, all, all_output } = memory;
+            let room = if at.1 == Height::Given { 2 } else { 1 };
+            let [_, y, z] = if directions.len() <= room {
+                element.follow(at, directions, one, one_output, found)?;
+                one_output.wheel.force.map(|force| force.value)
+            } else {
+                element.follow(at, directions, all, all_output, found)?;
+                all_output.wheel.force.map(|force| force.value)
+            };
+            Ok([-y, -z])
+        })
     }
 
     /// Sizes the memory for derivatives, where the models have them, so that the first of them allocates nothing.
@@ -150,13 +181,7 @@ impl Element {
     }
 
     /// The columns of [`jacobian`](Self::jacobian).
-    fn all_columns(
-        &mut self,
-        at: &(Input, Height),
-        models: &mut Models<Dual<DIRECTIONS>>,
-        output: &mut Output<Dual<DIRECTIONS>>,
-        columns: &mut Vec<Output>,
-    ) -> Result<(), Kink> {
+    fn all_columns(&mut self, at: &(Input, Height), columns: &mut Vec<Output>) -> Result<(), Kink> {
         let mirrored = self.side == Side::Left;
         columns.clear();
         columns.resize(INPUTS, Output::default());
@@ -176,8 +201,13 @@ impl Element {
                 }
                 i += 1;
             }
-            self.follow(at, &directions[..count], models, output, |n, found| {
-                columns[places[n]] = if mirrored { found.mirrored() } else { found };
+            let directions = &mut directions[..count];
+            let ways = self.give_way(at, directions)?;
+            self.with_memory(|element, DerivativeMemory { all, all_output, .. }| {
+                element.follow(at, directions, all, all_output, |n, mut found| {
+                    found.foundation.deflection = ways[n];
+                    columns[places[n]] = if mirrored { found.mirrored() } else { found };
+                })
             })?;
         }
         Ok(())
@@ -257,18 +287,22 @@ impl Element {
         }
     }
 
-    /// The input of a right side, at the height that carries its load if that is given.
+    /// The input of a right side, with rails where they are on their foundation and at the height that carries its load if that is given.
     fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
         let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
-        if self.vertical_mode == VerticalMode::Penetration {
+        let is_given = self.vertical_mode == VerticalMode::Penetration;
+        if is_given && self.foundation.model == FoundationModel::Rigid {
             return Ok((input, Height::Given));
         }
         let mut output = Output::default();
         let load = input.wheel_load;
         // No evaluation was asked for.
         let work = self.work;
-        self.carry_load(&mut input, &mut output);
+        self.respond(&mut input, &mut output);
         self.work = work;
+        if is_given {
+            return Ok((input, Height::Given));
+        }
         if load <= 0.0 {
             return Ok((input, Height::Touching));
         }
@@ -319,7 +353,7 @@ impl Element {
 
 /// What the height of the wheel follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Height {
+pub(super) enum Height {
     /// The input.
     Given,
     /// The load.

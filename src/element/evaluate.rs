@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::derivatives::DerivativeMemory;
 use super::flattened::FlatContact;
+use super::foundation::{Foundation, FoundationModel, TrackState};
 use super::models::Models;
 use super::output::REPORTED_PATCHES;
 use super::parameters::{Placement, RAILS, Side, VerticalMode, WearModel};
@@ -42,11 +43,18 @@ pub struct Work {
 
 /// A wheel and the rails under it, ready to be evaluated.
 ///
-/// The result of an evaluation depends on its input alone, not on earlier ones.
+/// The result of an evaluation depends on its input alone, not on earlier ones; with rails that have a mass also on where [`Element::move_rails`] has
+/// brought them.
 #[derive(Clone, Debug)]
 pub struct Element {
     pub(super) side: Side,
     pub(super) vertical_mode: VerticalMode,
+    pub(super) foundation: Foundation,
+    /// Where rails with a mass are, from their first step on.
+    pub(super) track: Option<TrackState>,
+    /// The last input under which rails without mass rested at a given height, where that was, and what was left of the way to it: asked for
+    /// derivatives at an input, they are not to be sought again.
+    pub(super) rested: Option<(Input, [f64; 2], f64)>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],
@@ -169,6 +177,9 @@ impl Element {
         let mut element = Self {
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
+            foundation: parameters.foundation,
+            track: None,
+            rested: None,
             nominal_radius: radius,
             models,
             rails: contacts,
@@ -181,6 +192,9 @@ impl Element {
             memory: None,
         };
         element.reserve_for_wear();
+        if parameters.foundation.model != FoundationModel::Rigid {
+            element.reserve_derivatives();
+        }
         element.set_start(start);
         Ok(element)
     }
@@ -251,7 +265,12 @@ impl Element {
     /// The input at fault, by its FMU name.
     pub fn flat_contacts(&mut self, input: &Input) -> Result<Vec<FlatContact>, ContactError> {
         input.check()?;
-        let input = if self.side == Side::Left { input.mirrored() } else { *input };
+        let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
+        if self.foundation.model != FoundationModel::Rigid {
+            let work = self.work;
+            self.respond(&mut input, &mut Output::default());
+            self.work = work;
+        }
         let speed = self.models.minimum_speed;
         let rails = self.rails.iter_mut().enumerate();
         Ok(rails
@@ -270,10 +289,7 @@ impl Element {
         let mirrored = self.side == Side::Left;
         let mut input = if mirrored { admitted.mirrored() } else { admitted };
         // Nothing can fail from here on.
-        self.fallbacks += match self.vertical_mode {
-            VerticalMode::Penetration => self.forces(&input, output),
-            VerticalMode::Load => self.carry_load(&mut input, output),
-        };
+        self.fallbacks += self.respond(&mut input, output);
         output.wheel_z = input.wheel.position[2];
         output.load_carried = 0.0 - output.wheel.force[2];
         let patches = &mut self.models.patches;

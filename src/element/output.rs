@@ -1,5 +1,6 @@
 //! What an evaluation gives.
 
+use super::foundation::TrackState;
 use super::parameters::RAILS;
 use crate::math::real::Real;
 
@@ -73,6 +74,24 @@ pub struct BodyWear {
     pub depth: f64,
 }
 
+/// Where the rails of a side are on their foundation, in their frame; pairs are lateral and vertical, down.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deflection<T = f64> {
+    /// Deflection from where they rest without a wheel, which the inputs of the rails come on top of [m].
+    pub deflection: [T; 2],
+    /// Velocity; 0 for rails without mass [m/s].
+    pub velocity: [T; 2],
+    /// Estimated error that the last step left in the deflection of rails with a mass, ≥ 0 [m].
+    pub step_error: f64,
+}
+
+impl From<TrackState> for Deflection {
+    fn from(state: TrackState) -> Self {
+        let TrackState { deflection, velocity, step_error } = state;
+        Self { deflection, velocity, step_error }
+    }
+}
+
 /// All outputs; one field for each FMU output of design section 3.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Output<T = f64> {
@@ -84,6 +103,8 @@ pub struct Output<T = f64> {
     pub wheel_z: T,
     /// Vertical force that all rails together carry, down: the load, where that is given and the rails can carry it [N].
     pub load_carried: T,
+    /// Where the rails are on their foundation.
+    pub foundation: Deflection<T>,
     /// Number of loaded zones found.
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
@@ -114,6 +135,7 @@ impl<T: Real> Output<T> {
         *rails = [Wrench::default(); RAILS];
         (*wheel_z, *load_carried) = (T::default(), T::default());
         (*patch_count, *fallback_count) = (0, 0);
+        self.foundation = Deflection::default();
         let Self { normal_residual, tangential_residual, .. } = self;
         (*normal_residual, *tangential_residual) = (T::default(), T::default());
         let Self { wear_number, frictional_power, patches, wheel_wear, rail_wear, .. } = self;
@@ -131,6 +153,7 @@ impl<T: Real> Output<T> {
             rails: self.rails.each_ref().map(|wrench| wrench.each(&mut turn)),
             wheel_z: turn(self.wheel_z),
             load_carried: turn(self.load_carried),
+            foundation: self.foundation.each(&mut turn),
             normal_residual: turn(self.normal_residual),
             tangential_residual: turn(self.tangential_residual),
             wear_number: turn(self.wear_number),
@@ -146,9 +169,22 @@ impl<T: Real> Output<T> {
         Self {
             wheel: self.wheel.mirrored(),
             rails: self.rails.map(|rail| rail.mirrored()),
+            foundation: self.foundation.mirrored(),
             patches: self.patches.map(|patch| patch.mirrored()),
             ..*self
         }
+    }
+}
+
+impl<T: Real> Deflection<T> {
+    fn each<S: Real>(&self, turn: &mut impl FnMut(T) -> S) -> Deflection<S> {
+        let (deflection, velocity) = (self.deflection.map(&mut *turn), self.velocity.map(turn));
+        Deflection { deflection, velocity, step_error: 0.0 }
+    }
+
+    fn mirrored(&self) -> Self {
+        let ([y, z], [vy, vz]) = (self.deflection, self.velocity);
+        Self { deflection: [-y, z], velocity: [-vy, vz], ..*self }
     }
 }
 

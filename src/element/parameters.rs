@@ -1,5 +1,6 @@
 //! What is fixed once an element is initialised.
 
+pub use super::foundation::{Foundation, FoundationModel};
 use super::ranges;
 pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
 use crate::error::ContactError;
@@ -132,6 +133,8 @@ pub struct Parameters {
     pub profile_smoothing: f64,
     /// What is given of the vertical motion.
     pub vertical_mode: VerticalMode,
+    /// What the rails rest on.
+    pub foundation: Foundation,
     /// Normal contact model.
     pub normal_model: NormalModel,
     /// Virtual over true penetration, 0 < ε < 1 (paper: 0.55) [-].
@@ -222,6 +225,7 @@ impl Default for Parameters {
             gauge_depth: 0.014,
             profile_smoothing: AUTOMATIC_SMOOTHING,
             vertical_mode: VerticalMode::default(),
+            foundation: Foundation::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,
             shape_fit: ShapeFit::default(),
@@ -266,7 +270,21 @@ impl Parameters {
         ranges::check(self)?;
         self.check_deviations()?;
         self.check_friction()?;
+        self.check_foundation()?;
         self.check_wear()
+    }
+
+    /// Whether rails that move are under a wheel that moves.
+    fn check_foundation(&self) -> Result<(), ContactError> {
+        let is_moving = self.foundation.model == FoundationModel::Mass;
+        if is_moving && self.vertical_mode == VerticalMode::Load {
+            return Err(ContactError::BadText {
+                name: "track.foundation.model".into(),
+                value: "mass".into(),
+                allowed: "with vertical.mode load rigid or massless: a given load is that of a wheel at rest on its rails".into(),
+            });
+        }
+        Ok(())
     }
 
     /// Whether there is a table of friction where one is asked for, and none that nobody looks at.

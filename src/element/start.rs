@@ -4,7 +4,8 @@ use std::fmt;
 
 use super::evaluate::{Element, first_touch};
 use super::input::Input;
-use super::parameters::{Side, VerticalMode};
+use super::output::Output;
+use super::parameters::{FoundationModel, Side, VerticalMode};
 
 /// Height above first touch from which on a wheel counts as far from its rails [m]: more than any bounce.
 const FAR_ABOVE: f64 = 0.01;
@@ -131,11 +132,22 @@ impl Element {
             (None, Some(nominal)) if nominal - z > FAR_ABOVE => {
                 Some(StartWarning::InTheAir { z, nominal })
             }
-            (None, Some(nominal)) if z - nominal > INSIDE => {
+            (None, Some(nominal)) if z - nominal - self.way_down(start) > INSIDE => {
                 Some(StartWarning::InsideARail { z, nominal })
             }
             (None, Some(_)) => None,
         };
+    }
+
+    /// How far rails on a foundation sink under the wheel that starts [m].
+    fn way_down(&mut self, start: &Input) -> f64 {
+        if self.foundation.model == FoundationModel::Rigid {
+            return 0.0;
+        }
+        let mut input = if self.side == Side::Left { start.mirrored() } else { *start };
+        let mut output = Output::default();
+        self.respond(&mut input, &mut output);
+        output.foundation.deflection[1]
     }
 
     /// How far rail 2 reaches into the wheel from the side where it just touches rail 1.

@@ -58,6 +58,17 @@ pub trait Subject: Clone + Debug {
         duration: f64,
     ) -> Result<(), ContactError>;
 
+    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`; other rails stay.
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or a bad duration; the rails are then where they were.
+    fn move_all_rails(
+        &mut self,
+        from: &Self::Input,
+        to: &Self::Input,
+        duration: f64,
+    ) -> Result<(), ContactError>;
+
     /// The derivative of the outputs in the direction `direction` of the inputs, as rates; all is left as it was.
     ///
     /// # Errors
@@ -125,6 +136,15 @@ impl Subject for Element {
         duration: f64,
     ) -> Result<(), ContactError> {
         self.advance(input, output, duration)
+    }
+
+    fn move_all_rails(
+        &mut self,
+        from: &Input,
+        to: &Input,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.move_rails(from, to, duration)
     }
 
     fn directional_derivative_of_all(

@@ -83,7 +83,7 @@ impl Element {
     }
 
     /// A height of the marker a little above first touch with any rail; infinite beside all of them [m].
-    fn height_near_touch(&self, input: &Input) -> f64 {
+    pub(super) fn height_near_touch(&self, input: &Input) -> f64 {
         (self.rails.iter().enumerate())
             .filter_map(|(k, rail)| Some(rail.as_ref()?.height_near_touch(k, input)))
             .fold(f64::INFINITY, f64::min)

@@ -113,6 +113,7 @@ impl Element {
 
     /// Puts the profiles that the totals of wear leave under the contact search.
     fn put_worn_profiles(&mut self) {
+        self.rested = None;
         let Some(wear) = &mut self.models.wear else { return };
         let smoothing = wear.parameters.smoothing;
         let report = wear.wheel.put_worn_curve(smoothing, &mut wear.wheel_curve);

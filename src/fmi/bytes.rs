@@ -13,6 +13,7 @@
 //! whole numbers of the last event
 //! of each element:
 //! fallbacks
+//! rails with a mass                 one byte whether they have been moved on; deflection, velocity, error of the last step
 //! wear                              one byte whether there is any; clock; wheel and rails:
 //!                                   one byte whether it is there, number of cells, totals and
 //!                                   sums since the last update, three numbers
@@ -27,15 +28,15 @@ use super::events::Held;
 use super::extrapolation::{Extrapolation, ORDERS};
 use super::instance::{Experiment, Purpose, State};
 use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
-use crate::element::WearState;
 use crate::element::parameters::RAILS;
 use crate::element::work_pairs::MOST_PAIRS;
+use crate::element::{TrackState, WearState};
 use crate::variables::{Causality, Described, Kind, Value, ValuesOf, Variable, WHEEL, WHEELSET};
 use crate::wear::ArcState;
 
 const TAG: &[u8] = b"wheelrail state";
 /// To be counted up when the layout changes; a change of variables shows in the GUID.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 
 const STATES: [State; 6] = [
     State::Instantiated,
@@ -93,6 +94,11 @@ pub fn write<S: Described>(snapshot: &Snapshot<S>) -> Vec<u8> {
 
 fn write_memory(memory: &Memory, bytes: &mut Vec<u8>) {
     bytes.extend(memory.fallbacks.to_le_bytes());
+    bytes.push(u8::from(memory.track.is_some()));
+    if let Some(TrackState { deflection, velocity, step_error }) = &memory.track {
+        let numbers = deflection.iter().chain(velocity).chain([step_error]);
+        bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
+    }
     bytes.push(u8::from(memory.wear.is_some()));
     let Some(wear) = &memory.wear else { return };
     bytes.extend(wear.clock.to_le_bytes());
@@ -233,8 +239,16 @@ impl<'a> Reader<'a> {
 
     fn memory(&mut self) -> Option<Memory> {
         let fallbacks = u64::from_le_bytes(self.array()?);
+        let track = if self.boolean()? { Some(self.track()?) } else { None };
         let wear = if self.boolean()? { Some(self.wear()?) } else { None };
-        Some(Memory { fallbacks, wear })
+        Some(Memory { fallbacks, wear, track })
+    }
+
+    /// Where rails with a mass are.
+    fn track(&mut self) -> Option<TrackState> {
+        let deflection = [self.finite()?, self.finite()?];
+        let velocity = [self.finite()?, self.finite()?];
+        Some(TrackState { deflection, velocity, step_error: self.amount()? })
     }
 
     /// Everything after the head; every value is one that could have been set.

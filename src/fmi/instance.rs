@@ -242,7 +242,11 @@ impl<S: Described> Instance<S> {
         // Of the inputs as they were set, before derivatives carry them on.
         let start =
             if self.values.coupling.monitor { Some(self.work_pairs(logger)?) } else { None };
-        self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
+        if self.has_moving_rails() {
+            self.move_rails(step)?;
+        } else {
+            self.outputs_stale |= self.extrapolation.apply(step, &mut self.values)?;
+        }
         self.extrapolation.clear();
         let status = match self.wear_model() {
             WearModel::Off => Status::Ok,
@@ -310,6 +314,7 @@ impl<S: Described> Instance<S> {
     pub(super) fn prepare_element(&mut self, nominal: bool) -> Result<(), FmiError> {
         let moved = nominal && self.nominal_input != Some(self.values.input);
         if !self.is_prepared() || moved {
+            self.check_foundation()?;
             let wear_model = self.wear_model();
             if wear_model != WearModel::Off && self.purpose == Purpose::ModelExchange {
                 return Err(FmiError::from(ContactError::BadText {

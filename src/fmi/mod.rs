@@ -53,6 +53,7 @@ mod instance;
 mod interface;
 mod location;
 mod logger;
+mod moving_rails;
 mod slots;
 mod snapshot;
 mod types;

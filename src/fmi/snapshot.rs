@@ -6,7 +6,7 @@ use super::events::Held;
 use super::extrapolation::Extrapolation;
 use super::instance::{Experiment, Instance, Purpose, State};
 use super::slots::{Key, Slots};
-use crate::element::{Element, WearState};
+use crate::element::{Element, TrackState, WearState};
 use crate::variables::{Described, ValuesOf};
 
 /// Everything an instance has to remember; forces follow from it bit for bit.
@@ -45,6 +45,8 @@ pub struct Memory {
     pub fallbacks: u64,
     /// What is worn off, if anything wears.
     pub wear: Option<WearState>,
+    /// Where rails with a mass are, once they have been moved on.
+    pub track: Option<TrackState>,
 }
 
 /// A wheelset has two.
@@ -128,9 +130,11 @@ impl<S: Described> Instance<S> {
     }
 
     fn memories(&self) -> [Memory; MOST_ELEMENTS] {
-        let mut memories = [const { Memory { fallbacks: 0, wear: None } }; MOST_ELEMENTS];
+        let mut memories =
+            [const { Memory { fallbacks: 0, wear: None, track: None } }; MOST_ELEMENTS];
         for (memory, element) in memories.iter_mut().zip(self.elements()) {
-            *memory = Memory { fallbacks: element.fallbacks(), wear: element.wear_state() };
+            let (wear, track) = (element.wear_state(), element.track_state());
+            *memory = Memory { fallbacks: element.fallbacks(), wear, track };
         }
         memories
     }
@@ -155,7 +159,7 @@ impl<S: Described> Instance<S> {
             old.memories = Default::default();
         }
         for (memory, element) in old.memories.iter_mut().zip(self.elements()) {
-            memory.fallbacks = element.fallbacks();
+            (memory.fallbacks, memory.track) = (element.fallbacks(), element.track_state());
             element.copy_wear_state(&mut memory.wear);
         }
         old.experiment = self.experiment;
@@ -190,6 +194,9 @@ impl<S: Described> Instance<S> {
         self.experiment = saved.experiment;
         self.time = saved.time;
         if let Some(element) = &mut self.element {
+            for (element, memory) in element.elements_mut().iter_mut().zip(&saved.memories) {
+                element.set_track_state(memory.track);
+            }
             if saved.outputs == Outputs::LeftOut {
                 element.evaluate_all(&self.values.input, &mut self.values.output)?;
             }

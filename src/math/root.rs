@@ -54,6 +54,33 @@ pub fn bracketed(
     if (x >= a && x <= b) || (x >= b && x <= a) { x } else { b }
 }
 
+/// The root of `f` next to 0 on the side of `first`, and the value there, which is the last one that was asked for; `level` is the value at 0. It is
+/// looked for in steps that grow fourfold from `first` to `most`; where the sign does not change until then, the better end.
+pub fn outward(
+    level: f64,
+    first: f64,
+    most: f64,
+    tolerance: f64,
+    mut f: impl FnMut(f64) -> f64,
+) -> (f64, f64) {
+    if level == 0.0 {
+        return (0.0, level);
+    }
+    let (mut inner, mut step) = ((0.0, level), first);
+    loop {
+        let outer = (step, f(step));
+        if outer.1 * level <= 0.0 {
+            let root = bracketed(inner, outer, tolerance, &mut f);
+            return (root, f(root));
+        }
+        if step.abs() >= most {
+            return if outer.1.abs() < level.abs() { outer } else { (0.0, f(0.0)) };
+        }
+        inner = outer;
+        step = (4.0 * step).clamp(-most, most);
+    }
+}
+
 /// Steps after which [`bracketed`] returns what it has: its bisections alone gain fifteen digits.
 const MOST_STEPS: usize = 260;
 
@@ -97,6 +124,20 @@ mod tests {
         let (root, count) = solve(-1.0, 3.0, |x| if x < 0.7 { -1e-3 } else { 1e6 });
         approx::assert_relative_eq!(root, 0.7, max_relative = 1e-12);
         assert!(count <= MOST_STEPS);
+    }
+
+    #[test]
+    fn on_the_way_out_the_first_root_is_met_and_without_one_the_better_end() {
+        let wave = |x: f64| (3.0 * x).cos();
+        let (root, rest) = outward(1.0, 0.1, 10.0, 1e-14, wave);
+        approx::assert_relative_eq!(root, std::f64::consts::FRAC_PI_6, max_relative = 1e-13);
+        assert!(rest.abs() < 1e-13);
+        let (root, _) = outward(1.0, -0.1, 10.0, 1e-14, wave);
+        approx::assert_relative_eq!(root, -std::f64::consts::FRAC_PI_6, max_relative = 1e-13);
+        for (most, end, slope) in [(1.0, 1.0, -0.5), (1.0, 0.0, 0.5)] {
+            let (root, rest) = outward(1.0, 0.1, most, 1e-14, |x| 1.0 + slope * x);
+            assert!((root - end).abs() <= 0.0 && (rest - 1.0 - slope * end).abs() <= 0.0);
+        }
     }
 
     #[test]

@@ -5,8 +5,8 @@ use super::{Causality, Enumeration, Item, Kind, Unit, Value, Variable};
 use crate::element::Element;
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{
-    CreepageModel, FallingLaw, FlatShape, Flexibilities, FrictionDistribution, NormalModel,
-    Placement, RAILS, ShapeFit, Side, TangentialModel, TractionBound, VerticalMode,
+    CreepageModel, FallingLaw, FlatShape, Flexibilities, FoundationModel, FrictionDistribution,
+    NormalModel, Placement, RAILS, ShapeFit, Side, TangentialModel, TractionBound, VerticalMode,
     WearDistribution, WearModel,
 };
 use crate::wheelset::Wheelset;

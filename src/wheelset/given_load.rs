@@ -12,7 +12,7 @@
 use super::{Input, LEFT, Output, RIGHT, TrackTurn, Wheelset};
 use crate::element::Element;
 use crate::error::ContactError;
-use crate::math::root::bracketed;
+use crate::math::root::outward;
 
 /// Greatest roll that is looked at [rad].
 const MOST_ROLL: f64 = 0.1;
@@ -57,27 +57,9 @@ impl Wheelset {
             trial.sides[RIGHT].wheel_z - trial.sides[LEFT].wheel_z - between * at.wheelset.axle().z
         };
         let level = missing(0.0);
-        let mut roll = 0.0;
-        let mut rest = level;
-        if level != 0.0 {
-            // What is missing falls with the roll.
-            let (mut inner, mut step) = ((0.0, level), FIRST_STEP.copysign(level));
-            loop {
-                let outer = (step, missing(step));
-                if outer.1 * level <= 0.0 {
-                    roll = bracketed(inner, outer, RESOLUTION, &mut missing);
-                    rest = missing(roll);
-                    break;
-                }
-                if step.abs() >= MOST_ROLL {
-                    (roll, rest) = if outer.1.abs() < level.abs() { outer } else { (0.0, level) };
-                    break;
-                }
-                inner = outer;
-                step = (4.0 * step).clamp(-MOST_ROLL, MOST_ROLL);
-            }
-        }
-        missing(roll);
+        // What is missing falls with the roll.
+        let first = FIRST_STEP.copysign(level);
+        let (_, rest) = outward(level, first, MOST_ROLL, RESOLUTION, &mut missing);
         let heights =
             [RIGHT, LEFT].map(|k| trial.sides[k].wheel_z - self.markers[k] * at.wheelset.axle().z);
         at.wheelset.position[2] = 0.5 * (heights[RIGHT] + heights[LEFT]);

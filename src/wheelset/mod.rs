@@ -160,6 +160,33 @@ impl Wheelset {
         self.both(input, output, |element, input, output| element.advance(input, output, duration))
     }
 
+    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`, as
+    /// [`Element::move_rails`]; other rails stay.
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or a duration that is negative or not finite; the rails are then where they were.
+    pub fn move_rails(
+        &mut self,
+        from: &Input,
+        to: &Input,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        from.check()?;
+        to.check()?;
+        let [from, to] = [from, to].map(|input| self.on_its_rails(input));
+        let before = self.elements.each_ref().map(Element::track_state);
+        for k in [RIGHT, LEFT] {
+            let [from, to] = [&from, &to].map(|input| input.of_side(k, self.markers[k]));
+            if let Err(error) = self.elements[k].move_rails(&from, &to, duration) {
+                for (element, state) in self.elements.iter_mut().zip(before) {
+                    element.set_track_state(state);
+                }
+                return Err(on_side(error, SIDES[k]));
+            }
+        }
+        Ok(())
+    }
+
     /// Both sides by `evaluate`, at the height and roll that carry the loads where these are given, and the sums.
     fn both(
         &mut self,
@@ -265,6 +292,15 @@ impl Subject for Wheelset {
         duration: f64,
     ) -> Result<(), ContactError> {
         self.advance(input, output, duration)
+    }
+
+    fn move_all_rails(
+        &mut self,
+        from: &Input,
+        to: &Input,
+        duration: f64,
+    ) -> Result<(), ContactError> {
+        self.move_rails(from, to, duration)
     }
 
     fn directional_derivative_of_all(

@@ -5,6 +5,8 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
 
 import cooperrider_bogie as bogie  # noqa: E402
@@ -23,6 +25,25 @@ class Bogie(unittest.TestCase):
     def test_with_the_published_law_it_hunts_from_the_published_speed_on(self):
         speed, _ = bogie.critical_speed(bogie.published_contact)
         self.assertLess(abs(speed / bogie.PUBLISHED - 1), 0.01)
+
+    def test_a_large_swing_goes_on_at_70_and_dies_out_at_60_as_published(self):
+        for speed, goes_on in ((70.0, True), (60.0, False)):
+            state = np.zeros(14)
+            state[0] = 0.01
+            _, swing = bogie.swing(bogie.published_forces(speed), state)
+            self.assertEqual(swing > bogie.DEAD, goes_on, swing)
+
+    def test_swings_on_the_unit_go_on_above_its_critical_speed_alone(self):
+        models = {"normal.model": "hertz", "tangential.model": "fastsim", "creepage.model": "flat"}
+        friction = {f"{side}.friction.coefficient": bogie.LIMIT / bogie.LOAD for side in ("right", "left")}
+        unit = self.unit(**models, **friction)
+        critical, _ = bogie.critical_speed(bogie.contact_of(unit))
+        state = np.zeros(14)
+        state[0] = 1e-4
+        # A small one, for two seconds.
+        for speed, grows in ((0.9 * critical, False), (1.15 * critical, True)):
+            _, swing = bogie.swing(bogie.forces_of(unit)(speed), state, 2.0)
+            self.assertEqual(swing > 1e-4, grows, swing)
 
     def test_the_unit_has_the_ellipse_of_the_published_one(self):
         unit = self.unit(**LINEAR)

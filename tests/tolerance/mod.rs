@@ -463,3 +463,23 @@ pub const BOUNCE: [f64; 2] = [1e-3, 1e-3];
 /// contacts (1e-5), and take Kalker's coefficients, which the linear model meets by its fits ([`KALKER_FIT`]) and the march along its strips
 /// ([`FASTSIM_LINEAR`]).
 pub const LINEAR_CURVING: f64 = 0.01;
+
+/// Contact force and force of the springs under a rail against CONTACT, over the contact force: the aim for the median; at worst twice that, at
+/// the 13 mm corner of the rail, where the one plane of the contact of the reference is turned by 2 degrees.
+pub const MASSLESS_RAIL: [f64; 2] = [0.01, 0.02];
+
+/// What springs and contacts leave of a force on rails at rest, over the normal force: forces are smooth to 1e-9 of it.
+pub const RAIL_AT_REST: f64 = 1e-9;
+
+/// Poses of a hundred in which the Hertzian ellipse jumps where the rails would rest: from one contact point to another, see [`JUMP_HERTZ`].
+pub const RAILS_WITHOUT_REST: usize = 10;
+
+/// Energy that rails with a mass, their contact and the wheel on it are short of, over the work of the wheel to and fro: the aim for closed loops
+/// of a contact.
+pub const TRACK_ENERGY: f64 = 1e-4;
+
+/// Rails at rest, with a mass and without [m]: 1e-6 of what a wheel load presses on stiff contacts.
+pub const RAIL_PLACE: f64 = 1e-10;
+
+/// Forces at heights and deflections that were found, and found again on rails that are put there: searches within searches, each to 1e-9 of the load.
+pub const FOUND_AGAIN: f64 = 1e-8;

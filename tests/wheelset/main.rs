@@ -4,6 +4,7 @@
 mod common;
 mod curving;
 mod derivatives;
+mod foundation;
 mod gravity;
 mod rigid_body;
 #[path = "../tolerance/mod.rs"]

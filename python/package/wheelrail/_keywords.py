@@ -161,6 +161,20 @@ class ElementParameters(TypedDict, total=False):
     """Wavelength at which the smoothing of profiles from files halves an amplitude; 0 interpolates; a negative number (-1) leaves it to the noise found in the points of each file [m]."""
     vertical_mode: Literal["penetration", "load"]
     """What is given of the vertical motion of the wheel; with load, wheel.z has no effect and there is no normal damping."""
+    track_foundation_model: Literal["rigid", "massless", "mass"]
+    """What all rails under a wheel rest on, each side by itself; mass goes with the steps of co-simulation and with vertical.mode penetration."""
+    track_foundation_stiffness_y: float
+    """Lateral stiffness of the rails of a side against the ground; only with track.foundation.model massless and mass, as all of track.foundation [N/m]."""
+    track_foundation_stiffness_z: float
+    """Vertical stiffness of the rails of a side against the ground [N/m]."""
+    track_foundation_damping_y: float
+    """Lateral damping of the rails of a side against the ground; only with mass [N.s/m]."""
+    track_foundation_damping_z: float
+    """Vertical damping of the rails of a side against the ground; only with mass [N.s/m]."""
+    track_foundation_mass: float
+    """Mass that moves with the rails of a side; only with mass [kg]."""
+    track_foundation_longest_step: float
+    """Longest step in which rails with a mass are moved on: fmi2DoStep makes as many equal ones as it takes, at most 1000 [s]."""
     normal_model: Literal["hertz", "piotrowski_kik", "piotrowski_kik_corrected", "strips", "boundary_element"]
     """Normal contact model."""
     normal_shape_fit: Literal["hertz", "paper"]
@@ -551,6 +565,20 @@ class WheelSetParameters(TypedDict, total=False):
     """Wavelength at which the smoothing of profiles from files halves an amplitude; 0 interpolates; a negative number (-1) leaves it to the noise found in the points of each file [m]."""
     vertical_mode: Literal["penetration", "load"]
     """What is given of the vertical motion of the wheel; with load, wheel.z has no effect and there is no normal damping."""
+    track_foundation_model: Literal["rigid", "massless", "mass"]
+    """What all rails under a wheel rest on, each side by itself; mass goes with the steps of co-simulation and with vertical.mode penetration."""
+    track_foundation_stiffness_y: float
+    """Lateral stiffness of the rails of a side against the ground; only with track.foundation.model massless and mass, as all of track.foundation [N/m]."""
+    track_foundation_stiffness_z: float
+    """Vertical stiffness of the rails of a side against the ground [N/m]."""
+    track_foundation_damping_y: float
+    """Lateral damping of the rails of a side against the ground; only with mass [N.s/m]."""
+    track_foundation_damping_z: float
+    """Vertical damping of the rails of a side against the ground; only with mass [N.s/m]."""
+    track_foundation_mass: float
+    """Mass that moves with the rails of a side; only with mass [kg]."""
+    track_foundation_longest_step: float
+    """Longest step in which rails with a mass are moved on: fmi2DoStep makes as many equal ones as it takes, at most 1000 [s]."""
     normal_model: Literal["hertz", "piotrowski_kik", "piotrowski_kik_corrected", "strips", "boundary_element"]
     """Normal contact model."""
     normal_shape_fit: Literal["hertz", "paper"]
