@@ -1,6 +1,5 @@
 //! Forces stay finite for every finite input, however far from a wheel on a rail.
 
-#[allow(dead_code)]
 mod tolerance;
 
 use proptest::prelude::*;
