@@ -1,16 +1,23 @@
 //! Writes the figures that tests have left in target/reports into docs: between `<!-- summary NAME -->` and `<!-- end of summary -->` stands the
-//! table `summary_NAME.csv`.
+//! table `summary_NAME.csv`. Then into all pages and README.md the figures that they take from these tables: between `<!-- figure NAME; ROW; COLUMN -->` and
+//! `<!-- -->` stands the cell of that table.
 //!
 //! `docs/make_tables` runs the tests with their whole sets first.
 
+use std::collections::HashMap;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{fs, io};
 
 /// At the beginning of a line: prose may speak of marks.
 const BEGIN: &str = "\n<!-- summary ";
 const END: &str = "<!-- end of summary -->";
+const FIGURE: &str = "<!-- figure ";
+const FIGURE_END: &str = "<!-- -->";
+
+/// Cells of the tables in the pages, by "NAME; ROW; COLUMN".
+type Cells = HashMap<String, String>;
 
 /// A CSV table as one of Markdown.
 fn table(path: &Path) -> io::Result<String> {
@@ -50,29 +57,86 @@ fn filled(page: &str, reports: &Path, missing: &mut Vec<String>) -> Result<Strin
     Ok(text + rest)
 }
 
-fn main() -> ExitCode {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut missing = Vec::new();
-    let pages = fs::read_dir(root.join("docs")).expect("docs can be read");
-    for page in pages.map(|entry| entry.expect("docs can be read").path()) {
-        if page.extension().is_none_or(|extension| extension != "md") {
+/// Adds the cells of all tables of `page` that a command writes to `cells`.
+fn collect(page: &str, cells: &mut Cells) {
+    let (mut name, mut columns, mut lines) = (None, Vec::new(), page.lines().peekable());
+    while let Some(line) = lines.next() {
+        let mark = line.strip_prefix("<!-- ").and_then(|line| line.strip_suffix(" -->"));
+        if let Some(mark) = mark {
+            let benchmark = mark.strip_suffix(": written by the benchmark");
+            name = mark.strip_prefix("summary ").or(benchmark);
+        }
+        let (Some(name), Some(row)) = (name, line.strip_prefix("| ")) else { continue };
+        let row: Vec<&str> = row.trim_end_matches('|').split('|').map(str::trim).collect();
+        if lines.peek().is_some_and(|next| next.starts_with("|--")) {
+            columns = row;
             continue;
         }
-        let before = fs::read_to_string(&page).expect("pages are text");
-        let after = match filled(&before, &root.join("target/reports"), &mut missing) {
-            Ok(after) => after,
-            Err(error) => {
-                eprintln!("{}: {error}", page.display());
-                return ExitCode::FAILURE;
-            }
-        };
-        if after != before {
-            fs::write(&page, after).expect("pages can be written");
-            println!("{} written", page.display());
+        for (column, cell) in columns.iter().zip(&row).skip(1) {
+            let title = row[0].trim_matches('*');
+            cells.insert(format!("{name}; {title}; {column}"), (*cell).to_owned());
         }
+    }
+}
+
+/// The page with its figures as in `cells`.
+fn with_figures(page: &str, cells: &Cells) -> Result<String, String> {
+    let mut text = String::new();
+    let mut rest = page;
+    while let Some(place) = rest.find(FIGURE) {
+        let name_at = place + FIGURE.len();
+        let name_end = name_at + rest[name_at..].find(" -->").ok_or("a figure without its end")?;
+        let name = &rest[name_at..name_end];
+        let cell = cells.get(name).ok_or_else(|| format!("no table has the figure {name}"))?;
+        let body_at = name_end + " -->".len();
+        let body_end = rest[body_at..].find(FIGURE_END);
+        let body_end = body_at + body_end.ok_or_else(|| format!("figure {name} has no end"))?;
+        text += &rest[..body_at];
+        text += cell;
+        text += FIGURE_END;
+        rest = &rest[body_end + FIGURE_END.len()..];
+    }
+    Ok(text + rest)
+}
+
+/// Writes `page` with the text that `change` makes of it, if that is another one.
+fn rewrite(page: &Path, change: impl FnOnce(&str) -> Result<String, String>) -> Result<(), String> {
+    let told = |error: &dyn std::fmt::Display| format!("{}: {error}", page.display());
+    let before = fs::read_to_string(page).map_err(|error| told(&error))?;
+    let after = change(&before).map_err(|error| told(&error))?;
+    if after != before {
+        fs::write(page, after).map_err(|error| told(&error))?;
+        println!("{} written", page.display());
+    }
+    Ok(())
+}
+
+fn write(root: &Path) -> Result<(), String> {
+    let entries = fs::read_dir(root.join("docs")).map_err(|error| error.to_string())?;
+    let paths = entries.flatten().map(|entry| entry.path());
+    let mut pages: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
+    pages.push(root.join("README.md"));
+    let (mut missing, mut cells) = (Vec::new(), Cells::new());
+    for page in &pages {
+        rewrite(page, |text| filled(text, &root.join("target/reports"), &mut missing))?;
+        collect(&fs::read_to_string(page).map_err(|error| error.to_string())?, &mut cells);
+    }
+    for page in &pages {
+        rewrite(page, |text| with_figures(text, &cells))?;
     }
     for name in missing {
         println!("summary {name} is not in target/reports: its table stays as it is; run its test");
     }
-    ExitCode::SUCCESS
+    Ok(())
+}
+
+fn main() -> ExitCode {
+    match write(Path::new(env!("CARGO_MANIFEST_DIR"))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
 }

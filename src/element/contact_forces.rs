@@ -10,7 +10,7 @@ use super::number::ElementNumber;
 use super::output::{Output, Patch, Wrench};
 use super::parameters::CreepageModel;
 use super::rail_frame::RailFrame;
-use super::rail_friction::RailFriction;
+use super::rail_friction::{LastPlace, RailFriction};
 use super::rail_walk::{RailPlace, RailWalk};
 use super::uneven::{ZoneSurface, closing_speed};
 use super::wear_sums::WearSums;
@@ -223,20 +223,20 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     /// Gives each of the `strips` a friction of its own, where that is not the same all over the rail.
     pub(super) fn fill_friction(&self, separation: &T::Separation<'_>, strips: &mut Strips<T>) {
         let Some(friction) = self.friction else { return };
-        // A separation remembers its last point; what is found with it later is not to depend on friction.
-        let mut separation = separation.clone();
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
         let mut walk = RailWalk::new(self.rail, self.contact);
+        let (hand, mut last) = (self.rail.hand(), LastPlace::default());
         let Strips { y, u, x, friction: own, .. } = strips;
-        for ((&y, &u), &x) in y.iter().zip(u.iter()).zip(x.iter()) {
+        own.extend(y.iter().zip(u.iter()).zip(x.iter()).map(|((&y, &u), &x)| {
             let place = if self.is_on_arc {
                 RailPlace::at(self.rail, self.contact.rail_s + y)
             } else {
-                walk.to(y, || separation.rail_parameter(u.within(start, end)))
+                // A separation remembers its last point; what is found with it later is not to depend on friction.
+                walk.to(y, || separation.clone().rail_parameter(u.within(start, end)))
             };
-            own.push(friction.at(&place, self.rail.hand(), self.station(x), self.input));
-        }
+            friction.at(&place, hand, self.station(x), self.input, &mut last)
+        }));
     }
 
     /// Station of a place `x` along the track from the wheel marker [m].
@@ -249,7 +249,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     #[inline]
     pub(super) fn strip_friction(&self, place: &RailPlace<T>, x: T) -> Option<StripFriction<T>> {
         let hand = self.rail.hand();
-        self.friction.map(|friction| friction.at(place, hand, self.station(x), self.input))
+        self.friction.map(|friction| {
+            friction.at(place, hand, self.station(x), self.input, &mut LastPlace::default())
+        })
     }
 
     /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.

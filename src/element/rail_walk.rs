@@ -32,7 +32,7 @@ const LEAST_COSINE: f64 = 0.15;
 struct Last<T> {
     y: T,
     s: T,
-    /// One over the derivative of y by s, and the second derivative.
+    /// One over the derivative of y by s, not a number where the rail has turned away, and the second derivative.
     steepness: T,
     bend: T,
 }
@@ -42,13 +42,14 @@ struct Last<T> {
 pub struct RailWalk<'a, T = f64> {
     rail: &'a PlacedRail,
     contact: Contact<T>,
-    last: Option<Last<T>>,
+    last: Last<T>,
 }
 
 impl<'a, T: Real> RailWalk<'a, T> {
-    /// A walk that begins with its first place.
+    /// A walk from the point of the contact.
     pub fn new(rail: &'a PlacedRail, contact: Contact<T>) -> Self {
-        Self { rail, contact, last: None }
+        let on = rail.curve().at(contact.rail_s);
+        Self { rail, contact, last: Last::at(&contact, T::from(0.0), contact.rail_s, &on) }
     }
 
     /// The place opposite to the lateral coordinate `y` of the frame [m]. From the last one it takes a step of Newton's method; where that is
@@ -57,49 +58,46 @@ impl<'a, T: Real> RailWalk<'a, T> {
         self.step(y).unwrap_or_else(|| {
             let s = search();
             let on = self.rail.curve().at(s);
-            self.arrive(y, s, &on);
+            self.last = Last::at(&self.contact, y, s, &on);
             RailPlace { s, tangent: on.first }
         })
     }
 
     #[inline]
     fn step(&mut self, y: T) -> Option<RailPlace<T>> {
-        let last = self.last?;
+        let last = &self.last;
         let way = (y - last.y) * last.steepness;
         let guess = last.s + way - way * way * last.bend * last.steepness * 0.5;
         let on = self.rail.curve().at(guess);
-        let steepness = self.arrive(y, guess, &on)?;
+        self.last = Last::at(&self.contact, y, guess, &on);
         let origin = self.contact.origin;
         let to = [on.point[0] - origin[0], on.point[1] - origin[1]];
-        let error = self.across(to) - y;
-        let step = -error * steepness;
+        let step = (y - across(&self.contact, to)) * self.last.steepness;
+        // Not a number is not near.
         (step.abs() <= NEAR).then(|| {
             let s = guess + step;
-            if let Some(last) = &mut self.last {
-                last.s = s;
-            }
+            self.last.s = s;
             let tangent = [on.first[0] + step * on.second[0], on.first[1] + step * on.second[1]];
             RailPlace { s, tangent }
         })
     }
+}
 
-    /// Keeps the place for the next step, and the slope there; nothing where the rail has turned away.
+impl<T: Real> Last<T> {
+    /// The point `on` of a rail with the parameter `s`, opposite to `y` in the frame of `contact`.
     #[inline]
-    fn arrive(&mut self, y: T, s: T, on: &CurvePoint<T>) -> Option<T> {
-        let cosine = self.across(on.first);
-        self.last = None;
-        (cosine >= LEAST_COSINE).then(|| {
-            let steepness = T::from(1.0) / cosine;
-            self.last = Some(Last { y, s, steepness, bend: self.across(on.second) });
-            steepness
-        })
+    fn at(contact: &Contact<T>, y: T, s: T, on: &CurvePoint<T>) -> Self {
+        let cosine = across(contact, on.first);
+        let steepness =
+            if cosine >= LEAST_COSINE { T::from(1.0) / cosine } else { T::from(f64::NAN) };
+        Self { y, s, steepness, bend: across(contact, on.second) }
     }
+}
 
-    #[inline]
-    fn across(&self, v: [T; 2]) -> T {
-        let tangent = self.contact.tangent;
-        v[0] * tangent[0] + v[1] * tangent[1]
-    }
+/// The component of `v` along the lateral axis of the frame of `contact`.
+#[inline]
+fn across<T: Real>(contact: &Contact<T>, v: [T; 2]) -> T {
+    v[0] * contact.tangent[0] + v[1] * contact.tangent[1]
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Where the tread of a rail changes over to its gauge face.
 
-use crate::math::real::Real;
+use super::table::Table;
 
 /// Where the tread changes over to the gauge face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,27 +19,33 @@ impl Default for Changeover {
 }
 
 impl Changeover {
-    /// Share of the gauge face where the surface has that `inclination` [rad].
-    #[inline]
+    /// Share of the gauge face over the [`direction`](super::direction) of the rail's tangent, 1 towards the gauge face [-].
     #[must_use]
-    pub fn gauge_face_share<T: Real>(&self, inclination: T) -> T {
-        ((-inclination + self.inclination) / self.width + 0.5).within(0.0, 1.0)
+    pub fn gauge_face_share(&self) -> Table {
+        let half = 0.5 * self.width;
+        Table::over_inclination(&[[self.inclination - half, 1.0], [self.inclination + half, 0.0]])
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::friction::direction;
+    use crate::friction::table::OFF;
     use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_share_of_the_gauge_face_grows_across_the_change_over() {
-        let changeover = Changeover { inclination: -0.5, width: 0.2 };
+        let share = Changeover { inclination: -0.5, width: 0.2 }.gauge_face_share();
         for (inclination, expected) in
             [(1.2, 0.0), (-0.4, 0.0), (-0.45, 0.25), (-0.5, 0.5), (-0.6, 1.0), (-1.5, 1.0)]
         {
-            let share: f64 = changeover.gauge_face_share(inclination);
-            assert_abs_diff_eq!(share, expected, epsilon = 1e-15);
+            let tangent = [f64::cos(inclination), f64::sin(inclination)];
+            assert_abs_diff_eq!(
+                share.at(direction(tangent), &mut 0),
+                expected,
+                epsilon = 5.0 * OFF
+            );
         }
     }
 }

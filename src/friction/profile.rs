@@ -1,5 +1,6 @@
 //! Tables of friction over the surface of a rail, at stations along the track.
 
+use super::table::Table;
 use crate::math::real::Real;
 
 /// What tells a place across a rail.
@@ -29,24 +30,50 @@ pub struct FrictionProfile {
     pub sections: Vec<Section>,
 }
 
-impl Section {
-    /// Coefficient of friction at `place` [-].
-    #[inline]
-    #[must_use]
-    pub fn coefficient<T: Real>(&self, place: T) -> T {
-        interpolated(&self.points, place, |point| point[0], |point| T::from(point[1]))
-    }
+/// A profile of friction as it is looked up.
+#[derive(Clone, Debug)]
+pub struct FrictionTables {
+    /// Stations along the track [m] and the tables there.
+    sections: Vec<(f64, Table)>,
 }
 
 impl FrictionProfile {
-    /// Coefficient of friction at `place` across the rail and `station` along the track [-].
-    #[inline]
+    /// As it is looked up; its arguments across the rail are places, or directions of tangents where the profile is one of inclinations.
     #[must_use]
-    pub fn coefficient<T: Real>(&self, place: T, station: T) -> T {
-        if let [everywhere] = self.sections.as_slice() {
-            return everywhere.coefficient(place);
+    pub fn tables(&self) -> FrictionTables {
+        let table = match self.across {
+            Across::Inclination => Table::over_inclination,
+            Across::Place => Table::over_place,
+        };
+        let sections = self.sections.iter().map(|own| (own.station, table(&own.points)));
+        FrictionTables { sections: sections.collect() }
+    }
+}
+
+impl FrictionTables {
+    /// Coefficient of friction at the argument `across` the rail and `station` along the track [m, -]; `last` as in [`Table::at`].
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    #[must_use]
+    pub fn at<T: Real>(&self, across: T, station: T, last: &mut usize) -> T {
+        if let [(_, everywhere)] = self.sections.as_slice() {
+            return everywhere.at(across, last);
         }
-        interpolated(&self.sections, station, |s| s.station, |s| s.coefficient(place))
+        self.between(across, station, last)
+    }
+
+    fn between<T: Real>(&self, across: T, station: T, last: &mut usize) -> T {
+        let next = self.sections.partition_point(|section| section.0 <= station.value());
+        let Some((end, after)) = self.sections.get(next) else {
+            return self.sections[self.sections.len() - 1].1.at(across, last);
+        };
+        let Some((start, before)) = next.checked_sub(1).map(|k| &self.sections[k]) else {
+            return after.at(across, last);
+        };
+        let from = before.at(across, last);
+        let share = (station - *start) / (end - start);
+        // Between tables alike it is theirs to the last bit.
+        from + share * (after.at(across, last) - from)
     }
 
     /// Whether friction changes along the track.
@@ -56,37 +83,19 @@ impl FrictionProfile {
     }
 }
 
-/// `value` at `x` between the nodes of a table, of which there is at least one and whose abscissae grow; that of the outermost node beyond.
-/// Between nodes alike it is theirs to the last bit.
-fn interpolated<T: Real, N>(
-    nodes: &[N],
-    x: T,
-    abscissa: impl Fn(&N) -> f64,
-    value: impl Fn(&N) -> T,
-) -> T {
-    let next = nodes.partition_point(|node| abscissa(node) <= x.value());
-    let Some(after) = nodes.get(next) else { return value(&nodes[nodes.len() - 1]) };
-    let Some(before) = next.checked_sub(1).map(|k| &nodes[k]) else { return value(after) };
-    let (from, start) = (value(before), abscissa(before));
-    let share = (x - start) / (abscissa(after) - start);
-    from + share * (value(after) - from)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::friction::direction;
+    use crate::friction::table::OFF;
     use crate::math::dual::Dual;
     use approx::assert_relative_eq;
 
-    fn profile() -> FrictionProfile {
+    fn tables(across: Across) -> FrictionTables {
         let section = |station, points: &[[f64; 2]]| Section { station, points: points.to_vec() };
-        FrictionProfile {
-            across: Across::Inclination,
-            sections: vec![
-                section(10.0, &[[-0.4, 0.2], [-0.2, 0.3]]),
-                section(30.0, &[[0.0, 0.5]]),
-            ],
-        }
+        let sections =
+            vec![section(10.0, &[[-0.4, 0.2], [-0.2, 0.3]]), section(30.0, &[[0.0, 0.5]])];
+        FrictionProfile { across, sections }.tables()
     }
 
     #[test]
@@ -100,27 +109,20 @@ mod tests {
             (-0.3, 30.0, 0.5),
             (-0.3, 1e6, 0.5),
         ] {
-            assert_relative_eq!(profile().coefficient(place, station), expected, epsilon = 1e-15);
+            let found: f64 = tables(Across::Place).at(place, station, &mut 0);
+            assert_relative_eq!(found, expected, epsilon = 1e-15);
+            let tangent = [f64::cos(place), f64::sin(place)];
+            let found: f64 = tables(Across::Inclination).at(direction(tangent), station, &mut 0);
+            assert_relative_eq!(found, expected, epsilon = 0.5 * OFF);
         }
     }
 
     #[test]
     fn its_derivatives_are_the_slopes_of_the_table() {
         let number = |value, slopes| Dual::<2> { value, slopes };
-        let found = profile().coefficient(number(-0.3, [1.0, 0.0]), number(15.0, [0.0, 1.0]));
+        let place = number(-0.3, [1.0, 0.0]);
+        let found = tables(Across::Place).at(place, number(15.0, [0.0, 1.0]), &mut 0);
         assert_relative_eq!(found.slopes[0], 0.75 * 0.5, max_relative = 1e-12);
         assert_relative_eq!(found.slopes[1], (0.5 - 0.25) / 20.0, max_relative = 1e-12);
-    }
-
-    #[test]
-    fn a_constant_table_is_constant_to_the_last_bit() {
-        let constant = 1.0 / 3.0;
-        let points: Vec<[f64; 2]> = [-0.7, -0.31, 0.02].map(|x| [x, constant]).to_vec();
-        let sections = [0.0, 7.3].map(|station| Section { station, points: points.clone() });
-        let profile = FrictionProfile { across: Across::Place, sections: sections.to_vec() };
-        for i in 0..100 {
-            let x = -1.0 + 0.017 * f64::from(i);
-            assert_eq!(profile.coefficient(x, 8.0 * x).to_bits(), constant.to_bits());
-        }
     }
 }
