@@ -12,7 +12,7 @@ pub enum Style {
     /// Everything.
     Full,
     /// For importers that know no enumerations and for people who look at the list: choices as integers, and the heaviest
-    /// [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`]. References are the same, and so is the library.
+    /// [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`] and [`PLAIN_LACKS_ALL_OF`]. References are the same, and so is the library.
     Plain,
 }
 
@@ -21,11 +21,14 @@ const PLAIN_PATCHES: usize = 4;
 /// What of a patch it has not: what only laws of friction by place and heat tell.
 const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
+/// What it has nothing of: track that gives way.
+const PLAIN_LACKS_ALL_OF: &str = "foundation.";
+
 impl Style {
     fn describes(self, v: &Variable) -> bool {
         let is_detail = PLAIN_LACKS.iter().any(|end| v.name.ends_with(end));
-        let is_plain = v.number <= PLAIN_PATCHES && !is_detail;
-        self == Self::Full || !v.name.contains("patch[") || is_plain
+        let is_lesser = v.name.contains("patch[") && (v.number > PLAIN_PATCHES || is_detail);
+        self == Self::Full || !(is_lesser || v.name.contains(PLAIN_LACKS_ALL_OF))
     }
 }
 

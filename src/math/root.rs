@@ -128,12 +128,13 @@ mod tests {
 
     #[test]
     fn on_the_way_out_the_first_root_is_met_and_without_one_the_better_end() {
-        let wave = |x: f64| (3.0 * x).cos();
+        // Longer than four times the way there is to its first root.
+        let wave = |x: f64| (0.5 * x).cos();
         let (root, rest) = outward(1.0, 0.1, 10.0, 1e-14, wave);
-        approx::assert_relative_eq!(root, std::f64::consts::FRAC_PI_6, max_relative = 1e-13);
+        approx::assert_relative_eq!(root, std::f64::consts::PI, max_relative = 1e-13);
         assert!(rest.abs() < 1e-13);
         let (root, _) = outward(1.0, -0.1, 10.0, 1e-14, wave);
-        approx::assert_relative_eq!(root, -std::f64::consts::FRAC_PI_6, max_relative = 1e-13);
+        approx::assert_relative_eq!(root, -std::f64::consts::PI, max_relative = 1e-13);
         for (most, end, slope) in [(1.0, 1.0, -0.5), (1.0, 0.0, 0.5)] {
             let (root, rest) = outward(1.0, 0.1, most, 1e-14, |x| 1.0 + slope * x);
             assert!((root - end).abs() <= 0.0 && (rest - 1.0 - slope * end).abs() <= 0.0);
