@@ -76,8 +76,8 @@ pub fn evaluate(element: &mut Element, parameters: &Parameters, input: &Input) {
             FrictionDistribution::Regions => input.tread_friction.max(input.gauge_face_friction),
             FrictionDistribution::Profile => MOST_FRICTION,
         };
-        let limit = friction * patch.normal_force;
-        let is_bounded = force <= limit * (1.0 + 1e-9);
+        // Loads that lie within 60 degrees of their resultant are at most twice as much together.
+        let is_bounded = force <= 2.0 * friction * patch.normal_force;
         let is_linear = parameters.tangential_model == TangentialModel::Linear;
         assert!(is_bounded || is_linear, "{input:?} gives {patch:?}");
         assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
