@@ -9,6 +9,8 @@ use crate::math::real::Real;
 pub(super) const MOST_VALLEYS: usize = 64;
 /// Overlap in a valley over that at the edge of an ellipse at which half a node is left for it: hardly loaded, with other nodes near by.
 const SHALLOW: f64 = 0.6;
+/// How much a valley is filled at which nothing is left of its node; its eighth power is still a number.
+const FILLED: f64 = 1e30;
 
 /// A place of least overlap between two peaks of one interval.
 #[derive(Clone, Copy, Debug)]
@@ -28,12 +30,15 @@ impl<T: Real> Valley<T> {
     /// Takes how many nodes stand in it, `edge` being the overlap at the edge of an ellipse [m]: one where two intervals have just joined, the less the more the valley
     /// is filled, and next to nothing before it ceases.
     pub fn stand(&mut self, edge: T) {
-        let edge = edge * SHALLOW;
+        let rise = self.peak - self.overlap;
         // A valley that has just come has no rise.
-        let rise = ((self.peak - self.overlap) / edge).at_least(0.0);
-        let filled = (self.overlap / edge).at_least(0.0) * (rise + 1.0);
-        let [rise, filled] = [rise, filled].map(|share| share.powi(8));
-        let sum = rise + filled;
-        self.standing = if sum.value() > 0.0 { rise / sum } else { rise };
+        self.standing = if rise.value() > 0.0 {
+            let edge = (edge * SHALLOW).at_least(f64::MIN_POSITIVE);
+            let overlap = self.overlap.at_least(0.0);
+            let filled = (overlap / edge + overlap / rise).at_most(FILLED);
+            T::from(1.0) / (filled.powi(8) + 1.0)
+        } else {
+            T::from(0.0)
+        };
     }
 }
