@@ -33,7 +33,7 @@ GPAB, LONG, LATERAL = 6.563e6, 0.60252, 0.54219
 ELLIPSE = (6.578e-3, 3.934e-3)
 # A rail of this crown radius under this load makes that ellipse.
 CROWN, LOAD = 0.2115, 65.9e3
-# Friction limit of a wheel; stiffness of a flange behind its dead band.
+# Friction limit of a wheel; stiffness of a flange behind its dead band: from memory of Kaas-Petersen, not checked.
 LIMIT = 10e3
 FLANGE, CLEARANCE = 14.60e6, 9.1e-3
 # Step of a run, a thousandth of a millimetre off at 4 Hz; length of a run at one speed, and the part of it over which the swing is measured [s].

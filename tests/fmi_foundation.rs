@@ -11,7 +11,7 @@ use std::ptr::null_mut;
 
 use host::{Arguments, Host};
 use wheelrail::element::parameters::{Foundation, FoundationModel};
-use wheelrail::fmi::v2::types::{FmuState, MODEL_EXCHANGE, Status, ValueReference};
+use wheelrail::fmi::v2::types::{MODEL_EXCHANGE, Status, ValueReference};
 use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, WHEEL, WHEELSET, WheelsetValues};
 use wheelrail::wheelset::{Parameters, Wheelset};
@@ -72,24 +72,6 @@ fn run(host: &Host, steps: std::ops::Range<u32>) -> Vec<Vec<u64>> {
     steps.map(one).collect()
 }
 
-fn save(host: &Host, state: &mut FmuState) {
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one state pointer.
-    let saved = unsafe { fmi2GetFMUstate(host.component, state) };
-    assert_eq!(saved, Status::Ok, "{}", host.last());
-}
-
-fn serialize(host: &Host, state: FmuState) -> Vec<u8> {
-    let mut size = 0;
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one size.
-    unsafe { fmi2SerializedFMUstateSize(host.component, state, &raw mut size) };
-    let mut bytes = vec![0u8; size];
-    let start = bytes.as_mut_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of `size` bytes.
-    let written = unsafe { fmi2SerializeFMUstate(host.component, state, start, size) };
-    assert_eq!(written, Status::Ok, "{}", host.last());
-    bytes
-}
-
 #[test]
 fn steps_move_the_rails_in_parts_along_the_way_of_the_inputs() {
     let host = on(MASS);
@@ -147,15 +129,15 @@ fn a_run_on_moving_rails_is_taken_back_bit_for_bit_here_and_in_another_instance(
     let host = on(MASS);
     // Before the first step the rails rest, whatever the inputs.
     let mut state = null_mut();
-    save(&host, &mut state);
+    host.save(&mut state);
     let first = run(&host, 0..6);
     assert_eq!(fmi2SetFMUstate(host.component, state), Status::Ok);
     assert_eq!(run(&host, 0..3), first[..3]);
-    save(&host, &mut state);
+    host.save(&mut state);
     assert_eq!(run(&host, 3..6), first[3..]);
     assert_eq!(fmi2SetFMUstate(host.component, state), Status::Ok);
     assert_eq!(outputs(&host), first[2]);
-    let bytes = serialize(&host, state);
+    let bytes = host.serialize(state);
     let other = Host::initializing_with(&Arguments::of(&WHEELSET));
     let (start, mut copy) = (bytes.as_ptr().cast::<c_char>(), null_mut());
     // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
@@ -165,7 +147,7 @@ fn a_run_on_moving_rails_is_taken_back_bit_for_bit_here_and_in_another_instance(
     assert_eq!(fmi2SetFMUstate(other.component, copy), Status::Ok, "{}", other.last());
     assert_eq!(outputs(&other), first[2]);
     assert_eq!(run(&other, 3..6), first[3..]);
-    assert_eq!(serialize(&other, copy), bytes);
+    assert_eq!(other.serialize(copy), bytes);
     assert_eq!(fmi2Reset(host.component), Status::Ok);
 }
 

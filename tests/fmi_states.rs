@@ -52,19 +52,6 @@ fn free(host: &Host, state: &mut FmuState) -> Status {
     unsafe { fmi2FreeFMUstate(host.component, state) }
 }
 
-fn serialize(host: &Host, state: FmuState) -> Vec<u8> {
-    let mut size = 0;
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one size.
-    let asked = unsafe { fmi2SerializedFMUstateSize(host.component, state, &raw mut size) };
-    assert_eq!(asked, Status::Ok, "{}", host.last());
-    let mut bytes = vec![0u8; size];
-    let start = bytes.as_mut_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of `size` bytes.
-    let written = unsafe { fmi2SerializeFMUstate(host.component, state, start, size) };
-    assert_eq!(written, Status::Ok, "{}", host.last());
-    bytes
-}
-
 fn deserialize(host: &Host, bytes: &[u8], state: &mut FmuState) -> Status {
     let start = bytes.as_ptr().cast::<c_char>();
     // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
@@ -94,7 +81,7 @@ fn a_state_goes_through_bytes_to_another_instance() {
     let mut state = null_mut();
     assert_eq!(save(&host, &mut state), Status::Ok);
     let now = outputs(&host);
-    let bytes = serialize(&host, state);
+    let bytes = host.serialize(state);
     let first = run(&host, 5..12);
     // Into an instance that has not even been initialized, of other parameters.
     let other = Host::new();
@@ -104,7 +91,7 @@ fn a_state_goes_through_bytes_to_another_instance() {
     assert_eq!(fmi2SetFMUstate(other.component, copy), Status::Ok, "{}", other.last());
     assert_eq!(outputs(&other), now);
     assert_eq!(run(&other, 5..12), first);
-    assert_eq!(serialize(&other, copy), bytes);
+    assert_eq!(other.serialize(copy), bytes);
 }
 
 #[test]
@@ -191,7 +178,7 @@ fn damaged_bytes_are_refused_and_leave_the_state_as_it_was() {
     run(&host, 0..2);
     let mut state = null_mut();
     assert_eq!(save(&host, &mut state), Status::Ok);
-    let bytes = serialize(&host, state);
+    let bytes = host.serialize(state);
     let now = outputs(&host);
     let mut damaged = bytes.clone();
     damaged[bytes.len() / 2] ^= 0x10;
@@ -226,7 +213,7 @@ fn a_state_whose_profile_is_gone_is_refused_where_it_is_needed() {
     drop(folder);
     // The element is still there.
     assert_eq!(fmi2SetFMUstate(host.component, state), Status::Ok);
-    let bytes = serialize(&host, state);
+    let bytes = host.serialize(state);
     let other = Host::stepping();
     run(&other, 0..2);
     let now = outputs(&other);

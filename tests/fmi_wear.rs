@@ -10,7 +10,7 @@ use std::ptr::null_mut;
 
 use host::{Arguments, Host};
 use tempfile::TempDir;
-use wheelrail::fmi::v2::types::{FALSE, FmuState, MODEL_EXCHANGE, Status};
+use wheelrail::fmi::v2::types::{FALSE, MODEL_EXCHANGE, Status};
 use wheelrail::fmi::v2::*;
 use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::{load_profile, save_profile};
@@ -54,29 +54,12 @@ fn run(host: &Host, steps: std::ops::Range<u32>) -> Vec<Vec<u64>> {
         .collect()
 }
 
-fn save(host: &Host, state: &mut FmuState) {
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one state pointer.
-    assert_eq!(unsafe { fmi2GetFMUstate(host.component, state) }, Status::Ok, "{}", host.last());
-}
-
-fn serialize(host: &Host, state: FmuState) -> Vec<u8> {
-    let mut size = 0;
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one size.
-    unsafe { fmi2SerializedFMUstateSize(host.component, state, &raw mut size) };
-    let mut bytes = vec![0u8; size];
-    let start = bytes.as_mut_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of `size` bytes.
-    let written = unsafe { fmi2SerializeFMUstate(host.component, state, start, size) };
-    assert_eq!(written, Status::Ok, "{}", host.last());
-    bytes
-}
-
 #[test]
 fn rollback_takes_wear_back_bit_for_bit() {
     let host = wearing();
     run(&host, 0..7);
     let mut state = null_mut();
-    save(&host, &mut state);
+    host.save(&mut state);
     let volume = host.get_real("wear.wheel.volume");
     assert!(volume > 0.0 && host.get_real("wear.wheel.depth") > 0.0);
     let first = run(&host, 7..16);
@@ -87,7 +70,7 @@ fn rollback_takes_wear_back_bit_for_bit() {
         assert_eq!(run(&host, 7..16), first);
     }
     // Over an old state too.
-    save(&host, &mut state);
+    host.save(&mut state);
     let second = run(&host, 16..20);
     assert_eq!(fmi2SetFMUstate(host.component, state), Status::Ok, "{}", host.last());
     assert_eq!(run(&host, 16..20), second);
@@ -98,8 +81,8 @@ fn wear_goes_through_bytes_to_another_instance() {
     let host = wearing();
     run(&host, 0..7);
     let mut state = null_mut();
-    save(&host, &mut state);
-    let bytes = serialize(&host, state);
+    host.save(&mut state);
+    let bytes = host.serialize(state);
     let first = run(&host, 7..12);
     let other = Host::new();
     let mut copy = null_mut();
@@ -110,7 +93,7 @@ fn wear_goes_through_bytes_to_another_instance() {
     assert_eq!(read, Status::Ok, "{}", other.last());
     assert_eq!(fmi2SetFMUstate(other.component, copy), Status::Ok, "{}", other.last());
     assert_eq!(run(&other, 7..12), first);
-    assert_eq!(serialize(&other, copy), bytes);
+    assert_eq!(other.serialize(copy), bytes);
 }
 
 #[test]

@@ -59,18 +59,6 @@ fn save(host: &Host) -> FmuState {
     state
 }
 
-fn serialize(host: &Host, state: FmuState) -> Vec<u8> {
-    let mut size = 0;
-    // SAFETY: FMI 2.0, 2.1.8: a pointer to one size.
-    unsafe { fmi2SerializedFMUstateSize(host.component, state, &raw mut size) };
-    let mut bytes = vec![0u8; size];
-    let start = bytes.as_mut_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of `size` bytes.
-    let written = unsafe { fmi2SerializeFMUstate(host.component, state, start, size) };
-    assert_eq!(written, Status::Ok, "{}", host.last());
-    bytes
-}
-
 fn deserialize(host: &Host, bytes: &[u8]) -> Result<FmuState, String> {
     let (start, mut state) = (bytes.as_ptr().cast::<c_char>(), null_mut());
     // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
@@ -167,13 +155,13 @@ fn a_run_taken_back_goes_on_bit_for_bit_here_and_in_another_instance() {
     let first = run(&host, 5..12, 2e-4);
     assert_eq!(fmi2SetFMUstate(host.component, state), Status::Ok);
     assert_eq!(run(&host, 5..12, 2e-4), first);
-    let bytes = serialize(&host, state);
+    let bytes = host.serialize(state);
     let other = Host::initializing_with(&Arguments::of(&WHEELSET));
     assert_eq!(other.set_text("right.wheel.profile", "conical:0.05"), Status::Ok);
     let copy = deserialize(&other, &bytes).unwrap();
     assert_eq!(fmi2SetFMUstate(other.component, copy), Status::Ok, "{}", other.last());
     assert_eq!(run(&other, 5..12, 2e-4), first);
-    assert_eq!(serialize(&other, copy), bytes);
+    assert_eq!(other.serialize(copy), bytes);
 }
 
 #[test]
@@ -183,11 +171,11 @@ fn bytes_of_the_other_unit_are_refused_by_its_name() {
         (&wheel, &wheelset, "is of WheelRail, this unit is WheelSet"),
         (&wheelset, &wheel, "is of WheelSet, this unit is WheelRail"),
     ] {
-        let bytes = serialize(from, save(from));
+        let bytes = from.serialize(save(from));
         let message = deserialize(to, &bytes).unwrap_err();
         assert!(message.contains(words), "{message}");
         // Damage is found here too.
-        let mut damaged = serialize(to, save(to));
+        let mut damaged = to.serialize(save(to));
         let middle = damaged.len() / 2;
         damaged[middle] ^= 4;
         assert!(deserialize(to, &damaged).unwrap_err().contains("damaged"));

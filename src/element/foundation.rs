@@ -140,3 +140,20 @@ impl Element {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_places_among_the_inputs_are_those_of_the_rails() {
+        let moved = Input::default().with_rails_moved([1e-3, 2e-3], [3e-3, 4e-3]);
+        let mut numbers = Input::default().to_array();
+        for (place, way) in PLACES.into_iter().chain(VELOCITIES).zip([1e-3, 2e-3, 3e-3, 4e-3]) {
+            move_all(&mut numbers, place, way);
+        }
+        for (number, moved) in numbers.into_iter().zip(moved.to_array()) {
+            assert_eq!(number.to_bits(), moved.to_bits());
+        }
+    }
+}

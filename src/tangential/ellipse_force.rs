@@ -33,20 +33,17 @@ impl Tangential {
                 }
                 force.spread_by_load(zone, strips, member, &mut each);
             };
-        let Some(Lobes { waist, parts }) = lobes else {
+        let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
+        if share < 1.0 {
             let part = LoadedPart::whole(zone, strips, state.creepage);
-            add(&part, T::from(1.0), &marched[0], &|_| T::from(1.0));
-            return Some(());
-        };
-        if waist.share < 1.0 {
-            let part = LoadedPart::whole(zone, strips, state.creepage);
-            add(&part, -waist.share + 1.0, &marched[0], &|_| T::from(1.0));
+            add(&part, -share + 1.0, &marched[0], &|_| T::from(1.0));
         }
+        let Some(Lobes { waist, parts }) = lobes else { return Some(()) };
         for ((part, marched), side) in
             parts.iter().zip(&marched[1..]).zip([Side::Left, Side::Right])
         {
             if let Some(part) = part {
-                add(part, waist.share, marched, &|y| waist.member(side, y));
+                add(part, share, marched, &|y| waist.member(side, y));
             }
         }
         Some(())

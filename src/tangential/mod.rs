@@ -213,17 +213,6 @@ impl Tangential {
         let creepage = law.state.creepage;
         (!creepage.is_zero()).then_some(())?;
         let slip = FlatSlip { zone, strips, creepage };
-        if self.model == TangentialModel::Tables {
-            let loaded = LoadedZone::new(zone, strips, &slip, law);
-            let lobes = Lobes::of(&loaded);
-            let mut total = CreepForce::<T>::default();
-            let none = [CreepForce::default(); 3];
-            self.ellipse_force(&loaded, lobes.as_ref(), &law.state, &none, |j, force| {
-                total.add(zone, strips, j, &force);
-                each(j, &force);
-            })?;
-            return Some(total);
-        }
         let mut total = CreepForce::<T>::default();
         let marched = self.strip_forces(zone, strips, &slip, law, |j, force| {
             total.add(zone, strips, j, &force);

@@ -3,13 +3,13 @@
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
 
-use std::ffi::{CStr, CString, c_void};
+use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr::null_mut;
 use std::sync::Mutex;
 
 use wheelrail::fmi::v2::types::{
-    CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, MODEL_EXCHANGE, Status,
-    TRUE, Text, ValueReference,
+    CO_SIMULATION, CallbackFunctions, CallbackLogger, Component, FALSE, FmuState, MODEL_EXCHANGE,
+    Status, TRUE, Text, ValueReference,
 };
 use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Unit, WHEEL, WHEELSET, find};
@@ -97,6 +97,27 @@ impl Arguments {
 }
 
 impl Host {
+    /// Saves the state of the instance into `state`.
+    pub fn save(&self, state: &mut FmuState) {
+        // SAFETY: FMI 2.0, 2.1.8: a pointer to one state pointer.
+        let saved = unsafe { fmi2GetFMUstate(self.component, state) };
+        assert_eq!(saved, Status::Ok, "{}", self.last());
+    }
+
+    /// The bytes of a `state`.
+    pub fn serialize(&self, state: FmuState) -> Vec<u8> {
+        let mut size = 0;
+        // SAFETY: FMI 2.0, 2.1.8: a pointer to one size.
+        let asked = unsafe { fmi2SerializedFMUstateSize(self.component, state, &raw mut size) };
+        assert_eq!(asked, Status::Ok, "{}", self.last());
+        let mut bytes = vec![0u8; size];
+        let start = bytes.as_mut_ptr().cast::<c_char>();
+        // SAFETY: FMI 2.0, 2.1.8: an array of `size` bytes.
+        let written = unsafe { fmi2SerializeFMUstate(self.component, state, start, size) };
+        assert_eq!(written, Status::Ok, "{}", self.last());
+        bytes
+    }
+
     /// A host with an instance, or with null if it was refused.
     pub fn instantiate(arguments: &Arguments) -> Box<Self> {
         let is_wheelset =
