@@ -6,15 +6,15 @@ use super::equations::{Displacement, Fall, Pair, Strip, far_pair};
 use super::grid::Cell;
 use super::influence::{centred_at, shifted_at};
 
-/// Rows of a block.
-pub(super) const LANES: usize = 8;
+/// Rows of a block: one register of AVX2, so that few numbers have to leave the registers and the nodes of an element as it starts fill all rows.
+pub(super) const LANES: usize = 4;
 
 /// Where rows without a node are across, away from all cells [m]: what has no distance from a cell has no influence either.
 const BEYOND: f64 = 1.0;
 
 /// Rows that are taken together.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
+#[repr(align(32))]
 pub(super) struct Block(pub [f64; LANES]);
 
 impl Block {
