@@ -123,6 +123,7 @@ impl Bodies {
 /// Measures `count` loops of each width and bounces for each pair.
 fn measure(count: usize, seed: u64) {
     let mut summary = Summary::new("conservative");
+    let mut beyond = Vec::new();
     let mut judge = |kind: &str, limits: [f64; 2], test: fn(&mut Bodies, &mut Random) -> f64| {
         let aim = ["1e-4 of the energy", "1e-3 of the energy"][usize::from(kind == "bounces")];
         let mut all = Vec::new();
@@ -134,7 +135,9 @@ fn measure(count: usize, seed: u64) {
             all.extend(misses);
         }
         let [median, worst] = median_and_worst(all);
-        assert!(median < limits[0] && worst < limits[1], "{kind}: {median} {worst}");
+        if median >= limits[0] || worst >= limits[1] {
+            beyond.push(format!("{kind}: {median} {worst}"));
+        }
     };
     judge("loops of 0.05 mm", tolerance::LOOP_WORK, |bodies, random| {
         let width = random.within(1e-5, 5e-5);
@@ -146,6 +149,7 @@ fn measure(count: usize, seed: u64) {
     });
     judge("bounces", tolerance::BOUNCE, Bodies::bounce);
     summary.write();
+    assert!(beyond.is_empty(), "{beyond:?}");
 }
 
 #[test]
@@ -156,5 +160,5 @@ fn loops_and_bounces_without_friction_keep_their_energy() {
 #[test]
 #[ignore = "some million evaluations: for a release build"]
 fn many_loops_and_bounces_without_friction_keep_their_energy() {
-    measure(500, 1000);
+    measure(100, 1000);
 }

@@ -10,7 +10,8 @@ use approx::assert_relative_eq;
 use common::random::Random;
 use common::summary::Summary;
 use common::wheel::{
-    benchmark, element, evaluate, mirrored, of_wheelset, pressed, random_input, rolling,
+    FRICTION_TABLES, benchmark, element, evaluate, mirrored, of_wheelset, pressed, random_input,
+    rolling,
 };
 use common::{median_and_worst, read_table, value, write_report};
 use tempfile::TempDir;
@@ -404,12 +405,6 @@ fn corrected_creep_forces_stay_within_the_friction_that_laws_of_tread_and_gauge_
 /// Random poses in which most patches slide.
 const SLIDING_POSES: usize = 300;
 
-/// Tables of the reference.
-const REFERENCE: [&str; 2] = [
-    "inclination_deg friction\n-20 0.20\n-10 0.30\n",
-    "inclination_deg friction\n-45 0.15\n-25 0.40\n0 0.35\n",
-];
-
 /// Force on the rail within the plane of the reference [N].
 fn in_plane(output: &Output, angle: f64) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
@@ -419,7 +414,7 @@ fn in_plane(output: &Output, angle: f64) -> [f64; 2] {
 
 /// An element of the reference's bodies and of `base` with each of its tables.
 fn with_reference_tables(folder: &TempDir, base: &Parameters) -> Vec<Element> {
-    let elements = REFERENCE.iter().enumerate().map(|(i, text)| {
+    let elements = FRICTION_TABLES.iter().enumerate().map(|(i, text)| {
         let file = folder.path().join(format!("{i}.csv"));
         std::fs::write(&file, text).unwrap();
         benchmark(with_table(file.to_str().unwrap(), base.clone()))

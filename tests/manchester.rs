@@ -5,19 +5,16 @@ mod tolerance;
 
 use std::fmt::Write;
 
+use common::wheel::{benchmark, of_manchester};
 use common::{Table, median_and_worst, read_table, value, write_report};
 use wheelrail::element::parameters::{
     CreepageModel, NormalModel, Side, TangentialModel, VerticalMode,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::geometry::profile::{Profile, ProfileKind};
-use wheelrail::io::load_profile;
 
 /// Lateral position of the highest point of the right rail with its gauge face at 717.5 mm, which is the origin of the rail
 /// coordinates of the reference [m].
 const RAIL_ORIGIN: f64 = 0.760_532_6;
-/// Lateral distance of the running circles from the wheelset's centre [m].
-const ARM: f64 = 0.75;
 /// Vertical load of each wheel [N].
 const LOAD: f64 = 1e4;
 
@@ -37,13 +34,8 @@ struct Contact {
     patches: i32,
 }
 
-fn benchmark_rail() -> Profile {
-    // Radius and half width of the arcs, radius of the corners, half width of the head.
-    Profile::rail_from_arcs("benchmark", &[[0.3, 0.010_499_81], [0.08, 0.025_988_03]], 0.013, 0.034)
-}
-
 fn benchmark_parameters(side: Side) -> Parameters {
-    let mut parameters = Parameters {
+    Parameters {
         side,
         normal_model: NormalModel::PiotrowskiKik,
         // One plane for each contact, as the reference has it.
@@ -51,33 +43,7 @@ fn benchmark_parameters(side: Side) -> Parameters {
         tangential_model: TangentialModel::Fastsim,
         vertical_mode: VerticalMode::Load,
         ..Parameters::default()
-    };
-    let (shear_modulus, poisson_ratio) = (8.2e10, 0.28);
-    let young_modulus = 2.0 * shear_modulus * (1.0 + poisson_ratio);
-    parameters.wheel.young_modulus = young_modulus;
-    parameters.wheel.poisson_ratio = poisson_ratio;
-    parameters.rail_young_modulus = young_modulus;
-    parameters.rail_poisson_ratio = poisson_ratio;
-    parameters
-}
-
-/// The wheel marker of a wheelset with its centre at (0, y, -R0), turned by R_x(roll) R_z(yaw).
-fn wheel_input(table: &Table, row: &csv::StringRecord, side: Side) -> Input {
-    let v = |name: &str| value(table, row, name);
-    let arm = if side == Side::Left { -ARM } else { ARM };
-    let (roll, yaw) = (v("roll_rad"), v("yaw_rad"));
-    let mut input = Input::default();
-    input.wheel.position = [
-        -arm * yaw.sin(),
-        1e-3 * v("y_ws_mm") + arm * yaw.cos() * roll.cos(),
-        -0.46 + arm * yaw.cos() * roll.sin(),
-    ];
-    input.wheel.roll = roll;
-    input.wheel.yaw = yaw;
-    input.wheel.pitch_rate = v("pitch_vel_rad_s");
-    input.wheel.velocity = [2.0, 0.0, 0.0];
-    input.wheel_load = LOAD;
-    input
+    }
 }
 
 /// The element's contact where the rail carries the load, load-weighted over its patches.
@@ -174,7 +140,6 @@ fn errors(found: &Contact, expected: &Contact) -> [f64; 9] {
 fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them() {
     let table = read_table("contact_25_1/manchester_a22.csv");
     assert_eq!(table.rows.len(), 42);
-    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
     let mut report = String::from("side,y_ws_mm,patches,penetration,found_y,expected_y");
     for (name, _) in QUANTITIES {
         write!(report, ",{name}").unwrap();
@@ -185,11 +150,8 @@ fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them()
     for row in &table.rows {
         let name = &row[common::column(&table, "side")];
         let side = if name == "left" { Side::Left } else { Side::Right };
-        let input = wheel_input(&table, row, side);
-        let parameters = benchmark_parameters(side);
-        let mut element =
-            Element::with_profiles(&parameters, &input, &wheel, &[Some(benchmark_rail()), None])
-                .unwrap();
+        let input = of_manchester(&|name| value(&table, row, name), side);
+        let mut element = benchmark(benchmark_parameters(side));
         let (found, expected) = (found(&mut element, &input), expected(&table, row, side));
         let errors = errors(&found, &expected);
         write!(
@@ -237,7 +199,6 @@ fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them()
 #[test]
 fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
     let table = read_table("contact_25_1/manchester_a22.csv");
-    let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
     let mut report = String::from("tangential,side,y_ws_mm,fx_over_limit,fy_over_limit\n");
     for tangential_model in
         [TangentialModel::Tables, TangentialModel::FastsimCorrected, TangentialModel::Fastsim]
@@ -246,15 +207,14 @@ fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
         for row in &table.rows {
             let name = &row[common::column(&table, "side")];
             let side = if name == "left" { Side::Left } else { Side::Right };
-            let input = wheel_input(&table, row, side);
+            let input = of_manchester(&|name| value(&table, row, name), side);
             let parameters = Parameters {
                 normal_model: NormalModel::Strips,
                 tangential_model,
                 strips: Parameters::default().strips,
                 ..benchmark_parameters(side)
             };
-            let rails = [Some(benchmark_rail()), None];
-            let mut element = Element::with_profiles(&parameters, &input, &wheel, &rails).unwrap();
+            let mut element = benchmark(parameters);
             let (found, expected) = (found(&mut element, &input), expected(&table, row, side));
             let errors = errors(&found, &expected);
             let y = value(&table, row, "y_ws_mm");

@@ -13,6 +13,7 @@ use super::output::Output;
 use super::parameters::CreepageModel;
 use super::rail_walk::RailPlace;
 use crate::geometry::contact::Contact;
+use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
@@ -41,20 +42,20 @@ impl<T: Real> GivenTractions<T> {
     }
 }
 
-/// Solves for all that the wheel overlaps of `rail` near `found` and adds the forces to `output`; returns how many zones found no room or
+/// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and adds the forces to `output`; returns how many zones found no room or
 /// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track
 /// and the load and penetration that share its stiffness.
 pub fn add<'a>(
     rail: &PlacedRail,
-    found: &[Contact],
+    search: &ContactSearch,
     forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactForces<'a>,
     models: &mut Models,
     output: &mut Output,
     work: &mut Work,
 ) -> Option<u64> {
-    let line = forces(*found.first()?, [0.0; 2], Damped::Alone).line;
+    let line = forces(*search.contacts.first()?, [0.0; 2], Damped::Alone).line;
     let modulus = models.material.contact_modulus;
-    let elements = &rail_elements::solve(&line, rail, found, models.elements, modulus)?;
+    let elements = &rail_elements::solve(&line, rail, search, models.elements, modulus)?;
     models.rail_strips.clear();
     let mut left_out = elements.fill(&mut models.rail_strips) as u64;
     output.normal_residual = output.normal_residual.max(elements.residual);

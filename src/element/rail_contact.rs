@@ -312,8 +312,8 @@ impl RailContact {
         }
         let is_boundary = models.normal == NormalModel::BoundaryElement && models.uneven.is_none();
         if is_boundary && !self.search.contacts.is_empty() {
-            let contacts = &self.search.contacts;
-            let added = boundary_contact::add(&self.rail, contacts, &forces, models, output, work);
+            let search = &self.search;
+            let added = boundary_contact::add(&self.rail, search, &forces, models, output, work);
             match added {
                 Some(fallbacks) => return left_out + fallbacks,
                 None => left_out += 1,

@@ -23,8 +23,8 @@ use super::boundary_element::{ElementPressure, fill_rows};
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::pressure::{PressureSolver, TOLERANCE};
 use crate::geometry::arc_length::ArcLength;
-use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
+use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::placed_rail::PlacedRail;
 
 /// A row of elements at one place of the rail's section.
@@ -106,19 +106,19 @@ const MARGIN: f64 = 2.0;
 /// How often the grid grows when the contact reaches its border.
 const MOST_GROWTHS: usize = 6;
 
-/// Solves for all that `line` and `rail` overlap near `contacts`, with about `elements` along and across each zone, of bodies with the
-/// contact modulus `modulus` [Pa]; nothing where the iteration did not converge or no place was found.
+/// Solves for all that `line` and `rail` overlap where `search` has found them in contact, with about `elements` along and across each zone, of
+/// bodies with the contact modulus `modulus` [Pa]; nothing where the iteration did not converge or no place was found.
 #[must_use]
 pub fn solve(
     line: &ContactLine,
     rail: &PlacedRail,
-    contacts: &[Contact],
+    search: &ContactSearch,
     elements: [usize; 2],
     modulus: f64,
 ) -> Option<RailElements> {
     let arcs = ArcLength::new(rail.curve());
     let section = Section { line, rail, arcs: &arcs };
-    let overlaps = section.overlaps(contacts);
+    let overlaps = section.overlaps(search);
     if overlaps.is_empty() {
         return None;
     }
@@ -178,9 +178,27 @@ impl Section<'_> {
         None
     }
 
-    /// The stretches of overlap about `contacts`, in growing arc, those that share a place as one.
-    fn overlaps(&self, contacts: &[Contact]) -> Vec<Overlap> {
-        let mut all: Vec<Overlap> = contacts.iter().filter_map(|c| self.overlap(c)).collect();
+    /// The stretches of overlap about the contacts of `search`, in growing arc, those that share a place as one.
+    ///
+    /// The surfaces about a contact may overlap in several stretches: each of its probes that may lie in one is a place to begin at.
+    fn overlaps(&self, search: &ContactSearch) -> Vec<Overlap> {
+        let mut all: Vec<Overlap> = Vec::new();
+        for contact in search.contacts.iter() {
+            all.extend(self.overlap(contact.rail_s, contact.u));
+            for probe in &search.probes[contact.probes[0]..contact.probes[1]] {
+                if probe.f >= contact.penetration {
+                    continue;
+                }
+                let opposite = self.line.even_at(probe.u).point;
+                let guess = self.rail.coarse_nearest(opposite);
+                let rail_s = self.rail.nearest(opposite, guess, LAST_STEP).s;
+                let arc = self.arcs.arc(rail_s);
+                let is_known = all.iter().any(|o| o.range()[0] <= arc && arc <= o.range()[1]);
+                if !is_known {
+                    all.extend(self.overlap(rail_s, probe.u));
+                }
+            }
+        }
         all.sort_by(|a, b| a.range()[0].total_cmp(&b.range()[0]));
         let mut apart: Vec<Overlap> = Vec::new();
         for next in all {
@@ -195,16 +213,17 @@ impl Section<'_> {
         apart
     }
 
-    fn overlap(&self, contact: &Contact) -> Option<Overlap> {
-        let middle = self.arcs.arc(contact.rail_s);
+    /// The stretch of overlap about the parameter `rail_s` of the rail, the contact line sought near the parameter `near`.
+    fn overlap(&self, rail_s: f64, near: f64) -> Option<Overlap> {
+        let middle = self.arcs.arc(rail_s);
         let place = |arc: f64, row: &Row| {
             let radius = self.line.wheel_point(row.u).section_radius;
             [arc, row.u, row.x, (2.0 * radius * row.overlap.max(0.0)).sqrt()]
         };
-        let first = self.row(middle, contact.u)?;
+        let first = self.row(middle, near).filter(|row| row.overlap > 0.0)?;
         let mut places = vec![place(middle, &first)];
         for side in [-1.0, 1.0] {
-            let (mut arc, mut step, mut u) = (middle, FIRST_STEP, contact.u);
+            let (mut arc, mut step, mut u) = (middle, FIRST_STEP, near);
             // One place outside is part of the stretch.
             while let Some(row) = self.row(arc + side * step, u) {
                 arc += side * step;

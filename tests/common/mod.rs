@@ -6,6 +6,7 @@ pub mod planar;
 pub mod random;
 pub mod summary;
 pub mod vectors;
+pub mod walk;
 pub mod wheel;
 
 use std::path::{Path, PathBuf};

@@ -2,6 +2,7 @@
 
 use wheelrail::element::input::RailMotion;
 use wheelrail::element::output::Patch;
+use wheelrail::element::parameters::Side;
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::{Profile, ProfileKind};
@@ -115,8 +116,14 @@ pub fn mirrored(input: &Input) -> Input {
     left
 }
 
-/// A right wheel with S1002 profile and `parameters` on the arcs of the Manchester benchmark's rail, which are within 1.5 µm of its points on the
-/// top and 6 µm at the corners; both of the reference's steel.
+/// Tables of the reference.
+pub const FRICTION_TABLES: [&str; 2] = [
+    "inclination_deg friction\n-20 0.20\n-10 0.30\n",
+    "inclination_deg friction\n-45 0.15\n-25 0.40\n0 0.35\n",
+];
+
+/// A wheel with S1002 profile and `parameters` on the arcs of the Manchester benchmark's rail, which are within 1.5 µm of its points on the top and
+/// 6 µm at the corners; both of the reference's steel.
 pub fn benchmark(parameters: Parameters) -> Element {
     let mut parameters = parameters;
     parameters.wheel.young_modulus = STEEL.young_modulus;
@@ -127,7 +134,9 @@ pub fn benchmark(parameters: Parameters) -> Element {
     // Radius and half width of the arcs, radius of the corners, half width of the head.
     let arcs = [[0.3, 0.010_499_81], [0.08, 0.025_988_03]];
     let rail = Profile::rail_from_arcs("benchmark", &arcs, 0.013, 0.034);
-    Element::with_profiles(&parameters, &Input::default(), &wheel, &[Some(rail), None]).unwrap()
+    let start = Input::default();
+    let start = if parameters.side == Side::Left { mirrored(&start) } else { start };
+    Element::with_profiles(&parameters, &start, &wheel, &[Some(rail), None]).unwrap()
 }
 
 /// The wheel 0.75 m to the right of the centre of a wheelset in the state of a row, under its load.
@@ -149,5 +158,21 @@ pub fn of_wheelset(v: &dyn Fn(&str) -> f64) -> Input {
         1e-3 * v("v_y_mm_s") + turning[2] * arm[0] - turning[0] * arm[2],
         1e-3 * v("v_z_mm_s") + turning[0] * arm[1] - turning[1] * arm[0],
     ];
+    input
+}
+
+/// The wheel on a `side` of the Manchester benchmark's wheelset in the state of a row, its centre at (0, y, -R0), turned by R_x(roll) R_z(yaw), under 10 kN.
+pub fn of_manchester(v: &dyn Fn(&str) -> f64, side: Side) -> Input {
+    let arm = if side == Side::Left { -0.75 } else { 0.75 };
+    let (roll, yaw) = (v("roll_rad"), v("yaw_rad"));
+    let mut input = Input { wheel_load: 1e4, friction: 0.3, ..Input::default() };
+    input.wheel.position = [
+        -arm * yaw.sin(),
+        1e-3 * v("y_ws_mm") + arm * yaw.cos() * roll.cos(),
+        -0.46 + arm * yaw.cos() * roll.sin(),
+    ];
+    (input.wheel.roll, input.wheel.yaw) = (roll, yaw);
+    input.wheel.pitch_rate = v("pitch_vel_rad_s");
+    input.wheel.velocity = [2.0, 0.0, 0.0];
     input
 }

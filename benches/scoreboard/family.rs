@@ -1,0 +1,54 @@
+//! Families of cases, and the errors that a setting makes in them.
+
+use crate::setting::Setting;
+
+/// One case: its name in the file that it is from, and its errors in the order of the quantities of the family; not a number where a quantity is not
+/// compared.
+pub struct Case {
+    pub name: String,
+    pub errors: Vec<f64>,
+}
+
+/// Cases of one kind.
+pub struct Family {
+    /// Heading of its section.
+    pub title: &'static str,
+    /// Where the figures come from: a file under tests/data, or a word.
+    pub source: &'static str,
+    /// What is compared, in a sentence or two.
+    pub text: &'static str,
+    /// Quantities with their units.
+    pub quantities: &'static [&'static str],
+    /// Whether its cases are drawn anew in every run.
+    pub is_random: bool,
+    /// Errors by a setting; nothing where the setting does not know such cases.
+    pub solve: fn(&Setting, seed: u64) -> Option<Vec<Case>>,
+    /// Rows of others: name, and cases.
+    pub others: fn() -> Vec<(String, Vec<Case>)>,
+}
+
+/// No others.
+pub fn none() -> Vec<(String, Vec<Case>)> {
+    Vec::new()
+}
+
+/// Median, 95 % and worst of a quantity over some cases, how many there are, and which one is worst; nothing without cases.
+pub struct Spread<'a> {
+    pub count: usize,
+    pub sizes: [f64; 3],
+    pub worst: &'a str,
+}
+
+impl<'a> Spread<'a> {
+    pub fn of(cases: &'a [Case], quantity: usize) -> Option<Self> {
+        let mut all: Vec<(f64, &str)> = cases
+            .iter()
+            .map(|case| (case.errors[quantity].abs(), case.name.as_str()))
+            .filter(|(error, _)| !error.is_nan())
+            .collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, worst) = *all.last()?;
+        let at = |share: f64| all[(share * (all.len() - 1) as f64).round() as usize].0;
+        Some(Self { count: all.len(), sizes: [0.5, 0.95, 1.0].map(at), worst })
+    }
+}

@@ -1,0 +1,95 @@
+//! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes docs/scoreboard.md.
+//!
+//! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than on the committed page by more than its noise. WHEELRAIL_SEED chooses the
+//! random cases, which are others in every run without it.
+
+#[path = "../../tests/common/mod.rs"]
+mod common;
+mod family;
+mod page;
+mod planar;
+mod random;
+mod setting;
+mod times;
+mod wheel_rail;
+
+use std::env;
+use std::process::ExitCode;
+use std::time::SystemTime;
+
+use family::{Case, Family};
+use indicatif::{ProgressBar, ProgressStyle};
+use page::Results;
+use rayon::prelude::*;
+use setting::SETTINGS;
+
+fn main() -> ExitCode {
+    if !env::args().any(|argument| argument == "--bench") {
+        println!("run by: cargo bench --no-default-features --bench scoreboard");
+        return ExitCode::SUCCESS;
+    }
+    let seed = seed();
+    println!("seed {seed}");
+    let families: Vec<&Family> =
+        planar::FAMILIES.iter().chain(&wheel_rail::FAMILIES).chain([&random::FAMILY]).collect();
+    let results = solve_all(&families, seed);
+    println!("walks");
+    let walk = random::walk(seed);
+    println!("times");
+    let times: Vec<(String, Vec<Case>)> = SETTINGS
+        .iter()
+        .filter(|setting| !setting.is_slow)
+        .map(|setting| (setting.name.to_owned(), times::times(setting, seed)))
+        .collect();
+    page::report(&results);
+    if env::var("WHEELRAIL_SCOREBOARD").is_ok_and(|wish| wish == "check") {
+        let worse = page::worse(&results, &walk);
+        for line in &worse {
+            println!("worse: {line}");
+        }
+        println!("{} figures are worse than on docs/scoreboard.md", worse.len());
+        return if worse.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
+    }
+    let text = page::text(&results, &walk, &times, seed);
+    print!("{text}");
+    page::write(&text);
+    ExitCode::SUCCESS
+}
+
+/// That of the environment, or one of the clock.
+fn seed() -> u64 {
+    let clock = || {
+        let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+        since.map_or(1, |time| time.as_secs() % 1_000_000)
+    };
+    env::var("WHEELRAIL_SEED")
+        .map_or_else(|_| clock(), |text| text.parse().expect("WHEELRAIL_SEED is a whole number"))
+}
+
+/// All families by all settings, on all cores.
+fn solve_all<'a>(families: &[&'a Family], seed: u64) -> Vec<Results<'a>> {
+    let jobs: Vec<(usize, usize)> = (0..families.len())
+        .flat_map(|family| (0..SETTINGS.len()).map(move |setting| (family, setting)))
+        .collect();
+    let style =
+        ProgressStyle::with_template("{msg} {bar:30} {pos}/{len} {elapsed}").expect("a template");
+    let bar = ProgressBar::new(jobs.len() as u64).with_style(style).with_message("families");
+    let mut solved: Vec<Option<Vec<Case>>> = jobs
+        .par_iter()
+        .map(|&(family, setting)| {
+            let cases = (families[family].solve)(&SETTINGS[setting], seed);
+            bar.inc(1);
+            cases
+        })
+        .collect();
+    bar.finish();
+    let mut results = Vec::new();
+    for (family, solved) in families.iter().zip(solved.chunks_mut(SETTINGS.len())) {
+        let own = page::names().into_iter().zip(solved.iter_mut().map(Option::take));
+        let mut rows: Vec<(String, Vec<Case>)> =
+            own.filter_map(|(name, cases)| Some((name, cases?))).collect();
+        rows.extend((family.others)());
+        results.push(Results { family, rows });
+    }
+    results
+}

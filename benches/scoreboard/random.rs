@@ -1,0 +1,153 @@
+//! Poses that nobody picked, against the project's own boundary elements; and walks, on which jumps are looked for.
+
+use rayon::prelude::*;
+use wheelrail::element::parameters::{TangentialModel, VerticalMode};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+use crate::common::random::Random;
+use crate::common::walk::{FRICTION, Line, STEP, STEPS, follow};
+use crate::common::wheel::evaluate;
+use crate::family::{Case, Family, none};
+use crate::setting::{Setting, reference};
+
+/// Pairs of wheel and rail, built in and worn.
+pub const PAIRS: [[&str; 2]; 4] =
+    [["S1002", "60E1"], ["S1002", "54E1"], ["S1002_worn.txt", "60E1"], ["S1002", "60E2"]];
+/// Poses of each of them.
+const POSES: u64 = 50;
+
+/// Random poses.
+pub const FAMILY: Family = Family {
+    title: "Random poses of a rolling wheel",
+    source: "the project's own `boundary_element`, 40 x 40",
+    text: "Lateral shift 8 mm to both sides, yaw 12 mrad, roll 2 mrad, loads from 20 to 130 kN, creepage from none to sliding; new and worn wheels. Each model is \
+           compared at the height at which the models as they start carry the load. Cases are named by pair and seed.",
+    quantities: &[
+        "N [%]",
+        "p_max [%]",
+        "area [%]",
+        "force [% of N]",
+        "creep force [% of the limit]",
+    ],
+    is_random: true,
+    solve: |setting, seed| (!setting.is_slow).then(|| poses(setting, seed)),
+    others: none,
+};
+
+fn folder() -> [std::path::PathBuf; 1] {
+    [concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles").into()]
+}
+
+pub fn on(pair: [&str; 2], parameters: Parameters, input: &Input) -> Element {
+    let mut parameters = parameters;
+    [parameters.wheel.profile, parameters.rails[0].profile] = pair.map(String::from);
+    Element::new(&parameters, input, &folder()).expect("built-in profiles")
+}
+
+/// A random pose and motion of a right wheel under a load.
+pub fn random_pose(seed: u64) -> Input {
+    let mut random = Random::new(seed);
+    let mut input = Input::default();
+    let wheel = &mut input.wheel;
+    wheel.position[1] += random.about(8e-3);
+    (wheel.yaw, wheel.roll) = (random.about(0.012), random.about(2e-3));
+    wheel.velocity = [20.0, 20.0 * wheel.yaw + random.about(0.04), 0.0];
+    wheel.pitch_rate = -20.0 / 0.46 * (1.0 + random.about(4e-3));
+    input.wheel_load = random.within(2e4_f64.ln(), 1.3e5_f64.ln()).exp();
+    input
+}
+
+/// N, greatest pressure and area, and the sum of the creep forces.
+fn whole(output: &Output) -> ([f64; 3], [f64; 3]) {
+    let patches = &output.patches[..output.patch_count as usize];
+    let mut creep = [0.0; 3];
+    for patch in patches {
+        let (sine, cosine) = patch.contact_angle.sin_cos();
+        let [x, y] = patch.creep_force;
+        creep = [creep[0] + x, creep[1] + y * cosine, creep[2] + y * sine];
+    }
+    let load: f64 = patches.iter().map(|p| p.normal_force).sum();
+    let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
+    ([load, pressure, patches.iter().map(|p| p.area).sum()], creep)
+}
+
+/// The pose at the height at which the models as they start carry its load; nothing where they do not.
+pub fn at_height(pair: [&str; 2], input: &Input) -> Option<Input> {
+    let parameters = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
+    let carried = evaluate(&mut on(pair, parameters, input), input);
+    let mut at = *input;
+    at.wheel.position[2] = carried.wheel_z;
+    (carried.fallback_count == 0).then_some(at)
+}
+
+fn pose(setting: &Setting, pair: [&str; 2], seed: u64) -> Option<Case> {
+    let at = at_height(pair, &random_pose(seed))?;
+    let [own, exact] = [setting.parameters(), reference().parameters()]
+        .map(|parameters| evaluate(&mut on(pair, parameters, &at), &at));
+    let ((own_sizes, own_creep), (sizes, creep)) = (whole(&own), whole(&exact));
+    let distance = |a: [f64; 3], b: [f64; 3]| {
+        100.0 * (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt() / sizes[0]
+    };
+    let mut errors: Vec<f64> =
+        own_sizes.iter().zip(sizes).map(|(a, b)| 100.0 * (a / b - 1.0)).collect();
+    errors.push(distance(own.wheel.force, exact.wheel.force));
+    errors.push(distance(own_creep, creep) / at.friction);
+    let [wheel, rail] = pair;
+    Some(Case { name: format!("{wheel} on {rail}, seed {seed}"), errors })
+}
+
+fn poses(setting: &Setting, seed: u64) -> Vec<Case> {
+    let all: Vec<([&str; 2], u64)> = PAIRS
+        .into_iter()
+        .flat_map(|pair| (0..POSES).map(move |k| (pair, seed.wrapping_mul(1000) + k)))
+        .collect();
+    all.into_par_iter().filter_map(|(pair, seed)| pose(setting, pair, seed)).collect()
+}
+
+/// Lines of each pair.
+const LINES: usize = 12;
+
+/// What walks have shown.
+pub struct Walk {
+    /// Way of the wheel's surface [m].
+    pub way: f64,
+    /// Greatest jump over the load, without creep forces, and over the friction limit, with them.
+    pub jumps: [f64; 2],
+    /// Jumps beyond 1e-4 and 1e-3.
+    pub beyond: usize,
+}
+
+/// What is admitted as a jump, over the load and over the friction limit.
+pub const JUMPS: [f64; 2] = [1e-4, 1e-3];
+
+/// Walks with the models as they start.
+pub fn walk(seed: u64) -> Walk {
+    let all: Vec<(usize, usize)> =
+        (0..PAIRS.len()).flat_map(|pair| [(pair, 0), (pair, 1)]).collect();
+    let found: Vec<(usize, f64)> = all
+        .into_par_iter()
+        .flat_map_iter(|(pair, forces)| {
+            let mut parameters = Parameters::default();
+            if forces == 0 {
+                parameters.tangential_model = TangentialModel::None;
+            }
+            let mut element = on(PAIRS[pair], parameters, &Input::default());
+            let mut random = Random::new(seed.wrapping_mul(1000) + pair as u64);
+            let jumps: Vec<(usize, f64)> = (0..LINES)
+                .map(|_| {
+                    let line = Line::random(&mut element, &mut random);
+                    let share = [1.0, FRICTION][forces];
+                    let most = JUMPS[forces];
+                    let found = follow(&mut element, &line, share, most, &mut Vec::new());
+                    (forces, found.jump)
+                })
+                .collect();
+            jumps
+        })
+        .collect();
+    let jumps = [0, 1].map(|forces| {
+        found.iter().filter(|(f, _)| *f == forces).map(|(_, jump)| *jump).fold(0.0, f64::max)
+    });
+    let beyond = found.iter().filter(|(forces, jump)| *jump > JUMPS[*forces]).count();
+    Walk { way: found.len() as f64 * STEP * STEPS as f64, jumps, beyond }
+}

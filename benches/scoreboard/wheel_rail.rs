@@ -1,0 +1,236 @@
+//! A wheel on its rail under given load, by CONTACT and by the element.
+
+use tempfile::TempDir;
+use wheelrail::element::parameters::{
+    Foundation, FoundationModel, FrictionDistribution, Side, TangentialModel, VerticalMode,
+};
+use wheelrail::element::{Element, Output, Parameters};
+
+use crate::common::wheel::{FRICTION_TABLES, benchmark, evaluate, of_manchester, of_wheelset};
+use crate::common::{Table, column, read_table, value};
+use crate::family::{Case, Family, none};
+use crate::setting::Setting;
+
+/// Coefficient of friction of the rolling states.
+const FRICTION: f64 = 0.3;
+const ROLLING: [&str; 2] = ["p_max [%]", "force in the contact plane [% of the limit]"];
+
+/// All families of wheels on rails.
+pub const FAMILIES: [Family; 6] = [
+    Family {
+        title: "Wheel on rail at given load, frictionless",
+        source: "contact_25_1/element_normal.csv",
+        text: "S1002 on UIC60, lateral places from -6 to 10 mm, loads from 5 to 150 kN; the reference has one plane for each contact, by which contacts on the flange differ.",
+        quantities: &["normal force [%]", "p_max [%]", "area [%]", "place along the rail [mm]"],
+        is_random: false,
+        solve: |setting, _| Some(frictionless(setting)),
+        others: none,
+    },
+    Family {
+        title: "Rolling wheel, CONTACT's conformal mode",
+        source: "contact_25_1/conformal.csv",
+        text: "30 random states from tread to flange. Compared is all force within the reference's plane: pressures of a patch that wraps have a part in it.",
+        quantities: &ROLLING,
+        is_random: false,
+        solve: |setting, _| Some(rolling(setting, "contact_25_1/conformal.csv")),
+        others: planar_mode,
+    },
+    Family {
+        title: "Rolling wheel, CONTACT's planar mode",
+        source: "contact_25_1/planar_states.csv",
+        text: "The same states on one plane each, which the element has with `creepage.model` = flat alone.",
+        quantities: &ROLLING,
+        is_random: false,
+        solve: |setting, _| Some(rolling(setting, "contact_25_1/planar_states.csv")),
+        others: none,
+    },
+    Family {
+        title: "Manchester contact benchmark A-2.2",
+        source: "contact_25_1/manchester_a22.csv",
+        text: "Both wheels of a wheelset at 21 places, 10 kN each. The reference has one plane for each contact.",
+        quantities: &["normal force [%]", "p_max [%]", "creep force [% of the limit]"],
+        is_random: false,
+        solve: |setting, _| Some(manchester(setting)),
+        others: none,
+    },
+    Family {
+        title: "Friction by inclination",
+        source: "contact_25_1/friction_by_inclination.csv",
+        text: "Two tables of friction over the inclination of the rail. The reference takes one coefficient for each contact, that of its plane; the element one for each strip.",
+        quantities: &["force in the contact plane [% of the limit]"],
+        is_random: false,
+        solve: |setting, _| Some(friction_by_inclination(setting)),
+        others: none,
+    },
+    Family {
+        title: "Rail on springs without mass",
+        source: "contact_25_1/massless_rail.csv",
+        text: "The rail sinks and yields under given load until springs and contact agree.",
+        quantities: &["contact force [%]", "deflection [%]"],
+        is_random: false,
+        solve: massless,
+        others: none,
+    },
+];
+
+fn under_load(setting: &Setting) -> Parameters {
+    Parameters { vertical_mode: VerticalMode::Load, ..setting.parameters() }
+}
+
+/// All normal force, greatest pressure, area, and the mean over the load of the lateral place of the patches.
+fn sizes(output: &Output) -> [f64; 4] {
+    let patches = &output.patches[..output.patch_count as usize];
+    let load: f64 = patches.iter().map(|p| p.normal_force).sum();
+    let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
+    let area = patches.iter().map(|p| p.area).sum();
+    let place: f64 = patches.iter().map(|p| p.normal_force * p.position[1]).sum();
+    [load, pressure, area, place / load]
+}
+
+fn frictionless(setting: &Setting) -> Vec<Case> {
+    let table = read_table("contact_25_1/element_normal.csv");
+    let mut element =
+        benchmark(Parameters { tangential_model: TangentialModel::None, ..under_load(setting) });
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        let mut input = wheelrail::element::Input::default();
+        input.wheel.position[1] += 1e-3 * v("y_ws_mm");
+        input.wheel_load = v("load_n");
+        let output = evaluate(&mut element, &input);
+        let [_, pressure, area, place] = sizes(&output);
+        let [_, fy, fz] = output.wheel.force;
+        let percent = |found: f64, name: &str| 100.0 * (found / v(name) - 1.0);
+        let errors = vec![
+            // Without friction the force on the reference's plane is the resultant of all patches.
+            percent(fy.hypot(fz), "normal_force_n"),
+            percent(1e-6 * pressure, "max_pressure_mpa"),
+            percent(1e6 * area, "area_mm2"),
+            (1e3 * place - v("y_track_mm")) / v("delta_deg").to_radians().cos(),
+        ];
+        Case { name: format!("y {} mm, {} N", v("y_ws_mm"), v("load_n")), errors }
+    };
+    table.rows.iter().map(of).collect()
+}
+
+/// By what the force on the rail misses that of a row within the plane of its contact [N].
+fn missed_in_plane(output: &Output, v: &dyn Fn(&str) -> f64) -> f64 {
+    let (sine, cosine) = v("p1_angle_rad").sin_cos();
+    let [x, y, z] = [("fx_rail_N", 0), ("fy_rail_N", 1), ("fz_rail_total_N", 2)]
+        .map(|(name, c)| output.rails[0].force[c] - v(name));
+    x.hypot(y * cosine + z * sine)
+}
+
+fn rolling(setting: &Setting, file: &str) -> Vec<Case> {
+    let table = read_table(file);
+    let mut element = benchmark(under_load(setting));
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        let output = evaluate(&mut element, &of_wheelset(&v));
+        let [_, pressure, ..] = sizes(&output);
+        let errors = vec![
+            100.0 * (1e-6 * pressure / v("p1_pmax_MPa") - 1.0),
+            100.0 * missed_in_plane(&output, &v) / (FRICTION * v("p1_N_N")),
+        ];
+        Case { name: row[0].to_owned(), errors }
+    };
+    table.rows.iter().map(of).collect()
+}
+
+/// CONTACT's planar mode beside its conformal one.
+fn planar_mode() -> Vec<(String, Vec<Case>)> {
+    let [exact, planar] =
+        ["conformal", "planar_states"].map(|name| read_table(&format!("contact_25_1/{name}.csv")));
+    let cases = exact.rows.iter().zip(&planar.rows).map(|(row, other)| {
+        let v = |name: &str| value(&exact, row, name);
+        let own = |name: &str| value(&planar, other, name);
+        let (sine, cosine) = v("p1_angle_rad").sin_cos();
+        let [x, y, z] =
+            ["fx_rail_N", "fy_rail_N", "fz_rail_total_N"].map(|name| own(name) - v(name));
+        let missed = x.hypot(y * cosine + z * sine) / (FRICTION * v("p1_N_N"));
+        let pressure = own("p1_pmax_MPa") / v("p1_pmax_MPa") - 1.0;
+        Case { name: row[0].to_owned(), errors: vec![100.0 * pressure, 100.0 * missed] }
+    });
+    vec![("CONTACT's planar mode".into(), cases.collect())]
+}
+
+fn manchester(setting: &Setting) -> Vec<Case> {
+    let table = read_table("contact_25_1/manchester_a22.csv");
+    let mut elements =
+        [Side::Left, Side::Right].map(|side| benchmark(Parameters { side, ..under_load(setting) }));
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        let name = &row[column(&table, "side")];
+        let (side, k) = if name == "left" { (Side::Left, 0) } else { (Side::Right, 1) };
+        let output = evaluate(&mut elements[k], &of_manchester(&v, side));
+        let [_, pressure, ..] = sizes(&output);
+        // The reference has forces on the rail along its plane and its normal.
+        let (sine, cosine) = v("delta_deg").to_radians().sin_cos();
+        let [fx, fy, fz] = output.wheel.force;
+        let (lateral, normal) = (fy * cosine + fz * sine, fy * sine - fz * cosine);
+        let missed = (fx + v("Fx_N")).hypot(lateral + v("Fs_N")) / (FRICTION * v("N_N"));
+        let errors = vec![
+            100.0 * (normal / v("N_N") - 1.0),
+            100.0 * (1e-6 * pressure / v("pmax_MPa") - 1.0),
+            100.0 * missed,
+        ];
+        Case { name: format!("{name}, y {} mm", v("y_ws_mm")), errors }
+    };
+    table.rows.iter().map(of).collect()
+}
+
+fn friction_by_inclination(setting: &Setting) -> Vec<Case> {
+    let table = read_table("contact_25_1/friction_by_inclination.csv");
+    let folder = TempDir::new().expect("a folder for a table");
+    let mut elements: Vec<Element> = (FRICTION_TABLES.iter().enumerate())
+        .map(|(k, text)| {
+            let path = folder.path().join(format!("{k}.csv"));
+            std::fs::write(&path, text).expect("a table");
+            benchmark(Parameters {
+                friction_distribution: FrictionDistribution::Profile,
+                friction_profile: path.display().to_string(),
+                ..under_load(setting)
+            })
+        })
+        .collect();
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        let element = &mut elements[v("friction_table") as usize - 1];
+        let output = evaluate(element, &of_wheelset(&v));
+        let limit = v("p1_friction") * v("p1_N_N");
+        Case { name: row[0].to_owned(), errors: vec![100.0 * missed_in_plane(&output, &v) / limit] }
+    };
+    table.rows.iter().map(of).collect()
+}
+
+/// Stiffness of a spring that does not give way [N/m].
+const RIGID: f64 = 1e15;
+
+fn massless(setting: &Setting, _: u64) -> Option<Vec<Case>> {
+    if setting.is_slow {
+        return None;
+    }
+    let table = read_table("contact_25_1/massless_rail.csv");
+    Some(table.rows.iter().map(|row| on_springs(setting, &table, row)).collect())
+}
+
+fn on_springs(setting: &Setting, table: &Table, row: &csv::StringRecord) -> Case {
+    let v = |name: &str| value(table, row, name);
+    let stiffness = ["ky_rail_N_mm", "kz_rail_N_mm"].map(|name| 1e3 * v(name));
+    let stiffness = stiffness.map(|k| if k > 0.0 { k } else { RIGID });
+    let foundation =
+        Foundation { model: FoundationModel::Massless, stiffness, ..Foundation::default() };
+    let mut element = benchmark(Parameters { foundation, ..under_load(setting) });
+    let mut input = of_wheelset(&v);
+    // What the outer force deflects it by.
+    input.rails[0].y = v("fy_outer_N") / stiffness[0];
+    let output = evaluate(&mut element, &input);
+    let [y, z] = output.foundation.deflection;
+    let expected = ["dy_defl_mm", "dz_defl_mm"].map(|name| 1e-3 * v(name));
+    let deflection = [input.rails[0].y + y - expected[0], z - expected[1]];
+    let force = ["fx_rail_N", "fy_rail_N", "fz_rail_total_N"].map(v);
+    let size = |vector: &[f64]| vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let missed: Vec<f64> = (0..3).map(|c| output.rails[0].force[c] - force[c]).collect();
+    let errors =
+        vec![100.0 * size(&missed) / size(&force), 100.0 * size(&deflection) / size(&expected)];
+    Case { name: row[0].to_owned(), errors }
+}
