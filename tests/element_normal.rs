@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use common::summary::Summary;
 use common::wheel::benchmark;
-use common::{Table, column, read_table, value, write_report};
+use common::{Table, column, read_table, spread, value, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -55,13 +55,6 @@ fn compare(element: &mut Element, table: &Table, row: &csv::StringRecord) -> (i3
     (output.patch_count, errors)
 }
 
-/// Median, 95 % and worst of the magnitudes.
-fn spread(errors: impl Iterator<Item = f64>) -> [f64; 3] {
-    let mut errors: Vec<f64> = errors.map(f64::abs).collect();
-    errors.sort_by(f64::total_cmp);
-    [0.5, 0.95, 1.0].map(|share| errors[(share * (errors.len() - 1) as f64).round() as usize])
-}
-
 /// Compares the rows at which `chosen` holds, leaves the report and returns median, 95 % and worst of each model and quantity.
 fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
     let table = read_table("contact_25_1/element_normal.csv");
@@ -96,7 +89,9 @@ fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
                 format!("{model}: {} [{unit}]", quantity.replace("_mm", "").replace('_', " "));
             summary.add(&title, all.iter().map(|errors| scale * errors[k]), "");
         }
-        std::array::from_fn(|quantity| spread(all.iter().map(|errors| errors[quantity])))
+        std::array::from_fn(|quantity| {
+            spread(all.iter().map(|errors| errors[quantity].abs()).collect())
+        })
     });
     for ((model, ..), quantities) in MODELS.iter().zip(&results) {
         println!("{model}, {} cases: {quantities:.5?}", rows.len());

@@ -1,5 +1,6 @@
 //! Families of cases, and the errors that a setting makes in them.
 
+use crate::common::spread;
 use crate::setting::Setting;
 
 /// One case: its name in the file that it is from, and its errors in the order of the quantities of the family; not a number where a quantity is not
@@ -41,14 +42,13 @@ pub struct Spread<'a> {
 
 impl<'a> Spread<'a> {
     pub fn of(cases: &'a [Case], quantity: usize) -> Option<Self> {
-        let mut all: Vec<(f64, &str)> = cases
+        let all: Vec<(f64, &str)> = cases
             .iter()
             .map(|case| (case.errors[quantity].abs(), case.name.as_str()))
             .filter(|(error, _)| !error.is_nan())
             .collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (_, worst) = *all.last()?;
-        let at = |share: f64| all[(share * (all.len() - 1) as f64).round() as usize].0;
-        Some(Self { count: all.len(), sizes: [0.5, 0.95, 1.0].map(at), worst })
+        let (_, worst) = *all.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let sizes = spread(all.iter().map(|(error, _)| *error).collect());
+        Some(Self { count: all.len(), sizes, worst })
     }
 }

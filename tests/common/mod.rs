@@ -44,6 +44,14 @@ pub fn quantiles(mut errors: Vec<f64>) -> [f64; 3] {
     [mean, p95, errors[errors.len() - 1]]
 }
 
+/// Median, 95 % and greatest of a set of numbers.
+pub fn spread(mut numbers: Vec<f64>) -> [f64; 3] {
+    numbers.sort_by(f64::total_cmp);
+    let most = numbers[(0.95 * (numbers.len() - 1) as f64).round() as usize];
+    let [median, worst] = median_and_worst(numbers);
+    [median, most, worst]
+}
+
 /// Median and greatest of a set of errors.
 pub fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
     errors.sort_by(f64::total_cmp);

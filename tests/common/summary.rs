@@ -1,6 +1,6 @@
 //! Figures that the documents show: a test leaves them, `cargo bench --bench documents` writes them into docs.
 
-use super::write_report;
+use super::{spread, write_report};
 
 /// A table of errors, one row for each quantity.
 pub struct Summary {
@@ -18,10 +18,8 @@ impl Summary {
 
     /// A row of the absolute values of `errors`, with what is aimed at.
     pub fn add(&mut self, quantity: &str, errors: impl IntoIterator<Item = f64>, aim: &str) {
-        let mut errors: Vec<f64> = errors.into_iter().map(f64::abs).collect();
-        errors.sort_by(f64::total_cmp);
-        let at = |share: f64| errors[(share * (errors.len() - 1) as f64).round() as usize];
-        self.row(quantity, errors.len(), [0.5, 0.95, 1.0].map(at), aim);
+        let errors: Vec<f64> = errors.into_iter().map(f64::abs).collect();
+        self.row(quantity, errors.len(), spread(errors), aim);
     }
 
     /// A row of three numbers that are no errors.
