@@ -239,9 +239,12 @@ fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
     let table = read_table("contact_25_1/manchester_a22.csv");
     let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
     let mut report = String::from("tangential,side,y_ws_mm,fx_over_limit,fy_over_limit\n");
-    for tangential_model in
-        [TangentialModel::Tables, TangentialModel::FastsimCorrected, TangentialModel::Fastsim]
-    {
+    for tangential_model in [
+        TangentialModel::Tables,
+        TangentialModel::FastsimCorrected,
+        TangentialModel::Strips,
+        TangentialModel::Fastsim,
+    ] {
         let mut columns: [Vec<f64>; 2] = Default::default();
         for row in &table.rows {
             let name = &row[common::column(&table, "side")];
