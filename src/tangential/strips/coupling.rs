@@ -68,7 +68,8 @@ impl Coupling {
             column[k] = whole;
             (left[k], left[k + 1]) = (turns[k][0] * left[k], -turns[k][1] * left[k]);
             used += 1;
-            if !(left[k + 1].abs() > share * norm) {
+            let rest = left[k + 1].abs();
+            if rest <= share * norm || rest.is_nan() {
                 break;
             }
             for (b, next) in self.basis[used].iter_mut().zip(&next) {

@@ -49,7 +49,8 @@ impl<T: Real> Influence<T> {
     }
 
     /// Fills all of it for `nodes` with `points` along each.
-    #[allow(clippy::inline_always)]
+    // Loops by index over several rows at once become vector instructions.
+    #[allow(clippy::inline_always, clippy::needless_range_loop)]
     #[inline(always)]
     pub fn fill(&mut self, nodes: &[Node<T>; NODES], points: &Points, poisson_ratio: f64) {
         for own in &mut self.own {
@@ -61,7 +62,8 @@ impl<T: Real> Influence<T> {
         self.fill_coupling(nodes, points, poisson_ratio);
     }
 
-    #[allow(clippy::inline_always)]
+    // Loops by index over several rows at once become vector instructions.
+    #[allow(clippy::inline_always, clippy::needless_range_loop)]
     #[inline(always)]
     fn fill_own(&mut self, node: &Node<T>, points: &Points, poisson_ratio: f64) {
         let (count, zero) = (points.count, T::from(0.0));
@@ -114,7 +116,8 @@ impl<T: Real> Influence<T> {
         }
     }
 
-    #[allow(clippy::inline_always)]
+    // Loops by index over several rows at once become vector instructions.
+    #[allow(clippy::inline_always, clippy::needless_range_loop)]
     #[inline(always)]
     fn fill_coupling(&mut self, nodes: &[Node<T>; NODES], points: &Points, poisson_ratio: f64) {
         let (n, zero) = (NODES, T::from(0.0));

@@ -183,7 +183,7 @@ impl<T: Real> Layout<T> {
         }
         for node in nodes.iter_mut() {
             let band = node.half_length * node.bound * (node.edges[1] - node.edges[0]);
-            node.strength = node.strength / band.at_least(f64::MIN_POSITIVE);
+            node.strength /= band.at_least(f64::MIN_POSITIVE);
         }
         for place in self.places.iter_mut() {
             *place = self.between[place.node];

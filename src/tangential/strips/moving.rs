@@ -9,7 +9,6 @@
 use super::equations::{Equations, Strip};
 use super::influence::Influence;
 use super::layout::Layout;
-use super::points::LANES;
 use super::{NODES, Settled, TractionStrips, carrier};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -113,10 +112,9 @@ impl TractionStrips {
             })
         });
         for (i, strip) in moving.strips.iter_mut().enumerate() {
-            let step = newton.step(i);
-            for b in 0..2 {
-                for m in 0..LANES {
-                    strip.r[b][m].slopes[0] = -step[b][m];
+            for (row, step) in strip.r.iter_mut().zip(newton.step(i)) {
+                for (r, step) in row.iter_mut().zip(step) {
+                    r.slopes[0] = -step;
                 }
             }
         }

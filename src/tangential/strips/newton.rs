@@ -215,7 +215,7 @@ impl<'a> Local<'a> {
             let (v, turn) = ([strip.v[0][m], strip.v[1][m]], [strip.turn[0][m], strip.turn[1][m]]);
             let rho = points.steps[m];
             let size = (v[0] * v[0] + v[1] * v[1]).sqrt();
-            if !(size > 1.0) {
+            if size <= 1.0 {
                 own.ahead[0][m] = rho;
                 own.adheres[own.adhering] = m;
                 own.adhering += 1;
