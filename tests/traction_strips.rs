@@ -204,7 +204,8 @@ fn over_positions(step: f64, pairs: &[[&str; 2]], name: &str) -> [[f64; 3]; 4] {
             parameters.rails[0].profile = (*rail).into();
             parameters
         };
-        let new = |p: &Parameters| Element::new(p, &Input::default(), &[]).unwrap();
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles");
+        let new = |p: &Parameters| Element::new(p, &Input::default(), &[folder.into()]).unwrap();
         let mut reference = new(&parameters(TangentialModel::BoundaryElement, 12));
         let mut others: Vec<_> =
             models.iter().map(|(_, model, points)| new(&parameters(*model, *points))).collect();

@@ -256,37 +256,6 @@ fn lobes_that_join_and_part_make_no_jumps() {
 }
 
 #[test]
-#[ignore = "long"]
-fn tractions_on_strips_jump_at_most_by_what_zones_feel_of_each_other() {
-    let mut jumps = Vec::new();
-    for (pair, [wheel, rail]) in PAIRS.into_iter().enumerate() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles");
-        let mut parameters = Parameters::default();
-        parameters.wheel.profile = wheel.into();
-        parameters.rails[0].profile = rail.into();
-        parameters.tangential_model = TangentialModel::Strips;
-        parameters.points = 8;
-        let mut element = Element::new(&parameters, &Input::default(), &[folder.into()]).unwrap();
-        let mut random = Random::new(100 + pair as u64);
-        for _ in 0..3 {
-            let line = Line::random(&mut element, &mut random);
-            let [_, most] = tolerance::WALK_JUMPS;
-            jumps.push(follow(&mut element, &line, FRICTION, most, &mut Vec::new()).jump);
-        }
-    }
-    println!("{jumps:?}");
-    let mut summary = Summary::new("walk_traction_strips");
-    summary.add(
-        "jumps of strips for both problems, over the friction limit",
-        jumps.clone(),
-        "1e-3",
-    );
-    summary.write();
-    let [median, worst] = common::median_and_worst(jumps);
-    assert!(median <= tolerance::WALK_JUMPS[1] && worst <= tolerance::STRIPS_JOIN);
-}
-
-#[test]
 fn a_short_walk_has_no_jumps() {
     walk(3, 1);
 }
