@@ -27,8 +27,8 @@ struct Case {
 
 const DEPTH: f64 = 6e-5;
 /// Place of the fastest models.
-const FASTEST: usize = 10;
-const CASES: [Case; 18] = [
+const FASTEST: usize = 12;
+const CASES: [Case; 20] = [
     option("none on", |_| ()),
     Case { depth: -1e-3, ..option("none on, lifted wheel", |_| ()) },
     option("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz),
@@ -41,6 +41,11 @@ const CASES: [Case; 18] = [
     option("`tangential.model` = linear", |p| p.tangential_model = TangentialModel::Linear),
     option("`tangential.model` = tables", |p| p.tangential_model = TangentialModel::Tables),
     option("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim),
+    option("`tangential.model` = strips", |p| p.tangential_model = TangentialModel::Strips),
+    option("`tangential.model` = strips, `tangential.points` = 8", |p| {
+        p.tangential_model = TangentialModel::Strips;
+        p.points = 8;
+    }),
     option("piotrowski_kik + fastsim, flat", fastest),
     option("`friction.distribution` = regions", regions),
     option("`friction.falling.*` and `friction.reduction.*`", falling),

@@ -200,9 +200,12 @@ fn contacts_of_the_benchmark_wheelset_are_where_the_contact_program_finds_them()
 fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
     let table = read_table("contact_25_1/manchester_a22.csv");
     let mut report = String::from("tangential,side,y_ws_mm,fx_over_limit,fy_over_limit\n");
-    for tangential_model in
-        [TangentialModel::Tables, TangentialModel::FastsimCorrected, TangentialModel::Fastsim]
-    {
+    for tangential_model in [
+        TangentialModel::Tables,
+        TangentialModel::FastsimCorrected,
+        TangentialModel::Strips,
+        TangentialModel::Fastsim,
+    ] {
         let mut columns: [Vec<f64>; 2] = Default::default();
         for row in &table.rows {
             let name = &row[common::column(&table, "side")];

@@ -72,6 +72,11 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
             TangentialModel::FastsimCorrected,
             (CreepageModel::Curved, Flexibilities::Blended),
         ),
+        (
+            NormalModel::Strips,
+            TangentialModel::Strips,
+            (CreepageModel::Curved, Flexibilities::Blended),
+        ),
     ];
     for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
         variants.into_iter().enumerate()

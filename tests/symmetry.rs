@@ -14,9 +14,11 @@ const POSES: usize = 8;
 fn real_time_models() -> Vec<Parameters> {
     use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
     use TangentialModel::{Fastrip, Fastsim, FastsimCorrected, Linear, None, Tables};
+    let tangential =
+        [None, Linear, Fastsim, Fastrip, Tables, FastsimCorrected, TangentialModel::Strips];
     let mut all = Vec::new();
     for normal_model in [Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips] {
-        for tangential_model in [None, Linear, Fastsim, Fastrip, Tables, FastsimCorrected] {
+        for tangential_model in tangential {
             for creepage_model in
                 [CreepageModel::Kinematic, CreepageModel::Flat, CreepageModel::Curved]
             {

@@ -128,6 +128,7 @@ impl Rolling {
             TangentialModel::Tables => "tables".into(),
             TangentialModel::FastsimCorrected => format!("fastsim_corrected {count}"),
             TangentialModel::BoundaryElement => format!("boundary_element {count}"),
+            TangentialModel::Strips => format!("strips {count}"),
         }
     }
 }

@@ -106,6 +106,8 @@ impl Models {
         let is_strips = parameters.normal_model == NormalModel::Strips;
         let strips =
             if is_strips { parameters.strips.max(LEAST_STRIPS) } else { parameters.strips };
+        // Strips and stretches of uneven bodies may all be in one zone.
+        let most_strips = if is_strips || parameters.is_uneven() { zones * strips } else { strips };
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -122,15 +124,11 @@ impl Models {
                 parameters.elements_along,
                 parameters.normal_elements,
             )
+            .with_points(parameters.points, most_strips)
             .with_laws([parameters.friction_law, parameters.gauge_face_law])
             .with_flash_temperature(parameters.flash_temperature),
             creepage: parameters.creepage_model,
-            // Strips and stretches of uneven bodies may all be in one zone.
-            curved_zone: CurvedZone::with_capacity(if is_strips || parameters.is_uneven() {
-                zones * strips
-            } else {
-                strips
-            }),
+            curved_zone: CurvedZone::with_capacity(most_strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,

@@ -38,7 +38,7 @@ pub struct ContactField {
 
 impl Tangential {
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where the normal model has boundary
-    /// elements. FASTSIM and boundary elements have tractions to show, the tables and corrected FASTSIM those of FASTSIM without correction,
+    /// elements. FASTSIM, strips and boundary elements have tractions to show, the tables and corrected FASTSIM those of FASTSIM without correction,
     /// other models pressure alone.
     #[must_use]
     pub fn field(
@@ -104,6 +104,25 @@ impl Tangential {
                             let (traction, slips) =
                                 marched[(step.max(0.0) as usize).min(marched.len() - 1)];
                             field.traction[k] = traction;
+                            field.adherence[k] = adherence(slips);
+                        }
+                    }
+                }
+            }
+            TangentialModel::Strips => {
+                let Some(solver) = &self.traction_strips else { return field };
+                let mut solver = solver.lend();
+                let Some(tractions) = solver.tractions(&loaded) else { return field };
+                for (j, strip) in elements.nearest_strips().enumerate() {
+                    let own = |j: &usize| (zone.first..zone.first + zone.count).contains(j);
+                    let Some(strip) = strip.filter(own) else { continue };
+                    for i in 0..field.grid.along {
+                        let k = j * field.grid.along + i;
+                        let t = (field.grid.x(i) - strips.x[strip]) / strips.half_length[strip];
+                        if field.pressure[k] > 0.0 {
+                            let (share, slips) = tractions(strip - zone.first, t);
+                            let bound = loaded.bound(strip) * field.pressure[k];
+                            field.traction[k] = share.map(|share| share * bound);
                             field.adherence[k] = adherence(slips);
                         }
                     }

@@ -107,7 +107,8 @@ impl Tangential {
             TangentialModel::Linear => linear::strip_forces(loaded, rolling, blended, each),
             TangentialModel::Fastsim
             | TangentialModel::FastsimCorrected
-            | TangentialModel::BoundaryElement => {
+            | TangentialModel::BoundaryElement
+            | TangentialModel::Strips => {
                 self.fastsim.strip_forces(loaded, rolling, blended, each);
             }
             TangentialModel::Fastrip => {

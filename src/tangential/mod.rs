@@ -17,6 +17,7 @@ mod loaded_zone;
 mod march;
 mod own_friction;
 pub mod rigid_slip;
+pub mod strips;
 pub mod tables;
 mod under_law;
 pub mod waist;
@@ -37,6 +38,7 @@ use fastsim_correction::EllipseStrips;
 use flash_temperature::FlashTemperature;
 use friction_law::FrictionLaw;
 use rigid_slip::{FlatSlip, RigidSlip};
+use strips::{Scratch, Settled, TractionStrips};
 use tables::CreepForceTable;
 use waist::Lobes;
 
@@ -58,6 +60,8 @@ pub enum TangentialModel {
     FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
+    /// The half-space solution in a few points along a few strips of the true patch.
+    Strips,
 }
 
 /// How the three flexibilities of the simplified theory enter.
@@ -112,6 +116,9 @@ impl<T: Real> RollingState<T> {
     }
 }
 
+/// Points along each strip of the strip model that was not told another number.
+const STRIP_POINTS: usize = 15;
+
 /// The chosen tangential model with its settings.
 #[derive(Clone, Debug)]
 pub struct Tangential {
@@ -123,6 +130,8 @@ pub struct Tangential {
     /// The table and a circle to stretch, for the models that use them.
     table: Option<&'static CreepForceTable>,
     ellipse_strips: Option<EllipseStrips>,
+    /// The solver of the strip model.
+    traction_strips: Option<Scratch>,
     /// Of tread and gauge face, where slip changes friction or bodies are not clean.
     laws: Option<[FrictionLaw; 2]>,
     /// Where heat changes friction.
@@ -150,9 +159,18 @@ impl Tangential {
                 .then(CreepForceTable::shared),
             ellipse_strips: (model == TangentialModel::FastsimCorrected)
                 .then(EllipseStrips::default),
+            traction_strips: (model == TangentialModel::Strips)
+                .then(|| Scratch::new(STRIP_POINTS, elements[1])),
             laws: None,
             flash_temperature: None,
         }
+    }
+
+    /// The same with `points` along each strip of the strip model, 4 to 15, in zones of up to `strips` strips; larger ones allocate.
+    #[must_use]
+    pub fn with_points(self, points: usize, strips: usize) -> Self {
+        let is_strips = self.model == TangentialModel::Strips;
+        Self { traction_strips: is_strips.then(|| Scratch::new(points, strips)), ..self }
     }
 
     /// The same with another law of friction everywhere.
@@ -242,7 +260,9 @@ impl Tangential {
             return None;
         }
         let loaded = LoadedZone::new(zone, strips, slip, law);
-        let lobes = Lobes::of(&loaded);
+        // Strips know no ellipse, and need no lobes.
+        let is_strips = self.model == TangentialModel::Strips;
+        let lobes = if is_strips { None } else { Lobes::of(&loaded) };
         let mut solved = Solved { limit, fell_back: false };
         if self.model == TangentialModel::Tables {
             let none = [CreepForce::default(); 3];
@@ -267,6 +287,14 @@ impl Tangential {
                     continue;
                 }
                 solved.fell_back = true;
+            }
+            if let Some(solver) = &self.traction_strips {
+                let add = |j, force: StripForce<T>| each(j, force.times(share));
+                let settled = T::on_strips(&mut solver.lend(), &loaded, rolling, add);
+                solved.fell_back |= !settled.is_some_and(|settled| settled.converged());
+                if settled.is_some() {
+                    continue;
+                }
             }
             // Damping that takes load away takes creep force away, so that a lost contact has none.
             let share = if is_bounded { share } else { share * state.load_factor.at_most(1.0) };
@@ -295,6 +323,14 @@ pub trait CreepNumber:
         None
     }
 
+    /// Solves on strips and hands the force of each strip to `each`; nothing where there is no solution.
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce<Self>),
+    ) -> Option<Settled>;
+
     /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
     #[must_use]
     fn on_elements(
@@ -307,9 +343,27 @@ pub trait CreepNumber:
     }
 }
 
-impl<const N: usize> CreepNumber for Dual<N> {}
+impl<const N: usize> CreepNumber for Dual<N> {
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce<Self>),
+    ) -> Option<Settled> {
+        solver.moving_strip_forces(loaded, rolling, each)
+    }
+}
 
 impl CreepNumber for f64 {
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce),
+    ) -> Option<Settled> {
+        solver.strip_forces(loaded, rolling, each)
+    }
+
     fn elements(zone: &Zone, strips: &Strips, count: [usize; 2]) -> Option<LoadedElements> {
         Some(LoadedElements::of(zone, strips, count))
     }
@@ -333,6 +387,6 @@ impl CreepNumber for f64 {
 pub struct Solved<T = f64> {
     /// Friction limit of the zone as it slips [N].
     pub limit: T,
-    /// Whether FASTSIM took the place of the chosen model, as that did not converge.
+    /// Whether the chosen model did not converge: FASTSIM took the place of boundary elements; strips keep their last step, within the bound.
     pub fell_back: bool,
 }

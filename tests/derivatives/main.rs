@@ -57,6 +57,7 @@ fn of_tabulated_forces() {
     for (name, tangential_model) in [
         ("tables", TangentialModel::Tables),
         ("fastsim_corrected", TangentialModel::FastsimCorrected),
+        ("traction_strips", TangentialModel::Strips),
     ] {
         judge(name, &Parameters { tangential_model, ..default() }, &[]);
     }

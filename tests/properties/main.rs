@@ -23,19 +23,21 @@ const NORMAL: [NormalModel; 4] = [
     NormalModel::Strips,
 ];
 /// All but the linear one are bounded by friction.
-const BOUNDED: [TangentialModel; 4] = [
+const BOUNDED: [TangentialModel; 5] = [
     TangentialModel::Fastsim,
     TangentialModel::Fastrip,
     TangentialModel::Tables,
     TangentialModel::FastsimCorrected,
+    TangentialModel::Strips,
 ];
-const TANGENTIAL: [TangentialModel; 6] = [
+const TANGENTIAL: [TangentialModel; 7] = [
     TangentialModel::None,
     TangentialModel::Linear,
     BOUNDED[0],
     BOUNDED[1],
     BOUNDED[2],
     BOUNDED[3],
+    BOUNDED[4],
 ];
 const CREEPAGE: [CreepageModel; 3] =
     [CreepageModel::Kinematic, CreepageModel::Flat, CreepageModel::Curved];

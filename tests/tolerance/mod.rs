@@ -349,6 +349,21 @@ pub const TABLE_PROFILES_MOMENT: f64 = 0.008;
 pub const CORRECTED_PROFILES: [f64; 3] = TABLE_PROFILES;
 pub const CORRECTED_PROFILES_MOMENT: f64 = TABLE_PROFILES_MOMENT;
 
+/// The same for strips for both problems, which are to be no worse.
+pub const STRIPS_PROFILES: [f64; 3] = TABLE_PROFILES;
+pub const STRIPS_PROFILES_MOMENT: f64 = TABLE_PROFILES_MOMENT;
+
+/// Strips against Kalker's linear theory for a/b from 0.2 to 2: c11, c22, c23 from the force, c33, c23 from the moment. The aim is 0.01 for all of them: the tractions between ten strips are linear, those of spin beyond the
+/// outer ones constant, and those of full adhesion have a singularity at the trailing edge, which moments feel; nothing of it is left once anything slips.
+pub const STRIPS_KALKER: [f64; 5] = [0.015, 0.02, 0.04, 0.05, 0.08];
+/// Strips against CONTACT on 300 ellipses, force over the friction limit: mean, 95 %, worst. The aims of all sets.
+pub const STRIPS_ELLIPSES: [f64; 3] = [0.004, 0.012, 0.03];
+/// Strips against boundary elements over the positions of a wheel on its rail: force over the friction limit, mean, 95 %, worst. The aims.
+pub const STRIPS_POSITIONS: [f64; 3] = [0.004, 0.012, 0.03];
+
+/// Roughness of creep forces of strips in steps of 1 nm, over the friction limit, at 95 %: the aim; the rest is for points that begin to slip or to adhere.
+pub const STRIPS_ROUGHNESS: f64 = 1e-9;
+
 /// The same for strips with tables and with corrected FASTSIM: as many strips as an element starts with; the worst is that of tables on real patches.
 pub const MANCHESTER_TABLES_FX: [f64; 2] = [0.0005, 0.04];
 pub const MANCHESTER_TABLES_FY: [f64; 2] = [0.001, 0.04];
@@ -357,6 +372,9 @@ pub const MANCHESTER_TABLES_FY: [f64; 2] = [0.001, 0.04];
 /// and of the outline for the flexibilities of marches, do not jump.
 pub const JOINING_ZONES: f64 = 1e-5;
 pub const JOINING_ZONES_MARCHED: f64 = 5e-5;
+
+/// The same for strips for the creep force too. The aim is that of a walk, 1e-3: zones that touch feel each other through the half-space only once they are one.
+pub const STRIPS_JOIN: f64 = 0.03;
 
 /// Worn volume against the sum of the law over the steps, and against the volume between the profiles: the target.
 pub const WORN_VOLUME: f64 = 1e-6;

@@ -193,10 +193,12 @@ class ElementParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips"]
     """Tangential contact model."""
     tangential_elements_along: int
     """Elements along each strip."""
+    tangential_points: int
+    """Points along each strip of the model strips; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]
     """Shape of the traction bound along a strip."""
     tangential_flexibilities: Literal["three", "blended"]
@@ -597,10 +599,12 @@ class WheelSetParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips"]
     """Tangential contact model."""
     tangential_elements_along: int
     """Elements along each strip."""
+    tangential_points: int
+    """Points along each strip of the model strips; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]
     """Shape of the traction bound along a strip."""
     tangential_flexibilities: Literal["three", "blended"]

@@ -1,0 +1,122 @@
+//! Derivatives of a solution, one direction after the other.
+//!
+//! The equations R(r, p) = 0 hold for all p. With tractions that do not move their rates are R', all of which has to vanish:
+//!
+//! ```text
+//! r' = -(∂R/∂r)^-1 R'
+//! ```
+
+use super::equations::{Equations, Strip};
+use super::influence::Influence;
+use super::layout::Layout;
+use super::{NODES, Settled, TractionStrips, carrier};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
+use crate::tangential::rigid_slip::RigidSlip;
+use crate::tangential::{LoadedZone, Rolling, StripForce};
+
+/// A number and its derivative in one direction.
+type One = Dual<1>;
+
+/// What is left of the system that couples strips, as a share of its right side.
+const COUPLING_LEFT: f64 = 1e-12;
+
+/// Memory for derivatives in one direction.
+#[derive(Clone, Debug)]
+pub(super) struct Moving {
+    layout: Layout<One>,
+    influence: Influence<One>,
+    strips: Vec<Strip<One>>,
+}
+
+impl Moving {
+    pub fn with_capacity(points: usize, strips: usize) -> Self {
+        Self {
+            layout: Layout::with_capacity(strips),
+            influence: Influence::with_capacity(points),
+            strips: vec![Strip::default(); NODES],
+        }
+    }
+}
+
+impl TractionStrips {
+    /// As [`strip_forces`](Self::strip_forces), with derivatives: a strip comes once for each direction.
+    pub fn moving_strip_forces<const N: usize>(
+        &mut self,
+        loaded: &LoadedZone<'_, impl RigidSlip<Dual<N>>, Dual<N>>,
+        rolling: Rolling,
+        mut each: impl FnMut(usize, StripForce<Dual<N>>),
+    ) -> Option<Settled> {
+        let zone = loaded.zone;
+        let range = zone.first..zone.first + zone.count;
+        let value = |j| carrier(loaded, rolling, j, |x: Dual<N>| x.value);
+        if !self.layout.lay(range.clone(), zone.width.value, value) {
+            return None;
+        }
+        let material = loaded.material;
+        let settled = super::solve(self, material.poisson_ratio, material.shear_modulus.value);
+        settled.left.is_finite().then_some(())?;
+        for direction in 0..N {
+            let to = |x: Dual<N>| One { value: x.value, slopes: [x.slopes[direction]] };
+            let moving = |j| carrier(loaded, rolling, j, to);
+            if !self.moving.layout.lay(range.clone(), to(zone.width), moving) {
+                return None;
+            }
+            self.follow(material.poisson_ratio, to(material.shear_modulus));
+            for (i, place) in self.moving.layout.places.iter().enumerate() {
+                let j = zone.first + i;
+                let strips = loaded.strips;
+                let bound = to(loaded.bound(j) * strips.pressure[j]);
+                let sizes = [bound, to(strips.half_length[j]), to(strips.width[j])];
+                let force = self.resultant(sizes, rolling, place, &self.moving.strips);
+                let back = |one: One| {
+                    let mut number = Dual::from(if direction == 0 { one.value } else { 0.0 });
+                    number.slopes[direction] = one.slopes[0];
+                    number
+                };
+                each(
+                    j,
+                    StripForce {
+                        longitudinal: back(force.longitudinal),
+                        lateral: back(force.lateral),
+                        moment: back(force.moment),
+                        slip_area: back(force.slip_area),
+                    },
+                );
+            }
+        }
+        Some(settled)
+    }
+
+    /// Moves the tractions with the layout.
+    fn follow(&mut self, poisson_ratio: f64, shear_modulus: One) {
+        let Self { points, layout, influence, newton, moving, .. } = self;
+        let nodes = &moving.layout.nodes;
+        moving.influence.fill(nodes, points, poisson_ratio);
+        for (strip, solved) in moving.strips.iter_mut().zip(&newton.strips) {
+            strip.r = solved.r.map(|row| row.map(One::from));
+        }
+        let equations = Equations { nodes, points, influence: &moving.influence, shear_modulus };
+        equations.evaluate(&mut moving.strips);
+        let rates = &moving.strips;
+        let fixed = Equations {
+            nodes: &layout.nodes,
+            points,
+            influence,
+            shear_modulus: shear_modulus.value(),
+        };
+        newton.direction(&fixed, COUPLING_LEFT, |i, _| {
+            let strip = &rates[i];
+            std::array::from_fn(|b| {
+                std::array::from_fn(|m| (strip.r[b][m] - strip.bounded[b][m]).slopes[0])
+            })
+        });
+        for (i, strip) in moving.strips.iter_mut().enumerate() {
+            for (row, step) in strip.r.iter_mut().zip(newton.step(i)) {
+                for (r, step) in row.iter_mut().zip(step) {
+                    r.slopes[0] = -step;
+                }
+            }
+        }
+    }
+}
