@@ -74,6 +74,14 @@ impl Slices {
         Ok(found)
     }
 
+    /// The same `profile` at two places [m].
+    #[must_use]
+    pub fn even(profile: &Profile, places: [f64; 2]) -> Self {
+        let all =
+            places.map(|place| Slice { place, profile: profile.clone(), features: Vec::new() });
+        Self { name: profile.name.clone(), all: all.into(), passes_near: false }
+    }
+
     /// The slices.
     #[must_use]
     pub fn slices(&self) -> &[Slice] {

@@ -18,6 +18,8 @@
 //! where they touch their normals have the same part along x, so that the place is the one of a search in three dimensions. Where the surface is
 //! the same all along the track it is x_l, and the envelope is the section. Strips of the contact lie along the rows: a rail whose edge runs off
 //! sideways turns its patch with it.
+//!
+//! A roller is such a rail: its rows are circles about an axle across the track.
 
 mod bounds;
 mod envelope;
@@ -29,7 +31,7 @@ mod wheel_table;
 use self::bounds::{Bound, Bounds};
 use self::envelope::{Envelope, TREND};
 use self::over::Over;
-use self::surface::Surface;
+use self::surface::{MOST_OF_ROLLER, Surface};
 use self::touch::{CLOSE, Met, Touch};
 use self::wheel_table::WheelTable;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
@@ -88,7 +90,8 @@ pub struct VaryingRail {
 
 impl VaryingRail {
     /// The rail of `slices`, whose points and directions `point` and `direction` put where it stands, turned left to right if `turned`, under wheels with the
-    /// profile `wheel` and the radius `nominal_radius` [m].
+    /// profile `wheel` and the radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes around a roller whose axle is at station 0, and
+    /// they end where a wheel leaves that.
     #[must_use]
     pub fn new(
         slices: &Slices,
@@ -97,9 +100,11 @@ impl VaryingRail {
         turned: bool,
         wheel: &Curve,
         nominal_radius: f64,
+        roller_radius: f64,
     ) -> Self {
         let rows = slices.rows(point, direction);
-        let surface = Surface { rows: if turned { rows.turned() } else { rows } };
+        let rows = if turned { rows.turned() } else { rows };
+        let surface = Surface { rows, roller_radius };
         Self {
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
@@ -107,6 +112,18 @@ impl VaryingRail {
             met: Room::new(surface.count()),
             surface,
         }
+    }
+
+    /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may touch it [m].
+    #[must_use]
+    pub fn range_of_roller(radius: f64) -> [f64; 2] {
+        [-MOST_OF_ROLLER * radius, MOST_OF_ROLLER * radius]
+    }
+
+    /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
+    #[must_use]
+    pub fn roller_radius(&self) -> f64 {
+        self.surface.roller_radius
     }
 
     /// Most rows of the envelope.
@@ -187,7 +204,7 @@ impl VaryingRail {
 
 /// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it counts as near [m].
 fn below(bound: &Bound, wheel: &WheelTable, over: &Over) -> f64 {
-    let [left, right] = bound.y.map(|y| over.from_marker([y, bound.top]));
+    let [left, right] = bound.y.map(|y| over.seen_from_marker([y, bound.top]));
     let across = [left, right].map(|[y, z]| y * over.right[0] + z * over.right[1]);
     let lowest = wheel.lowest([across[0] - over.margin[0], across[1] + over.margin[0]]);
     let z = left[1];

@@ -73,13 +73,13 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// A point across the track, from the wheel marker [m].
-    pub fn from_marker(&self, [y, z]: [T; 2]) -> [T; 2] {
+    pub fn seen_from_marker(&self, [y, z]: [T; 2]) -> [T; 2] {
         [y - self.marker[0], z - self.marker[1]]
     }
 
     /// Coordinates to the right and down from the marker in the plane across the track [m].
     pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
-        let to = self.from_marker([p.value[0], p.value[1]]);
+        let to = self.seen_from_marker([p.value[0], p.value[1]]);
         [self.right, self.down].map(|axis| dot(to, axis))
     }
 
@@ -103,7 +103,7 @@ impl Over<'_> {
         let [start, end] = self.line.range();
         for _ in 0..MOST_STEPS {
             let (at, derivative) = self.line.even_with_derivative(u);
-            let to = self.from_marker(at.point);
+            let to = self.seen_from_marker(at.point);
             let rate = dot(derivative, self.right);
             if rate < LEAST_RATE {
                 return None;

@@ -1,4 +1,10 @@
 //! The surface of a rail that varies along the track, row by row.
+//!
+//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row from the axle,
+//!
+//! ```text
+//! z(x) = R - sqrt(ρ² - x²)
+//! ```
 
 use crate::geometry::slices::Rows;
 use crate::math::real::Real;
@@ -30,7 +36,14 @@ pub(super) struct Within {
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
     pub rows: Rows,
+    /// Height of the marker above the axle of a roller, of which the rows are the section at the top, all along; 0 for a rail [m].
+    pub roller_radius: f64,
 }
+
+/// Greatest place along the track on a roller, over its radius: a wheel never goes there from above [-].
+pub(super) const MOST_OF_ROLLER: f64 = 0.8;
+/// Least radius of a row of a roller, over that of the marker, and square of the least height above the axle, over that of the radius [-].
+const LEAST_ROW: f64 = 0.1;
 
 impl Surface {
     /// Number of rows.
@@ -61,6 +74,9 @@ impl Surface {
 
     /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the surface is held at its ends.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+        if self.roller_radius > 0.0 {
+            return self.on_roller(j, station);
+        }
         let (places, count) = (&self.rows.places, self.count());
         let [first, last] = run;
         let zero = T::from(0.0);
@@ -101,6 +117,23 @@ impl Surface {
         point
     }
 
+    /// Row `j` at `x` from the axle of a roller [m].
+    fn on_roller<T: Real>(&self, j: usize, x: T) -> RowPoint<T> {
+        let radius = self.roller_radius;
+        let [y, z, dy, dz] = self.rows.knots[j].value;
+        // Rows below the axle lie inside, where nothing touches.
+        let own = (radius - z).max(LEAST_ROW * radius);
+        let zero = T::from(0.0);
+        let root = (-(x * x) + own * own).at_least(LEAST_ROW * own * own).sqrt();
+        let steepness = T::from(own) / root;
+        let slope = x / root;
+        RowPoint {
+            value: [y.into(), -root + radius, dy.into(), steepness * dz],
+            first: [zero, slope, zero, steepness * slope / root * dz],
+            second: [zero, steepness * steepness / root],
+        }
+    }
+
     /// The run of slices of row `j` that a wheel at `station` [m] is over, or the nearest one within reach.
     pub fn run(&self, j: usize, station: f64, slice: usize) -> Option<[usize; 2]> {
         let (places, count) = (&self.rows.places, self.count());
@@ -124,10 +157,13 @@ impl Surface {
     pub fn reach<T: Real>(&self, [first, last]: [usize; 2], station: T) -> Option<[T; 2]> {
         let places = &self.rows.places;
         let at = |i: usize| -station + places[i];
+        if self.roller_radius > 0.0 {
+            return within(at(first).at_least(-REACH), at(last).at_most(REACH));
+        }
         // A row that goes on to the end of the rail is held there.
         let from = if first == 0 { T::from(-REACH) } else { at(first).at_least(-REACH) };
         let to = if last + 1 == places.len() { T::from(REACH) } else { at(last).at_most(REACH) };
-        (from <= to).then_some([from, to])
+        within(from, to)
     }
 
     /// How fast the section of the pattern passes row `j` [-].
@@ -135,4 +171,9 @@ impl Surface {
         let [_, _, dy, dz] = self.rows.pattern[j];
         dy.hypot(dz)
     }
+}
+
+/// From one place to another one; nothing where there is nothing between them.
+fn within<T: Real>(from: T, to: T) -> Option<[T; 2]> {
+    (from <= to).then_some([from, to])
 }
