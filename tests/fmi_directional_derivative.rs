@@ -65,7 +65,7 @@ fn expected() -> Vec<f64> {
     let mut input = Input::default();
     (input.wheel.position[2], input.wheel.position[1], input.wheel.yaw) = (-0.4597, 0.751, 0.01);
     (input.wheel.velocity[0], input.wheel.pitch_rate) = (20.0, -43.4);
-    let mut direction = Input::from_array([0.0; 29]);
+    let mut direction = Input::from_array([0.0; 31]);
     (direction.wheel.position[2], direction.wheel.yaw) = (0.3, -2.0);
     (direction.wheel.velocity[1], direction.friction) = (1.5, -0.7);
     let mut element = Element::new(&Parameters::default(), &Input::default(), &[]).unwrap();

@@ -165,3 +165,72 @@ fn wrong_use_is_explained() {
     let damping = message(&["--set", "normal.damping=0"]);
     assert!(damping.contains("--set normal.damping=1e5"), "{damping}");
 }
+
+/// Slices of a crown whose height along the track is `height` of the station in mm, both in mm.
+fn crowns(folder: &Path, height: impl Fn(f64) -> f64) -> String {
+    let places: Vec<f64> = (-10..=60).map(|i| 50.0 * f64::from(i)).collect();
+    let mut slices = String::new();
+    for (i, place) in places.iter().enumerate() {
+        let points: Vec<String> = (-60..=60)
+            .map(|k| {
+                let angle = 0.5 * f64::from(k) / 300.0;
+                let z = 300.0 * (1.0 - angle.cos()) - height(*place);
+                format!("{:.9} {z:.9}", 300.0 * angle.sin())
+            })
+            .collect();
+        std::fs::write(folder.join(format!("{i}.txt")), points.join("\n")).unwrap();
+        slices += &format!("{place} '{i}.txt'\n");
+    }
+    let path = folder.join("dip.slcs");
+    std::fs::write(&path, format!("0 1\n{}\n0 0 0\n1\n{slices}", places.len())).unwrap();
+    path.to_str().unwrap().into()
+}
+
+#[test]
+fn a_wheelset_runs_over_a_dip_of_the_right_rail_alone() {
+    let folder = TempDir::new().unwrap();
+    // A wave 1 mm deep, 2 m long, from station 0 on.
+    let turn = std::f64::consts::TAU / 2000.0;
+    let height = |s: f64| {
+        if (0.0..2000.0).contains(&s) { -0.5 * (1.0 - (turn * s).cos()) } else { 0.0 }
+    };
+    let rail = crowns(folder.path(), height);
+    let placed = ["rail[1].placement=origin", "rail[1].position.y=0.75", "rail[1].inclination=0"];
+    let mut options = vec!["--rail", &rail, "--station", "-0.4", "--speed", "2", "--length", "2.8"];
+    for set in &placed {
+        options.extend(["--rail-set", set]);
+    }
+    options.extend(["--wheel-profile", "conical:0.025", "--record-every", "0.01"]);
+    let output = simulate(folder.path(), &options);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let rows = history(folder.path());
+    let start = rows[0]["z_mm"] + 750.0 * 1e-3 * rows[0]["roll_mrad"];
+    for row in &rows {
+        // Half of a dip lowers the middle and the other half rolls the axle; slowly, so that wheels stay on their rails.
+        let station = 1e3 * row["distance_m"] - 400.0;
+        let down = row["z_mm"] + 750.0 * 1e-3 * row["roll_mrad"] - start;
+        assert!((down + height(station)).abs() < 0.03, "{station}: {down}");
+        assert!(row["left_force_z_n"] < -30e3 && row["right_force_z_n"] < -30e3);
+    }
+    let figure = std::fs::read_to_string(folder.path().join("along_rail.svg")).unwrap();
+    for part in ["dip.slcs", "station [m]", "normal force [kN]"] {
+        assert!(figure.contains(part), "{part}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_the_right_rail_is_told() {
+    let folder = TempDir::new().unwrap();
+    let told = |options: &[&str], parts: &[&str]| {
+        let output = simulate(folder.path(), options);
+        assert!(!output.status.success());
+        let message = text(&output.stderr);
+        for part in parts {
+            assert!(message.contains(part), "{part} is missing in {message}");
+        }
+    };
+    told(&["--rail", "nowhere.slcs"], &["rail[1].profile", "nowhere.slcs"]);
+    told(&["--rail", "60E1", "--rail-set", "wheel.y=1"], &["--rail-set wheel.y"]);
+    told(&["--rail-set", "rail[1].inclination=0"], &["--rail"]);
+    told(&["--rail", "60E1", "--station", "nan"], &["--station"]);
+}

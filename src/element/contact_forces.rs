@@ -73,6 +73,8 @@ struct ZoneRolling<T> {
     position: Vector3<T>,
     axes: ContactAxes<T>,
     rolling_radius: T,
+    /// Forward velocity of the wheel over the rail's surface [m/s].
+    forward: T,
     speed: RollingSpeed<T>,
     /// Normal force with damping over that without [-].
     load_factor: T,
@@ -113,8 +115,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 None => ZoneSurface::even(),
             };
             let axes = even_axes.leaning(surface.lean);
-            let rolling = self.rolling(zone, &surface, load_factor, models.minimum_speed);
-            let ZoneRolling { position, rolling_radius, speed, .. } = rolling;
+            let rolling = self.rolling(&motion, zone, &surface, load_factor, models.minimum_speed);
+            let ZoneRolling { position, rolling_radius, speed, forward, .. } = rolling;
             let wheel_point = self.line.wheel_point(zone.u);
             let (law, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
@@ -167,10 +169,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
                 temperature: law.temperature,
                 slip_share: (tractions.slip_area / zone.area).at_most(1.0),
                 frictional_power,
-                tgamma_damage: rcf::tgamma_damage(
-                    dissipation,
-                    creep_force[0] * wheel.velocity[0] > 0.0,
-                ),
+                tgamma_damage: rcf::tgamma_damage(dissipation, creep_force[0] * forward > 0.0),
                 surface_fatigue_index: rcf::surface_fatigue_index(
                     normal_force,
                     creep_force,
@@ -195,6 +194,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     /// How a zone rolls.
     fn rolling(
         &self,
+        motion: &RelativeMotion<T>,
         zone: Zone<T>,
         surface: &ZoneSurface<T>,
         load_factor: T,
@@ -203,17 +203,15 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let wheel = &self.input.wheel;
         let depth = self.depth(zone.u) + surface.depth;
         let rolling_radius = self.line.wheel_point(zone.u).rolling_radius + surface.radius;
+        let position = self.track_point(zone.x, zone.y, depth);
+        let forward = wheel.velocity[0] - motion.roller_speed(position);
         ZoneRolling {
             zone,
-            position: self.track_point(zone.x, zone.y, depth),
+            position,
             axes: self.axes().leaning(surface.lean),
             rolling_radius,
-            speed: rolling_speed(
-                wheel.velocity[0],
-                wheel.pitch_rate,
-                rolling_radius,
-                minimum_speed,
-            ),
+            forward,
+            speed: rolling_speed(forward, wheel.pitch_rate, rolling_radius, minimum_speed),
             load_factor,
             surface_depth: surface.depth,
             lean: if self.rail.variation().is_some() { surface.lean } else { T::from(0.0) },
@@ -259,7 +257,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let motion = self.motion();
         let load_factor = self.load_factor(&motion, None, models);
         let zone = models.strips.zones[0];
-        let rolling = self.rolling(zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
+        let rolling =
+            self.rolling(&motion, zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
         let creepage = if models.creepage == CreepageModel::Kinematic {
             self.kinematic(&rolling)
         } else {
@@ -269,10 +268,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     }
 
     fn kinematic(&self, rolling: &ZoneRolling<T>) -> Creepage<T> {
-        let wheel = &self.input.wheel;
         kinematic_creepage(
-            wheel.velocity[0],
-            wheel.pitch_rate,
+            rolling.forward,
+            self.input.wheel.pitch_rate,
             rolling.rolling_radius,
             rolling.speed.reference,
         )
@@ -451,7 +449,7 @@ pub(super) fn relative_motion<T: Real>(
     k: usize,
     frame: &RailFrame<T>,
 ) -> RelativeMotion<T> {
-    RelativeMotion::new(&wheel_here(input), &input.rails[k], frame.marker)
+    frame.relative_motion(&wheel_here(input), &input.rails[k], input.wheel.position[0])
 }
 
 /// The place at which the normal force of a patch on an even wheel acts: `position`, moved along x so that the line of action along `normal`

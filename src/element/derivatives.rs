@@ -51,7 +51,7 @@ impl Element {
     /// let mut element = Element::new(&Parameters::default(), &input, &[])?;
     /// input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
     /// // Stiffness of the contact: the change of the vertical force with the height.
-    /// let mut down = Input::from_array([0.0; 29]);
+    /// let mut down = Input::from_array([0.0; 31]);
     /// down.wheel.position[2] = 1.0;
     /// let mut rates = Output::default();
     /// element.directional_derivative(&input, &down, &mut rates)?;
@@ -175,7 +175,7 @@ impl Element {
         }
         if self.rails.iter().flatten().any(|rail| rail.rail.variation().is_some()) {
             let reason = "they are there for rails that are the same all along the track";
-            return refuse("rail[k].profile with slices", reason);
+            return refuse("rail[k].profile with slices or rail[k].roller_radius", reason);
         }
         Ok(())
     }
@@ -268,11 +268,13 @@ impl Element {
     }
 
     /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor has the station of bodies that are even
-    /// and have the same friction all along the track, nor a load where the height is given, nor friction that is told otherwise.
+    /// and have the same friction all along the track, nor how a straight rail turns, nor a load where the height is given, nor friction that is told otherwise.
     fn has_effect(&self, i: usize) -> bool {
         let has = |of: fn(&RailFriction) -> bool| {
             self.rails.iter().flatten().filter_map(|rail| rail.friction.as_ref()).any(of)
         };
+        let is_roller =
+            |k: usize| self.rails[k].as_ref().is_some_and(|rail| rail.rail.roller_radius() > 0.0);
         match INPUT_NAMES[i] {
             "wheel.pitch" => false,
             "track.s" => has(RailFriction::has_stations),
@@ -281,6 +283,8 @@ impl Element {
                 has(RailFriction::has_regions)
             }
             "wheel.load" => self.vertical_mode == VerticalMode::Load,
+            "rail[1].pitch_rate" => is_roller(0),
+            "rail[2].pitch_rate" => is_roller(1),
             name if name.starts_with("rail[1]") => self.rails[0].is_some(),
             name if name.starts_with("rail[2]") => self.rails[1].is_some(),
             _ => true,

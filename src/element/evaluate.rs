@@ -126,8 +126,8 @@ impl Element {
     ) -> Result<Self, ContactError> {
         start.check()?;
         for (k, slices) in slices.iter().enumerate() {
-            if let Some(slices) = slices {
-                parameters.check_variation(&format!("rail[{}].profile", k + 1), slices)?;
+            if rails[k].is_some() {
+                parameters.check_variation(k, slices.as_ref())?;
             }
         }
         let radius = parameters.wheel.nominal_radius;
@@ -142,8 +142,10 @@ impl Element {
             let Some(profile) = profile else { continue };
             let deviations = deviations(parameters, k, folders)?;
             let placed = placed(k, profile, parameters)?;
+            let roller = parameters.rails[k].roller_radius;
             let placed = match &slices[k] {
                 Some(slices) => placed.varying(slices, &wheel.curve, radius),
+                None if roller > 0.0 => placed.on_roller(profile, &wheel.curve, radius, roller),
                 None => placed,
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;

@@ -3,12 +3,11 @@
 use nalgebra::Vector3;
 
 use super::contact_forces::ContactForces;
-use super::input::WheelMotion;
 use super::rail_walk::RailPlace;
 use crate::friction::StripFriction;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::separation::Separation;
-use crate::kinematics::creepage::{RelativeMotion, rolling_speed};
+use crate::kinematics::creepage::rolling_speed;
 
 /// One contact frame laid flat: the planar problem whose solution are its patches, but for the shift of the contact line along the track
 /// that a yawed wheel has.
@@ -53,17 +52,15 @@ impl ContactForces<'_> {
         radius: f64,
         minimum_speed: f64,
     ) -> FlatContact {
-        let [_, y, z] = self.input.wheel.position;
-        let wheel = WheelMotion { position: [0.0, y, z], ..self.input.wheel };
-        let motion = RelativeMotion::new(&wheel, &self.input.rails[self.k], self.frame.marker);
+        let (wheel, motion) = (&self.input.wheel, self.motion());
         let axes = self.axes();
+        let place = self.track_point(self.line.at(self.contact.u).x, 0.0, 0.0);
         let speed = rolling_speed(
-            wheel.velocity[0],
+            wheel.velocity[0] - motion.roller_speed(place),
             wheel.pitch_rate,
             self.line.wheel_point(self.contact.u).rolling_radius,
             minimum_speed,
         );
-        let place = self.track_point(self.line.at(self.contact.u).x, 0.0, 0.0);
         let creepage = motion.creepage(place, &axes, speed.reference);
         let [start, end] = self.line.range();
         let (from, to) = ((self.contact.u - REACH).max(start), (self.contact.u + REACH).min(end));

@@ -117,19 +117,22 @@ impl<T: Real> Input<T> {
             *wheel_load,
             self.tread_friction,
             self.gauge_face_friction,
+            r.pitch_rate,
+            s.pitch_rate,
         ]
     }
 
     /// The inputs of [`to_array`](Self::to_array).
     #[must_use]
     pub fn from_array(all: [T; INPUTS]) -> Self {
-        let rail = |k: usize| RailMotion {
+        let rail = |k: usize, pitch_rate: usize| RailMotion {
             y: all[k],
             z: all[k + 1],
             roll: all[k + 2],
             vy: all[k + 3],
             vz: all[k + 4],
             roll_rate: all[k + 5],
+            pitch_rate: all[pitch_rate],
         };
         Self {
             wheel: WheelMotion {
@@ -143,7 +146,7 @@ impl<T: Real> Input<T> {
                 pitch_rate: all[11],
             },
             wheel_load: all[26],
-            rails: [rail(12), rail(18)],
+            rails: [rail(12, 29), rail(18, 30)],
             track_s: all[24],
             friction: all[25],
             tread_friction: all[27],
@@ -159,7 +162,7 @@ impl<T: Real> Input<T> {
 }
 
 /// Number of inputs.
-pub const INPUTS: usize = 29;
+pub const INPUTS: usize = 31;
 
 /// FMU names of the inputs.
 #[rustfmt::skip]
@@ -170,6 +173,7 @@ pub const INPUT_NAMES: [&str; INPUTS] = [
     "rail[2].y", "rail[2].z", "rail[2].roll", "rail[2].vy", "rail[2].vz", "rail[2].roll_rate",
     "track.s", "friction.coefficient", "wheel.load",
     "friction.tread.coefficient", "friction.gauge_face.coefficient",
+    "rail[1].pitch_rate", "rail[2].pitch_rate",
 ];
 
 impl Input {
@@ -194,7 +198,7 @@ impl Input {
             [w.roll, w.yaw, w.pitch],
             [w.roll_rate, w.yaw_rate, w.pitch_rate],
         ];
-        let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate]);
+        let rails = self.rails.map(|r| [r.y, r.z, r.roll, r.vy, r.vz, r.roll_rate, r.pitch_rate]);
         let Self { friction, tread_friction, gauge_face_friction, .. } = *self;
         let others = [self.track_s, self.wheel_load, friction, tread_friction, gauge_face_friction];
         let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);

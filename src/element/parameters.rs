@@ -103,6 +103,8 @@ pub struct RailParameters {
     /// Its place in design position, unless it is placed by gauge: y (negative for a left wheel, as that of the wheel) and z in the
     /// track frame [m].
     pub position: [f64; 2],
+    /// Distance of the highest point of a roller from its axle, which is across the track at x = 0 of the track frame; 0 for a straight rail [m].
+    pub roller_radius: f64,
     /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on the field side.
     pub mirrored: bool,
     /// Corrugation.
@@ -179,6 +181,9 @@ pub struct Parameters {
     pub wear: WearParameters,
 }
 
+/// Least radius of a roller [m]: that of models of rigs in a fifth of the size.
+const LEAST_ROLLER: f64 = 0.1;
+
 /// Number of rails an element can carry.
 pub const RAILS: usize = 2;
 
@@ -190,6 +195,7 @@ impl Default for RailParameters {
             inclination: 0.025,
             placement: Placement::Gauge,
             position: [0.75, 0.0],
+            roller_radius: 0.0,
             mirrored: false,
             corrugation: Corrugation::default(),
             worn_file: String::new(),
@@ -274,6 +280,7 @@ impl Parameters {
         self.check_deviations()?;
         self.check_friction()?;
         self.check_foundation()?;
+        self.check_rollers()?;
         self.check_wear()
     }
 
@@ -301,6 +308,22 @@ impl Parameters {
         };
         let (name, value, allowed) = ("friction.profile".into(), file.clone(), allowed.into());
         Err(ContactError::BadText { name, value, allowed })
+    }
+
+    /// Whether rollers are large enough for a wheel to stand on.
+    fn check_rollers(&self) -> Result<(), ContactError> {
+        for (k, rail) in self.rails.iter().enumerate() {
+            let radius = rail.roller_radius;
+            if radius != 0.0 && radius < LEAST_ROLLER {
+                let name = format!("rail[{}].roller_radius", k + 1);
+                return Err(ContactError::bad_value(
+                    name,
+                    radius,
+                    "0 for a straight rail, or from 0.1 m on",
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// Whether wear is admitted, and together with the models.

@@ -156,7 +156,8 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
-        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+        let station = self.rail.station(input.track_s, input.wheel.position[0]);
+        if !self.rail.pass(&line, &pose, station) {
             return false;
         }
         self.search.search(&line, &self.rail, &self.ranges);
@@ -201,7 +202,8 @@ impl RailContact {
         self.find_ranges(input, &pose);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref());
-        if !self.rail.pass(&line, &pose, input.track_s + input.wheel.position[0]) {
+        let station = self.rail.station(input.track_s, input.wheel.position[0]);
+        if !self.rail.pass(&line, &pose, station) {
             return Vec::new();
         }
         self.search.search(&line, &self.rail, &self.ranges);

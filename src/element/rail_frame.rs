@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::input::{RailMotion, WheelMotion};
 use crate::geometry::contact_line::WheelPose;
 use crate::geometry::placed_rail::PlacedRail;
+use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
 
 /// The frame of a rail that may have moved and rolled from its design position.
@@ -16,6 +17,8 @@ pub struct RailFrame<T = f64> {
     pub roll: T,
     sine: T,
     cosine: T,
+    /// Distance of the marker from the axle of a roller; 0 for a straight rail [m].
+    roller_radius: f64,
 }
 
 impl<T: Real> RailFrame<T> {
@@ -24,14 +27,14 @@ impl<T: Real> RailFrame<T> {
         let (sine, cosine) = motion.roll.sin_cos();
         let marker =
             Vector3::new(T::from(0.0), motion.y + rail.marker[0], motion.z + rail.marker[1]);
-        Self { marker, roll: motion.roll, sine, cosine }
+        Self { marker, roll: motion.roll, sine, cosine, roller_radius: rail.roller_radius() }
     }
 
     /// The wheel as seen from the rail.
     pub fn pose(&self, wheel: &WheelMotion<T>) -> WheelPose<T> {
         let to = Vector3::from(wheel.position) - self.marker;
         WheelPose {
-            // The rail is the same all along: x counts from the wheel marker.
+            // x counts from the wheel marker.
             marker: [
                 T::from(0.0),
                 to.y * self.cosine + to.z * self.sine,
@@ -40,6 +43,23 @@ impl<T: Real> RailFrame<T> {
             roll: wheel.roll - self.roll,
             yaw: wheel.yaw,
         }
+    }
+
+    /// Motion of the `wheel` against the rail with `motion`, both with their x from the wheel marker, which is `x` ahead of the origin of the track: the axle
+    /// of a roller crosses that.
+    pub fn relative_motion(
+        &self,
+        wheel: &WheelMotion<T>,
+        motion: &RailMotion<T>,
+        x: T,
+    ) -> RelativeMotion<T> {
+        let relative = RelativeMotion::new(wheel, motion, self.marker);
+        if self.roller_radius == 0.0 {
+            return relative;
+        }
+        let (zero, radius) = (T::from(0.0), T::from(self.roller_radius));
+        let axle = self.marker + self.direction([zero, radius]) - Vector3::x() * x;
+        relative.on_roller(axle, self.direction([T::from(1.0), zero]) * motion.pitch_rate)
     }
 
     /// A direction (y, z) of the rail's frame in the track frame.

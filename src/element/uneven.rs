@@ -136,29 +136,43 @@ impl Parameters {
 }
 
 impl Parameters {
-    /// Whether the models go with a body whose section varies, which the parameter `name` names.
-    pub(super) fn check_variation(&self, name: &str, slices: &Slices) -> Result<(), ContactError> {
-        let refuse = |allowed: &str| {
-            let (name, value) = (name.into(), slices.name.clone());
-            Err(ContactError::BadText { name, value, allowed: allowed.into() })
+    /// Whether the models go with rail number `k`, should that be a roller or its section vary as `slices` say.
+    pub(super) fn check_variation(
+        &self,
+        k: usize,
+        slices: Option<&Slices>,
+    ) -> Result<(), ContactError> {
+        let radius = self.rails[k].roller_radius;
+        let (part, value, even) = match slices {
+            Some(slices) => ("profile", slices.name.clone(), "one profile for all the track"),
+            None if radius != 0.0 => ("roller_radius", radius.to_string(), "0, a straight rail,"),
+            None => return Ok(()),
         };
-        if self.is_uneven() {
+        let refuse = |why: &str| {
+            let name = format!("rail[{}].{part}", k + 1);
+            let (value, allowed) = (value.clone(), format!("{even} {why}"));
+            Err(ContactError::BadText { name, value, allowed })
+        };
+        if slices.is_some() && radius != 0.0 {
             return refuse(
-                "one profile for all the track where there is wheel.flat, wheel.out_of_round or rail[k].corrugation",
+                "where there is rail[k].roller_radius: a roller has one profile all around",
             );
+        }
+        if self.is_uneven() {
+            return refuse("where there is wheel.flat, wheel.out_of_round or rail[k].corrugation");
         }
         if self.wear.model != WearModel::Off {
             return refuse(
-                "one profile for all the track, as wear.model is not off: what wears is a profile that is the same all along",
+                "as wear.model is not off: what wears is a profile that is the same all along a straight rail",
             );
         }
         if self.normal_model == NormalModel::BoundaryElement {
             return refuse(
-                "one profile for all the track where normal.model is boundary_element; slices go with strips, hertz and piotrowski_kik",
+                "where normal.model is boundary_element; slices and rollers go with strips, hertz and piotrowski_kik",
             );
         }
         if self.friction_distribution == FrictionDistribution::Profile {
-            return refuse("one profile for all the track where friction.distribution is profile");
+            return refuse("where friction.distribution is profile");
         }
         Ok(())
     }

@@ -8,13 +8,13 @@ use crate::math::real::Real;
 
 /// Point and tangent of a curve at one knot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Knot {
+pub struct Knot<T = f64> {
     /// Curve parameter, close to arc length, strictly growing from knot to knot [m].
-    pub s: f64,
+    pub s: T,
     /// Point (y, z) in the profile frame [m].
-    pub point: [f64; 2],
+    pub point: [T; 2],
     /// Derivative of the point with respect to `s`, of length close to one [-].
-    pub tangent: [f64; 2],
+    pub tangent: [T; 2],
 }
 
 /// Point and derivatives of a curve with respect to its parameter.

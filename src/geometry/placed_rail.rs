@@ -203,7 +203,31 @@ impl PlacedRail {
     /// The rail whose section varies as `slices` say, which stands as that of their first one does, under wheels with the profile `wheel` and the
     /// radius `nominal_radius` [m].
     #[must_use]
-    pub fn varying(mut self, slices: &Slices, wheel: &Curve, nominal_radius: f64) -> Self {
+    pub fn varying(self, slices: &Slices, wheel: &Curve, nominal_radius: f64) -> Self {
+        self.of_slices(slices, wheel, nominal_radius, 0.0)
+    }
+
+    /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame `radius` [m] below the marker, under wheels as in
+    /// [`varying`](Self::varying).
+    #[must_use]
+    pub fn on_roller(
+        self,
+        profile: &Profile,
+        wheel: &Curve,
+        nominal_radius: f64,
+        radius: f64,
+    ) -> Self {
+        let slices = Slices::even(profile, VaryingRail::range_of_roller(radius));
+        self.of_slices(&slices, wheel, nominal_radius, radius)
+    }
+
+    fn of_slices(
+        mut self,
+        slices: &Slices,
+        wheel: &Curve,
+        nominal_radius: f64,
+        roller_radius: f64,
+    ) -> Self {
         let varying = VaryingRail::new(
             slices,
             |point| self.placed_point(point),
@@ -211,6 +235,7 @@ impl PlacedRail {
             self.hand < 0.0,
             wheel,
             nominal_radius,
+            roller_radius,
         );
         self.reserve(varying.most_knots());
         let hollow = |profile: &Profile| greatest_concavity(&profile.curve);
@@ -224,6 +249,18 @@ impl PlacedRail {
     #[must_use]
     pub fn variation(&self) -> Option<&VaryingRail> {
         self.varying.as_deref()
+    }
+
+    /// Distance of the marker from the axle of a roller; 0 for a rail [m].
+    #[must_use]
+    pub fn roller_radius(&self) -> f64 {
+        self.varying.as_ref().map_or(0.0, |varying| varying.roller_radius())
+    }
+
+    /// Station of a wheel at `x` of a track whose origin is at `origin`; a roller stays where the track frame is [m].
+    #[must_use]
+    pub fn station<T: Real>(&self, origin: T, x: T) -> T {
+        if self.roller_radius() > 0.0 { x } else { origin + x }
     }
 
     /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above `station` [m], meets it; nothing for others. False where

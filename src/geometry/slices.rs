@@ -4,6 +4,7 @@
 //! cross an edge. Along each row the point, and how it changes across, are cubic splines over the places of the slices.
 
 use crate::geometry::profile::Profile;
+use crate::math::real::Real;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
 /// One section and where it is.
@@ -71,6 +72,14 @@ impl Slices {
         let found = Self { name: name.into(), all: slices, passes_near };
         found.parts()?;
         Ok(found)
+    }
+
+    /// The same `profile` at two places [m].
+    #[must_use]
+    pub fn even(profile: &Profile, places: [f64; 2]) -> Self {
+        let all =
+            places.map(|place| Slice { place, profile: profile.clone(), features: Vec::new() });
+        Self { name: profile.name.clone(), all: all.into(), passes_near: false }
     }
 
     /// The slices.
@@ -288,11 +297,11 @@ fn turn_direction(value: &mut RowValue) {
 }
 
 /// Length of the arc between two points with the directions of their tangents: that of a circle, to the fourth order of their distance [m].
-pub(super) fn arc(a: [f64; 2], from: [f64; 2], b: [f64; 2], to: [f64; 2]) -> f64 {
+pub(super) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T {
     let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
     let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
     let turn = from[0] * to[1] - from[1] * to[0];
-    chord * (1.0 + turn * turn / (24.0 * sizes))
+    chord * (turn * turn / (sizes * 24.0) + 1.0)
 }
 
 /// Steepest row along the track, as a slope against it, and share of the rows of a part from which on the part is broken where so many are steeper: the two

@@ -117,6 +117,9 @@ pub struct RelativeMotion<T = f64> {
     rail_marker: Vector3<T>,
     rail_velocity: Vector3<T>,
     rail_rotation: Vector3<T>,
+    /// A point of the axle of a roller, and how it turns about that.
+    roller_axle: Vector3<T>,
+    roller_rotation: Vector3<T>,
 }
 
 impl<T: Real> RelativeMotion<T> {
@@ -136,7 +139,21 @@ impl<T: Real> RelativeMotion<T> {
             rail_marker,
             rail_velocity: Vector3::new(T::from(0.0), rail.vy, rail.vz),
             rail_rotation: Vector3::x() * rail.roll_rate,
+            roller_axle: rail_marker,
+            roller_rotation: Vector3::zeros(),
         }
+    }
+
+    /// The same on a roller that turns by `rotation` [rad/s] about an axle through the point `axle` [m].
+    #[must_use]
+    pub fn on_roller(self, axle: Vector3<T>, rotation: Vector3<T>) -> Self {
+        Self { roller_axle: axle, roller_rotation: rotation, ..self }
+    }
+
+    /// Forward velocity of the surface of a roller at `point` by its turning; 0 on a straight rail [m/s].
+    #[must_use]
+    pub fn roller_speed(&self, point: Vector3<T>) -> T {
+        self.roller_rotation.cross(&(point - self.roller_axle)).x
     }
 
     /// Creepage at `point` [m] of a contact with the given axes, for the reference speed [m/s].
@@ -148,8 +165,10 @@ impl<T: Real> RelativeMotion<T> {
         reference_speed: T,
     ) -> Creepage<T> {
         let wheel = self.wheel_velocity + self.wheel_rotation.cross(&(point - self.wheel_marker));
-        let slip = wheel - self.rail_velocity_at(point);
-        let spin = (self.wheel_rotation - self.rail_rotation).dot(&axes.normal);
+        let roller = self.roller_rotation.cross(&(point - self.roller_axle));
+        let slip = wheel - self.rail_velocity_at(point) - roller;
+        let rail_rotation = self.rail_rotation + self.roller_rotation;
+        let spin = (self.wheel_rotation - rail_rotation).dot(&axes.normal);
         Creepage {
             longitudinal: bounded(slip.dot(&axes.longitudinal) / reference_speed),
             lateral: bounded(slip.dot(&axes.lateral) / reference_speed),
@@ -157,14 +176,15 @@ impl<T: Real> RelativeMotion<T> {
         }
     }
 
-    /// Velocity at which the undeformed bodies close at `point`: without the turning about the axle, which moves no wheel
-    /// surface, as the wheel is round [m/s].
+    /// Velocity at which the undeformed bodies close at `point`: without the turning about their axles, which moves no
+    /// surface, as wheel and roller are round [m/s].
     #[must_use]
     pub fn closing_velocity(&self, point: Vector3<T>) -> Vector3<T> {
         self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
             - self.rail_velocity_at(point)
     }
 
+    /// Velocity of the rail, without the turning of a roller [m/s].
     fn rail_velocity_at(&self, point: Vector3<T>) -> Vector3<T> {
         self.rail_velocity + self.rail_rotation.cross(&(point - self.rail_marker))
     }

@@ -66,6 +66,8 @@ pub fn random_input(element: &mut Element, random: &mut Random) -> Input {
         vy: random.about(0.1),
         vz: random.about(0.02),
         roll_rate: random.about(0.1),
+        // Without effect on straight rails.
+        pitch_rate: 3.0,
     };
     input.friction = random.within(0.05, 0.6);
     (input.tread_friction, input.gauge_face_friction) = (input.friction, 0.4 * input.friction);

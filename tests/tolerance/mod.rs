@@ -21,6 +21,11 @@ pub const VARYING_HEIGHT: f64 = 1e-6;
 pub const VARYING_PLACE: f64 = 2e-4;
 pub const VARYING_PRESSURE: f64 = 0.03;
 pub const VARYING_FORCE: f64 = 0.03;
+/// Wheels of simple shapes on rollers against CONTACT: normal force and greatest pressure [-], contact angle [rad]: the aims for loads and pressures, and a degree's
+/// twentieth.
+pub const ROLLER_FORCE: f64 = 0.01;
+pub const ROLLER_PRESSURE: f64 = 0.03;
+pub const ROLLER_ANGLE: f64 = 1e-3;
 /// Change of the vertical force along a track that bends against that of the longitudinal one with the height: the aim for loads.
 pub const VARYING_ENERGY: f64 = 1e-2;
 

@@ -41,6 +41,8 @@ fn random_input(random: &mut Random) -> Input {
         vy: random.about(0.05),
         vz: random.about(0.01),
         roll_rate: random.about(0.05),
+        // Without effect on straight rails.
+        pitch_rate: 3.0,
     };
     let rails = [[rail(), rail()], [rail(), rail()]];
     let friction = [random.within(0.1, 0.5), random.within(0.1, 0.5)];

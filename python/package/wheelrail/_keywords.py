@@ -56,6 +56,8 @@ class ElementInputs(TypedDict, total=False):
     """Vertical velocity of the marker of rail 1, down [m/s]."""
     rail1_roll_rate: npt.ArrayLike
     """Rate of the roll angle of rail 1 [rad/s]."""
+    rail1_pitch_rate: npt.ArrayLike
+    """Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     rail2_y: npt.ArrayLike
     """Lateral deviation of rail 2 from its design position [m]."""
     rail2_z: npt.ArrayLike
@@ -68,6 +70,8 @@ class ElementInputs(TypedDict, total=False):
     """Vertical velocity of the marker of rail 2, down [m/s]."""
     rail2_roll_rate: npt.ArrayLike
     """Rate of the roll angle of rail 2 [rad/s]."""
+    rail2_pitch_rate: npt.ArrayLike
+    """Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     track_s: npt.ArrayLike
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     friction: npt.ArrayLike
@@ -115,8 +119,12 @@ class ElementParameters(TypedDict, total=False):
     """Vertical position in the track frame of that point of rail 2 in design position, down [m]."""
     rail1_inclination: float
     """Inclination of rail 1 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    rail1_roller_radius: float
+    """Radius of roller 1 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     rail2_inclination: float
     """Inclination of rail 2 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    rail2_roller_radius: float
+    """Radius of roller 2 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     rail1_corrugation_amplitude: float
     """Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     rail1_corrugation_wavelength: float
@@ -397,6 +405,8 @@ class ElementParameters(TypedDict, total=False):
     """Vertical velocity of the marker of rail 1, down [m/s]."""
     rail1_roll_rate: float
     """Rate of the roll angle of rail 1 [rad/s]."""
+    rail1_pitch_rate: float
+    """Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     rail2_y: float
     """Lateral deviation of rail 2 from its design position [m]."""
     rail2_z: float
@@ -409,6 +419,8 @@ class ElementParameters(TypedDict, total=False):
     """Vertical velocity of the marker of rail 2, down [m/s]."""
     rail2_roll_rate: float
     """Rate of the roll angle of rail 2 [rad/s]."""
+    rail2_pitch_rate: float
+    """Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     track_s: float
     """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
     friction: float
@@ -492,6 +504,8 @@ class WheelSetInputs(TypedDict, total=False):
     """Right side: Vertical velocity of the marker of rail 1, down [m/s]."""
     right_rail1_roll_rate: npt.ArrayLike
     """Right side: Rate of the roll angle of rail 1 [rad/s]."""
+    right_rail1_pitch_rate: npt.ArrayLike
+    """Right side: Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     right_rail2_y: npt.ArrayLike
     """Right side: Lateral deviation of rail 2 from its design position [m]."""
     right_rail2_z: npt.ArrayLike
@@ -504,6 +518,8 @@ class WheelSetInputs(TypedDict, total=False):
     """Right side: Vertical velocity of the marker of rail 2, down [m/s]."""
     right_rail2_roll_rate: npt.ArrayLike
     """Right side: Rate of the roll angle of rail 2 [rad/s]."""
+    right_rail2_pitch_rate: npt.ArrayLike
+    """Right side: Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     right_friction: npt.ArrayLike
     """Right side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     right_friction_tread_coefficient: npt.ArrayLike
@@ -524,6 +540,8 @@ class WheelSetInputs(TypedDict, total=False):
     """Left side: Vertical velocity of the marker of rail 1, down [m/s]."""
     left_rail1_roll_rate: npt.ArrayLike
     """Left side: Rate of the roll angle of rail 1 [rad/s]."""
+    left_rail1_pitch_rate: npt.ArrayLike
+    """Left side: Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     left_rail2_y: npt.ArrayLike
     """Left side: Lateral deviation of rail 2 from its design position [m]."""
     left_rail2_z: npt.ArrayLike
@@ -536,6 +554,8 @@ class WheelSetInputs(TypedDict, total=False):
     """Left side: Vertical velocity of the marker of rail 2, down [m/s]."""
     left_rail2_roll_rate: npt.ArrayLike
     """Left side: Rate of the roll angle of rail 2 [rad/s]."""
+    left_rail2_pitch_rate: npt.ArrayLike
+    """Left side: Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     left_friction: npt.ArrayLike
     """Left side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     left_friction_tread_coefficient: npt.ArrayLike
@@ -785,8 +805,12 @@ class WheelSetParameters(TypedDict, total=False):
     """Right side: Vertical position in the track frame of that point of rail 2 in design position, down [m]."""
     right_rail1_inclination: float
     """Right side: Inclination of rail 1 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    right_rail1_roller_radius: float
+    """Right side: Radius of roller 1 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     right_rail2_inclination: float
     """Right side: Inclination of rail 2 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    right_rail2_roller_radius: float
+    """Right side: Radius of roller 2 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     right_rail1_corrugation_amplitude: float
     """Right side: Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     right_rail1_corrugation_wavelength: float
@@ -855,8 +879,12 @@ class WheelSetParameters(TypedDict, total=False):
     """Left side: Vertical position in the track frame of that point of rail 2 in design position, down [m]."""
     left_rail1_inclination: float
     """Left side: Inclination of rail 1 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    left_rail1_roller_radius: float
+    """Left side: Radius of roller 1 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     left_rail2_inclination: float
     """Left side: Inclination of rail 2 towards the track centre as a tangent: 1:40 is 0.025 [-]."""
+    left_rail2_roller_radius: float
+    """Left side: Radius of roller 2 at its highest point, 0.1 m at least; its axle is across the track at x = 0 of the track frame, wherever track.s is; 0 for a straight rail [m]."""
     left_rail1_corrugation_amplitude: float
     """Left side: Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     left_rail1_corrugation_wavelength: float
@@ -967,6 +995,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Right side: Vertical velocity of the marker of rail 1, down [m/s]."""
     right_rail1_roll_rate: float
     """Right side: Rate of the roll angle of rail 1 [rad/s]."""
+    right_rail1_pitch_rate: float
+    """Right side: Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     right_rail2_y: float
     """Right side: Lateral deviation of rail 2 from its design position [m]."""
     right_rail2_z: float
@@ -979,6 +1009,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Right side: Vertical velocity of the marker of rail 2, down [m/s]."""
     right_rail2_roll_rate: float
     """Right side: Rate of the roll angle of rail 2 [rad/s]."""
+    right_rail2_pitch_rate: float
+    """Right side: Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     right_friction: float
     """Right side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     right_friction_tread_coefficient: float
@@ -999,6 +1031,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Left side: Vertical velocity of the marker of rail 1, down [m/s]."""
     left_rail1_roll_rate: float
     """Left side: Rate of the roll angle of rail 1 [rad/s]."""
+    left_rail1_pitch_rate: float
+    """Left side: Angular velocity of roller 1 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     left_rail2_y: float
     """Left side: Lateral deviation of rail 2 from its design position [m]."""
     left_rail2_z: float
@@ -1011,6 +1045,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Left side: Vertical velocity of the marker of rail 2, down [m/s]."""
     left_rail2_roll_rate: float
     """Left side: Rate of the roll angle of rail 2 [rad/s]."""
+    left_rail2_pitch_rate: float
+    """Left side: Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     left_friction: float
     """Left side: Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     left_friction_tread_coefficient: float

@@ -2,13 +2,14 @@
 
 use super::{ContactLine, LinePoint};
 use crate::geometry::longitudinal::Longitudinal;
+use crate::math::real::Real;
 
 /// Least share of its parameter by which the line moves: at the fold of a line, where it stands, a slope over its length has no bound.
 const LEAST_SPEED: f64 = 0.05;
 /// Least share along the normal of a lift, at a face that stands upright.
 const LEAST_SHARE: f64 = 0.05;
 
-impl<'a> ContactLine<'a> {
+impl<'a, T: Real> ContactLine<'a, T> {
     /// Deviations of wheel and rail along the track, where there are any.
     #[must_use]
     pub fn deviations(&self) -> Option<&'a Longitudinal> {
@@ -17,9 +18,9 @@ impl<'a> ContactLine<'a> {
 
     /// Radius of the circles that the wheel shows the rail at parameter `s`: r, and of a yawed wheel what its section has [m].
     #[must_use]
-    pub fn lifting_radius(&self, s: f64) -> f64 {
+    pub fn lifting_radius(&self, s: T) -> T {
         let wheel = self.wheel_point(s);
-        if self.lead == 0.0 {
+        if self.is_straight() {
             return wheel.rolling_radius;
         }
         let tangent = self.even_at(s).tangent;
@@ -30,10 +31,23 @@ impl<'a> ContactLine<'a> {
 
     /// Component along a contact normal (y, z) of a unit of lift [-].
     #[must_use]
-    pub fn lifting_share(&self, normal: [f64; 2]) -> f64 {
-        (normal[0] * self.down[0] + normal[1] * self.down[1]).max(LEAST_SHARE)
+    pub fn lifting_share(&self, normal: [T; 2]) -> T {
+        (normal[0] * self.down[0] + normal[1] * self.down[1]).at_least(LEAST_SHARE)
     }
 
+    /// Derivative of the even line's x with respect to its parameter.
+    pub(crate) fn advance(&self, s: T) -> T {
+        let p = self.profile.at(s);
+        let on = self.circle(&p);
+        if self.follows_rim(&p) {
+            return self.rim(s, &p, &on).advance();
+        }
+        let turning = self.turning(&p, &on);
+        p.first[0] * self.axle[0] + self.cosine * (p.first[1] * on.sine + on.radius * turning)
+    }
+}
+
+impl ContactLine<'_> {
     /// Bound of the derivative of x with respect to the parameter, where [`stretch_factor`](Self::stretch_factor) is at most
     /// `stretch` [1/m].
     #[must_use]
@@ -90,17 +104,6 @@ impl<'a> ContactLine<'a> {
         let lower = |v: [f64; 2], by: f64| [0, 1].map(|i| v[i] + by * self.down[i]);
         let point = lower(even.point, lift.height);
         (LinePoint { x: lift.x, point, ..even }, lower(derivative, rate), radius)
-    }
-
-    /// Derivative of the even line's x with respect to its parameter.
-    pub(crate) fn advance(&self, s: f64) -> f64 {
-        let p = self.profile.at(s);
-        let on = self.circle(&p);
-        if self.follows_rim(&p) {
-            return self.rim(s, &p, &on).advance();
-        }
-        let turning = self.turning(&p, &on);
-        p.first[0] * self.axle[0] + self.cosine * (p.first[1] * on.sine + on.radius * turning)
     }
 
     /// How much longer than the even line the lifted one can be, over [`stretch_factor`](Self::stretch_factor) [m].

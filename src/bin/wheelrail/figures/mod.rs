@@ -1,5 +1,6 @@
 //! Figures of a run, as SVG; and the look they share.
 
+pub mod along_rail;
 mod axes;
 pub mod conicity;
 pub mod contact;

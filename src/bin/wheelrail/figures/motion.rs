@@ -20,11 +20,11 @@ const SIZE: (u32, u32) = (1100, 760);
 const POINTS: usize = 1000;
 
 /// One curve of a panel.
-struct Series<'a> {
-    label: &'a str,
-    color: RGBColor,
-    dashed: bool,
-    points: Vec<(f64, f64)>,
+pub(super) struct Series<'a> {
+    pub label: &'a str,
+    pub color: RGBColor,
+    pub dashed: bool,
+    pub points: Vec<(f64, f64)>,
 }
 
 /// Draws the figure into the file `path`.
@@ -51,27 +51,31 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
         },
         Series { label: "wheelset", color: BLUE, dashed: false, points: over(|r| 1e3 * r.state.y) },
     ];
-    panel(&above, "lateral displacement [mm], to the right", None, track, &lateral)?;
+    panel(&above, "lateral displacement [mm], to the right", None, Some(track), &lateral)?;
     let yaw = [Series {
         label: "wheelset",
         color: VERMILION,
         dashed: false,
         points: over(|r| 1e3 * r.state.yaw),
     }];
-    panel(&below, "yaw [mrad], nose to the right", Some("distance [m]"), track, &yaw)?;
+    panel(&below, "yaw [mrad], nose to the right", Some("distance [m]"), Some(track), &yaw)?;
     Ok(())
 }
 
-fn panel(
+/// One panel; the ramp of the `track` is shaded where there is one.
+pub(super) fn panel(
     area: &Area<'_>,
     y_title: &str,
     x_title: Option<&str>,
-    track: &Track,
+    track: Option<&Track>,
     series: &[Series<'_>],
 ) -> Result<()> {
     let distances = series[0].points.iter().map(|point| point.0);
-    let (x_start, x_end) = (distances.clone().fold(0.0, f64::min), distances.fold(1e-3, f64::max));
-    let x_range = x_start..x_end;
+    let (x_start, x_end) = (
+        distances.clone().fold(f64::INFINITY, f64::min),
+        distances.fold(f64::NEG_INFINITY, f64::max),
+    );
+    let x_range = x_start..x_end.max(x_start + 1e-3);
     let values = series.iter().flat_map(|s| s.points.iter().map(|point| point.1));
     let y_range = range_of(values, 0.1);
     let mut chart = ChartBuilder::on(area)
@@ -80,7 +84,7 @@ fn panel(
         .x_label_area_size(px(if x_title.is_some() { 52 } else { 28 }))
         .y_label_area_size(px(78))
         .build_cartesian_2d(x_range.clone(), y_range.clone())?;
-    let ramp = ramp_stretch(track, &x_range);
+    let ramp = track.map_or(0.0..0.0, |track| ramp_stretch(track, &x_range));
     let corners = [(ramp.start, y_range.start), (ramp.end, y_range.end)];
     if ramp.start < ramp.end {
         chart

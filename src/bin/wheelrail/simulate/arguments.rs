@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use super::fmu_wheel::is_driven;
-use crate::args::ContactOptions;
+use crate::args::{ContactOptions, assignment};
 use crate::wheelset::options::WheelsetOptions;
 use crate::wheelset::track::{RampShape, Track};
 
@@ -15,7 +15,8 @@ use crate::wheelset::track::{RampShape, Track};
 /// One instance of WheelRail.fmu stands for each wheel, loaded as any importer would load it. The wheelset is a
 /// rigid body (y, z, roll, yaw, pitch; its speed along the track is held) on linear primary springs and dampers against a
 /// frame that runs straight ahead on the track's centre line. It starts rolling freely in the middle of the track
-/// and meets a lateral ramp of both rails. Left in the output folder: history.csv, motion.svg, patches.svg.
+/// and meets a lateral ramp of both rails, or with --rail what lies in the right rail: a crossing, a switch, a dip. Left in
+/// the output folder: history.csv, motion.svg, patches.svg, with --rail along_rail.svg too.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
@@ -36,9 +37,18 @@ pub struct Arguments {
     /// Distance run [m]
     #[arg(long, value_name = "M", default_value_t = 60.0, help_heading = "Run")]
     pub length: f64,
-    /// Lateral displacement of the track by the ramp, to the right [m]
-    #[arg(long, value_name = "M", default_value_t = 0.005, help_heading = "Run")]
-    pub ramp: f64,
+    /// Rail on the right alone, such as the slices or the table of sections of a crossing; the other one stays that of --rail-profile
+    #[arg(long, value_name = "FILE", help_heading = "Run")]
+    pub rail: Option<String>,
+    /// Set a parameter of the right wheel alone, such as rail[1].placement or rail[2].profile; may be repeated
+    #[arg(long = "rail-set", value_name = "NAME=VALUE", value_parser = assignment, requires = "rail", help_heading = "Run")]
+    pub rail_settings: Vec<(String, String)>,
+    /// Station at which the run starts [m]
+    #[arg(long, value_name = "M", default_value_t = 0.0, help_heading = "Run")]
+    pub station: f64,
+    /// Lateral displacement of the track by the ramp, to the right; without it 0.005, with --rail 0 [m]
+    #[arg(long, value_name = "M", help_heading = "Run")]
+    pub ramp: Option<f64>,
     /// Length of the ramp [m]
     #[arg(long, value_name = "M", default_value_t = 1.0, help_heading = "Run")]
     pub ramp_length: f64,
@@ -76,15 +86,36 @@ impl Arguments {
             }
         }
         self.wheelset.check()?;
-        for (name, value) in [("ramp", self.ramp), ("ramp-start", self.ramp_start)] {
+        for (name, value) in
+            [("ramp", self.ramp()), ("ramp-start", self.ramp_start), ("station", self.station)]
+        {
             if !value.is_finite() {
                 bail!("--{name} {value} is not admitted: it must be a finite number");
             }
         }
-        if let Some((name, _)) = self.contact.settings.iter().find(|(name, _)| is_driven(name)) {
-            bail!("--set {name}: the run itself sets it, for each wheel and at every step");
+        let set = self.contact.settings.iter().map(|setting| ("set", setting));
+        let right = self.rail_settings.iter().map(|setting| ("rail-set", setting));
+        if let Some((option, (name, _))) = set.chain(right).find(|(_, (name, _))| is_driven(name)) {
+            bail!("--{option} {name}: the run itself sets it, for each wheel and at every step");
         }
         Ok(())
+    }
+
+    /// Lateral displacement by the ramp [m].
+    pub fn ramp(&self) -> f64 {
+        self.ramp.unwrap_or(if self.rail.is_some() { 0.0 } else { 0.005 })
+    }
+
+    /// Names and values of what is set for the right wheel alone, in order.
+    pub fn right_settings(&self) -> Vec<(String, String)> {
+        let profile = self.rail.iter().map(|rail| ("rail[1].profile".to_owned(), rail.clone()));
+        profile.chain(self.rail_settings.iter().cloned()).collect()
+    }
+
+    /// The pairs that touch, for titles.
+    pub fn profiles(&self) -> String {
+        let right = self.rail.as_ref().map_or_else(String::new, |rail| format!(", right {rail}"));
+        self.contact.profiles() + &right
     }
 
     /// The track.
@@ -92,7 +123,7 @@ impl Arguments {
         Track {
             ramp_start: self.ramp_start,
             ramp_length: self.ramp_length,
-            ramp: self.ramp,
+            ramp: self.ramp(),
             shape: self.ramp_shape,
         }
     }

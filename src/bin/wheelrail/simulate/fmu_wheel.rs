@@ -47,6 +47,8 @@ pub fn is_driven(name: &str) -> bool {
 /// One patch as the history and the figures show it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Patch {
+    /// Number of the rail, from 1.
+    pub rail: i32,
     /// Normal force [N].
     pub normal_force: f64,
     /// Contact angle [rad].
@@ -70,16 +72,24 @@ pub struct FmuWheel<'fmu> {
     wrench: Vec<u32>,
     patch_count: u32,
     patches: Vec<u32>,
+    patch_rails: Vec<u32>,
     /// Sets of inputs answered.
     pub evaluations: u64,
+    /// Station at which the run starts [m].
+    station: f64,
 }
 
 impl<'fmu> FmuWheel<'fmu> {
-    /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode.
+    /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode, for a run that starts at `station` [m].
     ///
     /// # Errors
     /// If the unit refuses a setting or is not a wheel-rail contact element.
-    pub fn new(fmu: &'fmu Fmu, side: &str, settings: &[(String, String)]) -> Result<Self> {
+    pub fn new(
+        fmu: &'fmu Fmu,
+        side: &str,
+        settings: &[(String, String)],
+        station: f64,
+    ) -> Result<Self> {
         let mut instance = Instance::new(fmu, &format!("{side} wheel"))?;
         instance.set_text("side", side)?;
         for (name, value) in settings {
@@ -100,9 +110,15 @@ impl<'fmu> FmuWheel<'fmu> {
             wrench: instance.reals(&WRENCH)?,
             patch_count: instance.integer("patch_count")?,
             patches: instance.reals(&patch_names)?,
+            patch_rails: (1..=REPORTED_PATCHES)
+                .map(|k| instance.integer(&format!("patch[{k}].rail")))
+                .collect::<Result<_>>()?,
             instance,
             evaluations: 0,
+            station,
         };
+        let start = wheel.instance.reals(&["track.s"])?;
+        wheel.instance.set_reals(&start, &[station])?;
         // The starting position belongs to the side; the unit starts as a right wheel.
         if side == "left" {
             let y = wheel.instance.reals(&["wheel.y"])?;
@@ -141,9 +157,13 @@ impl<'fmu> FmuWheel<'fmu> {
             usize::try_from(count).context("patch_count is negative")?.min(REPORTED_PATCHES);
         let mut values = vec![0.0; count * PATCH.len()];
         self.instance.get_reals(&self.patches[..values.len()], &mut values)?;
+        let rails = self.patch_rails[..count].iter().map(|rail| self.instance.get_integer(*rail));
+        let rails = rails.collect::<Result<Vec<i32>>>()?;
         Ok(values
             .chunks_exact(PATCH.len())
-            .map(|v| Patch {
+            .zip(rails)
+            .map(|(v, rail)| Patch {
+                rail,
                 normal_force: v[0],
                 contact_angle: v[1],
                 rail_y: v[2],
@@ -187,7 +207,7 @@ impl Wheel for FmuWheel<'_> {
             wheel.yaw_rate,
             wheel.pitch_rate,
             input.rail.y,
-            input.station,
+            self.station + input.station,
         ];
         self.instance.set_reals(&self.inputs, &values)?;
         if let Moment::Step { time, step } = moment {

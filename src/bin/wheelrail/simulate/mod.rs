@@ -1,4 +1,4 @@
-//! `wheelrail simulate`: a wheelset runs over a lateral ramp on two instances of the FMU.
+//! `wheelrail simulate`: a wheelset runs over a lateral ramp, or what lies in its right rail, on two instances of the FMU.
 
 mod arguments;
 mod fmu_wheel;
@@ -48,9 +48,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;
     let fmu = Fmu::open(&path)?;
     let settings = arguments.contact.all_settings();
-    let mut right = FmuWheel::new(&fmu, "right", &settings)?;
-    let left = FmuWheel::new(&fmu, "left", &settings)?;
-    let touching_z = right.touching_z()?;
+    let mut left = FmuWheel::new(&fmu, "left", &settings, arguments.station)?;
+    let settings = [settings, arguments.right_settings()].concat();
+    let mut right = FmuWheel::new(&fmu, "right", &settings, arguments.station)?;
+    let touching = [right.touching_z()?, left.touching_z()?];
     let mut out = stdout().lock();
     report::situation(&mut out, arguments, &path)?;
     let mut wheelset = Wheelset {
@@ -61,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         wheels: [right, left],
         wrenches: [Wrench::default(); 2],
     };
-    let start = wheelset.find_equilibrium(touching_z)?;
+    let start = wheelset.find_equilibrium(touching)?;
     let limit = wheelset.step_limit(&start)?;
     let step = arguments.step.unwrap_or_else(|| limit.proposal());
     if arguments.step.is_none() && step < SHORTEST_STEP {
@@ -175,16 +176,23 @@ fn write_files(arguments: &Arguments, records: &[Record]) -> Result<Vec<PathBuf>
     let folder = &arguments.output;
     std::fs::create_dir_all(folder)
         .with_context(|| format!("cannot make the folder {}", folder.display()))?;
-    let files = ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name));
+    let mut files: Vec<PathBuf> =
+        ["history.csv", "motion.svg", "patches.svg"].map(|name| folder.join(name)).into();
     history::write(&files[0], records)?;
     let title = format!(
         "{}, {} mm ramp at {} m/s",
-        arguments.contact.profiles(),
-        1e3 * arguments.ramp,
+        arguments.profiles(),
+        1e3 * arguments.ramp(),
         arguments.speed
     );
     let track = arguments.track();
     figures::motion::draw(&files[1], &title, &track, records)?;
     figures::patches::draw(&files[2], &title, &track, records)?;
-    Ok(files.into())
+    if arguments.rail.is_some() {
+        let title = format!("{} at {} m/s", arguments.profiles(), arguments.speed);
+        files.push(folder.join("along_rail.svg"));
+        let places = [arguments.station, 0.5 * arguments.wheelset.running_circles];
+        figures::along_rail::draw(&files[3], &title, places, records)?;
+    }
+    Ok(files)
 }

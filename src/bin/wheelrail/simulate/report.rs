@@ -53,7 +53,7 @@ pub fn situation(out: &mut impl Write, arguments: &Arguments, unit: &Path) -> io
         arguments.length,
         arguments.speed,
         format!("{:?}", arguments.ramp_shape).to_lowercase(),
-        1e3 * arguments.ramp,
+        1e3 * arguments.ramp(),
         arguments.ramp_start,
         arguments.ramp_start + arguments.ramp_length
     )

@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn a_wheelset_displaced_to_the_right_is_steered_to_the_left() {
         let mut wheelset = wheelset(15.0, 0.05);
-        let state = wheelset.find_equilibrium(-RADIUS).unwrap();
+        let state = wheelset.find_equilibrium([-RADIUS; 2]).unwrap();
         let displaced = State { y: 0.003, ..state };
         let force = wheelset.force(&displaced, Moment::Initialization).unwrap();
         assert!(force.yaw < 0.0, "{force:?}");
@@ -94,7 +94,7 @@ mod tests {
     fn cones_follow_klingels_wave() {
         let (speed, slope, step) = (2.0, 0.1, 4e-5);
         let mut wheelset = wheelset(speed, slope);
-        let mut state = wheelset.find_equilibrium(-RADIUS).unwrap();
+        let mut state = wheelset.find_equilibrium([-RADIUS; 2]).unwrap();
         assert!(step < wheelset.step_limit(&state).unwrap().longest());
         let mut samples = Vec::new();
         let mut time = 0.0;

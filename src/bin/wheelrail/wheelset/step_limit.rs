@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn stiffness_damping_and_rates_of_a_known_contact_are_found() {
         let mut wheelset = wheelset(15.0, 0.05);
-        let state = wheelset.find_equilibrium(-0.46).unwrap();
+        let state = wheelset.find_equilibrium([-0.46; 2]).unwrap();
         let limit = wheelset.step_limit(&state).unwrap();
         let wheel = wheelset.wheels[0];
         approx::assert_relative_eq!(limit.stiffness, wheel.stiffness, max_relative = 1e-4);

@@ -1,0 +1,135 @@
+//! The wheel above a rail, as its rows meet it.
+
+use super::surface::{RowPoint, Within};
+use super::touch::Met;
+use super::wheel_table::CELL;
+use crate::geometry::contact_line::{ContactLine, WheelPose};
+use crate::math::real::Real;
+
+/// How far below the wheel rows surely stay of which a few are enough: nothing touches there [m].
+const APART: f64 = 3e-4;
+/// Steepest flank of any wheel [-].
+const STEEPEST_FLANK: f64 = 3.0;
+/// Newton steps to a point of the contact line, and the last of them [m].
+const MOST_STEPS: usize = 12;
+const STRAIGHT: f64 = 1e-6;
+/// Least share of its parameter by which the contact line goes across: a flank is not followed as if it stood upright.
+const LEAST_RATE: f64 = 0.1;
+
+/// The wheel above the rail.
+pub(super) struct Over<'a, T: Real = f64> {
+    line: &'a ContactLine<'a, T>,
+    marker: [T; 2],
+    /// Directions to the right and down in the plane across the track [-].
+    pub right: [T; 2],
+    pub down: [T; 2],
+    yaws: bool,
+    /// How far to either side and below a yawed and rolled wheel may be beyond its table [m].
+    pub margin: [f64; 2],
+    /// Place of the axle [m].
+    pub station: T,
+    /// The slices around it.
+    pub within: Within,
+}
+
+/// A point of the contact line.
+#[derive(Clone, Copy)]
+pub(super) struct Opposite<T = f64> {
+    pub u: T,
+    /// Its place along the track, and the derivative of that across [m, -].
+    pub x: T,
+    pub advance: T,
+    /// Normal into the rail, and curvature of the wheel across, positive where it bulges [1/m].
+    pub normal: [T; 2],
+    pub curvature: T,
+}
+
+impl<'a, T: Real> Over<'a, T> {
+    /// The wheel of `line`, which stands at `pose` above `station` [m].
+    pub fn new(
+        line: &'a ContactLine<'a, T>,
+        pose: &WheelPose<T>,
+        station: T,
+        within: Within,
+    ) -> Self {
+        let (sine, cosine) = pose.roll.sin_cos();
+        let yaw = pose.yaw.value();
+        let yawed = STEEPEST_FLANK * line.nominal_radius() * yaw * yaw;
+        Self {
+            line,
+            marker: [pose.marker[1], pose.marker[2]],
+            right: [cosine, sine],
+            down: [-sine, cosine],
+            yaws: T::HAS_SLOPES || yaw != 0.0,
+            margin: [CELL + yawed, APART + 0.5 * STEEPEST_FLANK * yawed],
+            station,
+            within,
+        }
+    }
+
+    /// Radius of the running circle [m].
+    pub fn nominal_radius(&self) -> f64 {
+        self.line.nominal_radius()
+    }
+
+    /// A point across the track, from the wheel marker [m].
+    pub fn seen_from_marker(&self, [y, z]: [T; 2]) -> [T; 2] {
+        [y - self.marker[0], z - self.marker[1]]
+    }
+
+    /// Coordinates to the right and down from the marker in the plane across the track [m].
+    pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
+        let to = self.seen_from_marker([p.value[0], p.value[1]]);
+        [self.right, self.down].map(|axis| dot(to, axis))
+    }
+
+    /// Row `j` at `x`, where nothing touches it.
+    pub fn under_axle(&self, j: usize, p: &RowPoint<T>, x: T) -> Met<T> {
+        let [_, z] = self.in_wheel(p);
+        let down = x.hypot(z) - z;
+        Met {
+            row: j,
+            point: [0, 1].map(|i| p.value[i] + down * self.down[i]),
+            direction: [p.value[2], p.value[3]],
+            x,
+            ..Met::default()
+        }
+    }
+}
+
+impl Over<'_> {
+    /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where the wheel stands upright.
+    pub fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
+        let [start, end] = self.line.range();
+        for _ in 0..MOST_STEPS {
+            let (at, derivative) = self.line.even_with_derivative(u);
+            let to = self.seen_from_marker(at.point);
+            let rate = dot(derivative, self.right);
+            if rate < LEAST_RATE {
+                return None;
+            }
+            let step = ((y - dot(to, self.right)) / rate).clamp(-CELL, CELL);
+            let next = (u + step).clamp(start, end);
+            let step = next - u;
+            if step.abs() < STRAIGHT || next <= start || next >= end {
+                // Over the last step the line is as good as an arc.
+                let curvature = self.line.curvature(u);
+                let size = derivative[0].hypot(derivative[1]);
+                let [ty, tz] = derivative.map(|d| d / size);
+                let turn = -curvature * size * step;
+                let tangent = [ty - turn * tz, tz + turn * ty];
+                let advance = if self.yaws { self.line.advance(u) } else { 0.0 };
+                let x = if self.yaws { at.x + advance * step } else { 0.0 };
+                let normal = [-tangent[1], tangent[0]];
+                return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
+            }
+            u = next;
+        }
+        None
+    }
+}
+
+/// Scalar product.
+pub(super) fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
+    a[0] * b[0] + a[1] * b[1]
+}

@@ -1,0 +1,179 @@
+//! The surface of a rail that varies along the track, row by row.
+//!
+//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row from the axle,
+//!
+//! ```text
+//! z(x) = R - sqrt(ρ² - x²)
+//! ```
+
+use crate::geometry::slices::Rows;
+use crate::math::real::Real;
+
+/// Farthest place of touch from the axle [m].
+pub(super) const REACH: f64 = 0.12;
+
+/// A row at one place: point and derivative across, both with their derivatives along the track.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowPoint<T = f64> {
+    /// y, z, and their derivatives across.
+    pub value: [T; 4],
+    /// Derivatives of these along the track.
+    pub first: [T; 4],
+    /// Second derivatives of y and z along the track.
+    pub second: [T; 2],
+}
+
+/// Slices around a station.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Within {
+    /// Number of the slice before the station.
+    pub slice: usize,
+    /// Numbers of the slices around all that is within reach.
+    pub ends: [usize; 2],
+}
+
+/// Rows of a rail.
+#[derive(Clone, Debug)]
+pub(super) struct Surface {
+    pub rows: Rows,
+    /// Height of the marker above the axle of a roller, of which the rows are the section at the top, all along; 0 for a rail [m].
+    pub roller_radius: f64,
+}
+
+/// Greatest place along the track on a roller, over its radius: a wheel never goes there from above [-].
+pub(super) const MOST_OF_ROLLER: f64 = 0.8;
+/// Least radius of a row of a roller, over that of the marker, and square of the least height above the axle, over that of the radius [-].
+const LEAST_ROW: f64 = 0.1;
+
+impl Surface {
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.rows.parameter.len()
+    }
+
+    /// The slices around `station` [m].
+    pub fn within(&self, station: f64) -> Within {
+        let places = &self.rows.places;
+        let before = |s: f64| places.partition_point(|p| *p <= s).max(1) - 1;
+        let behind = places.partition_point(|p| *p < station + REACH).min(places.len() - 1);
+        Within { slice: before(station), ends: [before(station - REACH), behind] }
+    }
+
+    /// Faces between neighbouring slices and rows, by their corners (y, z) [m].
+    pub fn faces(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
+        let count = self.count();
+        let slices = self.rows.knots.chunks(count).zip(self.rows.knots.chunks(count).skip(1));
+        slices
+            .flat_map(|(here, next)| {
+                here.windows(2).zip(next.windows(2)).map(|(a, b)| {
+                    [a[0], a[1], b[0], b[1]].map(|knot| [knot.value[0], knot.value[1]])
+                })
+            })
+            .filter(|face| face.iter().all(|corner| corner[0].is_finite()))
+    }
+
+    /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the surface is held at its ends.
+    pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+        if self.roller_radius > 0.0 {
+            return self.on_roller(j, station);
+        }
+        let (places, count) = (&self.rows.places, self.count());
+        let [first, last] = run;
+        let zero = T::from(0.0);
+        let held = |i: usize| {
+            let knot = self.rows.knots[i * count + j];
+            RowPoint { value: knot.value.map(T::from), first: [zero; 4], second: [zero; 2] }
+        };
+        let place = station.value();
+        if place <= places[first] {
+            return held(first);
+        }
+        if place >= places[last] {
+            return held(last);
+        }
+        let mut i = near.clamp(first, last.max(first + 1) - 1);
+        while places[i] > place {
+            i -= 1;
+        }
+        while places[i + 1] <= place {
+            i += 1;
+        }
+        let (from, to) = (&self.rows.knots[i * count + j], &self.rows.knots[(i + 1) * count + j]);
+        let h = places[i + 1] - places[i];
+        let u = station - places[i];
+        let mut point = RowPoint { value: [zero; 4], first: [zero; 4], second: [zero; 2] };
+        let inverse = 1.0 / h;
+        for c in 0..4 {
+            let rise = (to.value[c] - from.value[c]) * inverse;
+            let (a, b) = (from.slope[c], to.slope[c]);
+            let c2 = (3.0 * rise - 2.0 * a - b) * inverse;
+            let c3 = (a + b - 2.0 * rise) * inverse * inverse;
+            point.value[c] = u * (u * (u * c3 + c2) + a) + from.value[c];
+            point.first[c] = u * (u * (3.0 * c3) + 2.0 * c2) + a;
+            if c < 2 {
+                point.second[c] = u * (6.0 * c3) + 2.0 * c2;
+            }
+        }
+        point
+    }
+
+    /// Row `j` at `x` from the axle of a roller [m].
+    fn on_roller<T: Real>(&self, j: usize, x: T) -> RowPoint<T> {
+        let radius = self.roller_radius;
+        let [y, z, dy, dz] = self.rows.knots[j].value;
+        // Rows below the axle lie inside, where nothing touches.
+        let own = (radius - z).max(LEAST_ROW * radius);
+        let zero = T::from(0.0);
+        let root = (-(x * x) + own * own).at_least(LEAST_ROW * own * own).sqrt();
+        let steepness = T::from(own) / root;
+        let slope = x / root;
+        RowPoint {
+            value: [y.into(), -root + radius, dy.into(), steepness * dz],
+            first: [zero, slope, zero, steepness * slope / root * dz],
+            second: [zero, steepness * steepness / root],
+        }
+    }
+
+    /// The run of slices of row `j` that a wheel at `station` [m] is over, or the nearest one within reach.
+    pub fn run(&self, j: usize, station: f64, slice: usize) -> Option<[usize; 2]> {
+        let (places, count) = (&self.rows.places, self.count());
+        let of = |i: usize| self.rows.runs[i * count + j].map(|run| run.map(|i| i as usize));
+        let (before, after) = (slice, (slice + 1).min(places.len() - 1));
+        match (of(before), of(after)) {
+            (Some(a), Some(b)) if a != b => {
+                let middle = 0.5 * (places[before] + places[after]);
+                Some(if station < middle { a } else { b })
+            }
+            (Some(run), _) | (None, Some(run)) => Some(run),
+            (None, None) => {
+                let behind = (0..before).rev().take_while(|&i| station - places[i] < REACH);
+                let ahead = (after..places.len()).take_while(|&i| places[i] - station < REACH);
+                behind.chain(ahead).find_map(of)
+            }
+        }
+    }
+
+    /// From where to where a run of slices is within reach of a wheel at `station` [m]; nothing where it is not.
+    pub fn reach<T: Real>(&self, [first, last]: [usize; 2], station: T) -> Option<[T; 2]> {
+        let places = &self.rows.places;
+        let at = |i: usize| -station + places[i];
+        if self.roller_radius > 0.0 {
+            return within(at(first).at_least(-REACH), at(last).at_most(REACH));
+        }
+        // A row that goes on to the end of the rail is held there.
+        let from = if first == 0 { T::from(-REACH) } else { at(first).at_least(-REACH) };
+        let to = if last + 1 == places.len() { T::from(REACH) } else { at(last).at_most(REACH) };
+        within(from, to)
+    }
+
+    /// How fast the section of the pattern passes row `j` [-].
+    pub fn pattern_speed(&self, j: usize) -> f64 {
+        let [_, _, dy, dz] = self.rows.pattern[j];
+        dy.hypot(dz)
+    }
+}
+
+/// From one place to another one; nothing where there is nothing between them.
+fn within<T: Real>(from: T, to: T) -> Option<[T; 2]> {
+    (from <= to).then_some([from, to])
+}

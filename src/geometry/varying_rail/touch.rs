@@ -1,0 +1,191 @@
+//! Where the wheel meets a row of the rail.
+
+use super::Along;
+use super::bounds::{Bounds, LARGEST};
+use super::over::{Opposite, Over, dot};
+use super::surface::{RowPoint, Surface};
+use super::wheel_table::WheelTable;
+use crate::math::real::Real;
+
+/// Distance of rows over which their places and those of the wheel opposite go on as before [m].
+pub(super) const CLOSE: f64 = 3e-3;
+/// Newton steps to the place along a row, the last of them, and the longest [m].
+const MOST_STEPS: usize = 8;
+/// What is left of it is of the order of its square over the distance of slices.
+const LAST_STEP: f64 = 1e-5;
+const LONGEST_STEP: f64 = 0.02;
+/// Spacing at which a row that is hollow for the wheel is looked through [m].
+const SCAN: f64 = 4e-3;
+
+/// A row that the wheel meets.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Met<T = f64> {
+    pub row: usize,
+    pub point: [T; 2],
+    /// F_v and F_x.
+    pub direction: [T; 2],
+    pub first: [T; 2],
+    /// Where it is, from the wheel marker [m].
+    pub x: T,
+    pub along: Along<T>,
+    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not looked for.
+    pub opposite: Option<[T; 2]>,
+}
+
+/// What holds at a place of a row.
+struct State<T> {
+    point: [T; 2],
+    direction: [T; 2],
+    first: [T; 2],
+    /// n · F_x, and about its derivative along the track [1/m].
+    g: T,
+    bend: T,
+    curvature: T,
+    drift: T,
+    lean: T,
+}
+
+impl<T: Real> State<T> {
+    /// The condition of touch at `x` on a row, opposite to a point of the wheel.
+    fn new(over: &Over<T>, p: &RowPoint<T>, x: T, wheel: &Opposite<T>) -> Self {
+        let first = [p.first[0], p.first[1]];
+        let across = [p.value[2], p.value[3]];
+        let [_, z] = over.in_wheel(p);
+        let away = x - wheel.x;
+        let radius = away.hypot(z);
+        let (sine, cosine) = (away / radius, z / radius);
+        let down = radius - z;
+        // D along a direction of the surface: by its height, and by the place of the contact line.
+        let lowered = |v: [T; 2]| {
+            dot(v, over.down) * (cosine - 1.0) - sine * wheel.advance * dot(v, over.right)
+        };
+        let by_row = lowered(across);
+        let along = sine + lowered(first);
+        let normal = wheel.normal;
+        let tangent = [normal[1], -normal[0]];
+        let share = dot(normal, over.down);
+        let drift = dot(tangent, first);
+        let rail = dot(normal, p.second) + wheel.curvature * drift * drift;
+        Self {
+            point: [0, 1].map(|i| p.value[i] + down * over.down[i]),
+            direction: [0, 1].map(|i| across[i] + by_row * over.down[i]),
+            first: [0, 1].map(|i| first[i] + along * over.down[i]),
+            g: dot(normal, first) + share * along,
+            bend: rail + share * cosine * cosine / radius,
+            curvature: rail,
+            drift,
+            lean: -dot(normal, first),
+        }
+    }
+
+    /// What is met at `x` of row `row`, which is at `y` of the wheel.
+    fn met(self, row: usize, x: T, wheel: &Opposite<T>, y: T) -> Met<T> {
+        let Self { point, direction, first, curvature, lean, drift, .. } = self;
+        let along = Along { ahead: x - wheel.x, curvature, lean, drift };
+        Met { row, point, direction, first, x, along, opposite: Some([wheel.u, y]) }
+    }
+}
+
+/// A rail and the wheel that is looked for.
+pub(super) struct Touch<'a> {
+    pub surface: &'a Surface,
+    pub bounds: &'a Bounds,
+    pub wheel: &'a WheelTable,
+}
+
+impl Touch<'_> {
+    /// Row `j` as it is under the axle; nothing where it is not there.
+    pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
+        let run = self.surface.run(j, over.station, over.within.slice)?;
+        let [from, to] = self.surface.reach(run, over.station)?;
+        let x = 0.0_f64.clamp(from, to);
+        let p = self.surface.at(j, run, over.station + x, over.within.slice);
+        Some(over.under_axle(j, &p, x))
+    }
+
+    /// Where the wheel meets row `j`, from the place `guess` and the row `beside` if there are any; nothing where the row is not there.
+    pub fn meet(
+        &self,
+        over: &Over,
+        j: usize,
+        guess: Option<f64>,
+        beside: Option<Met>,
+        looks_through: bool,
+    ) -> Option<Met> {
+        let run = self.surface.run(j, over.station, over.within.slice)?;
+        let [from, to] = self.surface.reach(run, over.station)?;
+        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let start = guess.unwrap_or(0.0).clamp(from, to);
+        let mut x = start;
+        let mut p = at(x);
+        let [y, _] = over.in_wheel(&p);
+        let near = beside.and_then(|b| b.opposite).filter(|[_, own]| (y - own).abs() < CLOSE);
+        let near = near.map(|[u, own]| u + y - own);
+        let Some(near) = near.or_else(|| self.wheel.parameter(y)) else {
+            return Some(over.under_axle(j, &p, x));
+        };
+        // A wheel that stands upright there may touch.
+        let Some(mut opposite) = over.opposite(near, y) else {
+            return Some(over.under_axle(j, &p, x));
+        };
+        let centre = opposite.x;
+        if guess.is_none() {
+            x = centre.clamp(from, to);
+        }
+        if looks_through && self.bounds.is_hollow(j, over.within.ends) {
+            x = self.scanned(j, run, over, (x, &p), [centre, from, to]);
+        }
+        if (x - start).abs() > 0.0 {
+            p = at(x);
+            opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
+        }
+        let mut met = State::new(over, &p, x, &opposite);
+        for _ in 0..MOST_STEPS {
+            let step = (-met.g / met.bend.max(0.1 / over.nominal_radius()))
+                .clamp(-LONGEST_STEP, LONGEST_STEP);
+            let next = (x + step).clamp(from, to);
+            let moved = next - x;
+            if moved == 0.0 {
+                break;
+            }
+            x = next;
+            p = at(x);
+            opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
+            met = State::new(over, &p, x, &opposite);
+            if moved.abs() < LAST_STEP {
+                break;
+            }
+        }
+        Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
+    }
+
+    /// The sample of row `j` that is highest for the wheel.
+    fn scanned(
+        &self,
+        j: usize,
+        run: [usize; 2],
+        over: &Over,
+        (place, here): (f64, &RowPoint),
+        [centre, from, to]: [f64; 3],
+    ) -> f64 {
+        let normal = [-here.value[3], here.value[2]];
+        let mut best = (f64::INFINITY, centre);
+        // No farther than where a wheel stands higher than the row ever rises.
+        let rise = (here.value[1] - self.bounds.of(j, over.within.slice).least).max(0.0);
+        let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt() + (place - centre).abs();
+        let [from, to] = [from.max(centre - far).min(to), to.min(centre + far).max(from)];
+        let count = ((to - from) / SCAN).ceil().max(1.0) as usize;
+        for i in 0..=count {
+            let x = from + (to - from) * i as f64 / count as f64;
+            let p = self.surface.at(j, run, over.station + x, over.within.slice);
+            let [_, z] = over.in_wheel(&p);
+            let down = (x - centre).hypot(z) - z;
+            let height: f64 =
+                [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum();
+            if height < best.0 {
+                best = (height, x);
+            }
+        }
+        best.1
+    }
+}
