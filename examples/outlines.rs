@@ -120,6 +120,7 @@ fn patch(
         tangential_model: TangentialModel::None,
         strips: STRIPS,
         elements_along: ALONG,
+        points: 15,
         elements: [ALONG, across],
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,

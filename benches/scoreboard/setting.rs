@@ -20,7 +20,7 @@ const FINE: usize = 40;
 const ELEMENTS: usize = 40;
 
 /// All of them.
-pub const SETTINGS: [Setting; 4] = [
+pub const SETTINGS: [Setting; 5] = [
     Setting { name: "as it starts", change: |_| (), is_slow: false },
     Setting {
         name: "`strips` 40 + `tables`",
@@ -28,6 +28,11 @@ pub const SETTINGS: [Setting; 4] = [
             p.strips = FINE;
             p.tangential_model = TangentialModel::Tables;
         },
+        is_slow: false,
+    },
+    Setting {
+        name: "`strips` 20 + `strips`",
+        change: |p| p.tangential_model = TangentialModel::Strips,
         is_slow: false,
     },
     Setting {
@@ -66,6 +71,7 @@ impl Setting {
             elements: parameters.normal_elements,
             tangential_model: parameters.tangential_model,
             elements_along: parameters.elements_along,
+            points: parameters.points,
             bound: parameters.bound,
             flexibilities: parameters.flexibilities,
             ..*case
