@@ -8,38 +8,15 @@ use std::fmt::Write;
 use std::fs;
 
 use approx::assert_relative_eq;
-use common::planar::STEEL;
+use common::median_and_worst;
 use common::random::Random;
+use common::varying::{errors_against_contact, of_slices, slices};
 use common::vectors::{add, assert_close, cross};
 use common::wheel::{evaluate, mirrored, random_input, rolling, the_patch};
-use common::{median_and_worst, read_table, value};
 use tempfile::TempDir;
 use wheelrail::element::input::RailMotion;
 use wheelrail::element::parameters::{NormalModel, Placement, Side, VerticalMode, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
-
-/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
-fn head(left: f64, z: f64, corner: f64) -> String {
-    let steep = 80_f64.to_radians();
-    let mut points = Vec::new();
-    let side = 30.0;
-    let [sine, cosine] = [steep.sin(), steep.cos()];
-    for i in (1..=60).rev() {
-        let along = side * f64::from(i) / 60.0;
-        let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
-        points.push([edge[0] - along * cosine, edge[1] + along * sine]);
-    }
-    let steps = (corner * steep / 0.2).ceil() as i32;
-    for i in 0..=steps {
-        let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
-        points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
-    }
-    points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
-    let right = left + 10.0;
-    let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
-    points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
-    points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
-}
 
 /// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by `stretch` and moved by (`y`, `z`) [mm].
 fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
@@ -50,27 +27,9 @@ fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
     })
 }
 
-/// A folder with slices `section(place)` at the `places` [mm], and their file `rail.slcs`.
-fn slices(places: impl Iterator<Item = f64>, section: impl Fn(f64) -> String) -> TempDir {
-    let folder = TempDir::new().unwrap();
-    let (mut listed, mut count) = (String::new(), 0);
-    for (i, place) in places.enumerate() {
-        fs::write(folder.path().join(format!("{i}.txt")), section(place)).unwrap();
-        writeln!(listed, "{place} '{i}.txt'").unwrap();
-        count += 1;
-    }
-    let text = format!("0 1\n{count}\n0 0 0\n1\n{listed}");
-    fs::write(folder.path().join("rail.slcs"), text).unwrap();
-    folder
-}
-
 /// A rail of slices in its own frame at y = 0.75 m.
 fn parameters() -> Parameters {
-    let mut parameters = Parameters { profile_smoothing: 0.0, ..Parameters::default() };
-    let rail = &mut parameters.rails[0];
-    rail.profile = "rail.slcs".into();
-    (rail.placement, rail.position, rail.inclination) = (Placement::Origin, [0.75, 0.0], 0.0);
-    parameters
+    of_slices(Parameters::default())
 }
 
 fn element(parameters: &Parameters, folder: &TempDir) -> Element {
@@ -202,83 +161,35 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     }
 }
 
-/// Median and worst of the errors against CONTACT on one of the rails of its table: height and place [m], pressure and creep force, over the friction limit.
-struct Errors {
-    height: [f64; 2],
-    pressure: [f64; 2],
-    place: [f64; 2],
-    force: [f64; 2],
-}
-
-fn against_contact(rail: &str, folder: &TempDir) -> Errors {
-    let table = read_table("contact_25_1/variable_profiles.csv");
-    let mut parameters = parameters();
-    parameters.vertical_mode = VerticalMode::Load;
-    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
-        (STEEL.young_modulus, STEEL.young_modulus);
-    let mut element = element(&parameters, folder);
-    let [mut height, mut pressure, mut place, mut force] = [const { Vec::new() }; 4];
-    for row in &table.rows {
-        let of = |name: &str| value(&table, row, name);
-        if !row.iter().any(|cell| cell == rail) {
-            continue;
-        }
-        let yaw = of("yaw_rad");
-        let mut input = rolling(0.0, 20.0);
-        input.track_s = 1e-3 * of("s_mm");
-        // The wheelset turns about its centre.
-        (input.wheel.yaw, input.wheel.pitch_rate) = (yaw, of("pitch_rate_rad_s"));
-        input.wheel.position[0] = -0.75 * yaw.sin();
-        input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
-        if rail == "nose" {
-            // The velocity at which the slip along the slope is the one that CONTACT has along the track.
-            input.wheel.velocity[0] *= 1.01;
-        }
-        let mut output = Output::default();
-        // CONTACT's normal force leans to the side alone: the same normal force, not the same load.
-        input.wheel_load = of("N_N");
-        for _ in 0..4 {
-            element.evaluate(&input, &mut output).unwrap();
-            input.wheel_load *= of("N_N") / the_patch(&output).normal_force;
-        }
-        let patch = the_patch(&output);
-        height.push((output.wheel_z + 0.46 - 1e-3 * of("z_ws_mm")).abs());
-        pressure.push((patch.max_pressure / (1e6 * of("pmax_MPa")) - 1.0).abs());
-        place.push((patch.position[0] - 1e-3 * of("x_mm")).abs());
-        place.push((patch.position[1] - 1e-3 * of("y_mm")).abs());
-        let limit = 0.3 * of("N_N");
-        let [fx, fy] = patch.creep_force;
-        force.push((fx + of("Fx_N")).hypot(fy + of("Fs_N")) / limit);
-    }
-    assert!(height.len() > 20);
-    let [height, pressure, place, force] = [height, pressure, place, force].map(median_and_worst);
+/// Median and worst of the errors on a rail: height and place [m], pressure and creep force, over the friction limit.
+fn against_contact(rail: &str) -> [[f64; 2]; 4] {
+    let errors = errors_against_contact(rail, &Parameters::default());
+    assert!(errors.len() > 20);
+    let [height, pressure, place, force] =
+        [0, 1, 2, 3].map(|k| median_and_worst(errors.iter().map(|(_, own)| own[k]).collect()));
     let mut report = String::from("quantity,median,worst\n");
     let named = [("height", height), ("pressure", pressure), ("place", place), ("force", force)];
     for (quantity, [median, worst]) in named {
         writeln!(report, "{quantity},{median:.3e},{worst:.3e}").unwrap();
     }
     common::write_report(&format!("varying_{rail}.csv"), &report);
-    Errors { height, pressure, place, force }
+    [height, pressure, place, force]
 }
 
 #[test]
 fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
-    let places = (0..=20).map(|i| 10.0 * f64::from(i));
-    let folder = slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0));
-    let errors = against_contact("wing", &folder);
-    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(errors.pressure[0] <= tolerance::VARYING_PRESSURE);
-    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
-    assert!(errors.force[0] <= tolerance::VARYING_FORCE);
+    let [height, pressure, place, force] = against_contact("wing");
+    assert!(height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(pressure[0] <= tolerance::VARYING_PRESSURE);
+    assert!(place[0] <= tolerance::VARYING_PLACE);
+    assert!(force[0] <= tolerance::VARYING_FORCE);
 }
 
 #[test]
 fn a_nose_that_rises_is_met_as_by_contact() {
-    let places = (0..=20).map(|i| -100.0 + 10.0 * f64::from(i));
-    let folder = slices(places, |place| head(5.0, -0.1 * place, 5.0));
-    let errors = against_contact("nose", &folder);
-    assert!(errors.height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(errors.place[0] <= tolerance::VARYING_PLACE);
+    let [height, _, place, _] = against_contact("nose");
+    assert!(height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(place[0] <= tolerance::VARYING_PLACE);
 }
 
 #[test]

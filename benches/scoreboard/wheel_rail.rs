@@ -6,6 +6,7 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Output, Parameters};
 
+use crate::common::varying::errors_against_contact;
 use crate::common::wheel::{FRICTION_TABLES, benchmark, evaluate, of_manchester, of_wheelset};
 use crate::common::{Table, column, read_table, value};
 use crate::family::{Case, Family, none};
@@ -16,7 +17,7 @@ const FRICTION: f64 = 0.3;
 const ROLLING: [&str; 2] = ["p_max [%]", "force in the contact plane [% of the limit]"];
 
 /// All families of wheels on rails.
-pub const FAMILIES: [Family; 6] = [
+pub const FAMILIES: [Family; 8] = [
     Family {
         title: "Wheel on rail at given load, frictionless",
         source: "contact_25_1/element_normal.csv",
@@ -71,7 +72,41 @@ pub const FAMILIES: [Family; 6] = [
         solve: massless,
         others: none,
     },
+    Family {
+        title: "Wing rail that runs off along the track",
+        source: "contact_25_1/variable_profiles.csv",
+        text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force.",
+        quantities: &VARYING,
+        is_random: false,
+        solve: |setting, _| varying(setting, "wing"),
+        others: none,
+    },
+    Family {
+        title: "Nose of a crossing that rises along the track",
+        source: "contact_25_1/variable_profiles.csv",
+        text: "A section that rises by 1:10, which the wheel touches ahead of its centre; normal and creep force each in its own frame, as the reference leans to the side alone.",
+        quantities: &VARYING,
+        is_random: false,
+        solve: |setting, _| varying(setting, "nose"),
+        others: none,
+    },
 ];
+
+const VARYING: [&str; 4] =
+    ["height of the wheel [um]", "p_max [%]", "place [mm]", "creep force [% of the limit]"];
+
+fn varying(setting: &Setting, rail: &str) -> Option<Vec<Case>> {
+    // Boundary elements have no rails that vary.
+    if setting.is_slow {
+        return None;
+    }
+    let scales = [1e6, 100.0, 1e3, 100.0];
+    let of = |(name, errors): (String, [f64; 4])| {
+        let errors = errors.into_iter().zip(scales).map(|(error, scale)| scale * error).collect();
+        Case { name, errors }
+    };
+    Some(errors_against_contact(rail, &setting.parameters()).into_iter().map(of).collect())
+}
 
 fn under_load(setting: &Setting) -> Parameters {
     Parameters { vertical_mode: VerticalMode::Load, ..setting.parameters() }

@@ -5,6 +5,7 @@
 pub mod planar;
 pub mod random;
 pub mod summary;
+pub mod varying;
 pub mod vectors;
 pub mod walk;
 pub mod wheel;

@@ -1,0 +1,111 @@
+//! Rails of slices whose section varies along the track, as CONTACT's table of them has them.
+
+use std::fmt::Write;
+use std::fs;
+
+use tempfile::TempDir;
+use wheelrail::element::parameters::{Placement, VerticalMode};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+use super::planar::STEEL;
+use super::wheel::{rolling, the_patch};
+use super::{read_table, value};
+
+/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
+fn head(left: f64, z: f64, corner: f64) -> String {
+    let steep = 80_f64.to_radians();
+    let mut points = Vec::new();
+    let side = 30.0;
+    let [sine, cosine] = [steep.sin(), steep.cos()];
+    for i in (1..=60).rev() {
+        let along = side * f64::from(i) / 60.0;
+        let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
+        points.push([edge[0] - along * cosine, edge[1] + along * sine]);
+    }
+    let steps = (corner * steep / 0.2).ceil() as i32;
+    for i in 0..=steps {
+        let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
+        points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
+    }
+    points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
+    let right = left + 10.0;
+    let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
+    points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
+    points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
+}
+
+/// A folder with slices `section(place)` at the `places` [mm], and their file `rail.slcs`.
+pub fn slices(places: impl Iterator<Item = f64>, section: impl Fn(f64) -> String) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let (mut listed, mut count) = (String::new(), 0);
+    for (i, place) in places.enumerate() {
+        fs::write(folder.path().join(format!("{i}.txt")), section(place)).unwrap();
+        writeln!(listed, "{place} '{i}.txt'").unwrap();
+        count += 1;
+    }
+    let text = format!("0 1\n{count}\n0 0 0\n1\n{listed}");
+    fs::write(folder.path().join("rail.slcs"), text).unwrap();
+    folder
+}
+
+/// `parameters` with a rail of slices in its own frame at y = 0.75 m.
+pub fn of_slices(parameters: Parameters) -> Parameters {
+    let mut parameters = Parameters { profile_smoothing: 0.0, ..parameters };
+    let rail = &mut parameters.rails[0];
+    rail.profile = "rail.slcs".into();
+    (rail.placement, rail.position, rail.inclination) = (Placement::Origin, [0.75, 0.0], 0.0);
+    parameters
+}
+
+/// The rail of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by 1:10.
+fn rail_of(name: &str) -> TempDir {
+    let places = (0..=20).map(|i| 10.0 * f64::from(i));
+    match name {
+        "wing" => slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0)),
+        "nose" => slices(places.map(|place| place - 100.0), |place| head(5.0, -0.1 * place, 5.0)),
+        _ => panic!("no rail {name}"),
+    }
+}
+
+/// Errors of the models of `parameters` in all rows of CONTACT's table of the rail `name`: height of the wheel [m], pressure, place [m] and creep force, over the
+/// friction limit; with the name of the row.
+pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(String, [f64; 4])> {
+    let folder = rail_of(name);
+    let mut parameters = of_slices(parameters.clone());
+    parameters.vertical_mode = VerticalMode::Load;
+    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
+        (STEEL.young_modulus, STEEL.young_modulus);
+    let folders = [folder.path().to_path_buf()];
+    let mut element = Element::new(&parameters, &Input::default(), &folders).unwrap();
+    let table = read_table("contact_25_1/variable_profiles.csv");
+    let mut errors = Vec::new();
+    for row in table.rows.iter().filter(|row| row.iter().any(|cell| cell == name)) {
+        let of = |name: &str| value(&table, row, name);
+        let yaw = of("yaw_rad");
+        let mut input = rolling(0.0, 20.0);
+        input.track_s = 1e-3 * of("s_mm");
+        // The wheelset turns about its centre.
+        (input.wheel.yaw, input.wheel.pitch_rate) = (yaw, of("pitch_rate_rad_s"));
+        input.wheel.position[0] = -0.75 * yaw.sin();
+        input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
+        if name == "nose" {
+            // The velocity at which the slip along the slope is the one that CONTACT has along the track.
+            input.wheel.velocity[0] *= 1.01;
+        }
+        let mut output = Output::default();
+        // CONTACT's normal force leans to the side alone: the same normal force, not the same load.
+        input.wheel_load = of("N_N");
+        for _ in 0..4 {
+            element.evaluate(&input, &mut output).unwrap();
+            input.wheel_load *= of("N_N") / the_patch(&output).normal_force;
+        }
+        let patch = the_patch(&output);
+        let height = (output.wheel_z + 0.46 - 1e-3 * of("z_ws_mm")).abs();
+        let pressure = (patch.max_pressure / (1e6 * of("pmax_MPa")) - 1.0).abs();
+        let place = [("x_mm", 0), ("y_mm", 1)].map(|(name, c)| patch.position[c] - 1e-3 * of(name));
+        let [fx, fy] = patch.creep_force;
+        let force = (fx + of("Fx_N")).hypot(fy + of("Fs_N")) / (0.3 * of("N_N"));
+        errors.push((row[0].to_owned(), [height, pressure, place[0].hypot(place[1]), force]));
+    }
+    errors
+}
