@@ -21,14 +21,15 @@ const PLAIN_PATCHES: usize = 4;
 /// What of a patch it has not: what only laws of friction by place and heat tell.
 const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
-/// What it has nothing of: track that gives way.
-const PLAIN_LACKS_ALL_OF: &str = "foundation.";
+/// What it has nothing of: track that gives way, rollers.
+const PLAIN_LACKS_ALL_OF: [&str; 3] = ["foundation.", ".roller_radius", "].pitch_rate"];
 
 impl Style {
     fn describes(self, v: &Variable) -> bool {
         let is_detail = PLAIN_LACKS.iter().any(|end| v.name.ends_with(end));
         let is_lesser = v.name.contains("patch[") && (v.number > PLAIN_PATCHES || is_detail);
-        self == Self::Full || !(is_lesser || v.name.contains(PLAIN_LACKS_ALL_OF))
+        let is_left_out = PLAIN_LACKS_ALL_OF.iter().any(|part| v.name.contains(part));
+        self == Self::Full || !(is_lesser || is_left_out)
     }
 }
 
