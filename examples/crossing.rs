@@ -234,8 +234,8 @@ fn draw(path: &Path, rolled: &[Rolled], forces: Vec<Series>) -> Result<(), Box<d
         x: "station from the tip of the nose [mm]",
         y,
         downwards: y.contains("height"),
-        legend: Corner::UpperLeft,
-        legend_room: 0.0,
+        legend: Corner::UpperRight,
+        legend_room: 0.25,
         height: 260,
         series,
     };

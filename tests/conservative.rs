@@ -160,5 +160,5 @@ fn loops_and_bounces_without_friction_keep_their_energy() {
 #[test]
 #[ignore = "some million evaluations: for a release build"]
 fn many_loops_and_bounces_without_friction_keep_their_energy() {
-    measure(100, 1000);
+    measure(500, 1000);
 }

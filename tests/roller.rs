@@ -10,7 +10,7 @@ use std::fs;
 use approx::assert_relative_eq;
 use common::planar::STEEL;
 use common::random::Random;
-use common::vectors::{add, assert_close, cross};
+use common::vectors::assert_balanced;
 use common::wheel::{evaluate, mirrored, pressed, random_input, rolling, the_patch};
 use common::{read_table, value};
 use tempfile::TempDir;
@@ -260,16 +260,9 @@ fn forces_on_wheel_and_roller_are_in_balance_and_the_left_side_is_a_mirror() {
         let touch = right.touching_height(&input);
         input.wheel.position[2] = touch + 8e-5;
         let output = evaluate(&mut right, &input);
-        let (wheel, rail) = (output.wheel, output.rails[0]);
-        let scale = wheel.force.iter().fold(1.0_f64, |most, f| most.max(f.abs()));
-        let allowed = tolerance::SIMILARITY * scale;
-        assert_close(wheel.force, rail.force.map(|f| -f), allowed, "reaction");
         let other = evaluate(&mut left, &mirrored(&input));
-        let [fx, fy, fz] = other.wheel.force;
-        assert_close(wheel.force, [fx, -fy, fz], allowed, "mirror");
-        let on_wheel = add(wheel.moment, cross(input.wheel.position, wheel.force));
-        let on_rail = add(rail.moment, cross(marker, rail.force));
-        assert_close(on_wheel, on_rail.map(|m| -m), allowed, "moment");
+        let places = [input.wheel.position, marker];
+        assert_balanced(&output, &other, places, tolerance::SIMILARITY);
     }
 }
 

@@ -11,7 +11,7 @@ use approx::assert_relative_eq;
 use common::median_and_worst;
 use common::random::Random;
 use common::varying::{errors_against_contact, of_slices, slices};
-use common::vectors::{add, assert_close, cross};
+use common::vectors::assert_balanced;
 use common::wheel::{evaluate, mirrored, random_input, rolling, the_patch};
 use tempfile::TempDir;
 use wheelrail::element::input::RailMotion;
@@ -355,17 +355,9 @@ fn forces_on_wheel_and_rail_are_in_balance_and_the_left_side_is_a_mirror() {
         input.wheel.position[2] = right.touching_height(&input) + 8e-5;
         let output = evaluate(&mut right, &input);
         assert!(output.patch_count > 0);
-        let (wheel, rail) = (output.wheel, output.rails[0]);
-        let scale = wheel.force.iter().fold(1.0_f64, |most, f| most.max(f.abs()));
-        let allowed = tolerance::SIMILARITY * scale;
-        assert_close(wheel.force, rail.force.map(|f| -f), allowed, "reaction");
         let other = evaluate(&mut left, &mirrored(&input));
-        let [fx, fy, fz] = other.wheel.force;
-        assert_close(wheel.force, [fx, -fy, fz], allowed, "mirror");
-        // About the origin of the track: every force acts on both bodies at the same point.
-        let on_wheel = add(wheel.moment, cross(input.wheel.position, wheel.force));
-        let on_rail = add(rail.moment, cross(marker, rail.force));
-        assert_close(on_wheel, on_rail.map(|m| -m), allowed, "moment");
+        let places = [input.wheel.position, marker];
+        assert_balanced(&output, &other, places, tolerance::SIMILARITY);
     }
 }
 

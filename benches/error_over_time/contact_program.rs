@@ -7,7 +7,7 @@ use wheelrail::element::parameters::NormalModel;
 use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
 
 use crate::choices::{Choice, Normal, Rolling, WITHOUT};
-use crate::common::planar::{hertzian_bodies, steel_case};
+use crate::common::planar::{creepage_of, hertzian_bodies, separations, steel_case};
 use crate::common::{Table, column, read_table, value};
 
 /// Coefficient of friction of all sets.
@@ -48,13 +48,6 @@ impl Sets {
         let mut rolling = read_table("contact_25_1/planar_tangential.csv");
         let elements = column(&rolling, "elements");
         rolling.rows.retain(|row| &row[elements] == REFERENCE_ELEMENTS);
-        let separations = normal.rows.iter().map(|row| {
-            let table = read_table(&format!("contact_25_1/planar/{}.csv", &row[0]));
-            let points = table.rows.iter().map(|point| {
-                [1e-3 * value(&table, point, "y_mm"), 1e-3 * value(&table, point, "f_mm")]
-            });
-            (row[0].to_owned(), points.collect())
-        });
         let areas = normal
             .rows
             .iter()
@@ -64,7 +57,7 @@ impl Sets {
             })
             .collect();
         Self {
-            separations: separations.collect(),
+            separations: separations(),
             areas,
             ellipses: read_table("contact_25_1/hertz_tangential.csv"),
             normal,
@@ -116,8 +109,7 @@ impl Sets {
     pub fn rolling(&self, choice: Choice) -> Vec<RollingError> {
         let errors = self.rolling.rows.iter().map(|row| {
             let v = |name: &str| value(&self.rolling, row, name);
-            let creepage =
-                [v("creepage_longitudinal"), v("creepage_lateral"), 1e3 * v("spin_per_mm")];
+            let creepage = creepage_of(&v);
             let found = self.solve(choice, &self.rolling, row, creepage);
             let limit = FRICTION * v("normal_force_n");
             let size = (self.areas[&(row[0].to_owned(), row[1].to_owned())] / PI).sqrt();
@@ -140,11 +132,7 @@ impl Sets {
             let (radius, separation) = hertzian_bodies(1e-3 * v("a_mm"), 1e-3 * v("b_mm"), load);
             let case = PlanarCase {
                 indentation: Indentation::Load(load),
-                creepage: [
-                    v("creepage_longitudinal"),
-                    v("creepage_lateral"),
-                    1e3 * v("spin_per_mm"),
-                ],
+                creepage: creepage_of(&v),
                 ..steel_case(&separation, radius, 0.0)
             };
             let found = solve(&choice.of_case(&case)).expect("a good case");

@@ -14,7 +14,7 @@ pub struct Case {
 pub struct Family {
     /// Heading of its section.
     pub title: &'static str,
-    /// Where the figures come from: a file under tests/data, or a word.
+    /// Where the figures come from, as the page says it.
     pub source: &'static str,
     /// What is compared, in a sentence or two.
     pub text: &'static str,

@@ -85,7 +85,8 @@ fn solve_all<'a>(families: &[&'a Family], seed: u64) -> Vec<Results<'a>> {
     bar.finish();
     let mut results = Vec::new();
     for (family, solved) in families.iter().zip(solved.chunks_mut(SETTINGS.len())) {
-        let own = page::names().into_iter().zip(solved.iter_mut().map(Option::take));
+        let names = SETTINGS.iter().map(|setting| setting.name.to_owned());
+        let own = names.zip(solved.iter_mut().map(Option::take));
         let mut rows: Vec<(String, Vec<Case>)> =
             own.filter_map(|(name, cases)| Some((name, cases?))).collect();
         rows.extend((family.others)());

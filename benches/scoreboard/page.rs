@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 
+use crate::common::summary::rounded;
 use crate::common::write_report;
 use crate::family::{Case, Family, Spread};
 use crate::random::{JUMPS, Walk};
-use crate::setting::SETTINGS;
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scoreboard.md");
 
@@ -58,18 +58,13 @@ column 95 %, and the last two columns say how large the greatest one is and whic
 pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], seed: u64) -> String {
     let mut page = String::from(HEAD);
     for Results { family, rows } in results {
-        let source = if family.source.contains('/') {
-            format!("`tests/data/{}`", family.source)
-        } else {
-            family.source.to_owned()
-        };
-        writeln!(page, "## {}\n\n{} Reference: {source}.\n", family.title, family.text)
+        writeln!(page, "## {}\n\n{} Reference: {}.\n", family.title, family.text, family.source)
             .expect("a text");
         page += "| quantity | by | cases | median | 95 % | worst | which |\n|---|---|---:|---:|---:|---:|---|\n";
         for (k, quantity) in family.quantities.iter().enumerate() {
             for (name, cases) in rows {
                 let Some(spread) = Spread::of(cases, k) else { continue };
-                let [median, most, worst] = spread.sizes.map(digits);
+                let [median, most, worst] = spread.sizes.map(rounded);
                 writeln!(
                     page,
                     "| {quantity} | {name} | {} | {median} | {most} | {worst} | {} |",
@@ -89,8 +84,8 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
         JUMPS[0],
         JUMPS[1],
         walk.beyond as f64 / walk.way,
-        digits(walk.jumps[0]),
-        digits(walk.jumps[1]),
+        rounded(walk.jumps[0]),
+        rounded(walk.jumps[1]),
     )
     .expect("a text");
     page += "## Times\n\nOne evaluation in random poses, the least of five, over the median of `piotrowski_kik` + `fastsim` in the same run; and the greatest over the median.\n\n\
@@ -100,7 +95,7 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
     for (name, cases) in times {
         let Some(spread) = Spread::of(cases, 0) else { continue };
         let [middle, _, worst] = spread.sizes;
-        let (over, most) = (digits(middle / unit), digits(worst / middle));
+        let (over, most) = (rounded(middle / unit), rounded(worst / middle));
         writeln!(page, "| {name} | {} | {over} | {most} | {} |", spread.count, spread.worst)
             .expect("a text");
     }
@@ -167,7 +162,7 @@ pub fn worse(results: &[Results], walk: &Walk) -> Vec<String> {
                         (true, None) => continue,
                     };
                     if spread.sizes[i] > before[i] * (1.0 + noise) {
-                        let (now, before) = (digits(spread.sizes[i]), digits(before[i]));
+                        let (now, before) = (rounded(spread.sizes[i]), rounded(before[i]));
                         worse.push(format!("{key}: {what} {now}, was {before}"));
                     }
                 }
@@ -197,22 +192,4 @@ fn figures(page: &str) -> BTreeMap<String, [f64; 3]> {
         }
     }
     known
-}
-
-/// A number with two digits that count.
-fn digits(x: f64) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let digits = 1 - x.abs().log10().floor() as i32;
-    match digits {
-        0..=4 => format!("{x:.*}", digits as usize),
-        -3..0 => format!("{x:.0}"),
-        _ => format!("{x:.1e}"),
-    }
-}
-
-/// Names of all settings.
-pub fn names() -> Vec<String> {
-    SETTINGS.iter().map(|setting| setting.name.to_owned()).collect()
 }

@@ -1,11 +1,9 @@
 //! Planar problems: the separation of two bodies over one plane, with the approach or the load given.
 
-use std::collections::BTreeMap;
-
 use wheelrail::element::parameters::TangentialModel;
 use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
 
-use crate::common::planar::{HertzRow, hertzian_bodies, steel_case};
+use crate::common::planar::{HertzRow, creepage_of, hertzian_bodies, separations, steel_case};
 use crate::common::{Table, column, read_table, value};
 use crate::family::{Case, Family, none};
 use crate::setting::Setting;
@@ -20,7 +18,7 @@ const CREEP: [&str; 2] =
 pub const FAMILIES: [Family; 4] = [
     Family {
         title: "Planar problems of wheel and rail, normal",
-        source: "contact_25_1/planar_normal.csv",
+        source: "`tests/data/contact_25_1/planar_normal.csv`",
         text: "32 approaches of eight separations of S1002 on UIC60, some of two regions. The area of the reference is that of its elements, carried to none.",
         quantities: &NORMAL,
         is_random: false,
@@ -29,7 +27,7 @@ pub const FAMILIES: [Family; 4] = [
     },
     Family {
         title: "Planar problems of wheel and rail, rolling",
-        source: "contact_25_1/planar_tangential.csv",
+        source: "`tests/data/contact_25_1/planar_tangential.csv`",
         text: "Eight of these patches, 82 states of creepage each. The reference is uncertain by 0.2 % of the limit in the mean, 1.1 % at worst.",
         quantities: &CREEP,
         is_random: false,
@@ -38,7 +36,7 @@ pub const FAMILIES: [Family; 4] = [
     },
     Family {
         title: "Ellipses of Hertz, normal",
-        source: "hertz/ellipses.csv",
+        source: "`tests/data/hertz/ellipses.csv`",
         text: "Ratios of the semi-axes from 0.1 to 10 in closed form.",
         quantities: &NORMAL,
         is_random: false,
@@ -47,7 +45,7 @@ pub const FAMILIES: [Family; 4] = [
     },
     Family {
         title: "Ellipses of Hertz, rolling",
-        source: "contact_25_1/hertz_tangential.csv",
+        source: "`tests/data/contact_25_1/hertz_tangential.csv`",
         text: "300 random ellipses under given load, from full adhesion to full sliding, with and without spin.",
         quantities: &[CREEP[0]],
         is_random: false,
@@ -55,23 +53,6 @@ pub const FAMILIES: [Family; 4] = [
         others: none,
     },
 ];
-
-/// Separations of the planar cases by name.
-fn separations() -> BTreeMap<String, Vec<[f64; 2]>> {
-    let names: Vec<String> = read_table("contact_25_1/planar_normal.csv")
-        .rows
-        .iter()
-        .map(|row| row[0].to_owned())
-        .collect();
-    let read = |name: &String| {
-        let table = read_table(&format!("contact_25_1/planar/{name}.csv"));
-        let points = table.rows.iter().map(|point| {
-            [1e-3 * value(&table, point, "y_mm"), 1e-3 * value(&table, point, "f_mm")]
-        });
-        points.collect()
-    };
-    names.iter().map(|name| (name.clone(), read(name))).collect()
-}
 
 fn by(setting: &Setting, case: &PlanarCase) -> PlanarResult {
     solve(&setting.of_case(case)).expect("a good case")
@@ -134,7 +115,7 @@ fn rolling(setting: &Setting) -> Vec<Case> {
     let elements = column(&table, "elements");
     let of = |row: &csv::StringRecord| {
         let v = |name: &str| value(&table, row, name);
-        let creepage = [v("creepage_longitudinal"), v("creepage_lateral"), 1e3 * v("spin_per_mm")];
+        let creepage = creepage_of(&v);
         let separation = &separations[&row[0]];
         let found = by(
             setting,
@@ -185,11 +166,7 @@ fn rolling_ellipses(setting: &Setting) -> Vec<Case> {
             setting,
             &PlanarCase {
                 indentation: Indentation::Load(load),
-                creepage: [
-                    v("creepage_longitudinal"),
-                    v("creepage_lateral"),
-                    1e3 * v("spin_per_mm"),
-                ],
+                creepage: creepage_of(&v),
                 ..steel_case(&separation, radius, 0.0)
             },
         );

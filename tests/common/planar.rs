@@ -1,5 +1,7 @@
 //! Planar cases with Hertzian bodies, as several tests use them.
 
+use std::collections::BTreeMap;
+
 use wheelrail::element::parameters::{
     FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
@@ -113,4 +115,23 @@ pub fn hertzian_bodies(a: f64, b: f64, load: f64) -> (f64, Vec<[f64; 2]>) {
 /// Contact modulus of steel on steel [Pa].
 pub fn steel_modulus() -> f64 {
     MaterialPair::new(STEEL, STEEL).contact_modulus
+}
+
+/// Separations of CONTACT's planar cases by name, points (y, f) [m].
+pub fn separations() -> BTreeMap<String, Vec<[f64; 2]>> {
+    let cases = super::read_table("contact_25_1/planar_normal.csv");
+    let read = |row: &csv::StringRecord| {
+        let table = super::read_table(&format!("contact_25_1/planar/{}.csv", &row[0]));
+        let points = table
+            .rows
+            .iter()
+            .map(|point| ["y_mm", "f_mm"].map(|name| 1e-3 * super::value(&table, point, name)));
+        (row[0].to_owned(), points.collect())
+    };
+    cases.rows.iter().map(read).collect()
+}
+
+/// Creepage of a row of CONTACT's rolling cases, spin in 1/m.
+pub fn creepage_of(v: &dyn Fn(&str) -> f64) -> [f64; 3] {
+    [v("creepage_longitudinal"), v("creepage_lateral"), 1e3 * v("spin_per_mm")]
 }

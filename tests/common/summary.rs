@@ -38,7 +38,7 @@ impl Summary {
 }
 
 /// A number with two digits that count.
-fn rounded(x: f64) -> String {
+pub fn rounded(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
     }

@@ -19,6 +19,8 @@ const COUPLING_LEFT: [f64; 2] = [1e-4, 3e-2];
 /// Magnitude that tractions over their bounds keep in the iteration.
 const LARGEST: f64 = 1.5;
 
+/// Part of what is left that a whole step has to take off, as a share of it a part of one (Armijo's rule).
+const LEAST_GAIN: f64 = 0.05;
 /// Share of a step from which on it is taken although it gains nothing: what is left falls again once other points adhere.
 const LEAST_SHARE: f64 = 0.05;
 
@@ -82,7 +84,7 @@ impl Newton {
             loop {
                 self.advance(equations, share);
                 let [new_left, new_norm] = equations.evaluate(&mut self.tried);
-                if new_norm < (1.0 - 0.05 * share) * norm || share < LEAST_SHARE {
+                if new_norm < (1.0 - LEAST_GAIN * share) * norm || share < LEAST_SHARE {
                     (left, norm) = (new_left, new_norm);
                     break;
                 }
