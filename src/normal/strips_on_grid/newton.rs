@@ -17,9 +17,12 @@ use crate::math::room::Room;
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
-/// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
-/// squares.
-const LAST_CHANGE: f64 = 1e-6;
+/// First steps, in which nodes that are ahead of each other are taken as if side by side, at a third of the cost: what that leaves out is less than what is left to
+/// be found.
+const FIRST_STEPS: u64 = 2;
+/// What the next step may still change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: steps get shorter at a growing
+/// rate, so that it is less than the last change times its ratio to the one before.
+const LEFT: f64 = 1e-7;
 /// Greatest fall in one step of z, and rise where there is no load, over itself or the load per width in the middle of the ellipse, whichever is greater; and greatest
 /// change of χ: less than where the equations have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
@@ -51,7 +54,6 @@ pub(super) struct Newton {
     cell_strips: Vec<Strip>,
     cell_lengths: Vec<[[f64; 2]; 2]>,
     rows: Rows,
-    is_skewed: bool,
     /// The cells, and the points of the rule beside the nodes.
     far: Sources,
     beside: Beside,
@@ -106,7 +108,6 @@ impl Newton {
             cell_strips: vec![Strip::default(); cells],
             cell_lengths: vec![[[0.0; 2]; 2]; cells],
             rows: Rows::new(nodes),
-            is_skewed: false,
             far: Sources::new(cells, nodes),
             beside: Beside::new(RULE.len(), nodes),
             sums: Sums::new(nodes),
@@ -159,20 +160,21 @@ impl Newton {
         self.fit(grid, knots);
         self.measure(grid, &scales);
         self.start(grid, &scales);
-        for _ in 0..MOST_STEPS {
+        let is_skewed = grid.is_skewed();
+        let (mut settled, mut last) = (false, 0.0);
+        for step in 0..MOST_STEPS {
             self.steps += 1;
-            self.linearise(grid, &scales);
-            match self.step(grid, &scales) {
-                Some(change) if change <= LAST_CHANGE => {
-                    self.place(grid, &scales);
-                    return true;
-                }
-                Some(_) => {}
-                None => break,
+            let is_first = is_skewed && step < FIRST_STEPS;
+            self.linearise(grid, &scales, is_skewed && !is_first);
+            let Some(change) = self.step(grid, &scales) else { break };
+            settled = !is_first && change * (change / last).min(1.0) <= LEFT;
+            if settled {
+                break;
             }
+            last = change;
         }
         self.place(grid, &scales);
-        false
+        settled
     }
 
     /// Where all sources are from all nodes.
@@ -181,7 +183,6 @@ impl Newton {
     fn measure(&mut self, grid: &Grid, scales: &Scales) {
         let nodes = &grid.nodes;
         let count = self.nodes;
-        self.is_skewed = grid.is_skewed();
         for (i, node) in nodes.iter().enumerate() {
             let [a, b] = node.place.tangent;
             for (column, value) in self.rows.places.iter_mut().zip([node.place.x, node.y, a, b]) {
@@ -277,10 +278,10 @@ impl Newton {
         [[mean; 2], by_z, [-share * a[1], (share - 1.0) * b[1]]]
     }
 
-    /// Residuals at the present unknowns and all derivatives of them.
+    /// Residuals at the present unknowns and all derivatives of them, with regard to how far nodes are ahead of each other if the grid `is_skewed`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn linearise(&mut self, grid: &Grid, scales: &Scales) {
+    fn linearise(&mut self, grid: &Grid, scales: &Scales, is_skewed: bool) {
         self.place(grid, scales);
         let (n, m) = (grid.nodes.len(), self.shape.len());
         let (nodes, stride) = (self.nodes, self.nodes + self.behind);
@@ -316,10 +317,10 @@ impl Newton {
             let half_length = self.cell_strips[c].half_length;
             let strip = [load.mean, 1.0 / half_length, 1.0, 1.0].map(|value| Block([value; LANES]));
             let (rows, columns) = (&self.rows, [value, by_source, &mut self.by_length]);
-            self.far.act(c, |_| strip, rows, self.is_skewed, columns, &mut self.sums);
+            self.far.act(c, |_| strip, rows, is_skewed, columns, &mut self.sums);
             add(load.moment, &self.moments[c * nodes..][..nodes], &mut self.sums.values[..nodes]);
         }
-        self.add_near_cells(grid, scales);
+        self.add_near_cells(grid, scales, is_skewed);
         self.matrix[n * stride..(n + m + 1) * stride].fill(Block::ZERO);
         for j in 0..n {
             self.gather(grid, scales, j);
@@ -345,7 +346,7 @@ impl Newton {
     /// What the two cells beside each node do to it.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn add_near_cells(&mut self, grid: &Grid, scales: &Scales) {
+    fn add_near_cells(&mut self, grid: &Grid, scales: &Scales, is_skewed: bool) {
         self.beside.clear();
         for side in [0, 1] {
             for (i, node) in grid.nodes.iter().enumerate() {
@@ -369,7 +370,7 @@ impl Newton {
             for (k, [t, _]) in RULE.into_iter().enumerate() {
                 let (rows, sums) = (&self.rows, &mut self.sums);
                 let slot = [side * RULE.len() + k, side];
-                self.beside.act(slot, [t, scales.least_square], rows, self.is_skewed, sums);
+                self.beside.act(slot, [t, scales.least_square], rows, is_skewed, sums);
             }
         }
         self.beside.add_own_lengths(&self.rows, &self.sums);
@@ -443,7 +444,7 @@ impl Newton {
     /// The derivatives of all residuals by all unknowns at the present ones, by rows, into `matrix`; returns their number.
     pub fn matrix_at(&mut self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
         let scales = Scales::new(&grid.samples);
-        self.linearise(grid, &scales);
+        self.linearise(grid, &scales, grid.is_skewed());
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();
         for (k, &row) in self.pivots.iter().enumerate() {
