@@ -49,6 +49,9 @@ fn main() -> ExitCode {
     println!("walks");
     let walk = random::walk(seed);
     if env::var("WHEELRAIL_SCOREBOARD").is_ok_and(|wish| wish == "check") {
+        for Results { family, .. } in results.iter().filter(|results| results.rows.is_empty()) {
+            println!("not compared without {}: {}", measured::FOLDER, family.title);
+        }
         let worse = page::worse(&results, &walk);
         for line in &worse {
             println!("worse: {line}");
