@@ -210,8 +210,7 @@ pub fn write(text: &str) {
 
 /// By how much a figure of cases that stay the same may grow: other libraries of elementary functions, and two digits.
 const NOISE: f64 = 0.06;
-/// The same of random cases: median and 95 %. Their worst says nothing. The committed page has seed 1, whose 95 % are above those of seeds 2 and 3, so that half as much again
-/// is not met by chance.
+/// The same of random cases: median and 95 %. Their worst says nothing. The committed page is of seed 1; no 95 % of seeds 2 and 3 is half as much again as its own, some are a third of it.
 const RANDOM_NOISE: [f64; 2] = [1.0 / 3.0, 0.5];
 
 /// What has become worse than on the committed page by more than the noise.
