@@ -1,6 +1,7 @@
 //! Writes the figures that tests have left in target/reports into docs: between `<!-- summary NAME -->` and `<!-- end of summary -->` stands the
 //! table `summary_NAME.csv`. Then into all pages and README.md the figures that they take from these tables: between `<!-- figure NAME; ROW; COLUMN -->` and
-//! `<!-- -->` stands the cell of that table.
+//! `<!-- -->` stands the cell of that table. A table of docs/scoreboard.md is named by its heading, a row by all that stands before its cases:
+//! `<!-- figure FAMILY; QUANTITY; BY; COLUMN -->`.
 //!
 //! `docs/make_tables` runs the tests with their whole sets first.
 
@@ -79,6 +80,27 @@ fn collect(page: &str, cells: &mut Cells) {
     }
 }
 
+/// Adds the cells of docs/scoreboard.md to `cells`.
+fn collect_scoreboard(page: &str, cells: &mut Cells) {
+    let (mut title, mut columns) = ("", Vec::new());
+    for line in page.lines() {
+        title = line.strip_prefix("## ").unwrap_or(title);
+        let Some(row) = line.strip_prefix("| ") else { continue };
+        let row: Vec<&str> = row.trim_end_matches('|').split(" | ").map(str::trim).collect();
+        if let Some(keys) = columns.iter().position(|&column| ["cases", "poses"].contains(&column))
+            && row.len() == columns.len()
+            && row[keys] != columns[keys]
+        {
+            let name = row[..keys].join("; ");
+            for (column, cell) in columns.iter().zip(&row).skip(keys) {
+                cells.insert(format!("{title}; {name}; {column}"), (*cell).to_owned());
+            }
+        } else {
+            columns = row;
+        }
+    }
+}
+
 /// The page with its figures as in `cells`.
 fn with_figures(page: &str, cells: &Cells) -> Result<String, String> {
     let mut text = String::new();
@@ -120,7 +142,12 @@ fn write(root: &Path) -> Result<(), String> {
     let (mut missing, mut cells) = (Vec::new(), Cells::new());
     for page in &pages {
         rewrite(page, |text| filled(text, &root.join("target/reports"), &mut missing))?;
-        collect(&fs::read_to_string(page).map_err(|error| error.to_string())?, &mut cells);
+        let text = fs::read_to_string(page).map_err(|error| error.to_string())?;
+        if page.ends_with("scoreboard.md") {
+            collect_scoreboard(&text, &mut cells);
+        } else {
+            collect(&text, &mut cells);
+        }
     }
     for page in &pages {
         rewrite(page, |text| with_figures(text, &cells))?;

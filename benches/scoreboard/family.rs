@@ -22,7 +22,9 @@ pub struct Family {
     pub quantities: &'static [&'static str],
     /// Whether its cases are drawn anew in every run.
     pub is_random: bool,
-    /// Errors by a setting; nothing where the setting does not know such cases.
+    /// Whether it needs the folder of profiles that may not be passed on.
+    pub needs_folder: bool,
+    /// Errors by a setting; nothing where the setting does not know such cases or there is no folder.
     pub solve: fn(&Setting, seed: u64) -> Option<Vec<Case>>,
     /// Rows of others: name, and cases.
     pub others: fn() -> Vec<(String, Vec<Case>)>,

@@ -1,11 +1,14 @@
 //! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes docs/scoreboard.md.
 //!
 //! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than on the committed page by more than its noise. WHEELRAIL_SEED chooses the
-//! random cases, which are others in every run without it.
+//! random cases, which are others in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed on. A word behind `--` runs the
+//! families alone whose titles have it in them, and shows their tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
 mod family;
+mod linear;
+mod measured;
 mod page;
 mod planar;
 mod random;
@@ -30,19 +33,25 @@ fn main() -> ExitCode {
     }
     let seed = seed();
     println!("seed {seed}");
-    let families: Vec<&Family> =
-        planar::FAMILIES.iter().chain(&wheel_rail::FAMILIES).chain([&random::FAMILY]).collect();
+    let word = env::args().skip(1).find(|argument| !argument.starts_with("--"));
+    let families: Vec<&Family> = (planar::FAMILIES.iter().chain([&linear::FAMILY]))
+        .chain(&wheel_rail::FAMILIES)
+        .chain(&measured::FAMILIES)
+        .chain([&random::FAMILY])
+        .filter(|family| word.as_ref().is_none_or(|word| family.title.contains(word)))
+        .collect();
     let results = solve_all(&families, seed);
+    page::report(&results);
+    if word.is_some() {
+        print!("{}", page::tables(&results));
+        return ExitCode::SUCCESS;
+    }
     println!("walks");
     let walk = random::walk(seed);
-    println!("times");
-    let times: Vec<(String, Vec<Case>)> = SETTINGS
-        .iter()
-        .filter(|setting| !setting.is_slow)
-        .map(|setting| (setting.name.to_owned(), times::times(setting, seed)))
-        .collect();
-    page::report(&results);
     if env::var("WHEELRAIL_SCOREBOARD").is_ok_and(|wish| wish == "check") {
+        for Results { family, .. } in results.iter().filter(|results| results.rows.is_empty()) {
+            println!("not compared without {}: {}", measured::FOLDER, family.title);
+        }
         let worse = page::worse(&results, &walk);
         for line in &worse {
             println!("worse: {line}");
@@ -50,6 +59,11 @@ fn main() -> ExitCode {
         println!("{} figures are worse than on docs/scoreboard.md", worse.len());
         return if worse.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
+    println!("times");
+    let times: Vec<(String, Vec<Case>)> = SETTINGS
+        .iter()
+        .map(|setting| (setting.name.to_owned(), times::times(setting, seed)))
+        .collect();
     let text = page::text(&results, &walk, &times, seed);
     print!("{text}");
     page::write(&text);

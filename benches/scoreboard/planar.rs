@@ -1,5 +1,7 @@
 //! Planar problems: the separation of two bodies over one plane, with the approach or the load given.
 
+use std::collections::HashMap;
+
 use wheelrail::element::parameters::TangentialModel;
 use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
 
@@ -22,6 +24,7 @@ pub const FAMILIES: [Family; 4] = [
         text: "32 approaches of eight separations of S1002 on UIC60, some of two regions. The area of the reference is that of its elements, carried to none.",
         quantities: &NORMAL,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(normal(setting)),
         others: fast_normal,
     },
@@ -31,8 +34,9 @@ pub const FAMILIES: [Family; 4] = [
         text: "Eight of these patches, 82 states of creepage each. The reference is uncertain by 0.2 % of the limit in the mean, 1.1 % at worst.",
         quantities: &CREEP,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(rolling(setting)),
-        others: none,
+        others: fast_rolling,
     },
     Family {
         title: "Ellipses of Hertz, normal",
@@ -40,6 +44,7 @@ pub const FAMILIES: [Family; 4] = [
         text: "Ratios of the semi-axes from 0.1 to 10 in closed form.",
         quantities: &NORMAL,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(ellipses(setting)),
         others: none,
     },
@@ -49,6 +54,7 @@ pub const FAMILIES: [Family; 4] = [
         text: "300 random ellipses under given load, from full adhesion to full sliding, with and without spin.",
         quantities: &[CREEP[0]],
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(rolling_ellipses(setting)),
         others: none,
     },
@@ -124,22 +130,48 @@ fn rolling(setting: &Setting) -> Vec<Case> {
                 ..steel_case(separation, 1e-3 * v("radius_mm"), 1e-3 * v("approach_mm"))
             },
         );
-        let limit = FRICTION * v("normal_force_n");
-        let same = |other: &&csv::StringRecord| (&other[0], &other[1]) == (&row[0], &row[1]);
-        let patch = sizes.rows.iter().find(same).expect("a case of planar_normal.csv");
-        let size = (1e-6 * value(&sizes, patch, "area_mm2") / std::f64::consts::PI).sqrt();
-        let force = (found.fx - v("fx_n")).hypot(found.fy - v("fy_n")) / limit;
-        let moment = (found.mz - 1e-3 * v("mz_nmm")).abs() / (limit * size);
-        let name = format!(
-            "{}, creepage {:.1e} {:.1e} {:.1e}/m",
-            name(row),
-            creepage[0],
-            creepage[1],
-            creepage[2]
-        );
-        Case { name, errors: vec![100.0 * force, 100.0 * moment] }
+        rolling_case(&table, &sizes, row, [found.fx, found.fy, found.mz])
     };
     table.rows.iter().filter(|row| &row[elements] == "40").map(of).collect()
+}
+
+/// Errors of force and moment `found` [N, N m] in a row of planar_tangential.csv.
+fn rolling_case(table: &Table, sizes: &Table, row: &csv::StringRecord, found: [f64; 3]) -> Case {
+    let v = |name: &str| value(table, row, name);
+    let limit = FRICTION * v("normal_force_n");
+    let same = |other: &&csv::StringRecord| (&other[0], &other[1]) == (&row[0], &row[1]);
+    let patch = sizes.rows.iter().find(same).expect("a case of planar_normal.csv");
+    let size = (1e-6 * value(sizes, patch, "area_mm2") / std::f64::consts::PI).sqrt();
+    let [fx, fy, mz] = found;
+    let force = (fx - v("fx_n")).hypot(fy - v("fy_n")) / limit;
+    let moment = (mz - 1e-3 * v("mz_nmm")).abs() / (limit * size);
+    let [x, y, spin] = creepage_of(&v);
+    let name = format!("{}, creepage {x:.1e} {y:.1e} {spin:.1e}/m", name(row));
+    Case { name, errors: vec![100.0 * force, 100.0 * moment] }
+}
+
+/// CONTACT's own simplified solutions.
+fn fast_rolling() -> Vec<(String, Vec<Case>)> {
+    const KEYS: [&str; 5] =
+        ["case", "approach_mm", "creepage_longitudinal", "creepage_lateral", "spin_per_mm"];
+    let [exact, fast, sizes] = ["planar_tangential", "planar_tangential_fast", "planar_normal"]
+        .map(|name| read_table(&format!("contact_25_1/{name}.csv")));
+    let key = |table: &Table, row: &csv::StringRecord| {
+        KEYS.map(|name| row[column(table, name)].to_owned())
+    };
+    let elements = column(&exact, "elements");
+    let rows = exact.rows.iter().filter(|row| &row[elements] == "40");
+    let known: HashMap<_, _> = rows.map(|row| (key(&exact, row), row)).collect();
+    let method = column(&fast, "method");
+    let of = |wanted: &str| {
+        let cases = fast.rows.iter().filter(|row| &row[method] == wanted).map(|row| {
+            let found = [("fx_n", 1.0), ("fy_n", 1.0), ("mz_nmm", 1e-3)]
+                .map(|(name, scale)| scale * value(&fast, row, name));
+            rolling_case(&exact, &sizes, known[&key(&fast, row)], found)
+        });
+        (format!("CONTACT's {wanted}"), cases.collect())
+    };
+    ["ANALYN+FASTSIM", "KPEC+FASTSIM", "KPEC+FASTRIP"].map(of).into()
 }
 
 fn ellipses(setting: &Setting) -> Vec<Case> {

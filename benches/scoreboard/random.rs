@@ -30,6 +30,7 @@ pub const FAMILY: Family = Family {
         "creep force [% of the limit]",
     ],
     is_random: true,
+    needs_folder: false,
     solve: |setting, seed| (!setting.is_slow).then(|| poses(setting, seed)),
     others: none,
 };

@@ -11,12 +11,17 @@ use crate::setting::Setting;
 /// Poses of each pair of profiles, and how often each is evaluated; the least time counts, which other programs have not disturbed.
 const POSES: u64 = 100;
 const AGAIN: usize = 5;
+/// One in so many of the poses is enough for models that take milliseconds.
+const SLOW: usize = 20;
 
 /// Times of an evaluation in random poses [s], with the pose as the name of the case.
 pub fn times(setting: &Setting, seed: u64) -> Vec<Case> {
     let mut cases = Vec::new();
     for pair in PAIRS {
-        for seed in (0..POSES).map(|k| seed.wrapping_mul(1000) + k) {
+        for seed in (0..POSES)
+            .step_by(if setting.is_slow { SLOW } else { 1 })
+            .map(|k| seed.wrapping_mul(1000) + k)
+        {
             let Some(at) = at_height(pair, &random_pose(seed)) else { continue };
             let mut element = on(pair, setting.parameters(), &at);
             let mut output = Output::default();

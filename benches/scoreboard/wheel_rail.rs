@@ -6,6 +6,7 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Output, Parameters};
 
+use crate::common::roller;
 use crate::common::varying::errors_against_contact;
 use crate::common::wheel::{FRICTION_TABLES, benchmark, evaluate, of_manchester, of_wheelset};
 use crate::common::{Table, column, read_table, value};
@@ -17,13 +18,14 @@ const FRICTION: f64 = 0.3;
 const ROLLING: [&str; 2] = ["p_max [%]", "force in the contact plane [% of the limit]"];
 
 /// All families of wheels on rails.
-pub const FAMILIES: [Family; 8] = [
+pub const FAMILIES: [Family; 11] = [
     Family {
         title: "Wheel on rail at given load, frictionless",
         source: "`tests/data/contact_25_1/element_normal.csv`",
         text: "S1002 on UIC60, lateral places from -6 to 10 mm, loads from 5 to 150 kN; the reference has one plane for each contact, by which contacts on the flange differ.",
         quantities: &["normal force [%]", "p_max [%]", "area [%]", "place along the rail [mm]"],
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(frictionless(setting)),
         others: none,
     },
@@ -33,6 +35,7 @@ pub const FAMILIES: [Family; 8] = [
         text: "30 random states from tread to flange. Compared is all force within the reference's plane: pressures of a patch that wraps have a part in it.",
         quantities: &ROLLING,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(rolling(setting, "contact_25_1/conformal.csv")),
         others: planar_mode,
     },
@@ -42,16 +45,48 @@ pub const FAMILIES: [Family; 8] = [
         text: "The same states on one plane each, which the element has with `creepage.model` = flat alone.",
         quantities: &ROLLING,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(rolling(setting, "contact_25_1/planar_states.csv")),
+        others: none,
+    },
+    Family {
+        title: "Manchester contact benchmark A-1",
+        source: "`tests/data/contact_25_1/manchester_a1.csv`",
+        text: "Both wheels of a wheelset at 21 places without yaw, 10 kN each, no friction. The reference has one plane for each contact.",
+        quantities: &[MANCHESTER[0], MANCHESTER[1]],
+        is_random: false,
+        needs_folder: false,
+        solve: |setting, _| Some(manchester(setting, "a1")),
+        others: none,
+    },
+    Family {
+        title: "Manchester contact benchmark A-2.1",
+        source: "`tests/data/contact_25_1/manchester_a21.csv`",
+        text: "The same with friction and both wheels turning at one rate.",
+        quantities: &MANCHESTER,
+        is_random: false,
+        needs_folder: false,
+        solve: |setting, _| Some(manchester(setting, "a21")),
         others: none,
     },
     Family {
         title: "Manchester contact benchmark A-2.2",
         source: "`tests/data/contact_25_1/manchester_a22.csv`",
-        text: "Both wheels of a wheelset at 21 places, 10 kN each. The reference has one plane for each contact.",
-        quantities: &["normal force [%]", "p_max [%]", "creep force [% of the limit]"],
+        text: "The same with a yaw that grows with the shift, up to 24 mrad.",
+        quantities: &MANCHESTER,
         is_random: false,
-        solve: |setting, _| Some(manchester(setting)),
+        needs_folder: false,
+        solve: |setting, _| Some(manchester(setting, "a22")),
+        others: fast_manchester,
+    },
+    Family {
+        title: "Wheels of simple shapes on rollers",
+        source: "`tests/data/contact_25_1/rollers.csv`",
+        text: "Cylinder and ball on a crowned roller and on a conical one of 0.4 m, with yaw and with roll; approach and creepages of the reference.",
+        quantities: &["N [%]", "p_max [%]", "place across [mm]", "creep force [% of the limit]"],
+        is_random: false,
+        needs_folder: false,
+        solve: |setting, _| rollers(setting),
         others: none,
     },
     Family {
@@ -60,6 +95,7 @@ pub const FAMILIES: [Family; 8] = [
         text: "Two tables of friction over the inclination of the rail. The reference takes one coefficient for each contact, that of its plane; the element one for each strip.",
         quantities: &["force in the contact plane [% of the limit]"],
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(friction_by_inclination(setting)),
         others: none,
     },
@@ -69,6 +105,7 @@ pub const FAMILIES: [Family; 8] = [
         text: "The rail sinks and yields under given load until springs and contact agree.",
         quantities: &["contact force [%]", "deflection [%]"],
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| Some(massless(setting)),
         others: none,
     },
@@ -78,6 +115,7 @@ pub const FAMILIES: [Family; 8] = [
         text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force.",
         quantities: &VARYING,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| varying(setting, "wing"),
         others: none,
     },
@@ -87,11 +125,13 @@ pub const FAMILIES: [Family; 8] = [
         text: "A section that rises by 1:10, which the wheel touches ahead of its centre; normal and creep force each in its own frame, as the reference leans to the side alone.",
         quantities: &VARYING,
         is_random: false,
+        needs_folder: false,
         solve: |setting, _| varying(setting, "nose"),
         others: none,
     },
 ];
 
+const MANCHESTER: [&str; 3] = ["normal force [%]", "p_max [%]", "creep force [% of the limit]"];
 const VARYING: [&str; 4] =
     ["height of the wheel [um]", "p_max [%]", "place [mm]", "creep force [% of the limit]"];
 
@@ -106,6 +146,18 @@ fn varying(setting: &Setting, rail: &str) -> Option<Vec<Case>> {
         Case { name, errors }
     };
     Some(errors_against_contact(rail, &setting.parameters()).into_iter().map(of).collect())
+}
+
+fn rollers(setting: &Setting) -> Option<Vec<Case>> {
+    // Boundary elements have no rollers.
+    if setting.is_slow {
+        return None;
+    }
+    let of = |(name, e): (String, roller::Errors)| Case {
+        name,
+        errors: vec![100.0 * e.force, 100.0 * e.pressure, 1e3 * e.place, 100.0 * e.creep],
+    };
+    Some(roller::errors_against_contact(&setting.parameters()).into_iter().map(of).collect())
 }
 
 fn under_load(setting: &Setting) -> Parameters {
@@ -188,29 +240,66 @@ fn planar_mode() -> Vec<(String, Vec<Case>)> {
     vec![("CONTACT's planar mode".into(), cases.collect())]
 }
 
-fn manchester(setting: &Setting) -> Vec<Case> {
-    let table = read_table("contact_25_1/manchester_a22.csv");
+fn manchester(setting: &Setting, case: &str) -> Vec<Case> {
+    let table = read_table(&format!("contact_25_1/manchester_{case}.csv"));
+    let mut parameters = under_load(setting);
+    if case == "a1" {
+        parameters.tangential_model = TangentialModel::None;
+    }
     let mut elements =
-        [Side::Left, Side::Right].map(|side| benchmark(Parameters { side, ..under_load(setting) }));
+        [Side::Left, Side::Right].map(|side| benchmark(Parameters { side, ..parameters.clone() }));
     let of = |row: &csv::StringRecord| {
         let v = |name: &str| value(&table, row, name);
         let name = &row[column(&table, "side")];
         let (side, k) = if name == "left" { (Side::Left, 0) } else { (Side::Right, 1) };
         let output = evaluate(&mut elements[k], &of_manchester(&v, side));
         let [_, pressure, ..] = sizes(&output);
-        // The reference has forces on the rail along its plane and its normal.
-        let (sine, cosine) = v("delta_deg").to_radians().sin_cos();
-        let [fx, fy, fz] = output.wheel.force;
-        let (lateral, normal) = (fy * cosine + fz * sine, fy * sine - fz * cosine);
-        let missed = (fx + v("Fx_N")).hypot(lateral + v("Fs_N")) / (FRICTION * v("N_N"));
-        let errors = vec![
-            100.0 * (normal / v("N_N") - 1.0),
-            100.0 * (1e-6 * pressure / v("pmax_MPa") - 1.0),
-            100.0 * missed,
-        ];
+        let mut errors = manchester_errors(&v, output.wheel.force, 1e-6 * pressure);
+        if case == "a1" {
+            errors.pop();
+        }
         Case { name: format!("{name}, y {} mm", v("y_ws_mm")), errors }
     };
     table.rows.iter().map(of).collect()
+}
+
+/// Errors of a force on the wheel [N] and of the greatest pressure [MPa]; the reference has forces on the rail along its plane and its normal.
+fn manchester_errors(v: &dyn Fn(&str) -> f64, force: [f64; 3], pressure: f64) -> Vec<f64> {
+    let (sine, cosine) = v("delta_deg").to_radians().sin_cos();
+    let [fx, fy, fz] = force;
+    let (lateral, normal) = (fy * cosine + fz * sine, fy * sine - fz * cosine);
+    let missed = (fx + v("Fx_N")).hypot(lateral + v("Fs_N")) / (FRICTION * v("N_N"));
+    vec![
+        100.0 * (normal / v("N_N") - 1.0),
+        100.0 * (pressure / v("pmax_MPa") - 1.0),
+        100.0 * missed,
+    ]
+}
+
+/// CONTACT's own simplified solutions.
+fn fast_manchester() -> Vec<(String, Vec<Case>)> {
+    let exact = read_table("contact_25_1/manchester_a22.csv");
+    let fast = read_table("contact_25_1/manchester_a22_fast.csv");
+    let key = |table: &Table, row: &csv::StringRecord| {
+        ["y_ws_mm", "side"].map(|name| row[column(table, name)].to_owned())
+    };
+    let method = column(&fast, "method");
+    let of = |wanted: &str| {
+        let cases = fast.rows.iter().filter(|row| &row[method] == wanted).map(|row| {
+            let [y, side] = key(&fast, row);
+            let same = |other: &&csv::StringRecord| key(&exact, other) == key(&fast, row);
+            let other = exact.rows.iter().find(same).expect("a state of manchester_a22.csv");
+            let force = ["Fx_tr_N", "Fy_tr_N", "Fz_tr_N"].map(|name| -value(&fast, row, name));
+            let errors = manchester_errors(
+                &|name| value(&exact, other, name),
+                force,
+                value(&fast, row, "pmax_MPa"),
+            );
+            Case { name: format!("{side}, y {y} mm"), errors }
+        });
+        (format!("CONTACT's {wanted}"), cases.collect())
+    };
+    ["ANALYN+FASTSIM", "KPEC+FASTSIM"].map(of).into()
 }
 
 fn friction_by_inclination(setting: &Setting) -> Vec<Case> {

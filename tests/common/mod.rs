@@ -4,6 +4,7 @@
 
 pub mod planar;
 pub mod random;
+pub mod roller;
 pub mod summary;
 pub mod varying;
 pub mod vectors;

@@ -1,0 +1,263 @@
+//! Cases on profiles that may not be passed on: they run where WHEELRAIL_PROFILES names a folder that has them.
+
+use std::env;
+use std::path::PathBuf;
+
+use wheelrail::element::parameters::{Placement, TangentialModel, VerticalMode};
+use wheelrail::element::{Element, Input, Output, Parameters};
+
+use crate::common::planar::STEEL;
+use crate::common::wheel::evaluate;
+use crate::common::{Table, column, read_table, value};
+use crate::family::{Case, Family, none};
+use crate::setting::Setting;
+
+/// Names the folder.
+pub const FOLDER: &str = "WHEELRAIL_PROFILES";
+const CROSSING: [&str; 5] = [
+    "height of the wheel [um]",
+    "p_max [%]",
+    "centre of load [mm]",
+    "share of the load [% of all]",
+    "creep force [% of the limit]",
+];
+const WHEEL: &str = "MBench_S1002_v3.prw";
+
+/// All families on such profiles.
+pub const FAMILIES: [Family; 4] = [
+    Family {
+        title: "Crossing of an artificial nose between wing rails",
+        source: "`tests/data/contact_25_1/crossings.csv`, cross+wing",
+        text: "Wing and nose in one file of slices, on which a wheel at three lateral places rolls past; given load. CONTACT's planes lean to the side alone; s+c_cw_interrupt 2 stands on the abrupt beginning of the nose, \
+               where the reference has a peak.",
+        quantities: &CROSSING,
+        is_random: false,
+        needs_folder: true,
+        solve: |setting, _| crossings(setting, &["cross+wing"]),
+        others: none,
+    },
+    Family {
+        title: "UK crossing 56E1-R245-1:9.25",
+        source: "`tests/data/contact_25_1/crossings.csv`, uk_crossing and uk_interrupt",
+        text: "A crossing of the switches-and-crossings benchmark along the track and, at one place, over lateral places, under 60 and 10 kN; some states with contacts on wing and nose. Share: that of \
+               the heaviest contact, where there are two.",
+        quantities: &CROSSING,
+        is_random: false,
+        needs_folder: true,
+        solve: |setting, _| crossings(setting, &["uk_"]),
+        others: none,
+    },
+    Family {
+        title: "Worn wheel on a worn rail, normal results of transient cases",
+        source: "`tests/data/contact_25_1/worn_wheel.csv`",
+        text: "CONTACT's own tests of steady, shifted and transient rolling with two and three contacts, of which the normal results have no history; the same load. The reference solves each \
+               contact by itself and joins those that come near into one plane; in the element contacts press one another down, by 5 µm for 60 kN at 30 mm.",
+        quantities: &["height of the wheel [um]", "p_max [%]", "centre of load [mm]"],
+        is_random: false,
+        needs_folder: true,
+        solve: |setting, _| worn_wheel(setting),
+        others: none,
+    },
+    Family {
+        title: "Crown in a groove of nearly its radius",
+        source: "`tests/data/contact_25_1/groove.csv`",
+        text: "10 mm in 10.1 and 10.02 mm, by CONTACT's conformal mode; 10 kN. The reference is printed to 0.1 µm and has two solutions of each groove, up to 0.5 µm and 3 % apart.",
+        quantities: &["height of the wheel [um]", "area [%]"],
+        is_random: false,
+        needs_folder: true,
+        solve: |setting, _| groove(setting),
+        others: none,
+    },
+];
+
+/// The folder and that of CONTACT's tests in it.
+fn folders() -> Option<[PathBuf; 2]> {
+    let folder = PathBuf::from(env::var_os(FOLDER)?);
+    Some([folder.join("testbank"), folder])
+}
+
+/// Both bodies of the reference's steel, profiles as they are.
+fn steel(setting: &Setting) -> Parameters {
+    let mut parameters = Parameters { profile_smoothing: 0.0, ..setting.parameters() };
+    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
+        (STEEL.young_modulus, STEEL.young_modulus);
+    parameters
+}
+
+/// Greatest pressure, lateral centre of the normal forces, and these with their places.
+fn loads(output: &Output) -> (f64, f64, Vec<[f64; 2]>) {
+    let patches = &output.patches[..output.patch_count as usize];
+    let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
+    let loads: Vec<[f64; 2]> = patches.iter().map(|p| [p.normal_force, p.position[1]]).collect();
+    (pressure, centre(&loads), loads)
+}
+
+fn centre(loads: &[[f64; 2]]) -> f64 {
+    loads.iter().map(|[load, y]| load * y).sum::<f64>()
+        / loads.iter().map(|[load, _]| load).sum::<f64>()
+}
+
+fn crossings(setting: &Setting, rails: &[&str]) -> Option<Vec<Case>> {
+    let folders = folders()?;
+    // Boundary elements have no rails that vary.
+    if setting.is_slow {
+        return None;
+    }
+    let table = read_table("contact_25_1/crossings.csv");
+    let rail = column(&table, "rail");
+    let mut cases = Vec::new();
+    let mut known: Option<(String, Element)> = None;
+    for row in &table.rows {
+        let name = &row[rail];
+        if !rails.iter().any(|begin| name.starts_with(begin)) {
+            continue;
+        }
+        if known.as_ref().is_none_or(|(other, _)| other != name) {
+            let mut parameters = Parameters { vertical_mode: VerticalMode::Load, ..steel(setting) };
+            parameters.wheel.profile = WHEEL.into();
+            let rail = &mut parameters.rails[0];
+            rail.profile = name.into();
+            (rail.placement, rail.position, rail.inclination) =
+                (Placement::Origin, [0.75, 0.0], 0.0);
+            let element = Element::new(&parameters, &Input::default(), &folders)
+                .expect("profiles in the folder");
+            known = Some((name.to_owned(), element));
+        }
+        let Some((_, element)) = &mut known else { continue };
+        cases.push(on_crossing(element, &table, row));
+    }
+    Some(cases)
+}
+
+fn on_crossing(element: &mut Element, table: &Table, row: &csv::StringRecord) -> Case {
+    let v = |name: &str| value(table, row, name);
+    let patches: Vec<usize> = [1, 2]
+        .into_iter()
+        .filter(|k| !row[column(table, &format!("p{k}_N_N"))].is_empty())
+        .collect();
+    let of = |k: usize, name: &str| v(&format!("p{k}_{name}"));
+    let mut input =
+        Input { track_s: 1e-3 * v("s_mm"), wheel_load: v("load_n"), ..Input::default() };
+    let (sine, cosine) = v("yaw_rad").sin_cos();
+    let wheel = &mut input.wheel;
+    (wheel.yaw, wheel.pitch_rate) = (v("yaw_rad"), v("pitch_rate_rad_s"));
+    wheel.velocity[0] = v("speed_m_s");
+    (wheel.position[0], wheel.position[1]) = (-0.75 * sine, 0.75 * cosine + 1e-3 * v("y_ws_mm"));
+    let output = evaluate(element, &input);
+    let (pressure, middle, own) = loads(&output);
+    let expected: Vec<[f64; 2]> =
+        patches.iter().map(|&k| [of(k, "N_N"), 1e-3 * of(k, "y_mm")]).collect();
+    let most = patches.iter().map(|&k| of(k, "pmax_MPa")).fold(0.0, f64::max);
+    let share = |loads: &[[f64; 2]]| {
+        let [[_, first], [_, second]] = expected.as_slice() else { return f64::NAN };
+        let near = |y: f64| (y - first).abs() < (y - second).abs();
+        let all: f64 = loads.iter().map(|[load, _]| load).sum();
+        loads.iter().filter(|[_, y]| near(*y)).map(|[load, _]| load).sum::<f64>() / all
+    };
+    let mut missed = [0.0; 3];
+    let mut add = |force: [f64; 2], angle: f64| {
+        let (sine, cosine) = angle.sin_cos();
+        let [x, across] = force;
+        for (sum, part) in missed.iter_mut().zip([x, across * cosine, across * sine]) {
+            *sum += part;
+        }
+    };
+    for patch in &output.patches[..output.patch_count as usize] {
+        add(patch.creep_force, patch.contact_angle);
+    }
+    // The reference's are those on the rail.
+    for &k in &patches {
+        add([of(k, "Fx_N"), of(k, "Fs_N")], of(k, "angle_rad"));
+    }
+    let limit: f64 = patches.iter().map(|&k| 0.3 * of(k, "N_N")).sum();
+    let errors = vec![
+        1e6 * (output.wheel_z + 0.46 - 1e-3 * v("z_ws_mm")),
+        100.0 * (1e-6 * pressure / most - 1.0),
+        1e3 * (middle - centre(&expected)),
+        100.0 * (share(&own) - share(&expected)),
+        100.0 * missed.iter().map(|x| x * x).sum::<f64>().sqrt() / limit,
+    ];
+    Case { name: row[0].to_owned(), errors }
+}
+
+/// Where the running circle of the worn wheel is: from the centre of the wheelset, and below its axle [m].
+const WORN_WHEEL: [f64; 2] = [0.743_70, 0.444];
+
+fn worn_wheel(setting: &Setting) -> Option<Vec<Case>> {
+    let folders = folders()?;
+    let mut parameters = Parameters {
+        vertical_mode: VerticalMode::Load,
+        tangential_model: TangentialModel::None,
+        gauge: 1.4351,
+        gauge_depth: 15.875e-3,
+        ..steel(setting)
+    };
+    let [arm, radius] = WORN_WHEEL;
+    parameters.wheel.profile = "worn_high_mileage.prw".into();
+    parameters.wheel.nominal_radius = radius;
+    (parameters.rails[0].profile, parameters.rails[0].inclination) = ("site_b_hr.prr".into(), 0.0);
+    let mut element =
+        Element::new(&parameters, &Input::default(), &folders).expect("profiles in the folder");
+    let table = read_table("contact_25_1/worn_wheel.csv");
+    let of = |rows: &[csv::StringRecord]| {
+        let v = |name: &str| value(&table, &rows[0], name);
+        let (roll, yaw) = (v("roll_rad"), v("yaw_rad"));
+        let mut input = Input::default();
+        (input.wheel.roll, input.wheel.yaw) = (roll, yaw);
+        input.wheel.position =
+            [-arm * yaw.sin(), 1e-3 * v("y_ws_mm") + arm * yaw.cos() * roll.cos(), -radius];
+        let of = |row: &csv::StringRecord, name: &str| value(&table, row, name);
+        // Without friction.
+        input.wheel_load = rows.iter().map(|row| of(row, "N_N") * of(row, "angle_rad").cos()).sum();
+        let output = evaluate(&mut element, &input);
+        let (pressure, middle, _) = loads(&output);
+        let most = rows.iter().map(|row| of(row, "pmax_MPa")).fold(0.0, f64::max);
+        let expected: Vec<[f64; 2]> =
+            rows.iter().map(|row| [of(row, "N_N"), 1e-3 * of(row, "y_mm")]).collect();
+        // The height of the wheel is that of the wheelset and what its roll adds.
+        let height = 1e-3 * v("z_ws_mm") - radius + arm * yaw.cos() * roll.sin();
+        let errors = vec![
+            1e6 * (output.wheel_z - height),
+            100.0 * (1e-6 * pressure / most - 1.0),
+            1e3 * (middle - centre(&expected)),
+        ];
+        Case { name: rows[0][0].to_owned(), errors }
+    };
+    Some(table.rows.chunk_by(|a, b| a[0] == b[0]).map(of).collect())
+}
+
+fn groove(setting: &Setting) -> Option<Vec<Case>> {
+    let folders = folders()?;
+    let table = read_table("contact_25_1/groove.csv");
+    let rail = column(&table, "rail");
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        let mut parameters = Parameters {
+            vertical_mode: VerticalMode::Load,
+            tangential_model: TangentialModel::None,
+            ..steel(setting)
+        };
+        // G = 80 GPa.
+        let young_modulus = 160e9 * (1.0 + STEEL.poisson_ratio);
+        parameters.rail_young_modulus = young_modulus;
+        let wheel = &mut parameters.wheel;
+        (wheel.profile, wheel.young_modulus) = ("circ_r10.prw".into(), young_modulus);
+        wheel.nominal_radius = 0.42;
+        let place = &mut parameters.rails[0];
+        place.profile = row[rail].into();
+        (place.placement, place.position, place.inclination) = (Placement::Origin, [0.0; 2], 0.0);
+        let mut input = Input { wheel_load: v("load_n"), ..Input::default() };
+        input.wheel.position = [0.0, 0.0, -0.42];
+        let mut element =
+            Element::new(&parameters, &input, &folders).expect("profiles in the folder");
+        let output = evaluate(&mut element, &input);
+        let patches = &output.patches[..output.patch_count as usize];
+        let area: f64 = patches.iter().map(|p| p.area).sum();
+        let errors = vec![
+            1e6 * (output.wheel_z + 0.42 - 1e-3 * v("z_ws_mm")),
+            100.0 * (1e6 * area / v("area_mm2") - 1.0),
+        ];
+        Case { name: row[0].to_owned(), errors }
+    };
+    Some(table.rows.iter().map(of).collect())
+}
