@@ -1,5 +1,7 @@
 //! Poses that nobody picked, against the project's own boundary elements; and walks, on which jumps are looked for.
 
+use std::sync::OnceLock;
+
 use rayon::prelude::*;
 use wheelrail::element::parameters::{TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
@@ -14,7 +16,7 @@ use crate::setting::{Setting, reference};
 pub const PAIRS: [[&str; 2]; 4] =
     [["S1002", "60E1"], ["S1002", "54E1"], ["S1002_worn.txt", "60E1"], ["S1002", "60E2"]];
 /// Poses of each of them.
-const POSES: u64 = 50;
+const POSES: u64 = 500;
 
 /// Random poses.
 pub const FAMILY: Family = Family {
@@ -81,11 +83,35 @@ pub fn at_height(pair: [&str; 2], input: &Input) -> Option<Input> {
     (carried.fallback_count == 0).then_some(at)
 }
 
-fn pose(setting: &Setting, pair: [&str; 2], seed: u64) -> Option<Case> {
-    let at = at_height(pair, &random_pose(seed))?;
-    let [own, exact] = [setting.parameters(), reference().parameters()]
-        .map(|parameters| evaluate(&mut on(pair, parameters, &at), &at));
-    let ((own_sizes, own_creep), (sizes, creep)) = (whole(&own), whole(&exact));
+/// A pose as the reference has it.
+struct Pose {
+    pair: [&'static str; 2],
+    seed: u64,
+    at: Input,
+    exact: Output,
+}
+
+/// All poses of this run, whose seed is the same for all settings: solved once.
+fn all_poses(seed: u64) -> &'static [Pose] {
+    static POSES_OF_RUN: OnceLock<Vec<Pose>> = OnceLock::new();
+    POSES_OF_RUN.get_or_init(|| {
+        let all: Vec<([&str; 2], u64)> = PAIRS
+            .into_iter()
+            .flat_map(|pair| (0..POSES).map(move |k| (pair, seed.wrapping_mul(1000) + k)))
+            .collect();
+        let solve = |(pair, seed)| {
+            let at = at_height(pair, &random_pose(seed))?;
+            let exact = evaluate(&mut on(pair, reference().parameters(), &at), &at);
+            Some(Pose { pair, seed, at, exact })
+        };
+        all.into_par_iter().filter_map(solve).collect()
+    })
+}
+
+fn compare(setting: &Setting, pose: &Pose) -> Case {
+    let Pose { pair, seed, at, exact } = pose;
+    let own = evaluate(&mut on(*pair, setting.parameters(), at), at);
+    let ((own_sizes, own_creep), (sizes, creep)) = (whole(&own), whole(exact));
     let distance = |a: [f64; 3], b: [f64; 3]| {
         100.0 * (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt() / sizes[0]
     };
@@ -94,15 +120,11 @@ fn pose(setting: &Setting, pair: [&str; 2], seed: u64) -> Option<Case> {
     errors.push(distance(own.wheel.force, exact.wheel.force));
     errors.push(distance(own_creep, creep) / at.friction);
     let [wheel, rail] = pair;
-    Some(Case { name: format!("{wheel} on {rail}, seed {seed}"), errors })
+    Case { name: format!("{wheel} on {rail}, seed {seed}"), errors }
 }
 
 fn poses(setting: &Setting, seed: u64) -> Vec<Case> {
-    let all: Vec<([&str; 2], u64)> = PAIRS
-        .into_iter()
-        .flat_map(|pair| (0..POSES).map(move |k| (pair, seed.wrapping_mul(1000) + k)))
-        .collect();
-    all.into_par_iter().filter_map(|(pair, seed)| pose(setting, pair, seed)).collect()
+    all_poses(seed).par_iter().map(|pose| compare(setting, pose)).collect()
 }
 
 /// Lines of each pair.
