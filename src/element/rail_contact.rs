@@ -19,6 +19,7 @@ use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileKind};
+use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::room::Room;
 use crate::normal::{self, NormalModel, NormalProblem};
@@ -210,13 +211,17 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let even_radius = line.wheel_point(contact.u).section_radius;
-            let radius = varying_radius(even_radius, &self.rail, contact.rail_s);
+            let radius = RailOutline::at_rest(&self.rail).radius_along(
+                even_radius,
+                contact.rail_s,
+                LEAST_CURVATURE_SHARE,
+            );
             let forces = ContactForces {
                 k,
                 input,
                 frame,
                 line,
-                rail: &self.rail,
+                rail: RailOutline::at_rest(&self.rail),
                 contact,
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
@@ -297,7 +302,7 @@ impl RailContact {
             input,
             frame,
             line,
-            rail: &self.rail,
+            rail: RailOutline::at_rest(&self.rail),
             contact,
             slopes,
             damped,
@@ -329,7 +334,13 @@ impl RailContact {
             let even_radius = line.wheel_point(contact.u).section_radius;
             let lifting = separation.lifting();
             let radius = lifting.map_or_else(
-                || varying_radius(even_radius, &self.rail, contact.rail_s),
+                || {
+                    RailOutline::at_rest(&self.rail).radius_along(
+                        even_radius,
+                        contact.rail_s,
+                        LEAST_CURVATURE_SHARE,
+                    )
+                },
                 |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
             );
             let problem = NormalProblem {
@@ -391,11 +402,4 @@ fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;
     1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
-}
-
-/// Radius of relative curvature along the track at parameter `s` of a rail that may vary along it, for a wheel whose even section has `radius` [m].
-fn varying_radius(radius: f64, rail: &PlacedRail, s: f64) -> f64 {
-    let Some(varying) = rail.variation() else { return radius };
-    let along = varying.along(s);
-    radius / (1.0 + radius * along.curvature * along.shortening()).max(LEAST_CURVATURE_SHARE)
 }

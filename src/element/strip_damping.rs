@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::rail_frame::RailFrame;
 use crate::geometry::longitudinal::Longitudinal;
-use crate::geometry::varying_rail::VaryingRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
 use crate::normal::damping;
@@ -23,7 +23,7 @@ pub struct StripDamping<'a, T: Real = f64> {
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
     /// The section of the rail as it varies along the track, and the forward speed [m/s].
-    pub varying: Option<(&'a VaryingRail, T)>,
+    pub varying: Option<(RailOutline<'a, T>, T)>,
 }
 
 impl<T: Real> StripDamping<'_, T> {
@@ -46,9 +46,8 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.closing_velocity(touch).dot(&along);
-        let even = self
-            .varying
-            .map_or(even, |(varying, forward)| even + forward * varying.along(y.value()).lean);
+        let lean = self.varying.and_then(|(rail, forward)| Some(forward * rail.along(y)?.lean));
+        let even = lean.map_or(even, |climbing| even + climbing);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]

@@ -255,6 +255,24 @@ impl<T: Real> ZoneSurface<T> {
         let zero = T::from(0.0);
         Self { depth: zero, radius: zero, lean: zero, ahead: zero }
     }
+
+    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
+    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
+    /// height along the normal, `centre` as of [`new`](Self::new).
+    #[must_use]
+    pub fn met(
+        share: T,
+        radius: T,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        centre: impl Fn(T) -> T,
+    ) -> Self {
+        let zero = T::from(0.0);
+        let to = ahead(zone, strips, centre);
+        let height = (radius * radius - to * to).at_least(0.0).sqrt();
+        let lean = if height > 0.0 { share * to / height } else { zero };
+        Self { depth: share * (height - radius), radius: zero, lean, ahead: to }
+    }
 }
 
 impl ZoneSurface {
@@ -278,35 +296,19 @@ impl ZoneSurface {
         let depth = share * (deviation - 0.5 * to * to / radius);
         Self { depth, radius: deviation, lean, ahead: 0.0 }
     }
-
-    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
-    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
-    /// height along the normal, `centre` as of [`new`](Self::new).
-    #[must_use]
-    pub fn met(
-        share: f64,
-        radius: f64,
-        zone: &Zone,
-        strips: &Strips,
-        centre: impl Fn(f64) -> f64,
-    ) -> Self {
-        let to = ahead(zone, strips, centre);
-        let height = (radius * radius - to * to).max(0.0).sqrt();
-        let lean = if height > 0.0 { share * to / height } else { 0.0 };
-        Self { depth: share * (height - radius), radius: 0.0, lean, ahead: to }
-    }
 }
 
 /// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the parameter of a strip [m].
-fn ahead(zone: &Zone, strips: &Strips, centre: impl Fn(f64) -> f64) -> f64 {
+fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
     // Strips of a yawed wheel each have their own place on the line.
-    let (mut ahead, mut load) = (0.0, 0.0);
+    let zero = T::from(0.0);
+    let (mut ahead, mut load) = (zero, zero);
     for j in zone.first..zone.first + zone.count {
         let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
         ahead += weight * (strips.x[j] - centre(strips.u[j]));
         load += weight;
     }
-    if load > 0.0 { ahead / load } else { 0.0 }
+    if load > 0.0 { ahead / load } else { zero }
 }
 
 /// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their

@@ -20,6 +20,7 @@ mod profile_error;
 pub(crate) mod profile_points;
 mod profile_remark;
 mod rail_heads;
+pub mod rail_outline;
 pub mod separation;
 pub mod slices;
 pub mod standard_profiles;
