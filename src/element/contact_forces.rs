@@ -111,7 +111,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             work.zones += 1;
             let surface = match &lifting {
                 Some(lifting) => T::zone_surface(self, lifting, &zone, models),
-                None if self.rail.varies() => self.met_surface(&zone, models),
+                None if self.rail.varies() || self.line.varies_around() => {
+                    self.met_surface(&zone, models)
+                }
                 None => ZoneSurface::even(),
             };
             let axes = even_axes.leaning(surface.lean);
@@ -191,10 +193,13 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         relative_motion(self.input, self.k, &self.frame)
     }
 
-    /// The surface of the wheel in `zone` on a rail whose section varies along the track.
+    /// The surface of the wheel in `zone` on a rail whose section varies along the track, or of one whose own section varies around.
     fn met_surface(&self, zone: &Zone<T>, models: &Models<T>) -> ZoneSurface<T> {
-        let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line);
+        let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line.round());
         let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
+        if self.line.varies_around() {
+            return ZoneSurface::beside_round(zone, &models.strips, centre);
+        }
         let share = line.lifting_share(self.contact.normal());
         ZoneSurface::met(share, line.lifting_radius(zone.u), zone, &models.strips, centre)
     }
@@ -420,6 +425,10 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let [forward, ..] = wheel.velocity;
         if let Some(along) = along {
             return even + forward * along.lean;
+        }
+        if self.line.varies_around() {
+            let ahead = self.line.ahead_of_round(self.contact.u);
+            return even + motion.turning_velocity(ahead).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };
         let radius = self.line.nominal_radius();

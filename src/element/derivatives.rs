@@ -13,6 +13,7 @@ use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
 use super::output::REPORTED_PATCHES;
 use super::parameters::{NormalModel, Side, VerticalMode};
+use super::rail_contact::RailContact;
 use super::rail_friction::RailFriction;
 use super::vertical_load::is_carried;
 use crate::error::ContactError;
@@ -174,6 +175,10 @@ impl Element {
         if self.models.uneven.is_some() {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             return refuse(name, "they are there for bodies that are even along the track");
+        }
+        if self.rails.iter().flatten().any(RailContact::wheel_varies) {
+            let reason = "they are there for wheels that are the same all around";
+            return refuse("wheel.profile with sections around", reason);
         }
         Ok(())
     }

@@ -133,6 +133,7 @@ impl RailContact {
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
                 varying: Some((outline, input.wheel.velocity[0])),
+                around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
                 let taken = strip_contact::take_moving_zone(

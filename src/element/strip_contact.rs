@@ -251,6 +251,7 @@ pub fn add<'a>(
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
         varying: Some((*rail, speeds[0])),
+        around: Some(line).filter(|line| line.varies_around()),
     };
     for zone in 0..models.rail_strips.zones.len() {
         let TakenZone { contact, load_factor, resultant_share } =
@@ -337,7 +338,8 @@ fn zone_in_frame<T: Real>(
     let mut penetration = zero;
     for j in range {
         let (point, direction, overlap) = place(all.u[j], all.y[j]);
-        let factor = damping.factor(*coefficient, [all.x[j], all.y[j]], point, direction, overlap);
+        let at = [all.x[j], all.y[j], all.u[j]];
+        let factor = damping.factor(*coefficient, at, point, direction, overlap);
         let pressure = all.pressure[j] * factor;
         let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;

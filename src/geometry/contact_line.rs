@@ -19,6 +19,7 @@ pub mod surface;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;
+use crate::geometry::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
@@ -60,6 +61,8 @@ pub struct ContactLine<'a, T = f64> {
     down: [T; 2],
     /// Deviations of wheel and rail along the track, where there are any.
     deviations: Option<&'a Longitudinal>,
+    /// The wheel whose section varies around, of which the profile is that of the round wheel that takes its place.
+    around: Option<&'a VaryingWheel>,
 }
 
 /// The point of a rolling circle that belongs to the line.
@@ -107,6 +110,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
             deviations: None,
+            around: None,
         }
     }
 
@@ -128,7 +132,36 @@ impl<'a, T: Real> ContactLine<'a, T> {
     pub fn even_at(&self, s: T) -> LinePoint<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
-        if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) }
+        let point =
+            if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) };
+        self.met(s, point)
+    }
+
+    /// A `point` of the round wheel at parameter `s`, where the wheel that varies around is met.
+    #[inline]
+    fn met(&self, s: T, point: LinePoint<T>) -> LinePoint<T> {
+        if self.around.is_none() {
+            return point;
+        }
+        LinePoint { x: point.x + self.ahead_of_round(s), ..point }
+    }
+
+    /// The round wheel that takes the place of one whose section varies around.
+    #[must_use]
+    pub fn round(&self) -> Self {
+        Self { around: None, ..*self }
+    }
+
+    /// How far ahead of the round wheel the one whose section varies around is met at parameter `s` [m].
+    #[must_use]
+    pub fn ahead_of_round(&self, s: T) -> T {
+        self.around.map_or(0.0, |around| around.beside_round(s.value()).ahead).into()
+    }
+
+    /// Whether the section of the wheel varies around.
+    #[must_use]
+    pub fn varies_around(&self) -> bool {
+        self.around.is_some()
     }
 
     /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
@@ -138,9 +171,10 @@ impl<'a, T: Real> ContactLine<'a, T> {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
             let rim = self.rim(s, &p, &self.circle(&p));
-            return (rim.point(), rim.derivative());
+            return (self.met(s, rim.point()), rim.derivative());
         }
-        self.outline_with_derivative(&p)
+        let (point, derivative) = self.outline_with_derivative(&p);
+        (self.met(s, point), derivative)
     }
 
     /// The profile of the wheel.
@@ -237,6 +271,11 @@ impl<'a, T: Real> ContactLine<'a, T> {
                 + self.mean_curvature(s) * across * across / on.cosine;
             bent.max(straight * LEAST_SECTION_SHARE)
         };
+        let section_curvature = self.around.map_or(section_curvature, |around| {
+            let BesideRound { curvature, share_across, .. } = around.beside_round(s.value());
+            (section_curvature + self.mean_curvature(s) * share_across + curvature)
+                .max(straight * LEAST_SECTION_SHARE)
+        });
         WheelPoint {
             y: p.point[0],
             rolling_radius: radius,
@@ -280,11 +319,18 @@ impl<'a, T: Real> ContactLine<'a, T> {
             ahead: self.ahead.map(value),
             down: self.down.map(value),
             deviations: self.deviations,
+            around: self.around,
         }
     }
 }
 
 impl<'a> ContactLine<'a> {
+    /// The line of a wheel whose section varies `around` and was laid into the profile.
+    #[must_use]
+    pub fn varying(self, around: &'a VaryingWheel) -> Self {
+        Self { around: Some(around), ..self }
+    }
+
     /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
     /// are nearer to each other by their deviations.
     #[must_use]
@@ -315,6 +361,7 @@ impl<'a> ContactLine<'a> {
             ahead: self.ahead.map(T::from),
             down: self.down.map(T::from),
             deviations: self.deviations,
+            around: self.around,
         }
     }
 

@@ -25,4 +25,5 @@ pub mod separation;
 pub mod slices;
 pub mod standard_profiles;
 pub mod varying_rail;
+pub mod varying_wheel;
 pub mod waviness;

@@ -22,10 +22,10 @@
 //! A roller is such a rail: its rows are circles about an axle across the track.
 
 mod bounds;
-mod envelope;
+pub(super) mod envelope;
 mod over;
-mod surface;
-mod touch;
+pub(super) mod surface;
+pub(super) mod touch;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};

@@ -16,7 +16,7 @@ const LEAST_ARC: f64 = 1e-6;
 
 /// The outline, and where the wheel meets the rail along it.
 #[derive(Clone, Debug)]
-pub(super) struct Envelope<T = f64> {
+pub(in crate::geometry) struct Envelope<T = f64> {
     /// Rows of the outline, their knots, and what belongs to them with its slope.
     kept: Room<Met<T>>,
     knots: Room<Knot<T>>,

@@ -20,7 +20,7 @@ const SCAN: f64 = 4e-3;
 
 /// A row that the wheel meets.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Met<T = f64> {
+pub(in crate::geometry) struct Met<T = f64> {
     pub row: usize,
     pub point: [T; 2],
     /// F_v and F_x.
