@@ -13,13 +13,14 @@
 //! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
 //! than 87 degrees, a flange back, touches with its rim: see `contact_line::rim`.
 
+mod around;
 mod lifted;
 mod rim;
 pub mod surface;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;
-use crate::geometry::varying_wheel::{BesideRound, VaryingWheel};
+use crate::geometry::varying_wheel::VaryingWheel;
 use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
@@ -137,33 +138,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
         self.met(s, point)
     }
 
-    /// A `point` of the round wheel at parameter `s`, where the wheel that varies around is met.
-    #[inline]
-    fn met(&self, s: T, point: LinePoint<T>) -> LinePoint<T> {
-        if self.around.is_none() {
-            return point;
-        }
-        LinePoint { x: point.x + self.ahead_of_round(s), ..point }
-    }
-
-    /// The round wheel that takes the place of one whose section varies around.
-    #[must_use]
-    pub fn round(&self) -> Self {
-        Self { around: None, ..*self }
-    }
-
-    /// How far ahead of the round wheel the one whose section varies around is met at parameter `s` [m].
-    #[must_use]
-    pub fn ahead_of_round(&self, s: T) -> T {
-        self.around.map_or(0.0, |around| around.beside_round(s.value()).ahead).into()
-    }
-
-    /// Whether the section of the wheel varies around.
-    #[must_use]
-    pub fn varies_around(&self) -> bool {
-        self.around.is_some()
-    }
-
     /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
     #[inline]
     #[must_use]
@@ -271,11 +245,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
                 + self.mean_curvature(s) * across * across / on.cosine;
             bent.max(straight * LEAST_SECTION_SHARE)
         };
-        let section_curvature = self.around.map_or(section_curvature, |around| {
-            let BesideRound { curvature, share_across, .. } = around.beside_round(s.value());
-            (section_curvature + self.mean_curvature(s) * share_across + curvature)
-                .max(straight * LEAST_SECTION_SHARE)
-        });
+        let section_curvature = self.section_around(s, section_curvature, straight);
         WheelPoint {
             y: p.point[0],
             rolling_radius: radius,
@@ -325,12 +295,6 @@ impl<'a, T: Real> ContactLine<'a, T> {
 }
 
 impl<'a> ContactLine<'a> {
-    /// The line of a wheel whose section varies `around` and was laid into the profile.
-    #[must_use]
-    pub fn varying(self, around: &'a VaryingWheel) -> Self {
-        Self { around: Some(around), ..self }
-    }
-
     /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
     /// are nearer to each other by their deviations.
     #[must_use]
