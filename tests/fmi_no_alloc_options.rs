@@ -216,6 +216,7 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
         vec![monitor, real("wheel.flat.length", 0.04), real("wheel.out_of_round.amplitude", 1e-4)],
         vec![monitor, integer("vertical.mode", 2)],
         vec![monitor, ("side", Value::Integer(2))],
+        vec![monitor, real("rail[1].roller_radius", 0.5)],
         vec![monitor, integer("track.foundation.model", 2)],
         vec![monitor, integer("track.foundation.model", 2), integer("vertical.mode", 2)],
         vec![monitor, integer("track.foundation.model", 3), second_rail],

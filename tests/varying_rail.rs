@@ -14,7 +14,7 @@ use common::varying::{errors_against_contact, of_slices, slices};
 use common::vectors::assert_balanced;
 use common::wheel::{evaluate, mirrored, random_input, rolling, the_patch};
 use tempfile::TempDir;
-use wheelrail::element::input::RailMotion;
+use wheelrail::element::input::{INPUT_NAMES, RailMotion};
 use wheelrail::element::parameters::{NormalModel, Placement, Side, VerticalMode, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -478,5 +478,28 @@ fn frictionless_forces_on_a_slope_that_bends_have_an_energy() {
         let along = (force(h, 0.0)[2] - force(-h, 0.0)[2]) / (2.0 * h);
         let down = (force(0.0, d)[0] - force(0.0, -d)[0]) / (2.0 * d);
         assert_relative_eq!(along, down, max_relative = tolerance::VARYING_ENERGY);
+    }
+}
+
+#[test]
+fn the_station_is_a_direction_like_any_other() {
+    let folder = crossing();
+    let mut parameters = parameters();
+    parameters.vertical_mode = VerticalMode::Load;
+    parameters.wheel.profile = "conical:0.025".into();
+    let mut element = element(&parameters, &folder);
+    let mut input = rolling(0.0, 10.0);
+    (input.track_s, input.wheel_load) = (0.05, 6e4);
+    let mut columns = Vec::new();
+    element.jacobian(&input, &mut columns).unwrap();
+    let [x, s] = ["wheel.x", "track.s"]
+        .map(|name| columns[INPUT_NAMES.iter().position(|own| *own == name).unwrap()]);
+    // On the wing, which falls by 1 in 1000 and runs off by 3 in 100 below a cone of 1 in 40.
+    assert_relative_eq!(s.wheel_z, 1e-3 - 0.03 * 0.025, epsilon = 1e-7);
+    assert_relative_eq!(x.wheel_z, s.wheel_z, max_relative = tolerance::SIMILARITY);
+    let size = s.wheel.force.iter().fold(1.0_f64, |most, force| most.max(force.abs()));
+    for k in 0..3 {
+        let scale = size * tolerance::SIMILARITY;
+        assert_relative_eq!(x.wheel.force[k], s.wheel.force[k], epsilon = scale);
     }
 }

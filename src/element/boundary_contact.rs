@@ -236,7 +236,7 @@ fn tractions(
     };
     // Of a row of elements, each of which has a place on the arc of its own.
     let own_friction =
-        |row: usize, x: f64| forces.strip_friction(&RailPlace::at(forces.rail, grid.y(row)), x);
+        |row: usize, x: f64| forces.strip_friction(&RailPlace::at(&forces.rail, grid.y(row)), x);
     for_each_element(elements, strip_of_row, |element| {
         let Some(z) = zone_of_strip(element.strip) else { return };
         let ZoneState { law, centre } = &zones[z];

@@ -8,7 +8,7 @@ use super::input::{Input, WheelMotion};
 use super::models::Models;
 use super::number::ElementNumber;
 use super::output::{Output, Patch, Wrench};
-use super::parameters::CreepageModel;
+use super::parameters::{CreepageModel, NormalModel};
 use super::rail_frame::RailFrame;
 use super::rail_friction::{LastPlace, RailFriction};
 use super::rail_walk::{RailPlace, RailWalk};
@@ -18,7 +18,7 @@ use crate::friction::StripFriction;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, RailSeparation};
-use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
@@ -50,7 +50,7 @@ pub struct ContactForces<'a, T = f64> {
     /// The contact line of the wheel in that frame.
     pub line: ContactLine<'a, T>,
     /// The rail.
-    pub rail: &'a PlacedRail,
+    pub rail: RailOutline<'a, T>,
     /// The contact.
     pub contact: Contact<T>,
     /// Slopes of rail and wheel along the track in the contact [-].
@@ -111,7 +111,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             work.zones += 1;
             let surface = match &lifting {
                 Some(lifting) => T::zone_surface(self, lifting, &zone, models),
-                None if self.rail.variation().is_some() => T::met_surface(self, &zone, models),
+                None if self.rail.varies() || self.line.varies_around() => {
+                    self.met_surface(&zone, models)
+                }
                 None => ZoneSurface::even(),
             };
             let axes = even_axes.leaning(surface.lean);
@@ -191,6 +193,17 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         relative_motion(self.input, self.k, &self.frame)
     }
 
+    /// The surface of the wheel in `zone` on a rail whose section varies along the track, or of one whose own section varies around.
+    fn met_surface(&self, zone: &Zone<T>, models: &Models<T>) -> ZoneSurface<T> {
+        let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line.round());
+        let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
+        if self.line.varies_around() {
+            return ZoneSurface::beside_round(zone, &models.strips, centre);
+        }
+        let share = line.lifting_share(self.contact.normal());
+        ZoneSurface::met(share, line.lifting_radius(zone.u), zone, &models.strips, centre)
+    }
+
     /// How a zone rolls.
     fn rolling(
         &self,
@@ -214,7 +227,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             speed: rolling_speed(forward, wheel.pitch_rate, rolling_radius, minimum_speed),
             load_factor,
             surface_depth: surface.depth,
-            lean: if self.rail.variation().is_some() { surface.lean } else { T::from(0.0) },
+            lean: if self.rail.varies() { surface.lean } else { T::from(0.0) },
         }
     }
 
@@ -224,11 +237,11 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
         let mut walk = RailWalk::new(self.rail, self.contact);
-        let (hand, mut last) = (self.rail.hand(), LastPlace::default());
+        let (hand, mut last) = (self.rail.rail.hand(), LastPlace::default());
         let Strips { y, u, x, friction: own, .. } = strips;
         own.extend(y.iter().zip(u.iter()).zip(x.iter()).map(|((&y, &u), &x)| {
             let place = if self.is_on_arc {
-                RailPlace::at(self.rail, self.contact.rail_s + y)
+                RailPlace::at(&self.rail, self.contact.rail_s + y)
             } else {
                 // A separation remembers its last point; what is found with it later is not to depend on friction.
                 walk.to(y, || separation.clone().rail_parameter(u.within(start, end)))
@@ -246,7 +259,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
     /// Friction at a `place` of the rail and `x` along the track from the wheel marker, where it is not the same all over the rail.
     #[inline]
     pub(super) fn strip_friction(&self, place: &RailPlace<T>, x: T) -> Option<StripFriction<T>> {
-        let hand = self.rail.hand();
+        let hand = self.rail.rail.hand();
         self.friction.map(|friction| {
             friction.at(place, hand, self.station(x), self.input, &mut LastPlace::default())
         })
@@ -399,8 +412,8 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let wheel = &self.input.wheel;
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
-        let varying = self.rail.variation();
-        let x = if (lifting.is_some() || varying.is_some()) && load > 0.0 {
+        let along = self.rail.along(self.contact.rail_s);
+        let x = if (lifting.is_some() || along.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
         } else {
             self.line.even_at(self.contact.u).x
@@ -410,8 +423,12 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.closing_velocity(touch).dot(&normal);
         let [forward, ..] = wheel.velocity;
-        if let Some(varying) = varying {
-            return even + forward * varying.along(self.contact.rail_s.value()).lean;
+        if let Some(along) = along {
+            return even + forward * along.lean;
+        }
+        if self.line.varies_around() {
+            let ahead = self.line.ahead_of_round(self.contact.u);
+            return even + motion.turning_velocity(ahead).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };
         let radius = self.line.nominal_radius();

@@ -13,6 +13,7 @@ use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
 use super::output::REPORTED_PATCHES;
 use super::parameters::{NormalModel, Side, VerticalMode};
+use super::rail_contact::RailContact;
 use super::rail_friction::RailFriction;
 use super::vertical_load::is_carried;
 use crate::error::ContactError;
@@ -148,10 +149,12 @@ impl Element {
     }
 
     fn derivative_memory(&self) -> Box<DerivativeMemory> {
+        let rails = self.rails.iter().flatten();
+        let rows = rails.filter_map(|rail| Some(rail.rail.variation()?.most_knots())).max();
         Box::new(DerivativeMemory {
-            one: self.models.in_other_numbers(),
+            one: self.models.in_other_numbers(rows),
             one_output: Output::default(),
-            all: self.models.in_other_numbers(),
+            all: self.models.in_other_numbers(rows),
             all_output: Output::default(),
         })
     }
@@ -173,9 +176,9 @@ impl Element {
             let name = "wheel.flat, wheel.out_of_round or rail[k].corrugation";
             return refuse(name, "they are there for bodies that are even along the track");
         }
-        if self.rails.iter().flatten().any(|rail| rail.rail.variation().is_some()) {
-            let reason = "they are there for rails that are the same all along the track";
-            return refuse("rail[k].profile with slices or rail[k].roller_radius", reason);
+        if self.rails.iter().flatten().any(RailContact::wheel_varies) {
+            let reason = "they are there for wheels that are the same all around";
+            return refuse("wheel.profile with sections around", reason);
         }
         Ok(())
     }
@@ -239,7 +242,7 @@ impl Element {
         let mut deepest = None;
         if *height == Height::Touching {
             *output = Output::default();
-            deepest = self.deepest(&input)?;
+            deepest = self.deepest(&input, models)?;
         } else {
             self.moving_forces(&input, models, output)?;
         }
@@ -273,11 +276,13 @@ impl Element {
         let has = |of: fn(&RailFriction) -> bool| {
             self.rails.iter().flatten().filter_map(|rail| rail.friction.as_ref()).any(of)
         };
+        let mut rails = self.rails.iter().flatten();
+        let varies = rails.any(|rail| rail.rail.varies_along_track());
         let is_roller =
             |k: usize| self.rails[k].as_ref().is_some_and(|rail| rail.rail.roller_radius() > 0.0);
         match INPUT_NAMES[i] {
             "wheel.pitch" => false,
-            "track.s" => has(RailFriction::has_stations),
+            "track.s" => has(RailFriction::has_stations) || varies,
             "friction.coefficient" => !has(|_| true),
             "friction.tread.coefficient" | "friction.gauge_face.coefficient" => {
                 has(RailFriction::has_regions)
@@ -341,11 +346,15 @@ impl Element {
     }
 
     /// Deepest penetration with any rail, if the wheel touches one.
-    fn deepest<T: MovingNumber>(&mut self, input: &Input<T>) -> Result<Option<T>, Kink> {
+    fn deepest<T: MovingNumber>(
+        &mut self,
+        input: &Input<T>,
+        models: &mut Models<T>,
+    ) -> Result<Option<T>, Kink> {
         let mut deepest = None::<T>;
         for (k, rail) in self.rails.iter_mut().enumerate() {
             let Some(rail) = rail else { continue };
-            if let Some(found) = rail.moving_penetration(k, input)?
+            if let Some(found) = rail.moving_penetration(k, input, models)?
                 && deepest.is_none_or(|deepest| found > deepest)
             {
                 deepest = Some(found);

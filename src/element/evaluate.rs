@@ -18,6 +18,7 @@ use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::geometry::slices::Slices;
+use crate::geometry::varying_wheel::VaryingWheel;
 use crate::io::{load_profile, load_slices};
 
 /// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
@@ -85,20 +86,28 @@ impl Element {
         let load = |parameter: &str, name: &str, kind| {
             load_profile(parameter, name, kind, parameters.profile_smoothing, profile_folders)
         };
-        let wheel = load("wheel.profile", &parameters.wheel.profile, ProfileKind::Wheel)?;
+        let smoothing = parameters.profile_smoothing;
+        let (name, kind) = ("wheel.profile", ProfileKind::Wheel);
+        let own = &parameters.wheel.profile;
+        let around = load_slices(name, own, kind, smoothing, profile_folders)?;
+        let wheel = match &around {
+            Some(slices) => slices.first_profile(),
+            None => load(name, own, kind)?,
+        };
         let (mut rails, mut slices) = ([const { None }; RAILS], [const { None }; RAILS]);
         for (k, rail) in parameters.rails.iter().enumerate() {
             if rail.enabled {
                 let (parameter, kind) = (format!("rail[{}].profile", k + 1), ProfileKind::Rail);
-                let smoothing = parameters.profile_smoothing;
-                slices[k] = load_slices(&parameter, &rail.profile, smoothing, profile_folders)?;
+                slices[k] =
+                    load_slices(&parameter, &rail.profile, kind, smoothing, profile_folders)?;
                 rails[k] = Some(match &slices[k] {
                     Some(slices) => slices.first_profile(),
                     None => load(&parameter, &rail.profile, kind)?,
                 });
             }
         }
-        Self::build(parameters, start, &wheel, &rails, &slices, profile_folders)
+        let wheel = (&wheel, around.as_ref());
+        Self::build(parameters, start, wheel, &rails, &slices, profile_folders)
     }
 
     /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail that is not there.
@@ -112,14 +121,14 @@ impl Element {
         rails: &[Option<Profile>; RAILS],
     ) -> Result<Self, ContactError> {
         parameters.check()?;
-        Self::build(parameters, start, wheel, rails, &[const { None }; RAILS], &[])
+        Self::build(parameters, start, (wheel, None), rails, &[const { None }; RAILS], &[])
     }
 
     /// The element of checked `parameters`; `folders` is where files of deviations are looked for.
     fn build(
         parameters: &Parameters,
         start: &Input,
-        wheel: &Profile,
+        (wheel, around): (&Profile, Option<&Slices>),
         rails: &[Option<Profile>; RAILS],
         slices: &[Option<Slices>; RAILS],
         folders: &[PathBuf],
@@ -130,13 +139,20 @@ impl Element {
                 parameters.check_variation(k, slices.as_ref())?;
             }
         }
-        let radius = parameters.wheel.nominal_radius;
-        let [least, greatest] = wheel.bounds().z;
-        // All of the wheel is on one side of its axle, and none of it further out than twice the nominal radius.
-        if radius + least <= 0.1 * radius || greatest > radius {
-            let allowed = "a radius in metres that goes with the heights of the wheel profile";
-            return Err(ContactError::bad_value("wheel.nominal_radius", radius, allowed));
+        if let Some(around) = around {
+            parameters.check_around(around, slices.iter().any(Option::is_some))?;
         }
+        let radius = parameters.wheel.nominal_radius;
+        let sections = around.iter().flat_map(|slices| slices.slices()).map(|s| &s.profile);
+        for section in sections.chain([wheel]) {
+            let [least, greatest] = section.bounds().z;
+            // All of the wheel is on one side of its axle, and none of it further out than twice the nominal radius.
+            if radius + least <= 0.1 * radius || greatest > radius {
+                let allowed = "a radius in metres that goes with the heights of the wheel profile";
+                return Err(ContactError::bad_value("wheel.nominal_radius", radius, allowed));
+            }
+        }
+        let around = around.map(|slices| VaryingWheel::new(slices, radius));
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
@@ -151,7 +167,10 @@ impl Element {
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;
             let contact = RailContact::new(wheel, name, parameters, placed, deviations, friction);
-            contacts[k] = Some(contact);
+            contacts[k] = Some(match &around {
+                Some(around) => contact.with_wheel(around),
+                None => contact,
+            });
         }
         let named = std::iter::once(("wheel.profile".to_owned(), wheel)).chain(
             rails

@@ -76,12 +76,12 @@ impl ContactForces<'_> {
             let grows = points.last().is_none_or(|last| at.y > last[0]);
             if at.f < BEYOND && grows {
                 points.push([at.y, at.f]);
-                let place = RailPlace::at(self.rail, separation.last_rail_parameter());
+                let place = RailPlace::at(&self.rail, separation.last_rail_parameter());
                 let own = self.strip_friction(&place, at.x);
                 friction_across.extend(own.map(|own| (at.y, own)));
             }
         }
-        let curve = self.rail.curve();
+        let curve = self.rail.rail.curve();
         let (from, to) = (
             (self.contact.rail_s - REACH).max(curve.start()),
             (self.contact.rail_s + REACH).min(curve.end()),
@@ -100,7 +100,7 @@ impl ContactForces<'_> {
             penetration: self.contact.penetration,
             creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
             friction: self
-                .strip_friction(&RailPlace::at(self.rail, self.contact.rail_s), place.x)
+                .strip_friction(&RailPlace::at(&self.rail, self.contact.rail_s), place.x)
                 .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
             friction_across,
             wheel: outline,

@@ -6,6 +6,7 @@ use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use super::wear_sums::WearSums;
 use crate::geometry::contact_search::MOST_CONTACTS;
+use crate::geometry::varying_rail::MovingOutline;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
@@ -52,6 +53,8 @@ pub struct Models<T = f64> {
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
     pub strip_follower: Option<GridFollower<T>>,
+    /// The outline of a rail that varies along the track, as it moves, where numbers have derivatives.
+    pub outline: Option<Box<MovingOutline<T>>>,
     /// Tractions of the zone under way, where they were found together with those of other zones.
     pub given: Option<GivenTractions<T>>,
     /// Greatest angle between normals of the elements that carry pressure on one rail, where boundary elements were solved on it [rad].
@@ -65,9 +68,10 @@ pub struct Models<T = f64> {
 }
 
 impl Models {
-    /// The same models with memory for other numbers; without what only plain ones can be: a solver, uneven bodies, wear.
+    /// The same models with memory for other numbers; without what only plain ones can be: a solver, uneven bodies, wear. `rows` is how many an outline of a rail that
+    /// varies along the track has, if there is one.
     #[must_use]
-    pub fn in_other_numbers<T: Real>(&self) -> Models<T> {
+    pub fn in_other_numbers<T: Real>(&self, rows: Option<usize>) -> Models<T> {
         let strips = |like: &Strips| {
             let zones = like.zones.capacity();
             Strips::with_capacity(zones, like.y.capacity() / zones.max(1))
@@ -89,6 +93,7 @@ impl Models {
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
             strip_follower: self.strip_solver.as_ref().map(GridFollower::new),
+            outline: rows.map(|rows| Box::new(MovingOutline::new(rows))),
             given: None,
             turn_of_normals: 0.0,
             patches: Room::new(self.patches.capacity()),
@@ -145,6 +150,7 @@ impl Models {
                 strips,
             ),
             strip_follower: None,
+            outline: None,
             given: None,
             turn_of_normals: 0.0,
             patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),

@@ -6,7 +6,7 @@ use super::input::Input;
 use super::models::Models;
 use super::number::ElementNumber;
 use super::output::Output;
-use super::rail_contact::{MOST_STRIP_DEPTH, RailContact};
+use super::rail_contact::{LEAST_CURVATURE_SHARE, MOST_STRIP_DEPTH, RailContact};
 use super::rail_frame::RailFrame;
 use super::strip_contact;
 use super::strip_damping::StripDamping;
@@ -14,7 +14,8 @@ use crate::geometry::contact_line::ContactLine;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::moving_separation::MovingSeparation;
-use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::rail_outline::RailOutline;
+use crate::geometry::varying_rail::MovingOutline;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::{self, NormalProblem};
@@ -26,7 +27,7 @@ pub trait MovingNumber:
     /// See [`strip_contact::follow`].
     fn follow(
         line: &ContactLine<Self>,
-        rail: &PlacedRail,
+        rail: &RailOutline<Self>,
         search: &ContactSearch,
         found: &mut Models,
         models: &mut Models<Self>,
@@ -36,7 +37,7 @@ pub trait MovingNumber:
 impl<const N: usize> MovingNumber for Dual<N> {
     fn follow(
         line: &ContactLine<Self>,
-        rail: &PlacedRail,
+        rail: &RailOutline<Self>,
         search: &ContactSearch,
         found: &mut Models,
         models: &mut Models<Self>,
@@ -58,7 +59,7 @@ pub const UNSETTLED: Kink = "the equations of the strips are singular";
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
 
 impl RailContact {
-    /// As [`evaluate`](Self::evaluate) with derivatives, for even bodies.
+    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without deviations along the track.
     ///
     /// # Errors
     /// What has no derivative; `output` and `models` then hold a part.
@@ -78,20 +79,52 @@ impl RailContact {
         {
             return Err(TOO_DEEP);
         }
+        let mut laid = models.outline.take();
+        self.lay_moving(k, input, laid.as_deref_mut());
+        let moved = self.move_contacts(k, input, found, models, output, laid.as_deref());
+        models.outline = laid;
+        moved
+    }
+
+    /// Lays the outline of rail number `k`, if that varies, as it moves with `input`.
+    fn lay_moving<T: MovingNumber>(
+        &self,
+        k: usize,
+        input: &Input<T>,
+        laid: Option<&mut MovingOutline<T>>,
+    ) {
+        let Some(laid) = laid.filter(|_| self.rail.variation().is_some()) else { return };
+        let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let station = self.rail.station(input.track_s, input.wheel.position[0]);
+        self.rail.move_with(&line, &pose, station, laid);
+    }
+
+    /// As [`move_along`](Self::move_along), after the search.
+    fn move_contacts<T: MovingNumber>(
+        &mut self,
+        k: usize,
+        input: &Input<T>,
+        found: &mut Models,
+        models: &mut Models<T>,
+        output: &mut Output<T>,
+        laid: Option<&MovingOutline<T>>,
+    ) -> Result<(), Kink> {
         let Self { rail, search, probes, friction, .. } = self;
         let frame = RailFrame::new(rail, &input.rails[k]);
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
         let line = moving.value();
+        let outline = RailOutline::moving(rail, laid);
         let mut work = Work::default();
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
             strip_contact::solve(&line, rail, search, probes, found);
-            if !T::follow(&moving, rail, search, found, models) {
+            if !T::follow(&moving, &outline, search, found, models) {
                 return Err(UNSETTLED);
             }
             let mut deepest = T::from(0.0);
             for contact in search.contacts.iter() {
-                let contact = contact.moving(&moving, rail).ok_or(BODY_ENDS)?;
+                let contact = contact.moving(&moving, &outline).ok_or(BODY_ENDS)?;
                 deepest = deepest.max(contact.penetration);
             }
             let damping = StripDamping {
@@ -99,20 +132,22 @@ impl RailContact {
                 frame: &frame,
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
-                varying: None,
+                varying: Some((outline, input.wheel.velocity[0])),
+                around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
-                let taken =
-                    strip_contact::take_moving_zone(&moving, rail, search, zone, &damping, models);
+                let taken = strip_contact::take_moving_zone(
+                    &moving, &outline, search, zone, &damping, models,
+                );
                 let contact = taken.contact;
                 let values = LineSeparation::new(&line, rail, contact.value());
-                let mut separation = MovingSeparation::new(values, &moving, rail, contact);
+                let mut separation = MovingSeparation::new(values, &moving, outline, contact);
                 let forces = ContactForces {
                     k,
                     input,
                     frame,
                     line: moving,
-                    rail,
+                    rail: outline,
                     contact,
                     slopes: [0.0; 2],
                     damped: Damped::By(taken.load_factor),
@@ -126,18 +161,23 @@ impl RailContact {
         }
         for index in 0..search.contacts.len() {
             let found = search.contacts[index];
-            let contact = found.moving(&moving, rail).ok_or(BODY_ENDS)?;
+            let contact = found.moving(&moving, &outline).ok_or(BODY_ENDS)?;
             let mut values = LineSeparation::new(&line, rail, found);
             search.refine_probes(&found, &mut values);
             let probes = &search.probes[found.probes[0]..found.probes[1]];
-            let mut separation = MovingSeparation::new(values, &moving, rail, contact);
+            let mut separation = MovingSeparation::new(values, &moving, outline, contact);
             models.strips.clear();
             let problem = NormalProblem {
                 approach: contact.penetration,
-                radius: moving.wheel_point(contact.u).section_radius,
+                radius: outline.radius_along(
+                    moving.wheel_point(contact.u).section_radius,
+                    contact.rail_s,
+                    LEAST_CURVATURE_SHARE,
+                ),
                 contact_modulus: models.material.contact_modulus,
                 contact_u: contact.u,
-                lateral_curvature: moving.curvature(contact.u) + rail.curvature(contact.rail_s),
+                lateral_curvature: moving.curvature(contact.u)
+                    + outline.at(contact.rail_s).curvature(),
                 rule: &models.rule,
                 elements: models.elements,
             };
@@ -155,7 +195,7 @@ impl RailContact {
                 input,
                 frame,
                 line: moving,
-                rail,
+                rail: outline,
                 contact,
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
@@ -179,17 +219,20 @@ impl RailContact {
         &mut self,
         k: usize,
         input: &Input<T>,
+        models: &mut Models<T>,
     ) -> Result<Option<T>, Kink> {
         if !self.search_contacts(k, &input.value()) {
             return Ok(None);
         }
+        self.lay_moving(k, input, models.outline.as_deref_mut());
+        let outline = RailOutline::moving(&self.rail, models.outline.as_deref());
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
         let contacts = self.search.contacts.iter();
         let deepest = contacts.max_by(|c, d| c.penetration.total_cmp(&d.penetration));
         let Some(deepest) = deepest else { return Ok(None) };
-        let contact = deepest.moving(&moving, &self.rail).ok_or(BODY_ENDS)?;
+        let contact = deepest.moving(&moving, &outline).ok_or(BODY_ENDS)?;
         Ok(Some(contact.penetration))
     }
 }

@@ -27,11 +27,6 @@ pub trait ElementNumber: CreepNumber + Influence {
         ZoneSurface::even()
     }
 
-    /// The surface of the wheel in `zone` on a rail whose section varies along the track.
-    fn met_surface(_: &ContactForces<Self>, _: &Zone<Self>, _: &Models<Self>) -> ZoneSurface<Self> {
-        ZoneSurface::even()
-    }
-
     /// Records the wear of zone number `index`, which rolls as `law` says.
     fn record(
         _: &ContactForces<Self>,
@@ -61,14 +56,6 @@ impl ElementNumber for f64 {
         ZoneSurface::new(lifting, zone, &models.strips, |u| {
             forces.line.even_at(if is_ellipse { forces.contact.u } else { u }).x
         })
-    }
-
-    fn met_surface(forces: &ContactForces, zone: &Zone, models: &Models) -> ZoneSurface {
-        let is_ellipse = models.normal == NormalModel::Hertz;
-        let line = &forces.line;
-        let centre = |u| line.even_at(if is_ellipse { forces.contact.u } else { u }).x;
-        let share = line.lifting_share(forces.contact.normal());
-        ZoneSurface::met(share, line.lifting_radius(zone.u), zone, &models.strips, centre)
     }
 
     fn record(

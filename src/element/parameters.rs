@@ -61,7 +61,7 @@ pub enum FrictionDistribution {
 /// Wheel: profile, size and material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WheelParameters {
-    /// Built-in name or file of the profile.
+    /// Built-in name or file of the profile; slices or a table of sections where it varies around.
     pub profile: String,
     /// Radius of the running circle, > 0 [m].
     pub nominal_radius: f64,
@@ -92,7 +92,7 @@ pub enum Placement {
 /// One rail: profile and how it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RailParameters {
-    /// Built-in name or file of the profile.
+    /// Built-in name or file of the profile; slices or a table of sections where it varies along the track.
     pub profile: String,
     /// Whether this rail takes part.
     pub enabled: bool,

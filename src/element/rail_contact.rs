@@ -19,7 +19,9 @@ use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileKind};
+use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::varying_wheel::VaryingWheel;
 use crate::math::room::Room;
 use crate::normal::{self, NormalModel, NormalProblem};
 
@@ -34,6 +36,8 @@ pub struct RailContact {
     clearance: Clearance,
     /// The same for a rail that varies along the track as it is where the wheel is, for wheels that are inside.
     here: Option<Clearance>,
+    /// The wheel, if its section varies around.
+    around: Option<Box<Around>>,
     /// Stretches of the contact line that may touch.
     ranges: Room<[f64; 2]>,
     pub(super) search: ContactSearch,
@@ -43,6 +47,14 @@ pub struct RailContact {
     deviations: Option<Longitudinal>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub(super) friction: Option<RailFriction>,
+}
+
+/// A wheel whose section varies around, which is laid into the profile of the wheel for each pose.
+#[derive(Clone, Debug)]
+struct Around {
+    wheel: VaryingWheel,
+    /// Where the wheel as it stands can touch the rail.
+    clearance: Clearance,
 }
 
 /// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which on one without a force is [m].
@@ -81,6 +93,7 @@ impl RailContact {
         Self {
             clearance,
             here,
+            around: None,
             ranges: Room::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
             probes: Room::new(MOST_PROBES),
@@ -91,6 +104,22 @@ impl RailContact {
             deviations,
             friction,
         }
+    }
+
+    /// The same for a wheel whose section varies around; its profile so far is the first section.
+    #[must_use]
+    pub fn with_wheel(mut self, wheel: &VaryingWheel) -> Self {
+        let mut clearance = self.clearance.clone();
+        clearance.reserve(wheel.farther_down());
+        self.wheel.curve.reserve(wheel.most_knots());
+        self.search.reserve(MOST_LONGER + wheel.farther_down());
+        self.around = Some(Box::new(Around { wheel: wheel.clone(), clearance }));
+        self
+    }
+
+    /// Whether the section of the wheel varies around.
+    pub fn wheel_varies(&self) -> bool {
+        self.around.is_some()
     }
 
     /// The wheel.
@@ -150,18 +179,33 @@ impl RailContact {
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds show that there are none.
     pub(super) fn search_contacts(&mut self, k: usize, input: &Input) -> bool {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        if !self.turn_wheel(input, &pose) {
+            return false;
+        }
         self.find_ranges(input, &pose);
         if self.ranges.is_empty() {
             return false;
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        let line = with(line, self.deviations.as_ref());
+        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
         let station = self.rail.station(input.track_s, input.wheel.position[0]);
         if !self.rail.pass(&line, &pose, station) {
             return false;
         }
         self.search.search(&line, &self.rail, &self.ranges);
         true
+    }
+
+    /// Turns a wheel whose section varies around to the pitch of `input`; false where there is nothing of it.
+    fn turn_wheel(&mut self, input: &Input, pose: &WheelPose) -> bool {
+        let Some(around) = &mut self.around else { return true };
+        let Around { wheel, clearance } = around.as_mut();
+        let is_there = wheel.pass(pose, input.wheel.pitch, &mut self.wheel.curve);
+        if is_there {
+            clearance.put_wheel(&self.wheel.curve);
+            self.search.follow_wheel(&self.wheel.curve);
+        }
+        is_there
     }
 
     /// Fills `ranges` with the stretches of the contact line that may touch, and places the deviations along the track.
@@ -173,7 +217,8 @@ impl RailContact {
             deviations.place(station, input.wheel.pitch, ahead);
             lowest.marker[2] += deviations.highest();
         }
-        self.clearance.ranges(&lowest, &mut self.ranges);
+        let clearance = self.around.as_ref().map_or(&self.clearance, |around| &around.clearance);
+        clearance.ranges(&lowest, &mut self.ranges);
     }
 
     /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of rail number `k` [m].
@@ -181,7 +226,7 @@ impl RailContact {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
         // A rolled rail turns the height about its marker.
-        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
+        let highest = self.highest();
         frame.marker.z + self.clearance.clear_height(pose.roll)
             - pose.marker[1].abs() * frame.roll.abs()
             - highest
@@ -191,17 +236,26 @@ impl RailContact {
     /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
-        let highest = self.deviations.as_ref().map_or(0.0, Longitudinal::highest);
-        frame.marker.z + self.clearance.height_near_touch(&frame.pose(&input.wheel)) - highest
+        let near = self.clearance.height_near_touch(&frame.pose(&input.wheel));
+        frame.marker.z + near - self.highest()
+    }
+
+    /// How much nearer the bodies can be than the profiles of the clearance [m].
+    fn highest(&self) -> f64 {
+        self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
+            + self.around.as_ref().map_or(0.0, |around| around.wheel.farther_down())
     }
 
     /// The contacts with rail number `k` for `input` (right side), laid flat.
     pub fn flattened(&mut self, k: usize, input: &Input, minimum_speed: f64) -> Vec<FlatContact> {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
+        if !self.turn_wheel(input, &pose) {
+            return Vec::new();
+        }
         self.find_ranges(input, &pose);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        let line = with(line, self.deviations.as_ref());
+        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
         let station = self.rail.station(input.track_s, input.wheel.position[0]);
         if !self.rail.pass(&line, &pose, station) {
             return Vec::new();
@@ -210,13 +264,17 @@ impl RailContact {
         let contacts = self.search.contacts.iter().map(|&contact| {
             let mut separation = LineSeparation::new(&line, &self.rail, contact);
             let even_radius = line.wheel_point(contact.u).section_radius;
-            let radius = varying_radius(even_radius, &self.rail, contact.rail_s);
+            let radius = RailOutline::at_rest(&self.rail).radius_along(
+                even_radius,
+                contact.rail_s,
+                LEAST_CURVATURE_SHARE,
+            );
             let forces = ContactForces {
                 k,
                 input,
                 frame,
                 line,
-                rail: &self.rail,
+                rail: RailOutline::at_rest(&self.rail),
                 contact,
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
@@ -268,9 +326,10 @@ impl RailContact {
     /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it is not [m].
     fn depth(&mut self, k: usize, input: &Input) -> f64 {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
-        let clearance = match &mut self.here {
-            None => &self.clearance,
-            Some(here) => {
+        let clearance = match (&mut self.here, &self.around) {
+            (None, None) => &self.clearance,
+            (None, Some(around)) => &around.clearance,
+            (Some(here), _) => {
                 here.put_curves(&self.wheel.curve, self.rail.curve());
                 here
             }
@@ -290,14 +349,14 @@ impl RailContact {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
-        let line = with(line, self.deviations.as_ref());
+        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
         let mut left_out = 0;
         let forces = |contact, slopes, damped| ContactForces {
             k,
             input,
             frame,
             line,
-            rail: &self.rail,
+            rail: RailOutline::at_rest(&self.rail),
             contact,
             slopes,
             damped,
@@ -329,7 +388,13 @@ impl RailContact {
             let even_radius = line.wheel_point(contact.u).section_radius;
             let lifting = separation.lifting();
             let radius = lifting.map_or_else(
-                || varying_radius(even_radius, &self.rail, contact.rail_s),
+                || {
+                    RailOutline::at_rest(&self.rail).radius_along(
+                        even_radius,
+                        contact.rail_s,
+                        LEAST_CURVATURE_SHARE,
+                    )
+                },
                 |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
             );
             let problem = NormalProblem {
@@ -377,9 +442,14 @@ impl RailContact {
     }
 }
 
-/// The line with deviations along the track, if there are any.
-fn with<'a>(line: ContactLine<'a>, deviations: Option<&'a Longitudinal>) -> ContactLine<'a> {
-    deviations.map_or(line, |deviations| line.with_deviations(deviations))
+/// The line with deviations along the track, if there are any, and of a wheel that varies around, if it does.
+fn with<'a>(
+    line: ContactLine<'a>,
+    deviations: Option<&'a Longitudinal>,
+    around: Option<&'a Around>,
+) -> ContactLine<'a> {
+    let line = deviations.map_or(line, |deviations| line.with_deviations(deviations));
+    around.map_or(line, |around| line.varying(&around.wheel))
 }
 
 /// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
@@ -391,11 +461,4 @@ fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;
     1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
-}
-
-/// Radius of relative curvature along the track at parameter `s` of a rail that may vary along it, for a wheel whose even section has `radius` [m].
-fn varying_radius(radius: f64, rail: &PlacedRail, s: f64) -> f64 {
-    let Some(varying) = rail.variation() else { return radius };
-    let along = varying.along(s);
-    radius / (1.0 + radius * along.curvature * along.shortening()).max(LEAST_CURVATURE_SHARE)
 }

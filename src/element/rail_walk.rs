@@ -2,7 +2,7 @@
 
 use crate::geometry::contact::Contact;
 use crate::geometry::curve::CurvePoint;
-use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::math::real::Real;
 
 /// A place on the surface of a rail.
@@ -16,8 +16,8 @@ pub struct RailPlace<T = f64> {
 
 impl<T: Real> RailPlace<T> {
     /// That with the parameter `s` of the curve of `rail`.
-    pub fn at(rail: &PlacedRail, s: T) -> Self {
-        Self { s, tangent: rail.curve().at(s).first }
+    pub fn at(rail: &RailOutline<T>, s: T) -> Self {
+        Self { s, tangent: rail.at(s).first }
     }
 }
 
@@ -40,15 +40,15 @@ struct Last<T> {
 /// A walk along a rail in the frame of a contact.
 #[derive(Clone, Debug)]
 pub struct RailWalk<'a, T = f64> {
-    rail: &'a PlacedRail,
+    rail: RailOutline<'a, T>,
     contact: Contact<T>,
     last: Last<T>,
 }
 
 impl<'a, T: Real> RailWalk<'a, T> {
     /// A walk from the point of the contact.
-    pub fn new(rail: &'a PlacedRail, contact: Contact<T>) -> Self {
-        let on = rail.curve().at(contact.rail_s);
+    pub fn new(rail: RailOutline<'a, T>, contact: Contact<T>) -> Self {
+        let on = rail.at(contact.rail_s);
         Self { rail, contact, last: Last::at(&contact, T::from(0.0), contact.rail_s, &on) }
     }
 
@@ -57,7 +57,7 @@ impl<'a, T: Real> RailWalk<'a, T> {
     pub fn to(&mut self, y: T, search: impl FnOnce() -> T) -> RailPlace<T> {
         self.step(y).unwrap_or_else(|| {
             let s = search();
-            let on = self.rail.curve().at(s);
+            let on = self.rail.at(s);
             self.last = Last::at(&self.contact, y, s, &on);
             RailPlace { s, tangent: on.first }
         })
@@ -68,7 +68,7 @@ impl<'a, T: Real> RailWalk<'a, T> {
         let last = &self.last;
         let way = (y - last.y) * last.steepness;
         let guess = last.s + way - way * way * last.bend * last.steepness * 0.5;
-        let on = self.rail.curve().at(guess);
+        let on = self.rail.at(guess);
         self.last = Last::at(&self.contact, y, guess, &on);
         let origin = self.contact.origin;
         let to = [on.point[0] - origin[0], on.point[1] - origin[1]];
@@ -103,6 +103,7 @@ fn across<T: Real>(contact: &Contact<T>, v: [T; 2]) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::placed_rail::PlacedRail;
     use crate::geometry::profile::ProfileKind;
     use crate::io::load_profile;
     use approx::assert_abs_diff_eq;
@@ -128,7 +129,7 @@ mod tests {
                 let to = [0, 1].map(|i| rail.curve().at(s).point[i] - on.point[i]);
                 to[0] * contact.tangent[0] + to[1] * contact.tangent[1]
             };
-            let (mut walk, mut searches) = (RailWalk::new(&rail, contact), 0);
+            let (mut walk, mut searches) = (RailWalk::new(RailOutline::at_rest(&rail), contact), 0);
             for j in 0..=40 {
                 let y = 2e-4 * f64::from(j - 20);
                 let found = walk.to(y, || {

@@ -16,6 +16,7 @@ use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::Probe;
 use crate::geometry::varying_rail::{Along, VaryingRail};
 use crate::math::dual::Dual;
@@ -69,10 +70,7 @@ impl<'a> LocalLine<'a> {
     /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies [m].
     fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
-        let along = varying.along(self.place(u).y);
-        // The wheel's circle is as round along the lean as it is along the track.
-        let share = 1.0 + even * along.curvature * along.shortening();
-        even / (share / (1.0 + along.drift * along.drift)).max(LEAST_CURVATURE_SHARE)
+        radius_on_rows(even, &varying.along(self.place(u).y))
     }
 
     /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's
@@ -186,6 +184,13 @@ impl Line for LocalLine<'_> {
     }
 }
 
+/// Radius of the section of wheel and rail together along the rows of a rail that varies, for a wheel whose even section has the radius `even` [m].
+fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
+    // The wheel's circle is as round along the lean as it is along the track.
+    let share = even * along.curvature * along.shortening() + 1.0;
+    even / (share / (along.drift * along.drift + 1.0)).at_least(LEAST_CURVATURE_SHARE)
+}
+
 /// Distance along the contact line beyond which a nearest point is looked for anew [m].
 const FAR: f64 = 8e-3;
 /// Least rate at which the nearest point moves with the contact line: where bodies end it may stand still.
@@ -236,7 +241,8 @@ pub fn add<'a>(
     let Some(&first) = search.contacts.first() else { return 0 };
     let of_rail = forces(first, [0.0; 2], Damped::Alone);
     let ContactForces { input, line, rail, frame, .. } = &of_rail;
-    let mut left_out = solve(line, rail, search, probes, models) as u64;
+    let placed = rail.rail;
+    let mut left_out = solve(line, placed, search, probes, models) as u64;
     let wheel = &input.wheel;
     let speeds = [wheel.velocity[0], wheel.pitch_rate * line.nominal_radius()];
     let damping = StripDamping {
@@ -244,12 +250,13 @@ pub fn add<'a>(
         frame,
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
-        varying: rail.variation().map(|varying| (varying, speeds[0])),
+        varying: Some((*rail, speeds[0])),
+        around: Some(line).filter(|line| line.varies_around()),
     };
     for zone in 0..models.rail_strips.zones.len() {
         let TakenZone { contact, load_factor, resultant_share } =
-            take_zone(line, rail, search, zone, &damping, models);
-        let mut separation = LineSeparation::new(line, rail, contact);
+            take_zone(line, placed, search, zone, &damping, models);
+        let mut separation = LineSeparation::new(line, placed, contact);
         let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
         let forces = ContactForces { resultant_share, ..forces };
         left_out += forces.add(&mut separation, models, output, work);
@@ -331,7 +338,8 @@ fn zone_in_frame<T: Real>(
     let mut penetration = zero;
     for j in range {
         let (point, direction, overlap) = place(all.u[j], all.y[j]);
-        let factor = damping.factor(*coefficient, [all.x[j], all.y[j]], point, direction, overlap);
+        let at = [all.x[j], all.y[j], all.u[j]];
+        let factor = damping.factor(*coefficient, at, point, direction, overlap);
         let pressure = all.pressure[j] * factor;
         let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;
@@ -376,7 +384,7 @@ fn zone_in_frame<T: Real>(
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from there.
 struct MovingLocal<'a, T> {
     line: &'a ContactLine<'a, T>,
-    rail: &'a PlacedRail,
+    rail: &'a RailOutline<'a, T>,
     found: LocalLine<'a>,
 }
 
@@ -388,7 +396,7 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
             let tangent = tangent.map(T::from);
             return Place { u: u.into(), overlap: overlap.into(), x: x.into(), tangent };
         };
-        let on = self.rail.curve().at(y);
+        let on = self.rail.at(y);
         let to = |point: [T; 2]| [point[0] - on.point[0], point[1] - on.point[1]];
         let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
         let (at, derivative) = self.line.even_with_derivative(u.into());
@@ -399,25 +407,39 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         let tangent = on.first.map(|first| first * slowness);
         let to = to(at.point);
         let overlap = to[1] * tangent[0] - to[0] * tangent[1];
-        Place { u, overlap, x: at.x, tangent }
+        let Some(along) = self.rail.along(y) else {
+            return Place { u, overlap, x: at.x, tangent };
+        };
+        let cosine = T::from(1.0) / along.lean.hypot(1.0.into());
+        Place { u, overlap: cosine * overlap, x: at.x + along.ahead, tangent }
     }
 
     fn section_radius(&mut self, u: T) -> T {
-        self.line.wheel_point(u).section_radius
+        let even = self.line.wheel_point(u).section_radius;
+        if !self.rail.varies() {
+            return even;
+        }
+        let s = self.found.place(u.value()).y;
+        let (at, on) = (self.line.even_at(u).point, self.rail.at(s.into()));
+        let to = [at[0] - on.point[0], at[1] - on.point[1]];
+        let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
+        let slope = along(on.first) - (to[0] * on.second[0] + to[1] * on.second[1]);
+        let s = T::moving(s, along(to) / slope.value());
+        self.rail.along(s).map_or(even, |along| radius_on_rows(even, &along))
     }
 }
 
 /// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in `found`; false where the equations have none.
 pub fn follow<const N: usize>(
     line: &ContactLine<Dual<N>>,
-    rail: &PlacedRail,
+    rail: &RailOutline<Dual<N>>,
     search: &ContactSearch,
     found: &mut Models,
     models: &mut Models<Dual<N>>,
 ) -> bool {
     let Some(solver) = &mut found.strip_solver else { return false };
     let value = line.value();
-    let found = LocalLine::of(&value, rail, search);
+    let found = LocalLine::of(&value, rail.rail, search);
     let mut local = MovingLocal { line, rail, found };
     let modulus = models.material.contact_modulus;
     let Models { strip_follower, rail_strips, .. } = models;
@@ -430,14 +452,14 @@ pub fn follow<const N: usize>(
 /// As [`take_zone`], with derivatives.
 pub fn take_moving_zone<T: Real>(
     line: &ContactLine<T>,
-    rail: &PlacedRail,
+    rail: &RailOutline<T>,
     search: &ContactSearch,
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
 ) -> TakenZone<T> {
     let value = line.value();
-    let found = LocalLine::of(&value, rail, search);
+    let found = LocalLine::of(&value, rail.rail, search);
     let mut local = MovingLocal { line, rail, found };
     let taken = zone_in_frame(index, damping, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());

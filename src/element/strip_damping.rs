@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 
 use super::rail_frame::RailFrame;
+use crate::geometry::contact_line::ContactLine;
 use crate::geometry::longitudinal::Longitudinal;
-use crate::geometry::varying_rail::VaryingRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
 use crate::normal::damping;
@@ -23,15 +24,17 @@ pub struct StripDamping<'a, T: Real = f64> {
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
     /// The section of the rail as it varies along the track, and the forward speed [m/s].
-    pub varying: Option<(&'a VaryingRail, T)>,
+    pub varying: Option<(RailOutline<'a, T>, T)>,
+    /// The contact line of a wheel whose section varies around.
+    pub around: Option<&'a ContactLine<'a, T>>,
 }
 
 impl<T: Real> StripDamping<'_, T> {
-    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail: its point, unit tangent and overlap across.
+    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail with parameter u of the contact line: its point, unit tangent and overlap across.
     pub fn factor(
         &self,
         coefficient: f64,
-        [x, y]: [T; 2],
+        [x, y, u]: [T; 3],
         point: [T; 2],
         tangent: [T; 2],
         overlap: T,
@@ -46,9 +49,11 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.closing_velocity(touch).dot(&along);
-        let even = self
-            .varying
-            .map_or(even, |(varying, forward)| even + forward * varying.along(y.value()).lean);
+        let lean = self.varying.and_then(|(rail, forward)| Some(forward * rail.along(y)?.lean));
+        let even = lean.map_or(even, |climbing| even + climbing);
+        let even = self.around.map_or(even, |line| {
+            even + self.motion.turning_velocity(line.ahead_of_round(u)).dot(&along)
+        });
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]

@@ -178,6 +178,36 @@ impl Parameters {
     }
 }
 
+impl Parameters {
+    /// Whether the models go with a wheel whose section varies around as `slices` say; `rail_varies` if the section of a rail varies too.
+    pub(super) fn check_around(
+        &self,
+        slices: &Slices,
+        rail_varies: bool,
+    ) -> Result<(), ContactError> {
+        let refuse = |why: &str| {
+            let (name, value) = ("wheel.profile".to_owned(), slices.name.clone());
+            let allowed = format!("one profile for all the circle {why}");
+            Err(ContactError::BadText { name, value, allowed })
+        };
+        if rail_varies || self.rails.iter().any(|r| r.enabled && r.roller_radius != 0.0) {
+            return refuse("on rails whose section varies and on rollers");
+        }
+        if self.is_uneven() {
+            return refuse("where there is wheel.flat, wheel.out_of_round or rail[k].corrugation");
+        }
+        if self.wear.model != WearModel::Off {
+            return refuse("as wear.model is not off: what wears is one profile");
+        }
+        if self.normal_model == NormalModel::BoundaryElement {
+            return refuse(
+                "where normal.model is boundary_element; sections around go with strips, hertz and piotrowski_kik",
+            );
+        }
+        Ok(())
+    }
+}
+
 /// Steepest waves that are admitted [-].
 const MOST_SLOPE: f64 = 0.3;
 
@@ -244,7 +274,7 @@ pub struct ZoneSurface<T = f64> {
     pub radius: T,
     /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
     pub lean: T,
-    /// How far the centroid of the load on a rail that varies along the track is ahead of the contact line [m].
+    /// How far the centroid of the load is ahead of the contact line of a round wheel, where the rail varies along the track or the wheel around [m].
     pub ahead: T,
 }
 
@@ -254,6 +284,31 @@ impl<T: Real> ZoneSurface<T> {
     pub fn even() -> Self {
         let zero = T::from(0.0);
         Self { depth: zero, radius: zero, lean: zero, ahead: zero }
+    }
+
+    /// The surface of a wheel whose section varies around at the centroid of load of `zone`: its normals do not lean, and act where they are. `centre` as of [`new`](Self::new),
+    /// of the round wheel in its place.
+    #[must_use]
+    pub fn beside_round(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> Self {
+        Self { ahead: ahead(zone, strips, centre), ..Self::even() }
+    }
+
+    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
+    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
+    /// height along the normal, `centre` as of [`new`](Self::new).
+    #[must_use]
+    pub fn met(
+        share: T,
+        radius: T,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        centre: impl Fn(T) -> T,
+    ) -> Self {
+        let zero = T::from(0.0);
+        let to = ahead(zone, strips, centre);
+        let height = (radius * radius - to * to).at_least(0.0).sqrt();
+        let lean = if height > 0.0 { share * to / height } else { zero };
+        Self { depth: share * (height - radius), radius: zero, lean, ahead: to }
     }
 }
 
@@ -278,35 +333,19 @@ impl ZoneSurface {
         let depth = share * (deviation - 0.5 * to * to / radius);
         Self { depth, radius: deviation, lean, ahead: 0.0 }
     }
-
-    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
-    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
-    /// height along the normal, `centre` as of [`new`](Self::new).
-    #[must_use]
-    pub fn met(
-        share: f64,
-        radius: f64,
-        zone: &Zone,
-        strips: &Strips,
-        centre: impl Fn(f64) -> f64,
-    ) -> Self {
-        let to = ahead(zone, strips, centre);
-        let height = (radius * radius - to * to).max(0.0).sqrt();
-        let lean = if height > 0.0 { share * to / height } else { 0.0 };
-        Self { depth: share * (height - radius), radius: 0.0, lean, ahead: to }
-    }
 }
 
 /// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the parameter of a strip [m].
-fn ahead(zone: &Zone, strips: &Strips, centre: impl Fn(f64) -> f64) -> f64 {
+fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
     // Strips of a yawed wheel each have their own place on the line.
-    let (mut ahead, mut load) = (0.0, 0.0);
+    let zero = T::from(0.0);
+    let (mut ahead, mut load) = (zero, zero);
     for j in zone.first..zone.first + zone.count {
         let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
         ahead += weight * (strips.x[j] - centre(strips.u[j]));
         load += weight;
     }
-    if load > 0.0 { ahead / load } else { 0.0 }
+    if load > 0.0 { ahead / load } else { zero }
 }
 
 /// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their

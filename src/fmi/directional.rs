@@ -38,8 +38,8 @@ struct Asked {
 impl<S: Described + Subject> Instance<S> {
     /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, at the values as they are; nothing else changes.
     ///
-    /// Exact where the element has exact derivatives, of outputs by inputs with real-time models and even bodies; central differences
-    /// for all else. Nothing is allocated after initialization.
+    /// Exact where the element has exact derivatives, of outputs by inputs with real-time models and bodies without deviations along the track; central
+    /// differences for all else. Nothing is allocated after initialization.
     ///
     /// # Errors
     /// The variable at fault by name; `sensitivity` is then as before. Or why the values beside those that are set cannot be evaluated.

@@ -46,6 +46,8 @@ pub struct Clearance {
     spans: Vec<[f64; 2]>,
     /// Lateral position of the first cell of the wheel on its profile [m].
     wheel_start: f64,
+    /// How far the rail's curve reaches down from its top [m].
+    rail_depth: f64,
     /// Least height of the rail and greatest z of the wheel [m].
     rail_top: f64,
     wheel_low: f64,
@@ -88,6 +90,7 @@ impl Clearance {
             block_lows: Vec::new(),
             spans: Vec::new(),
             wheel_start: 0.0,
+            rail_depth: 0.0,
             rail_top: 0.0,
             wheel_low: 0.0,
             nominal_radius,
@@ -100,10 +103,26 @@ impl Clearance {
 
     /// Makes the tables anew for other curves; allocates nothing within the room that they have.
     pub fn put_curves(&mut self, wheel: &Curve, rail: &Curve) {
-        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(wheel);
         let [[rail_left, rail_right], [rail_top, rail_low]] = extent(rail);
+        let count = cell_count(rail_left, rail_right);
+        let top = &mut self.top;
+        top.clear();
+        top.resize(count + 2 * PADDING, f64::INFINITY);
+        for ([y, z], _) in samples(rail) {
+            let cell = &mut top[PADDING + ((y - rail_left) / CELL) as usize];
+            *cell = cell.min(z);
+        }
+        self.rail_start = rail_left - PADDING as f64 * CELL;
+        (self.rail_top, self.rail_depth) = (rail_top, rail_low - rail_top);
+        self.put_levels();
+        self.put_wheel(wheel);
+    }
+
+    /// Makes those of the wheel anew for another profile; allocates nothing within the room that they have.
+    pub fn put_wheel(&mut self, wheel: &Curve) {
+        let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(wheel);
         let cells = cell_count(wheel_left, wheel_right);
-        let Self { top, lows, block_lows, spans, .. } = self;
+        let Self { lows, block_lows, spans, .. } = self;
         lows.clear();
         lows.resize(cells, f64::NEG_INFINITY);
         spans.clear();
@@ -113,24 +132,15 @@ impl Clearance {
             lows[cell] = lows[cell].max(z);
             spans[cell] = [spans[cell][0].min(s - SAMPLE), spans[cell][1].max(s + SAMPLE)];
         }
-        let count = cell_count(rail_left, rail_right);
-        top.clear();
-        top.resize(count + 2 * PADDING, f64::INFINITY);
-        for ([y, z], _) in samples(rail) {
-            let cell = &mut top[PADDING + ((y - rail_left) / CELL) as usize];
-            *cell = cell.min(z);
-        }
         block_lows.clear();
         let lowest = |block: &[f64]| block.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         block_lows.extend(lows.chunks(BLOCK).map(lowest));
-        let reach = (rail_low - rail_top) + (wheel_low - wheel_top);
-        self.rail_start = rail_left - PADDING as f64 * CELL;
+        let reach = self.rail_depth + (wheel_low - wheel_top);
         self.wheel_start = wheel_left;
-        (self.rail_top, self.wheel_low) = (rail_top, wheel_low);
+        self.wheel_low = wheel_low;
         self.wheel_extent =
             [wheel_left.abs().max(wheel_right.abs()), wheel_top.abs().max(wheel_low.abs())];
         self.chord = (2.0 * (self.nominal_radius + wheel_low) * reach).sqrt();
-        self.put_levels();
     }
 
     /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y, z) of each: no wheel above them touches it anywhere.

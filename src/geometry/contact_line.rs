@@ -13,12 +13,14 @@
 //! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
 //! than 87 degrees, a flange back, touches with its rim: see `contact_line::rim`.
 
+mod around;
 mod lifted;
 mod rim;
 pub mod surface;
 
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;
+use crate::geometry::varying_wheel::VaryingWheel;
 use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
@@ -60,6 +62,8 @@ pub struct ContactLine<'a, T = f64> {
     down: [T; 2],
     /// Deviations of wheel and rail along the track, where there are any.
     deviations: Option<&'a Longitudinal>,
+    /// The wheel whose section varies around, of which the profile is that of the round wheel that takes its place.
+    around: Option<&'a VaryingWheel>,
 }
 
 /// The point of a rolling circle that belongs to the line.
@@ -107,6 +111,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             ahead: [-axle[0] * axle[1] / cosine, -axle[0] * axle[2] / cosine],
             down: [-axle[2] / cosine, axle[1] / cosine],
             deviations: None,
+            around: None,
         }
     }
 
@@ -128,7 +133,9 @@ impl<'a, T: Real> ContactLine<'a, T> {
     pub fn even_at(&self, s: T) -> LinePoint<T> {
         let p = self.profile.at(s);
         let on = self.circle(&p);
-        if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) }
+        let point =
+            if self.follows_rim(&p) { self.rim(s, &p, &on).point() } else { self.point(&p, &on) };
+        self.met(s, point)
     }
 
     /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
@@ -138,9 +145,10 @@ impl<'a, T: Real> ContactLine<'a, T> {
         let p = self.profile.at(s);
         if self.follows_rim(&p) {
             let rim = self.rim(s, &p, &self.circle(&p));
-            return (rim.point(), rim.derivative());
+            return (self.met(s, rim.point()), rim.derivative());
         }
-        self.outline_with_derivative(&p)
+        let (point, derivative) = self.outline_with_derivative(&p);
+        (self.met(s, point), derivative)
     }
 
     /// The profile of the wheel.
@@ -237,6 +245,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
                 + self.mean_curvature(s) * across * across / on.cosine;
             bent.max(straight * LEAST_SECTION_SHARE)
         };
+        let section_curvature = self.section_around(s, section_curvature, straight);
         WheelPoint {
             y: p.point[0],
             rolling_radius: radius,
@@ -280,6 +289,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             ahead: self.ahead.map(value),
             down: self.down.map(value),
             deviations: self.deviations,
+            around: self.around,
         }
     }
 }
@@ -315,6 +325,7 @@ impl<'a> ContactLine<'a> {
             ahead: self.ahead.map(T::from),
             down: self.down.map(T::from),
             deviations: self.deviations,
+            around: self.around,
         }
     }
 

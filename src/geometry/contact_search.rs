@@ -132,6 +132,15 @@ impl ContactSearch {
 
     /// Becomes a new search for wheels with another profile; allocates nothing within the room that there is.
     pub fn put_wheel(&mut self, wheel: &Curve) {
+        self.follow_wheel(wheel);
+        self.interval.clear();
+        self.probes.clear();
+        self.contacts.clear();
+        (self.evaluations, self.left_out) = (0, 0);
+    }
+
+    /// Goes on with another profile, as that of a wheel whose section varies; allocates nothing within the room that there is.
+    pub fn follow_wheel(&mut self, wheel: &Curve) {
         let count = ((wheel.end() - wheel.start()) / BIN).ceil() as usize + 1;
         let Self { concavity: concave, stretch, .. } = self;
         for bins in [&mut *concave, &mut *stretch] {
@@ -157,10 +166,6 @@ impl ContactSearch {
             }
             bins.truncate(count);
         }
-        self.interval.clear();
-        self.probes.clear();
-        self.contacts.clear();
-        (self.evaluations, self.left_out) = (0, 0);
     }
 
     /// Makes room for wheels whose profile is `longer` [m] than the one there is.

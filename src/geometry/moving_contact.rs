@@ -9,7 +9,8 @@
 
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::curve::CurvePoint;
+use crate::geometry::rail_outline::RailOutline;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 
@@ -17,8 +18,8 @@ use crate::math::real::Real;
 const PARALLEL: f64 = 1e-6;
 
 /// The two equations of a place where the lines are parallel and face each other.
-fn equations<T: Real>(line: &ContactLine<T>, rail: &PlacedRail, u: T, s: T) -> [T; 2] {
-    let (at, on) = (line.even_at(u), rail.curve().at(s));
+fn equations<T: Real>(line: &ContactLine<T>, on: &CurvePoint<T>, u: T) -> [T; 2] {
+    let at = line.even_at(u);
     let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
     let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
     [along(to), at.tangent[0] * on.first[1] - at.tangent[1] * on.first[0]]
@@ -28,13 +29,14 @@ fn equations<T: Real>(line: &ContactLine<T>, rail: &PlacedRail, u: T, s: T) -> [
 /// parallel or stay so to first order.
 pub fn moving_place<T: Real>(
     line: &ContactLine<T>,
-    rail: &PlacedRail,
+    rail: &RailOutline<T>,
     u: f64,
     s: f64,
 ) -> Option<[T; 2]> {
-    let rates = equations(line, rail, u.into(), s.into());
+    let rates = equations(line, &rail.at(s.into()), u.into());
     let fixed = line.value().fixed::<Dual<2>>();
-    let at = equations(&fixed, rail, Dual::variable(u, 0), Dual::variable(s, 1));
+    let on = rail.rail.curve().at(Dual::variable(s, 1));
+    let at = equations(&fixed, &on, Dual::variable(u, 0));
     let [[a, b], [c, d]] = [at[0].slopes, at[1].slopes];
     let determinant = a * d - b * c;
     if !(at[1].value.abs() < PARALLEL && determinant != 0.0) {
@@ -50,9 +52,13 @@ pub fn moving_place<T: Real>(
 impl Contact {
     /// The contact as it moves with `line`; nothing where it is no place of parallel lines, which it is not where a body ends in it.
     #[must_use]
-    pub fn moving<T: Real>(&self, line: &ContactLine<T>, rail: &PlacedRail) -> Option<Contact<T>> {
+    pub fn moving<T: Real>(
+        &self,
+        line: &ContactLine<T>,
+        rail: &RailOutline<T>,
+    ) -> Option<Contact<T>> {
         let [u, s] = moving_place(line, rail, self.u, self.rail_s)?;
-        let (at, on) = (line.even_at(u), rail.curve().at(s));
+        let (at, on) = (line.even_at(u), rail.at(s));
         let slowness =
             T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
         let tangent = on.first.map(|first| first * slowness);

@@ -4,7 +4,7 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{LEAST_COSINE, Lifting, LineSeparation, RailSeparation};
 use crate::geometry::moving_contact::moving_place;
-use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{FrameSeparation, Probe, Separation, SeparationPoint};
 use crate::math::real::Real;
 
@@ -13,7 +13,7 @@ use crate::math::real::Real;
 pub struct MovingSeparation<'a, T> {
     values: LineSeparation<'a>,
     line: &'a ContactLine<'a, T>,
-    rail: &'a PlacedRail,
+    rail: RailOutline<'a, T>,
     contact: Contact<T>,
     /// Whether anything had no derivative.
     pub has_kink: bool,
@@ -25,7 +25,7 @@ impl<'a, T: Real> MovingSeparation<'a, T> {
     pub fn new(
         values: LineSeparation<'a>,
         line: &'a ContactLine<'a, T>,
-        rail: &'a PlacedRail,
+        rail: RailOutline<'a, T>,
         contact: Contact<T>,
     ) -> Self {
         Self { values, line, rail, contact, has_kink: false }
@@ -38,15 +38,20 @@ impl<'a, T: Real> MovingSeparation<'a, T> {
         [to[0] * tangent[0] + to[1] * tangent[1], to[0] * normal[0] + to[1] * normal[1]]
     }
 
+    /// Where the bodies are nearest along the track, for a point of the line at `x` opposite to the parameter `s` of the rail.
+    fn met(&self, x: T, s: T) -> T {
+        self.rail.along(s).map_or(x, |along| x + along.ahead)
+    }
+
     /// The parameter of the rail with the value `s` whose point lies at `y` across, as it moves; its depth and its slope in the frame.
     fn opposite(&self, s: f64, y: T) -> [T; 3] {
-        let on = self.rail.curve().at(T::from(s));
+        let on = self.rail.at(T::from(s));
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
         let along = |axis: [T; 2]| on.first[0] * axis[0] + on.first[1] * axis[1];
         let across = along(tangent);
         let error = self.in_frame(on.point)[0] - y;
         let s = T::moving(s, -error / across);
-        let point = self.rail.curve().at(s).point;
+        let point = self.rail.at(s).point;
         [s, self.in_frame(point)[1], along(normal) / across]
     }
 }
@@ -58,17 +63,24 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
         let [y, depth] = self.in_frame(at.point);
         let tangent = self.contact.tangent;
         let dy = (derivative[0] * tangent[0] + derivative[1] * tangent[1]).at_least(LEAST_COSINE);
+        let [s, rail, _] = self.opposite(self.values.last_rail_parameter(), y);
         let f = if found.f.is_finite() {
-            let [_, rail, _] = self.opposite(self.values.last_rail_parameter(), y);
             rail - depth + self.contact.penetration
         } else {
             found.f.into()
         };
-        SeparationPoint { y, dy, f, x: at.x }
+        SeparationPoint { y, dy, f, x: self.met(at.x, s) }
     }
 
     fn centre_at(&mut self, u: T) -> T {
-        self.line.even_at(u).x
+        let at = self.line.even_at(u);
+        if !self.rail.varies() {
+            return at.x;
+        }
+        self.values.at(u.value());
+        let [y, _] = self.in_frame(at.point);
+        let [s, ..] = self.opposite(self.values.last_rail_parameter(), y);
+        self.met(at.x, s)
     }
 
     fn value(&mut self, u: f64) -> f64 {
@@ -98,9 +110,9 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
     fn minimum(&mut self, probe: &Probe) -> T {
         let near = self.values.opposite_parameter(probe.u);
         let point = self.line.value().even_at(probe.u).point;
-        let near = near.unwrap_or_else(|| self.rail.coarse_nearest(point));
-        let s = self.rail.nearest(point, near, NEAREST).s;
-        if let Some([u, _]) = moving_place(self.line, self.rail, probe.u, s) {
+        let near = near.unwrap_or_else(|| self.rail.rail.coarse_nearest(point));
+        let s = self.rail.rail.nearest(point, near, NEAREST).s;
+        if let Some([u, _]) = moving_place(self.line, &self.rail, probe.u, s) {
             return self.point(u).f;
         }
         self.has_kink = true;

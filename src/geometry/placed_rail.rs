@@ -4,7 +4,7 @@ use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::profile::Profile;
 use crate::geometry::slices::Slices;
-use crate::geometry::varying_rail::VaryingRail;
+use crate::geometry::varying_rail::{MovingOutline, VaryingRail};
 use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
@@ -257,6 +257,12 @@ impl PlacedRail {
         self.varying.as_ref().map_or(0.0, |varying| varying.roller_radius())
     }
 
+    /// Whether the section is another one at other stations.
+    #[must_use]
+    pub fn varies_along_track(&self) -> bool {
+        self.varying.is_some() && self.roller_radius() == 0.0
+    }
+
     /// Station of a wheel at `x` of a track whose origin is at `origin`; a roller stays where the track frame is [m].
     #[must_use]
     pub fn station<T: Real>(&self, origin: T, x: T) -> T {
@@ -274,12 +280,25 @@ impl PlacedRail {
         is_there
     }
 
-    /// Lateral coordinate on the rail profile as given, before inclination, of the point with parameter `s` [m].
+    /// Lays the outline that [`pass`](Self::pass) has laid last into `outline`, as it moves with the wheel of `line` at `pose` above `station` [m]; nothing for a rail that does not
+    /// vary.
+    pub fn move_with<T: Real>(
+        &self,
+        line: &ContactLine<T>,
+        pose: &WheelPose<T>,
+        station: T,
+        outline: &mut MovingOutline<T>,
+    ) {
+        if let Some(varying) = &self.varying {
+            varying.move_with(line, pose, station, outline);
+        }
+    }
+
+    /// Lateral coordinate on the rail profile as given, before inclination, of a `point` in the frame of the marker [m].
     #[must_use]
-    pub fn profile_y<T: Real>(&self, s: T) -> T {
-        let p = self.curve.at(s).point;
+    pub fn profile_y_of<T: Real>(&self, [y, z]: [T; 2]) -> T {
         let [sine, cosine] = self.inclination;
-        (p[0] * self.hand + self.top[0]) * cosine + (p[1] + self.top[1]) * sine
+        (y * self.hand + self.top[0]) * cosine + (z + self.top[1]) * sine
     }
 
     /// Curvature at `s`, positive where the rail bulges [1/m].

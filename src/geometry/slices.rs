@@ -1,7 +1,9 @@
-//! A rail whose section varies along the track as slices: what files hold.
+//! A rail whose section varies along the track, or a wheel whose section varies around, as slices: what files hold.
 //!
 //! Rows run along the rail through points of equal shares of the slices, from feature to feature where there are features: paths that do not
 //! cross an edge. Along each row the point, and how it changes across, are cubic splines over the places of the slices.
+
+use std::f64::consts::TAU;
 
 use crate::geometry::profile::Profile;
 use crate::math::real::Real;
@@ -10,7 +12,7 @@ use crate::math::spline::{SplineEnd, interpolating_slopes};
 /// One section and where it is.
 #[derive(Clone, Debug)]
 pub struct Slice {
-    /// Station [m].
+    /// Station [m]; of a wheel the angle [rad].
     pub place: f64,
     /// The section.
     pub profile: Profile,
@@ -18,7 +20,7 @@ pub struct Slice {
     pub features: Vec<Option<f64>>,
 }
 
-/// The slices of a rail, in growing places.
+/// The slices of a rail or a wheel, in growing places.
 #[derive(Clone, Debug)]
 pub struct Slices {
     /// The file, for messages.
@@ -106,6 +108,33 @@ impl Slices {
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         [self.all[0].place, self.all[self.all.len() - 1].place]
+    }
+
+    /// The slices of a wheel over the angle [rad], with those that follow beyond either end if they go all around.
+    #[must_use]
+    pub(super) fn around(&self) -> Self {
+        let [first, last] = self.range();
+        let widest = self.all.windows(2).map(|pair| pair[1].place - pair[0].place);
+        let widest = widest.fold(0.0, f64::max);
+        let is_broken = |slice: &Slice| slice.features.iter().any(Option::is_none);
+        if first + TAU - last > CLOSED * widest || self.all.iter().any(is_broken) {
+            return self.clone();
+        }
+        let moved = |slice: &Slice, by: f64| Slice { place: slice.place + by, ..slice.clone() };
+        let before = self.all.iter().map(|slice| moved(slice, -TAU));
+        let mut before: Vec<Slice> = before.filter(|s| s.place < first - OVERLAP).collect();
+        let behind = self.all.iter().map(|slice| moved(slice, TAU));
+        let behind = behind.filter(|s| s.place > last + OVERLAP).take(FOLLOWING);
+        before.drain(..before.len().saturating_sub(FOLLOWING));
+        let all = before.into_iter().chain(self.all.iter().cloned()).chain(behind).collect();
+        Self { all, ..self.clone() }
+    }
+
+    /// The same with places `scale` times as large.
+    #[must_use]
+    pub(super) fn over_places(mut self, scale: f64) -> Self {
+        self.all.iter_mut().for_each(|slice| slice.place *= scale);
+        self
     }
 
     /// Lengths of the features of a slice as parameters of its curve; its ends where it has none.
@@ -308,6 +337,11 @@ pub(super) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T 
 /// slices are not of the same shape, as where a nose begins.
 const STEEPEST: f64 = 0.5;
 const STEEP_SHARE: f64 = 0.1;
+/// Gap around a wheel up to which its slices go all around, over their greatest distance; distance up to which two of them are the same one [rad], and how many follow beyond
+/// either end: each leaves a quarter of the effect of an end.
+const CLOSED: f64 = 1.5;
+const OVERLAP: f64 = 1e-6;
+const FOLLOWING: usize = 20;
 /// Distance of two rows of parts that are not there together [m].
 const SEAM: f64 = 1e-6;
 

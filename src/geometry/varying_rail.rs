@@ -22,10 +22,10 @@
 //! A roller is such a rail: its rows are circles about an axle across the track.
 
 mod bounds;
-mod envelope;
+pub(super) mod envelope;
 mod over;
-mod surface;
-mod touch;
+pub(super) mod surface;
+pub(super) mod touch;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
@@ -35,8 +35,9 @@ use self::surface::{MOST_OF_ROLLER, Surface};
 use self::touch::{CLOSE, Met, Touch};
 use self::wheel_table::WheelTable;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
-use crate::geometry::curve::Curve;
+use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::slices::Slices;
+use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::room::Room;
 
@@ -69,6 +70,15 @@ impl<T: Real> Along<T> {
             lean: value(|a| a.lean),
             drift: value(|a| a.drift),
         }
+    }
+
+    /// The same in numbers that do not move, or have derivatives.
+    #[must_use]
+    pub fn fixed<U: Real>(&self) -> Along<U> {
+        let Self { ahead, curvature, lean, drift } = *self;
+        let [ahead, curvature, lean, drift] =
+            [ahead, curvature, lean, drift].map(|x| U::from(x.value()));
+        Along { ahead, curvature, lean, drift }
     }
 
     /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
@@ -155,6 +165,30 @@ impl VaryingRail {
         is_there
     }
 
+    /// Lays the envelope that [`pass`](Self::pass) has laid last into `outline`, as it moves with the wheel of `line` at `pose` above `station` [m].
+    pub fn move_with<T: Real>(
+        &self,
+        line: &ContactLine<T>,
+        pose: &WheelPose<T>,
+        station: T,
+        outline: &mut MovingOutline<T>,
+    ) {
+        let Self { surface, bounds, wheel, met, .. } = self;
+        let touch = Touch { surface, bounds, wheel };
+        let within = surface.within(station.value());
+        let fixed_line = line.value().fixed::<Dual<2>>();
+        let fixed_pose = WheelPose {
+            marker: pose.marker.map(|x| Dual::from(x.value())),
+            roll: pose.roll.value().into(),
+            yaw: pose.yaw.value().into(),
+        };
+        let fixed = Over::new(&fixed_line, &fixed_pose, station.value().into(), within);
+        let over = Over::new(line, pose, station, within);
+        outline.met.clear();
+        outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
+        outline.envelope.lay(surface, &outline.met);
+    }
+
     /// Fills `met` with all rows that may touch, and with a few of the others.
     fn meet_rows(&mut self, over: &Over) {
         let Self { surface, bounds, wheel, met, .. } = self;
@@ -198,6 +232,33 @@ impl VaryingRail {
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
     #[must_use]
     pub fn along(&self, s: f64) -> Along {
+        self.envelope.along(s)
+    }
+}
+
+/// The outline of a rail that varies, as it moves with the wheel that meets it.
+#[derive(Clone, Debug)]
+pub struct MovingOutline<T> {
+    envelope: Envelope<T>,
+    met: Room<Met<T>>,
+}
+
+impl<T: Real> MovingOutline<T> {
+    /// Room for an outline of `count` rows.
+    #[must_use]
+    pub fn new(count: usize) -> Self {
+        Self { envelope: Envelope::new(count), met: Room::new(count) }
+    }
+
+    /// Point and derivatives of the outline at parameter `s` [m].
+    #[must_use]
+    pub fn at(&self, s: T) -> CurvePoint<T> {
+        self.envelope.at(s)
+    }
+
+    /// Where the wheel meets the rail at parameter `s` of the outline.
+    #[must_use]
+    pub fn along(&self, s: T) -> Along<T> {
         self.envelope.along(s)
     }
 }

@@ -152,7 +152,7 @@ fn read(
         return Err(ProfileError::WrongKind { file: file.into(), line: 1, kind });
     }
     if let "slcs" | "slcw" = extension.as_str() {
-        let what = "slices make rails that vary along the track, as rail[k].profile; give one profile here, and for a wheel that is not round wheel.out_of_round.file";
+        let what = "slices make a rail that varies along the track (.slcs, as rail[k].profile) or a wheel that varies around (.slcw, as wheel.profile); give one profile here";
         let (file, what) = (file.into(), what.into());
         return Err(ProfileError::BadSlices { file, line: 1, what });
     }

@@ -1,4 +1,4 @@
-//! Rails whose section varies along the track: files of slices (.slcs) and tables of sections.
+//! Rails whose section varies along the track and wheels whose section varies around: files of slices (.slcs, .slcw) and tables of sections.
 //!
 //! A file of slices holds numbers and names in a fixed order, several on a line, `%` before a comment:
 //!
@@ -12,7 +12,9 @@
 //! U_SLC  S_1 .. S_NFEAT       NSLC times, if NFEAT > 1: lengths [mm] along the slice to its features, -1 for none
 //! ```
 //!
-//! A table of sections has the heading `station_m,profile` and a line for each section. Names of profiles are built-in ones or files, relative to the folder of the file.
+//! That of a wheel has TH for U, and angles in rad in the place of places in mm.
+//!
+//! A table of sections has the heading `station_m,profile`, of a wheel `angle_deg,profile`, and a line for each section. Names of profiles are built-in ones or files, relative to the folder of the file.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -24,38 +26,39 @@ use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark
 use crate::geometry::slices::{Slice, Slices};
 use crate::geometry::standard_profiles::built_in;
 
-const RAIL: ProfileKind = ProfileKind::Rail;
 /// What begins a comment.
 const COMMENT: [char; 3] = ['%', '!', '#'];
 /// Most slices of a body.
 const MOST_SLICES: usize = 20_000;
 /// Most features of a slice.
 const MOST_FEATURES: usize = 1000;
-/// Least distance of two slices [m].
-const LEAST_DISTANCE: f64 = 1e-6;
+/// Least distance of two slices, in units of their file.
+const LEAST_DISTANCE: f64 = 1e-3;
 /// Distance up to which the place in a line of features is that of its slice, over the least distance of slices.
 const SAME: f64 = 0.5;
 
 /// The slices that a parameter names, or nothing where it names no file of slices and no table of sections.
 ///
-/// * `parameter`, `name`, `smoothing`, `folders`: as of [`load_profile`]
+/// * `parameter`, `name`, `kind`, `smoothing`, `folders`: as of [`load_profile`]
 ///
 /// # Errors
 /// [`ContactError::Profile`] with the file, the line and what to do.
 pub fn load_slices(
     parameter: &str,
     name: &str,
+    kind: ProfileKind,
     smoothing: f64,
     folders: &[PathBuf],
 ) -> Result<Option<Slices>, ContactError> {
     let refuse = |problem| ContactError::Profile { name: parameter.into(), problem };
-    if !matches!(built_in(name, RAIL), Ok(None)) {
+    if !matches!(built_in(name, kind), Ok(None)) {
         return Ok(None);
     }
     let extension = Path::new(name).extension().and_then(|e| e.to_str()).unwrap_or_default();
-    let is_of_slices = extension.eq_ignore_ascii_case("slcs");
+    let places = Places::of(kind);
+    let is_of_slices = extension.eq_ignore_ascii_case(places.extension);
     // What has to be said of a missing file the reader of profiles says.
-    let Ok(path) = find(name, RAIL, folders) else { return Ok(None) };
+    let Ok(path) = find(name, kind, folders) else { return Ok(None) };
     if !is_of_slices && !path.is_file() {
         return Ok(None);
     }
@@ -64,13 +67,13 @@ pub fn load_slices(
     let text = String::from_utf8_lossy(&bytes);
     let text = text.trim_start_matches('\u{feff}');
     let listed = if is_of_slices {
-        read_slices(&file, text).map_err(refuse)?
+        read_slices(&file, text, &places).map_err(refuse)?
     } else if is_table(text) {
-        read_table(&file, text).map_err(refuse)?
+        read_table(&file, text, &places).map_err(refuse)?
     } else {
         return Ok(None);
     };
-    listed.check(&file).map_err(refuse)?;
+    listed.check(&file, &places).map_err(refuse)?;
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     let own_folders = [folder];
     let mut known: HashMap<String, Profile> = HashMap::new();
@@ -79,7 +82,7 @@ pub fn load_slices(
     let mut turned: Option<(String, bool)> = None;
     for Entry { line, place, name, features } in listed.entries {
         if !known.contains_key(&name) {
-            let read = load_profile(parameter, &name, RAIL, smoothing, &own_folders);
+            let read = load_profile(parameter, &name, kind, smoothing, &own_folders);
             let read = read.map_err(|error| match error {
                 ContactError::Profile { problem, .. } => {
                     let (file, what) = (file.clone(), problem.to_string());
@@ -89,7 +92,7 @@ pub fn load_slices(
             })?;
             let is_turned =
                 read.remarks.iter().any(|r| matches!(r, ProfileRemark::MirroredZ { .. }));
-            let is_file = matches!(built_in(&name, RAIL), Ok(None));
+            let is_file = matches!(built_in(&name, kind), Ok(None));
             match &turned {
                 Some((other, of_other)) if is_file && *of_other != is_turned => {
                     let [up, down] = if is_turned { [other, &name] } else { [&name, other] };
@@ -111,11 +114,48 @@ pub fn load_slices(
         .map_err(|what| refuse(ProfileError::BadSlices { file, line: 1, what }))
 }
 
+/// How the places of slices are given.
+struct Places {
+    /// What the name of a file of slices ends with.
+    extension: &'static str,
+    /// What the names of its values begin with.
+    name: &'static str,
+    /// Unit of places in it, and the same in m or rad.
+    unit: &'static str,
+    size: f64,
+    /// Heading of their column in a table, and its unit in m or rad.
+    heading: &'static str,
+    heading_size: f64,
+}
+
+impl Places {
+    fn of(kind: ProfileKind) -> Self {
+        match kind {
+            ProfileKind::Rail => Self {
+                extension: "slcs",
+                name: "U",
+                unit: "mm",
+                size: 1e-3,
+                heading: "station_m",
+                heading_size: 1.0,
+            },
+            ProfileKind::Wheel => Self {
+                extension: "slcw",
+                name: "TH",
+                unit: "rad",
+                size: 1.0,
+                heading: "angle_deg",
+                heading_size: 1_f64.to_radians(),
+            },
+        }
+    }
+}
+
 /// A slice as it is named.
 #[derive(Debug)]
 struct Entry {
     line: usize,
-    /// Station [m].
+    /// Station [m]; of a wheel the angle [rad].
     place: f64,
     name: String,
     /// Lengths along the slice to its features [m]; nothing for what is not there.
@@ -129,7 +169,8 @@ struct Listed {
 }
 
 impl Listed {
-    fn check(&self, file: &str) -> Result<(), ProfileError> {
+    fn check(&self, file: &str, places: &Places) -> Result<(), ProfileError> {
+        let Places { unit, size, .. } = places;
         let bad =
             |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
         let last = self.entries.last().map_or(1, |entry| entry.line);
@@ -138,11 +179,11 @@ impl Listed {
         }
         for pair in self.entries.windows(2) {
             let [before, entry] = [&pair[0], &pair[1]];
-            if entry.place - before.place < LEAST_DISTANCE {
-                let [own, other, least] =
-                    [entry.place, before.place, LEAST_DISTANCE].map(|x| 1e3 * x);
+            // Less what rounding leaves of it.
+            if entry.place - before.place < LEAST_DISTANCE * size * (1.0 - 1e-9) {
+                let [own, other] = [entry.place, before.place].map(|x| x / size);
                 let what = format!(
-                    "the slice at {own} mm does not lie behind the one before, at {other} mm; put the slices in the order of their places, at least {least} mm apart"
+                    "the slice at {own} {unit} does not lie behind the one before, at {other} {unit}; put the slices in the order of their places, at least {LEAST_DISTANCE} {unit} apart"
                 );
                 return bad(entry.line, what);
             }
@@ -249,32 +290,32 @@ fn token(text: &str) -> Option<(Token, &str)> {
     Some((Token::Number(number(word)?), rest))
 }
 
-fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
+fn read_slices(file: &str, text: &str, places: &Places) -> Result<Listed, ProfileError> {
     let mut tokens = Tokens::new(file, text);
-    let (offset, _) = tokens.number("U_OFFSET")?;
-    let (scale, line) = tokens.number("U_SCALE")?;
+    let name = places.name;
+    let (offset, _) = tokens.number(&format!("{name}_OFFSET"))?;
+    let (scale, line) = tokens.number(&format!("{name}_SCALE"))?;
     if scale <= 0.0 {
-        let what = format!("U_SCALE is {scale}; give a number greater than 0");
+        let what = format!("{name}_SCALE is {scale}; give a number greater than 0");
         return tokens.bad(line, what);
     }
     let count = tokens.count("the number of slices NSLC", MOST_SLICES)?;
     let feature_count = tokens.count("the number of features NFEAT", MOST_FEATURES)?;
     let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
     let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
-    let (interpolation, line) = tokens.number("U_INTPOL")?;
+    let (interpolation, line) = tokens.number(&format!("{name}_INTPOL"))?;
     let passes_near = match interpolation.to_string().as_str() {
         "1" => false,
         "2" => true,
         shown => {
             let what = format!(
-                "U_INTPOL is {shown}; give 1 for a surface through the slices or 2 for one near them"
+                "{name}_INTPOL is {shown}; give 1 for a surface through the slices or 2 for one near them"
             );
             return tokens.bad(line, what);
         }
     };
     tokens.end_line();
-    // Millimetres to metres.
-    let scale = 1e-3 * scale;
+    let scale = places.size * scale;
     let place_of = |u: f64| scale * (offset + u);
     let mut entries = Vec::with_capacity(count);
     for i in 1..=count {
@@ -291,7 +332,7 @@ fn read_slices(file: &str, text: &str) -> Result<Listed, ProfileError> {
         for (i, entry) in entries.iter_mut().enumerate() {
             let (u, line) =
                 tokens.number(&format!("the place in line {} of the features", i + 1))?;
-            if (place_of(u) - entry.place).abs() > SAME * LEAST_DISTANCE {
+            if (place_of(u) - entry.place).abs() > SAME * LEAST_DISTANCE * places.size {
                 let what = format!(
                     "the line of features is for the place {u}, slice {} is another; give the features in the order of the slices",
                     i + 1
@@ -353,12 +394,13 @@ fn cells(text: &str) -> Vec<String> {
         .collect()
 }
 
-fn read_table(file: &str, text: &str) -> Result<Listed, ProfileError> {
+fn read_table(file: &str, text: &str, places: &Places) -> Result<Listed, ProfileError> {
     let bad = |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
     let (first, columns) = heading(text).unwrap_or_default();
-    if columns[0] != "station_m" {
+    let wanted = places.heading;
+    if columns[0] != wanted {
         let what = format!(
-            "the heading of a table of sections is \"station_m,profile\", not \"{},profile\"",
+            "the heading of a table of sections is \"{wanted},profile\", not \"{},profile\"",
             columns[0]
         );
         return bad(first, what);
@@ -373,13 +415,13 @@ fn read_table(file: &str, text: &str) -> Result<Listed, ProfileError> {
         let (Some(place), [_, name]) = (place, cells.as_slice()) else {
             return bad(
                 line.number,
-                format!("\"{}\" is no section; give station_m and a profile", line.shown()),
+                format!("\"{}\" is no section; give {wanted} and a profile", line.shown()),
             );
         };
         if entries.len() == MOST_SLICES {
             return bad(line.number, format!("there are more than {MOST_SLICES} sections"));
         }
-        let name = name.clone();
+        let (name, place) = (name.clone(), places.heading_size * place);
         entries.push(Entry { line: line.number, place, name, features: Vec::new() });
     }
     Ok(Listed { entries, passes_near: false })

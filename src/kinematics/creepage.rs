@@ -184,6 +184,13 @@ impl<T: Real> RelativeMotion<T> {
             - self.rail_velocity_at(point)
     }
 
+    /// Velocity at which a wheel that is not round closes by its turning about its axle where it is met `ahead` [m] of a round one with the same normal, whose turning
+    /// closes nothing [m/s].
+    #[must_use]
+    pub fn turning_velocity(&self, ahead: T) -> Vector3<T> {
+        (self.wheel_rotation - self.attitude_rotation).cross(&(Vector3::x() * ahead))
+    }
+
     /// Velocity of the rail, without the turning of a roller [m/s].
     fn rail_velocity_at(&self, point: Vector3<T>) -> Vector3<T> {
         self.rail_velocity + self.rail_rotation.cross(&(point - self.rail_marker))

@@ -169,7 +169,7 @@ pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
     let mut errors = Errors::default();
     for side in [Side::Right, Side::Left] {
         let [mut right, mut own] =
-            [Side::Right, side].map(|side| element(&Parameters { side, ..parameters.clone() }));
+            [Side::Right, side].map(|side| element(&parameters.on_side(side)));
         let mut random = Random::new(11);
         let mut random_pose = || {
             let mut input = random_input(&mut right, &mut random);

@@ -5,6 +5,7 @@ mod common;
 mod differences;
 #[path = "../tolerance/mod.rs"]
 mod tolerance;
+mod varying_rails;
 
 use common::random::Random;
 use common::wheel::{element, evaluate, mirrored, pressed, random_input, rolling};

@@ -4,7 +4,7 @@ use super::Along;
 use super::over::dot;
 use super::surface::Surface;
 use super::touch::Met;
-use crate::geometry::curve::Knot;
+use crate::geometry::curve::{CurvePoint, Knot};
 use crate::geometry::slices::arc;
 use crate::math::real::Real;
 use crate::math::room::Room;
@@ -16,7 +16,7 @@ const LEAST_ARC: f64 = 1e-6;
 
 /// The outline, and where the wheel meets the rail along it.
 #[derive(Clone, Debug)]
-pub(super) struct Envelope<T = f64> {
+pub(in crate::geometry) struct Envelope<T = f64> {
     /// Rows of the outline, their knots, and what belongs to them with its slope.
     kept: Room<Met<T>>,
     knots: Room<Knot<T>>,
@@ -140,6 +140,25 @@ impl<T: Real> Envelope<T> {
             };
             along.push([kept[k].along, Along::each(slope)]);
         }
+    }
+
+    /// Point and derivatives of the outline at parameter `s` [m], as of a curve through its knots.
+    pub fn at(&self, s: T) -> CurvePoint<T> {
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, self.knots.len() - 1) - 1;
+        let [from, to] = [&self.knots[i], &self.knots[i + 1]];
+        let (h, u) = (to.s - from.s, s - from.s);
+        let zero = [T::from(0.0); 2];
+        let mut at = CurvePoint { point: zero, first: zero, second: zero };
+        for c in 0..2 {
+            let rise = (to.point[c] - from.point[c]) / h;
+            let (a, b) = (from.tangent[c], to.tangent[c]);
+            let c2 = (rise * 3.0 - a * 2.0 - b) / h;
+            let c3 = (a + b - rise * 2.0) / (h * h);
+            at.point[c] = u * (u * (u * c3 + c2) + a) + from.point[c];
+            at.first[c] = u * (u * c3 * 3.0 + c2 * 2.0) + a;
+            at.second[c] = u * c3 * 6.0 + c2 * 2.0;
+        }
+        at
     }
 
     /// Where the wheel meets the rail at parameter `s` of the outline.

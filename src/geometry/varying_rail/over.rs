@@ -95,6 +95,25 @@ impl<'a, T: Real> Over<'a, T> {
             ..Met::default()
         }
     }
+
+    /// The point of the contact line at the parameter `u`, and what it still has to go so as to be at `y` across [m].
+    pub fn on_line(&self, u: T, y: T) -> (Opposite<T>, T) {
+        let (at, derivative) = self.line.even_with_derivative(u);
+        let to = self.seen_from_marker(at.point);
+        let rate = dot(derivative, self.right);
+        let size = derivative[0].hypot(derivative[1]);
+        let [ty, tz] = derivative.map(|d| d / size);
+        let zero = T::from(0.0);
+        let advance = if self.yaws { self.line.advance(u) } else { zero };
+        let opposite = Opposite {
+            u,
+            x: if self.yaws { at.x } else { zero },
+            advance: advance / rate,
+            normal: [-tz, ty],
+            curvature: self.line.curvature(u),
+        };
+        (opposite, y - dot(to, self.right))
+    }
 }
 
 impl Over<'_> {

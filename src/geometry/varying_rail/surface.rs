@@ -14,7 +14,7 @@ pub(super) const REACH: f64 = 0.12;
 
 /// A row at one place: point and derivative across, both with their derivatives along the track.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RowPoint<T = f64> {
+pub(in crate::geometry) struct RowPoint<T = f64> {
     /// y, z, and their derivatives across.
     pub value: [T; 4],
     /// Derivatives of these along the track.
@@ -25,7 +25,7 @@ pub(super) struct RowPoint<T = f64> {
 
 /// Slices around a station.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Within {
+pub(in crate::geometry) struct Within {
     /// Number of the slice before the station.
     pub slice: usize,
     /// Numbers of the slices around all that is within reach.
@@ -34,7 +34,7 @@ pub(super) struct Within {
 
 /// Rows of a rail.
 #[derive(Clone, Debug)]
-pub(super) struct Surface {
+pub(in crate::geometry) struct Surface {
     pub rows: Rows,
     /// Height of the marker above the axle of a roller, of which the rows are the section at the top, all along; 0 for a rail [m].
     pub roller_radius: f64,

@@ -5,21 +5,22 @@ use super::bounds::{Bounds, LARGEST};
 use super::over::{Opposite, Over, dot};
 use super::surface::{RowPoint, Surface};
 use super::wheel_table::WheelTable;
+use crate::math::dual::Dual;
 use crate::math::real::Real;
 
 /// Distance of rows over which their places and those of the wheel opposite go on as before [m].
 pub(super) const CLOSE: f64 = 3e-3;
-/// Newton steps to the place along a row, the last of them, and the longest [m].
+/// Secant steps to the place along a row, the last of them, and the longest [m].
 const MOST_STEPS: usize = 8;
-/// What is left of it is of the order of its square over the distance of slices.
-const LAST_STEP: f64 = 1e-5;
+/// What is left of it is of the order of its square over the distance of slices: less than rounding.
+const LAST_STEP: f64 = 1e-10;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
 
 /// A row that the wheel meets.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Met<T = f64> {
+pub(in crate::geometry) struct Met<T = f64> {
     pub row: usize,
     pub point: [T; 2],
     /// F_v and F_x.
@@ -140,8 +141,10 @@ impl Touch<'_> {
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
         let mut met = State::new(over, &p, x, &opposite);
+        // The slope of the chord goes beyond what is about the slope at the start.
+        let mut slope = met.bend;
         for _ in 0..MOST_STEPS {
-            let step = (-met.g / met.bend.max(0.1 / over.nominal_radius()))
+            let step = (-met.g / slope.max(0.1 / over.nominal_radius()))
                 .clamp(-LONGEST_STEP, LONGEST_STEP);
             let next = (x + step).clamp(from, to);
             let moved = next - x;
@@ -151,12 +154,63 @@ impl Touch<'_> {
             x = next;
             p = at(x);
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
+            let before = met.g;
             met = State::new(over, &p, x, &opposite);
             if moved.abs() < LAST_STEP {
                 break;
             }
+            slope = (met.g - before) / moved;
         }
         Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
+    }
+
+    /// The row that was `found`, as it moves with the wheel; `fixed` is the same wheel at rest.
+    pub fn moving<T: Real>(&self, over: &Over<T>, fixed: &Over<Dual<2>>, found: &Met) -> Met<T> {
+        let (j, slice) = (found.row, over.within.slice);
+        let mut x = T::from(found.x);
+        // Both were there when it was found.
+        let Some(run) = self.surface.run(j, over.station.value(), slice) else {
+            return over.under_axle(j, &self.surface.at(j, [0, 0], x, slice), x);
+        };
+        let mut is_held = false;
+        if let Some(ends) = self.surface.reach(run, over.station)
+            && let Some(end) =
+                ends.into_iter().find(|end| end.value().to_bits() == found.x.to_bits())
+        {
+            (x, is_held) = (end, true);
+        }
+        let Some([u, _]) = found.opposite else {
+            return over.under_axle(j, &self.surface.at(j, run, over.station + x, slice), x);
+        };
+        let (_, _, _, rates) = self.equations(over, j, run, x, u.into());
+        let (at_x, at_u) = (Dual::variable(found.x, 0), Dual::variable(u, 1));
+        let (.., slopes) = self.equations(fixed, j, run, at_x, at_u);
+        let [[a, b], [c, d]] = slopes.map(|equation| equation.slopes);
+        let u = if is_held {
+            T::moving(u, -rates[0] / b)
+        } else {
+            let inverse = -1.0 / (a * d - b * c);
+            x = T::moving(found.x, (rates[0] * d - rates[1] * b) * inverse);
+            T::moving(u, (rates[1] * a - rates[0] * c) * inverse)
+        };
+        let (p, opposite, state, _) = self.equations(over, j, run, x, u);
+        state.met(j, x, &opposite, over.in_wheel(&p)[0])
+    }
+
+    /// Row `j` at `x`, the point `u` of the wheel, what holds there, and what the wheel is beside the row and the slope of their distance.
+    fn equations<T: Real>(
+        &self,
+        over: &Over<T>,
+        j: usize,
+        run: [usize; 2],
+        x: T,
+        u: T,
+    ) -> (RowPoint<T>, Opposite<T>, State<T>, [T; 2]) {
+        let p = self.surface.at(j, run, over.station + x, over.within.slice);
+        let (opposite, missing) = over.on_line(u, over.in_wheel(&p)[0]);
+        let state = State::new(over, &p, x, &opposite);
+        let g = state.g;
+        (p, opposite, state, [missing, g])
     }
 
     /// The sample of row `j` that is highest for the wheel.

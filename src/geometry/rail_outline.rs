@@ -1,0 +1,69 @@
+//! The outline of a rail under a wheel, at parameters with derivatives.
+
+use crate::geometry::curve::CurvePoint;
+use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::varying_rail::{Along, MovingOutline};
+use crate::math::real::Real;
+
+/// The outline of a rail: its section, or where that varies along the track what the wheel that passed last meets.
+#[derive(Clone, Copy, Debug)]
+pub struct RailOutline<'a, T = f64> {
+    /// The rail.
+    pub rail: &'a PlacedRail,
+    /// How the outline moves with the wheel, where the section varies and numbers have derivatives.
+    moving: Option<&'a MovingOutline<T>>,
+}
+
+impl<'a, T: Real> RailOutline<'a, T> {
+    /// That of `rail` as it is.
+    #[must_use]
+    pub fn at_rest(rail: &'a PlacedRail) -> Self {
+        Self { rail, moving: None }
+    }
+
+    /// That of `rail` as it moves by `moving`, which is of a rail that varies.
+    #[must_use]
+    pub fn moving(rail: &'a PlacedRail, moving: Option<&'a MovingOutline<T>>) -> Self {
+        Self { rail, moving: moving.filter(|_| rail.variation().is_some()) }
+    }
+
+    /// Point and derivatives at parameter `s` [m], in the frame of the rail marker.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, s: T) -> CurvePoint<T> {
+        match self.moving {
+            None => self.rail.curve().at(s),
+            Some(moving) => moving.at(s),
+        }
+    }
+
+    /// Where the wheel meets a rail that varies at parameter `s` [m]; nothing for others.
+    #[must_use]
+    pub fn along(&self, s: T) -> Option<Along<T>> {
+        let varying = self.rail.variation()?;
+        Some(match self.moving {
+            None => varying.along(s.value()).fixed(),
+            Some(moving) => moving.along(s),
+        })
+    }
+
+    /// Whether the section varies along the track.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.rail.variation().is_some()
+    }
+
+    /// Lateral coordinate on the rail profile as given of the point with parameter `s` [m].
+    #[must_use]
+    pub fn profile_y(&self, s: T) -> T {
+        self.rail.profile_y_of(self.at(s).point)
+    }
+
+    /// Radius of relative curvature along the track at parameter `s`, for a wheel whose even section has `radius`, but not less than of a curvature of `least` over that of
+    /// the wheel [m].
+    #[must_use]
+    pub fn radius_along(&self, radius: T, s: T, least: f64) -> T {
+        let Some(along) = self.along(s) else { return radius };
+        radius / (radius * along.curvature * along.shortening() + 1.0).at_least(least)
+    }
+}

@@ -1,0 +1,348 @@
+//! A wheel whose section varies around, as a rail that is the same all along sees it.
+//!
+//! Seen along the rail, in the direction e, the wheel S(v, ψ) has the outline of those places at which e is tangent to its surface:
+//!
+//! ```text
+//! (S_v × S_ψ) · e = 0
+//! ```
+//!
+//! with v a row around the wheel and ψ the angle from straight below the axle, forward. A round wheel with the right section has the same outline, point by point
+//! with the same normal n: where n meets the axle lies the plane in which it goes through the point, and its slope is that of n against the axle. That wheel takes the place of the varying one at this
+//! pitch, roll and yaw. What is left is how far ahead of its contact line the varying wheel is met, and what the curvature along the rail is more than that of the
+//! round one,
+//!
+//! ```text
+//! κ = -n · (a² S_vv + 2 a b S_vψ + b² S_ψψ),   e = a S_v + b S_ψ
+//! ```
+//!
+//! The section at angle θ around the wheel, counted forward from where it faces the rail at pitch 0, is straight below at the pitch -θ.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::geometry::contact_line::WheelPose;
+use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::slices::Slices;
+use crate::geometry::varying_rail::Along;
+use crate::geometry::varying_rail::envelope::Envelope;
+use crate::geometry::varying_rail::surface::Surface;
+use crate::geometry::varying_rail::touch::Met;
+use crate::math::room::Room;
+
+/// Least share of a row's way across the outline: where the wheel stands more upright nothing is looked for.
+const LEAST_RATE: f64 = 0.1;
+/// Rows of which only one is looked through for the place that lies lowest.
+const STRIDE: usize = 4;
+/// Spacing at which it is looked through, along the running circle [m].
+const SCAN: f64 = 2e-3;
+/// Newton steps to the place on a row, the last of them, and the longest [rad].
+const MOST_STEPS: usize = 12;
+const LAST_STEP: f64 = 1e-10;
+const LONGEST_STEP: f64 = 0.04;
+/// Least bend of a row towards its lowest place, over that of a round wheel.
+const LEAST_BEND: f64 = 0.1;
+/// Sine of the angle from straight below up to which a round wheel is met.
+const MOST_SINE: f64 = 0.9;
+/// What a wheel whose outline moves reaches farther down over how far that moves: its steepest flank has 3:1.
+const STEEPEST: f64 = 4.0;
+
+/// What a round wheel in the place of a varying one leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BesideRound {
+    /// How far ahead of the contact line the wheel is met [m].
+    pub ahead: f64,
+    /// Curvature along the rail beyond that of the round wheel, but for what follows [1/m].
+    pub curvature: f64,
+    /// Share of the curvature across in the curvature along the rail beyond that of the round wheel [-].
+    pub share_across: f64,
+}
+
+/// A wheel whose section varies around.
+#[derive(Clone, Debug)]
+pub struct VaryingWheel {
+    surface: Surface,
+    radius: f64,
+    /// Middle of the angles that the slices cover [rad].
+    middle: f64,
+    /// How far to either side a row may be met because it is not round [rad].
+    reach: f64,
+    /// See [`farther_down`](Self::farther_down).
+    farther_down: f64,
+    envelope: Envelope,
+    met: Room<Met>,
+    knots: Room<Knot>,
+}
+
+/// The wheel as it stands to the rail.
+struct Stand {
+    /// Component of e along the axle, and across it.
+    along_axle: f64,
+    across_axle: f64,
+    /// Angle around the wheel straight below the axle, and the slice before it.
+    angle: f64,
+    slice: usize,
+}
+
+impl Stand {
+    /// Across the outline and down.
+    fn seen(&self, v: [f64; 3]) -> [f64; 2] {
+        [self.across_axle * v[0] - self.along_axle * v[1], v[2]]
+    }
+
+    /// Angle at which a round wheel of this `slope` is met [rad].
+    fn round(&self, slope: f64) -> f64 {
+        (slope * self.along_axle / self.across_axle).clamp(-MOST_SINE, MOST_SINE).asin()
+    }
+}
+
+/// A place of a row, in coordinates along the axle, forward and down.
+struct Place {
+    point: [f64; 3],
+    /// Derivatives by row and angle.
+    across: [f64; 3],
+    around: [f64; 3],
+    twist: [f64; 3],
+    bend: [f64; 3],
+    /// Distance from the axle, and slope of the section.
+    radius: f64,
+    slope: f64,
+}
+
+impl VaryingWheel {
+    /// The wheel of `slices` over the angle [rad], of a running circle with the radius `radius` [m].
+    #[must_use]
+    pub fn new(slices: &Slices, radius: f64) -> Self {
+        let [first, last] = slices.range();
+        // Upside down it is as a rail: rows go to the field side over a top.
+        let turned = |[y, z]: [f64; 2]| [y, -z];
+        let rows = slices.around().over_places(radius).rows(turned, turned);
+        let surface = Surface { rows, roller_radius: 0.0 };
+        let count = surface.count();
+        let [spread, farther] = extents(&surface);
+        Self {
+            radius,
+            middle: 0.5 * (first + last),
+            reach: (2.0 * spread / radius).sqrt(),
+            farther_down: STEEPEST * farther,
+            envelope: Envelope::new(count),
+            met: Room::new(count),
+            knots: Room::new(count),
+            surface,
+        }
+    }
+
+    /// Most knots of the section of the round wheel.
+    #[must_use]
+    pub fn most_knots(&self) -> usize {
+        self.surface.count()
+    }
+
+    /// How far any section reaches beyond the first one, at the same place across [m].
+    #[must_use]
+    pub fn farther_down(&self) -> f64 {
+        self.farther_down
+    }
+
+    /// Lays the section of the round wheel that takes the place of this one at `pose` and `pitch` [rad] into `curve`; allocates nothing within the room that it has. False
+    /// where there is none.
+    pub fn pass(&mut self, pose: &WheelPose, pitch: f64, curve: &mut Curve) -> bool {
+        let (sine, cosine) = pose.yaw.sin_cos();
+        let angle = self.middle + (-pitch - self.middle + PI).rem_euclid(TAU) - PI;
+        let slice = self.surface.within(self.radius * angle).slice;
+        // An axle along the track sees no outline: kept away from zero, the result stays finite.
+        let stand = Stand { along_axle: -sine, across_axle: cosine.max(1e-9), angle, slice };
+        self.met.clear();
+        let (mut before, mut looked) = (None, None);
+        for j in 0..self.surface.count() {
+            let looks = looked.is_none_or(|k: usize| j - k >= STRIDE);
+            let Some((here, deviation)) = self.meet(&stand, j, before, looks) else { continue };
+            if looks {
+                looked = Some(j);
+            }
+            before = deviation.or(before);
+            self.met.push(here);
+        }
+        if !self.envelope.lay(&self.surface, &self.met) {
+            return false;
+        }
+        self.knots.clear();
+        self.knots.extend(self.envelope.knots().iter().map(|knot| {
+            let turned = |[y, z]: [f64; 2]| [y, -z];
+            Knot { s: knot.s, point: turned(knot.point), tangent: turned(knot.tangent) }
+        }));
+        curve.put_through(&self.knots);
+        true
+    }
+
+    /// What the round wheel that was laid last leaves out at parameter `s` of its section.
+    #[must_use]
+    pub fn beside_round(&self, s: f64) -> BesideRound {
+        let Along { ahead, curvature, drift, .. } = self.envelope.along(s);
+        BesideRound { ahead, curvature, share_across: drift }
+    }
+
+    /// Row `j` as the rail sees it, and by how much its angle is not that of a round wheel, which it is about by as much as `before`; nothing where the row is not there.
+    fn meet(
+        &self,
+        stand: &Stand,
+        j: usize,
+        before: Option<f64>,
+        looks_through: bool,
+    ) -> Option<(Met, Option<f64>)> {
+        let run = self.surface.run(j, self.radius * stand.angle, stand.slice)?;
+        let below = self.place(stand, j, run, 0.0);
+        let round = stand.round(below.slope);
+        let mut psi = round + before.unwrap_or(0.0);
+        let mut here = self.place(stand, j, run, psi);
+        let [v, _] = stand.seen(here.across);
+        if v < LEAST_RATE * stand.seen(here.across)[1].abs().max(v.abs()) {
+            return Some((self.upright(j, &below), None));
+        }
+        if looks_through || before.is_none() {
+            psi = self.lowest(stand, j, run, round, &here);
+            here = self.place(stand, j, run, psi);
+        }
+        for _ in 0..MOST_STEPS {
+            let [v, p] = [here.across, here.around].map(|d| stand.seen(d));
+            let [vp, pp] = [here.twist, here.bend].map(|d| stand.seen(d));
+            // Falls where the outline is farthest out.
+            let least = -LEAST_BEND * here.radius * v[0];
+            let slope = (cross(vp, p) + cross(v, pp)).min(least);
+            let step = (-cross(v, p) / slope).clamp(-LONGEST_STEP, LONGEST_STEP);
+            psi += step;
+            here = self.place(stand, j, run, psi);
+            if step.abs() < LAST_STEP {
+                break;
+            }
+        }
+        Some((self.round_wheel(stand, j, &here), Some(psi - stand.round(here.slope))))
+    }
+
+    /// The row `j` where it stands upright and nothing touches: as it is straight below.
+    fn upright(&self, j: usize, below: &Place) -> Met {
+        Met {
+            row: j,
+            point: [below.point[0], self.radius - below.radius],
+            direction: [below.across[0], -below.across[2]],
+            ..Met::default()
+        }
+    }
+
+    /// The angle at which row `j` lies lowest, seen along the normal of the place `here` near the angle `round` [rad].
+    fn lowest(&self, stand: &Stand, j: usize, run: [usize; 2], round: f64, here: &Place) -> f64 {
+        let [ty, tz] = stand.seen(here.across);
+        let count = (self.reach * self.radius / SCAN).ceil() as i32;
+        let mut best = (f64::NEG_INFINITY, round);
+        for i in -count..=count {
+            let psi = round + self.reach * f64::from(i) / f64::from(count.max(1));
+            let [y, z] = stand.seen(self.place(stand, j, run, psi).point);
+            let depth = z * ty - y * tz;
+            if depth > best.0 {
+                best = (depth, psi);
+            }
+        }
+        best.1
+    }
+
+    /// The row `j` of the round wheel that is seen as the place `here`.
+    fn round_wheel(&self, stand: &Stand, j: usize, here: &Place) -> Met {
+        let Stand { along_axle: m, across_axle: c, .. } = *stand;
+        let [ty, tz] = stand.seen(here.across);
+        let size = ty.hypot(tz);
+        let [out, down] = [-tz / size, ty / size];
+        let normal = [c * out, -m * out, down];
+        let radial = normal[1].hypot(normal[2]);
+        let [sine, cosine] = [normal[1] / radial, normal[2] / radial];
+        let radius = here.point[2] / cosine;
+        let ahead = (here.point[1] - radius * sine) / c;
+        // e by the tangents of row and circle.
+        let [vv, vp, pp] = [
+            dot(here.across, here.across),
+            dot(here.across, here.around),
+            dot(here.around, here.around),
+        ];
+        let e = [m, c, 0.0];
+        let [ev, ep] = [here.across, here.around].map(|d| dot(e, d));
+        let inverse = 1.0 / (vv * pp - vp * vp);
+        let [a, b] = [(ev * pp - ep * vp) * inverse, (ep * vv - ev * vp) * inverse];
+        let curvature = -(2.0 * a * b * dot(normal, here.twist) + b * b * dot(normal, here.bend));
+        let around_round = radial / radius * (c * cosine) * (c * cosine);
+        let along = Along {
+            ahead,
+            curvature: curvature - around_round,
+            lean: 0.0,
+            drift: a * a * vv - (m / radial) * (m / radial),
+        };
+        Met {
+            row: j,
+            point: [here.point[0] - ahead * m, self.radius - radius],
+            direction: [radial, normal[0]],
+            x: ahead,
+            along,
+            ..Met::default()
+        }
+    }
+
+    /// Row `j` at the angle `psi` [rad] from straight below, on a `run` of slices.
+    fn place(&self, stand: &Stand, j: usize, run: [usize; 2], psi: f64) -> Place {
+        let r = self.radius;
+        let p = self.surface.at(j, run, r * (stand.angle + psi), stand.slice);
+        let (sine, cosine) = psi.sin_cos();
+        let radius = r - p.value[1];
+        let (by_row, by_angle) = (-p.value[3], -r * p.first[1]);
+        let (twist, bend) = (-r * p.first[3], -r * r * p.second[1]);
+        Place {
+            point: [p.value[0], radius * sine, radius * cosine],
+            across: [p.value[2], by_row * sine, by_row * cosine],
+            around: [
+                r * p.first[0],
+                by_angle * sine + radius * cosine,
+                by_angle * cosine - radius * sine,
+            ],
+            twist: [r * p.first[2], twist * sine + by_row * cosine, twist * cosine - by_row * sine],
+            bend: [
+                r * r * p.second[0],
+                (bend - radius) * sine + 2.0 * by_angle * cosine,
+                (bend - radius) * cosine - 2.0 * by_angle * sine,
+            ],
+            radius,
+            slope: by_row / p.value[2].max(LEAST_RATE * by_row.abs()),
+        }
+    }
+}
+
+/// Greatest difference of the heights of one row, and how far the sections lie from the first one, bulges of splines between slices included [m].
+fn extents(surface: &Surface) -> [f64; 2] {
+    let (rows, count) = (&surface.rows, surface.count());
+    let slices = rows.places.len();
+    let first = &rows.knots[..count];
+    let [mut spread, mut farther] = [0.0_f64; 2];
+    for j in 0..count {
+        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..slices {
+            let knot = &rows.knots[i * count + j];
+            if !knot.value[0].is_finite() {
+                continue;
+            }
+            let span = |i: usize| rows.places[i.min(slices - 1)] - rows.places[i.max(1) - 1];
+            for way in [0.0, -span(i) / 3.0, span(i + 1) / 3.0] {
+                let point = [0, 1].map(|c| knot.value[c] + way * knot.slope[c]);
+                (least, greatest) = (least.min(point[1]), greatest.max(point[1]));
+                let away = |other: [f64; 4]| (point[0] - other[0]).hypot(point[1] - other[1]);
+                let own = away(first[j].value);
+                // A row that is not on the first section is looked for beside it.
+                let nearest = || first.iter().map(|k| away(k.value)).fold(f64::INFINITY, f64::min);
+                farther = farther.max(if own.is_finite() { own } else { nearest() });
+            }
+        }
+        spread = spread.max(greatest - least);
+    }
+    [spread, farther]
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
