@@ -178,7 +178,7 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
     writeln!(
         page,
         "\nRandom cases of this run: seed {seed} (`WHEELRAIL_SEED`; another one in every run without it). From seed to seed the medians of random cases change by up to a \
-         third, their 95 %, above which ten of 200 lie, by up to a factor of four and their worst by any; the other tables do not change."
+         fifth, their 95 %, above which a hundred of 2000 lie, by up to a half and their worst by any factor; the other tables do not change."
     )
     .expect("a text");
     page
