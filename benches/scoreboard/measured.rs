@@ -22,9 +22,11 @@ const CROSSING: [&str; 5] = [
     "creep force [% of the limit]",
 ];
 const WHEEL: &str = "MBench_S1002_v3.prw";
+/// Speed of wheels with flats [m/s].
+const SPEED: f64 = 20.0;
 
 /// All families on such profiles.
-pub const FAMILIES: [Family; 4] = [
+pub const FAMILIES: [Family; 5] = [
     Family {
         title: "Crossing of an artificial nose between wing rails",
         source: "`tests/data/contact_25_1/crossings.csv`, cross+wing",
@@ -66,6 +68,23 @@ pub const FAMILIES: [Family; 4] = [
         is_random: false,
         needs_folder: true,
         solve: |setting, _| groove(setting),
+        others: none,
+    },
+    Family {
+        title: "Wheels with flats, sections around the wheel",
+        source: "`tests/data/contact_25_1/wheel_slices.csv`",
+        text: "A rounded flat 36 mm long on a round crown (d09) and S1002 with a measured flat and noise of some micrometres in its sections, each turned over its flat; given load. The reference is flat and \
+               smooths the measured sections by a method of its own.",
+        quantities: &[
+            "height of the wheel [um]",
+            "place along the rail [mm]",
+            "p_max [%]",
+            "area [%]",
+            "creep force [% of the limit]",
+        ],
+        is_random: false,
+        needs_folder: true,
+        solve: |setting, _| wheel_slices(setting),
         others: none,
     },
 ];
@@ -260,4 +279,92 @@ fn groove(setting: &Setting) -> Option<Vec<Case>> {
         Case { name: row[0].to_owned(), errors }
     };
     Some(table.rows.iter().map(of).collect())
+}
+
+/// How wheels with sections around them stand: nominal radius and lateral place, the rail's inclination and smoothing of both [m, m, rad, m].
+struct Stand {
+    radius: f64,
+    y: f64,
+    placement: Placement,
+    inclination: f64,
+    smoothing: f64,
+}
+
+fn stand(wheel: &str) -> Stand {
+    if wheel == "S1002_flat.slcw" {
+        let (radius, smoothing) = (0.49, 5e-3);
+        Stand { radius, y: 0.75, placement: Placement::Gauge, inclination: 0.02, smoothing }
+    } else {
+        let (radius, smoothing) = (0.45, 0.0);
+        Stand { radius, y: 0.0, placement: Placement::Origin, inclination: 0.0, smoothing }
+    }
+}
+
+fn wheel_slices(setting: &Setting) -> Option<Vec<Case>> {
+    let folders = folders()?;
+    // Boundary elements have no wheels that vary.
+    if setting.is_slow {
+        return None;
+    }
+    let table = read_table("contact_25_1/wheel_slices.csv");
+    let [rail, wheel] = ["rail", "wheel"].map(|name| column(&table, name));
+    let of = |rows: &[csv::StringRecord]| {
+        let stand = stand(&rows[0][wheel]);
+        let mut parameters = Parameters { vertical_mode: VerticalMode::Load, ..steel(setting) };
+        parameters.profile_smoothing = stand.smoothing;
+        parameters.wheel.profile = rows[0][wheel].into();
+        parameters.wheel.nominal_radius = stand.radius;
+        let place = &mut parameters.rails[0];
+        place.profile = rows[0][rail].into();
+        (place.placement, place.position) = (stand.placement, [0.0; 2]);
+        place.inclination = stand.inclination;
+        let mut input = Input::default();
+        input.wheel.position = [0.0, stand.y, -stand.radius];
+        let mut element =
+            Element::new(&parameters, &input, &folders).expect("profiles in the folder");
+        let case = |row: &csv::StringRecord| {
+            on_flat(&mut element, &input, stand.radius, |name| value(&table, row, name), &row[0])
+        };
+        rows.iter().map(case).collect::<Vec<_>>()
+    };
+    Some(table.rows.chunk_by(|a, b| a[wheel] == b[wheel]).flat_map(of).collect())
+}
+
+fn on_flat(
+    element: &mut Element,
+    input: &Input,
+    radius: f64,
+    v: impl Fn(&str) -> f64,
+    name: &str,
+) -> Case {
+    let mut input = Input { wheel_load: v("load_n"), ..*input };
+    (input.wheel.pitch, input.wheel.pitch_rate) = (v("pitch_rad"), v("pitch_rate_rad_s"));
+    input.wheel.velocity[0] = SPEED;
+    let output = evaluate(element, &input);
+    let patches = &output.patches[..output.patch_count as usize];
+    let [mut load, mut along, mut area, mut pressure] = [0.0; 4];
+    let mut creep = [0.0; 3];
+    let mut add = |[x, across]: [f64; 2], angle: f64| {
+        for (sum, part) in creep.iter_mut().zip([x, across * angle.cos(), across * angle.sin()]) {
+            *sum += part;
+        }
+    };
+    for patch in patches {
+        load += patch.normal_force;
+        along += patch.normal_force * patch.position[0];
+        area += patch.area;
+        pressure = patch.max_pressure.max(pressure);
+        add(patch.creep_force, patch.contact_angle);
+    }
+    // The reference's is that on the rail.
+    add([v("Fx_N"), v("Fs_N")], v("angle_rad"));
+    let missed = creep.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let errors = vec![
+        1e6 * (output.wheel_z + radius - 1e-3 * v("z_ws_mm")),
+        1e3 * along / load - v("x_mm"),
+        100.0 * (1e-6 * pressure / v("pmax_MPa") - 1.0),
+        100.0 * (1e6 * area / v("area_mm2") - 1.0),
+        100.0 * missed / (0.3 * v("N_N")),
+    ];
+    Case { name: name.to_owned(), errors }
 }
