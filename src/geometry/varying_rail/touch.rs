@@ -11,11 +11,11 @@ use crate::math::real::Real;
 /// Distance of rows over which their places and those of the wheel opposite go on as before [m].
 pub(super) const CLOSE: f64 = 3e-3;
 /// Steps to the place along a row, the last of them, and the longest [m].
-const MOST_STEPS: usize = 10;
+const MOST_STEPS: usize = 20;
 /// What is left of it is of the order of its square over the distance of slices: less than rounding.
 const LAST_STEP: f64 = 1e-10;
-/// From a step as short as this on the slope is that of its chord; over longer ones, which may pass a place where slices bend, the one at hand is safer [m].
-const CHORD: f64 = 1e-5;
+/// Least slope of a chord over that at hand: one across a place where slices bend may have any.
+const LEAST_OF_BEND: f64 = 0.5;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
@@ -143,7 +143,7 @@ impl Touch<'_> {
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
         let mut met = State::new(over, &p, x, &opposite);
-        // About the slope; that of a short chord is exact.
+        // The slope of the chord goes beyond what is about the slope.
         let mut slope = met.bend;
         for _ in 0..MOST_STEPS {
             let step = (-met.g / slope.max(0.1 / over.nominal_radius()))
@@ -161,7 +161,7 @@ impl Touch<'_> {
             if moved.abs() < LAST_STEP {
                 break;
             }
-            slope = if moved.abs() < CHORD { (met.g - before) / moved } else { met.bend };
+            slope = ((met.g - before) / moved).max(LEAST_OF_BEND * met.bend);
         }
         Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
     }

@@ -20,9 +20,9 @@ pub(super) const MOST_STEPS: u64 = 40;
 /// First steps, in which nodes that are ahead of each other are taken as if side by side, at a third of the cost: what that leaves out is less than what is left to
 /// be found.
 const FIRST_STEPS: u64 = 2;
-/// What the next step may still change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: steps get shorter at a growing
-/// rate, so that it is less than the last change times its ratio to the one before.
-const LEFT: f64 = 1e-7;
+/// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
+/// squares, which a search for a given load does not feel.
+const LAST_CHANGE: f64 = 1e-6;
 /// Greatest fall in one step of z, and rise where there is no load, over itself or the load per width in the middle of the ellipse, whichever is greater; and greatest
 /// change of χ: less than where the equations have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
@@ -161,17 +161,16 @@ impl Newton {
         self.measure(grid, &scales);
         self.start(grid, &scales);
         let is_skewed = grid.is_skewed();
-        let (mut settled, mut last) = (false, 0.0);
+        let mut settled = false;
         for step in 0..MOST_STEPS {
             self.steps += 1;
             let is_first = is_skewed && step < FIRST_STEPS;
             self.linearise(grid, &scales, is_skewed && !is_first);
             let Some(change) = self.step(grid, &scales) else { break };
-            settled = !is_first && change * (change / last).min(1.0) <= LEFT;
+            settled = !is_first && change <= LAST_CHANGE;
             if settled {
                 break;
             }
-            last = change;
         }
         self.place(grid, &scales);
         settled
