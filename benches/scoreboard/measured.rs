@@ -116,6 +116,20 @@ fn centre(loads: &[[f64; 2]]) -> f64 {
         / loads.iter().map(|[load, _]| load).sum::<f64>()
 }
 
+/// What the sum of the creep forces on the wheel and of those `on_rail`, each with the angle of its plane, is off balance [N].
+fn missed_creep(output: &Output, on_rail: impl IntoIterator<Item = ([f64; 2], f64)>) -> f64 {
+    let patches = &output.patches[..output.patch_count as usize];
+    let own = patches.iter().map(|p| (p.creep_force, p.contact_angle));
+    let mut missed = [0.0_f64; 3];
+    for ([x, across], angle) in own.chain(on_rail) {
+        let (sine, cosine) = angle.sin_cos();
+        for (sum, part) in missed.iter_mut().zip([x, across * cosine, across * sine]) {
+            *sum += part;
+        }
+    }
+    missed.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 fn crossings(setting: &Setting, rails: &[&str]) -> Option<Vec<Case>> {
     let folders = folders()?;
     // Boundary elements have no rails that vary.
@@ -173,28 +187,16 @@ fn on_crossing(element: &mut Element, table: &Table, row: &csv::StringRecord) ->
         let all: f64 = loads.iter().map(|[load, _]| load).sum();
         loads.iter().filter(|[_, y]| near(*y)).map(|[load, _]| load).sum::<f64>() / all
     };
-    let mut missed = [0.0; 3];
-    let mut add = |force: [f64; 2], angle: f64| {
-        let (sine, cosine) = angle.sin_cos();
-        let [x, across] = force;
-        for (sum, part) in missed.iter_mut().zip([x, across * cosine, across * sine]) {
-            *sum += part;
-        }
-    };
-    for patch in &output.patches[..output.patch_count as usize] {
-        add(patch.creep_force, patch.contact_angle);
-    }
     // The reference's are those on the rail.
-    for &k in &patches {
-        add([of(k, "Fx_N"), of(k, "Fs_N")], of(k, "angle_rad"));
-    }
+    let on_rail = patches.iter().map(|&k| ([of(k, "Fx_N"), of(k, "Fs_N")], of(k, "angle_rad")));
+    let missed = missed_creep(&output, on_rail);
     let limit: f64 = patches.iter().map(|&k| 0.3 * of(k, "N_N")).sum();
     let errors = vec![
         1e6 * (output.wheel_z + 0.46 - 1e-3 * v("z_ws_mm")),
         100.0 * (1e-6 * pressure / most - 1.0),
         1e3 * (middle - centre(&expected)),
         100.0 * (share(&own) - share(&expected)),
-        100.0 * missed.iter().map(|x| x * x).sum::<f64>().sqrt() / limit,
+        100.0 * missed / limit,
     ];
     Case { name: row[0].to_owned(), errors }
 }
@@ -342,23 +344,12 @@ fn on_flat(
     input.wheel.velocity[0] = SPEED;
     let output = evaluate(element, &input);
     let patches = &output.patches[..output.patch_count as usize];
-    let [mut load, mut along, mut area, mut pressure] = [0.0; 4];
-    let mut creep = [0.0; 3];
-    let mut add = |[x, across]: [f64; 2], angle: f64| {
-        for (sum, part) in creep.iter_mut().zip([x, across * angle.cos(), across * angle.sin()]) {
-            *sum += part;
-        }
-    };
-    for patch in patches {
-        load += patch.normal_force;
-        along += patch.normal_force * patch.position[0];
-        area += patch.area;
-        pressure = patch.max_pressure.max(pressure);
-        add(patch.creep_force, patch.contact_angle);
-    }
-    // The reference's is that on the rail.
-    add([v("Fx_N"), v("Fs_N")], v("angle_rad"));
-    let missed = creep.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let (pressure, ..) = loads(&output);
+    let load: f64 = patches.iter().map(|p| p.normal_force).sum();
+    let along: f64 = patches.iter().map(|p| p.normal_force * p.position[0]).sum();
+    let area: f64 = patches.iter().map(|p| p.area).sum();
+    let on_rail = ([v("Fx_N"), v("Fs_N")], v("angle_rad"));
+    let missed = missed_creep(&output, [on_rail]);
     let errors = vec![
         1e6 * (output.wheel_z + radius - 1e-3 * v("z_ws_mm")),
         1e3 * along / load - v("x_mm"),

@@ -93,11 +93,11 @@ impl RailContact {
         input: &Input<T>,
         laid: Option<&mut MovingOutline<T>>,
     ) {
-        let Some(laid) = laid.filter(|_| self.rail.variation().is_some()) else { return };
+        let Some((laid, varying)) = laid.zip(self.rail.variation()) else { return };
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let station = self.rail.station(input.track_s, input.wheel.position[0]);
-        self.rail.move_with(&line, &pose, station, laid);
+        varying.move_with(&line, &pose, station, laid);
     }
 
     /// As [`move_along`](Self::move_along), after the search.
@@ -132,7 +132,8 @@ impl RailContact {
                 frame: &frame,
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
-                varying: Some((outline, input.wheel.velocity[0])),
+                rail: outline,
+                forward: input.wheel.velocity[0],
                 around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {

@@ -250,7 +250,8 @@ pub fn add<'a>(
         frame,
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
-        varying: Some((*rail, speeds[0])),
+        rail: *rail,
+        forward: speeds[0],
         around: Some(line).filter(|line| line.varies_around()),
     };
     for zone in 0..models.rail_strips.zones.len() {

@@ -23,8 +23,9 @@ pub struct StripDamping<'a, T: Real = f64> {
     pub whole: [T; 2],
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
-    /// The section of the rail as it varies along the track, and the forward speed [m/s].
-    pub varying: Option<(RailOutline<'a, T>, T)>,
+    /// The outline of the rail, on which a wheel climbs where that varies along the track, and its forward speed [m/s].
+    pub rail: RailOutline<'a, T>,
+    pub forward: T,
     /// The contact line of a wheel whose section varies around.
     pub around: Option<&'a ContactLine<'a, T>>,
 }
@@ -49,8 +50,7 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.closing_velocity(touch).dot(&along);
-        let lean = self.varying.and_then(|(rail, forward)| Some(forward * rail.along(y)?.lean));
-        let even = lean.map_or(even, |climbing| even + climbing);
+        let even = self.rail.along(y).map_or(even, |along| even + self.forward * along.lean);
         let even = self.around.map_or(even, |line| {
             even + self.motion.turning_velocity(line.ahead_of_round(u)).dot(&along)
         });

@@ -176,9 +176,7 @@ impl Parameters {
         }
         Ok(())
     }
-}
 
-impl Parameters {
     /// Whether the models go with a wheel whose section varies around as `slices` say; `rail_varies` if the section of a rail varies too.
     pub(super) fn check_around(
         &self,

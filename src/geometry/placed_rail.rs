@@ -4,7 +4,7 @@ use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::profile::Profile;
 use crate::geometry::slices::Slices;
-use crate::geometry::varying_rail::{MovingOutline, VaryingRail};
+use crate::geometry::varying_rail::VaryingRail;
 use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
@@ -278,20 +278,6 @@ impl PlacedRail {
         coarse.clear();
         coarse.extend(coarse_points(curve));
         is_there
-    }
-
-    /// Lays the outline that [`pass`](Self::pass) has laid last into `outline`, as it moves with the wheel of `line` at `pose` above `station` [m]; nothing for a rail that does not
-    /// vary.
-    pub fn move_with<T: Real>(
-        &self,
-        line: &ContactLine<T>,
-        pose: &WheelPose<T>,
-        station: T,
-        outline: &mut MovingOutline<T>,
-    ) {
-        if let Some(varying) = &self.varying {
-            varying.move_with(line, pose, station, outline);
-        }
     }
 
     /// Lateral coordinate on the rail profile as given, before inclination, of a `point` in the frame of the marker [m].

@@ -1,6 +1,8 @@
 //! Vectors of three components.
 
-use wheelrail::element::Output;
+use wheelrail::element::{Element, Input, Output};
+
+use super::wheel::{evaluate, mirrored};
 
 /// a × b.
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -25,21 +27,23 @@ pub fn assert_close(found: [f64; 3], expected: [f64; 3], allowed: f64, what: &st
     }
 }
 
-/// Fails where forces and moments on the wheel at `position` and on rail 1 with its marker at `marker` are not each other's reactions, or those of the left wheel,
-/// `mirrored`, not their mirror image; within a `share` of the greatest force, and of that at an arm of a metre.
+/// Fails where forces and moments on the `right` wheel of an `input` and on rail 1 with its marker at `marker` are not each other's reactions, or those of the `left` one not
+/// their mirror image; within a `share` of the greatest force, and of that at an arm of a metre. Returns what the right wheel has.
 pub fn assert_balanced(
-    output: &Output,
-    mirrored: &Output,
-    [position, marker]: [[f64; 3]; 2],
+    [right, left]: [&mut Element; 2],
+    input: &Input,
+    marker: [f64; 3],
     share: f64,
-) {
+) -> Output {
+    let (output, image) = (evaluate(right, input), evaluate(left, &mirrored(input)));
     let (wheel, rail) = (output.wheel, output.rails[0]);
     let allowed = share * wheel.force.iter().fold(1.0_f64, |most, f| most.max(f.abs()));
     assert_close(wheel.force, rail.force.map(|f| -f), allowed, "reaction");
-    let [fx, fy, fz] = mirrored.wheel.force;
+    let [fx, fy, fz] = image.wheel.force;
     assert_close(wheel.force, [fx, -fy, fz], allowed, "mirror");
     // About the origin of the track: every force acts on both bodies at the same point.
-    let on_wheel = add(wheel.moment, cross(position, wheel.force));
+    let on_wheel = add(wheel.moment, cross(input.wheel.position, wheel.force));
     let on_rail = add(rail.moment, cross(marker, rail.force));
     assert_close(on_wheel, on_rail.map(|m| -m), allowed, "moment");
+    output
 }

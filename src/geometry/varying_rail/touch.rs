@@ -14,7 +14,8 @@ pub(super) const CLOSE: f64 = 3e-3;
 const MOST_STEPS: usize = 20;
 /// What is left of it is of the order of its square over the distance of slices: less than rounding.
 const LAST_STEP: f64 = 1e-10;
-/// Least slope of a chord over that at hand: one across a place where slices bend may have any.
+/// Least slope of a chord over that at hand: one across a place where slices bend may have any, and a step by less than half of the slope ends farther from the place
+/// than it began.
 const LEAST_OF_BEND: f64 = 0.5;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].

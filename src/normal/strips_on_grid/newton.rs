@@ -17,8 +17,8 @@ use crate::math::room::Room;
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
-/// First steps, in which nodes that are ahead of each other are taken as if side by side, at a third of the cost: what that leaves out is less than what is left to
-/// be found.
+/// First steps, in which nodes that a yawed wheel has ahead of each other are taken as if side by side, with two influences for a pair instead of three: the steps after
+/// them find what that leaves out.
 const FIRST_STEPS: u64 = 2;
 /// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
 /// squares, which a search for a given load does not feel.
