@@ -14,9 +14,6 @@ pub(super) const CLOSE: f64 = 3e-3;
 const MOST_STEPS: usize = 20;
 /// What is left of it is of the order of its square over the distance of slices: less than rounding.
 const LAST_STEP: f64 = 1e-10;
-/// Least slope of a chord over that at hand: one across a place where slices bend may have any, and a step by less than half of the slope ends farther from the place
-/// than it began.
-const LEAST_OF_BEND: f64 = 0.5;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
@@ -144,17 +141,22 @@ impl Touch<'_> {
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
         let mut met = State::new(over, &p, x, &opposite);
-        // The slope of the chord goes beyond what is about the slope.
+        // The slope of the chord goes beyond what is about the slope; but one across a place where slices bend may have any.
         let mut slope = met.bend;
+        let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
         for _ in 0..MOST_STEPS {
+            let side = if met.g < 0.0 { &mut behind } else { &mut ahead };
+            *side = x;
             let step = (-met.g / slope.max(0.1 / over.nominal_radius()))
                 .clamp(-LONGEST_STEP, LONGEST_STEP);
-            let next = (x + step).clamp(from, to);
-            let moved = next - x;
+            // The place is where the slope rises through zero, between the last two places with either sign.
+            let is_between = (behind..=ahead).contains(&(x + step));
+            let next = if is_between { x + step } else { 0.5 * (behind + ahead) };
+            let moved = next.clamp(from, to) - x;
             if moved == 0.0 {
                 break;
             }
-            x = next;
+            x += moved;
             p = at(x);
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
             let before = met.g;
@@ -162,7 +164,8 @@ impl Touch<'_> {
             if moved.abs() < LAST_STEP {
                 break;
             }
-            slope = ((met.g - before) / moved).max(LEAST_OF_BEND * met.bend);
+            let chord = (met.g - before) / moved;
+            slope = if chord > 0.0 { chord } else { met.bend };
         }
         Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
     }
