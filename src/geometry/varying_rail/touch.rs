@@ -141,18 +141,19 @@ impl Touch<'_> {
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
         let mut met = State::new(over, &p, x, &opposite);
-        // The slope of the chord goes beyond what is about the slope; but one across a place where slices bend may have any.
-        let mut slope = met.bend;
+        // A chord tells more than what is about the slope, but one across a place where slices bend may lead beyond where the slope has the other sign.
         let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut chord = 0.0;
         for _ in 0..MOST_STEPS {
             let side = if met.g < 0.0 { &mut behind } else { &mut ahead };
             *side = x;
-            let step = (-met.g / slope.max(0.1 / over.nominal_radius()))
-                .clamp(-LONGEST_STEP, LONGEST_STEP);
-            // The place is where the slope rises through zero, between the last two places with either sign.
-            let is_between = (behind..=ahead).contains(&(x + step));
-            let next = if is_between { x + step } else { 0.5 * (behind + ahead) };
-            let moved = next.clamp(from, to) - x;
+            let towards = |slope: f64| {
+                let step = -met.g / slope.max(0.1 / over.nominal_radius());
+                x + step.clamp(-LONGEST_STEP, LONGEST_STEP)
+            };
+            let by_chord =
+                Some(towards(chord)).filter(|next| chord > 0.0 && (behind..=ahead).contains(next));
+            let moved = by_chord.unwrap_or_else(|| towards(met.bend)).clamp(from, to) - x;
             if moved == 0.0 {
                 break;
             }
@@ -164,8 +165,7 @@ impl Touch<'_> {
             if moved.abs() < LAST_STEP {
                 break;
             }
-            let chord = (met.g - before) / moved;
-            slope = if chord > 0.0 { chord } else { met.bend };
+            chord = (met.g - before) / moved;
         }
         Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
     }
