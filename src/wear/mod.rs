@@ -15,11 +15,13 @@
 //! [`laws`] has the laws, [`distribution`] how the wear of a patch is spread, [`worn_arc`] the sums along a profile,
 //! [`update`] the new profile (`smoothing` of the sums, `section` of the unworn body), [`depth`] the depth between two profiles at hand, [`rcf`] the fatigue numbers. What belongs to a wheel on its rails is in `element`.
 
+mod body;
 pub mod depth;
 pub mod distribution;
 pub mod laws;
 pub mod parameters;
 pub mod rcf;
+mod scratch;
 mod section;
 mod smoothing;
 pub mod update;

@@ -1,6 +1,6 @@
 //! Guiding forces and wheel loads, by which vehicles are approved (EN 14363: Y, Q, Y/Q and the sum of Y).
 
-use super::{LEFT, RIGHT};
+use super::sides::{LEFT, RIGHT};
 use crate::math::real::Real;
 
 /// Forces between one wheel and its rails.
