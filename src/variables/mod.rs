@@ -170,6 +170,7 @@ impl Unit {
 /// A name that no variable has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no variable \"{name}\"; the nearest name is {nearest}")]
+#[non_exhaustive]
 pub struct UnknownVariable {
     /// The name asked for.
     pub name: String,

@@ -26,6 +26,7 @@ const MOST_DEPTH: f64 = 0.01;
 const MOST_OF_RADIUS: f64 = 0.5;
 /// What an update has found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct UpdateReport {
     /// Volume between the unworn and the new curve [m³].
     pub volume: f64,

@@ -62,6 +62,7 @@ pub struct Wheelset {
 
 /// Heights of first touch for a starting input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct NominalHeights {
     /// Height of the centre at which the first of the wheels touches; the starting height where both stand beside the rails [m].
     pub wheelset_z: f64,
