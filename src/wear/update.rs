@@ -24,6 +24,7 @@ use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
 const MOST_DEPTH: f64 = 0.01;
 const MOST_OF_RADIUS: f64 = 0.5;
+
 /// What an update has found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]

@@ -9,6 +9,7 @@ use crate::wheelset::record::{Patch, Record, SIDES};
 
 /// Patches of each wheel that get columns of their own, heaviest first.
 const LISTED_PATCHES: usize = 3;
+
 /// Writes `records` as a table with units in the header.
 ///
 /// # Errors

@@ -3,8 +3,8 @@
 mod arguments;
 mod fmu_wheel;
 mod history;
+mod integration;
 mod report;
-mod run;
 
 use std::io::{Write, stdout};
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use wheelrail::element::output::Wrench;
 
 pub use arguments::Arguments;
 use fmu_wheel::FmuWheel;
-use run::integrate;
+use integration::integrate;
 
 use crate::figures;
 use crate::importer::Fmu;
@@ -23,6 +23,7 @@ use crate::wheelset::{Moment, Wheelset};
 
 /// Steps below are not proposed: a second would take millions of them [s].
 const SHORTEST_STEP: f64 = 1e-6;
+
 /// Runs the simulation, writes the files and prints what there is to know.
 ///
 /// # Errors

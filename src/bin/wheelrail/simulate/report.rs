@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::arguments::Arguments;
-use super::run::Run;
+use super::integration::Run;
 use crate::wheelset::body::State;
 use crate::wheelset::oscillation::oscillation;
 use crate::wheelset::record::{Patch, Record, SIDES};
