@@ -95,20 +95,25 @@
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
 //! dependencies. As a library: `default-features = false`.
 
-pub mod boundary_element;
 pub mod conicity;
 pub mod element;
 pub mod error;
 pub mod fmi;
-pub mod friction;
+mod friction;
 pub mod geometry;
 pub mod io;
-pub mod kinematics;
 pub mod material;
-pub mod math;
 pub mod normal;
 pub mod planar;
 pub mod tangential;
 pub mod variables;
 pub mod wear;
 pub mod wheelset;
+
+// Not part of the interface: for the tests and benchmarks of the crate.
+#[doc(hidden)]
+pub mod boundary_element;
+#[doc(hidden)]
+pub mod kinematics;
+#[doc(hidden)]
+pub mod math;

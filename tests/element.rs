@@ -6,8 +6,8 @@ mod tolerance;
 use common::random::Random;
 use common::vectors::{add, assert_close, cross, dot};
 use common::wheel::{
-    element, evaluate, mirrored, plain_parameters, pressed, rail_marker, random_input, rolling,
-    the_patch,
+    element, evaluate, mirrored, plain_parameters, pressed, rail_marker, random_input, reversed,
+    rolling, the_patch,
 };
 use wheelrail::element::output::Wrench;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, Side, TangentialModel};
@@ -210,22 +210,6 @@ fn assert_mirrored_sides(parameters: &Parameters) {
             same(l.max_pressure, r.max_pressure);
         }
     }
-}
-
-/// The same motion seen in a mirror across the track.
-fn reversed(input: &Input) -> Input {
-    let mut back = *input;
-    let wheel = &mut back.wheel;
-    for value in [
-        &mut wheel.position[0],
-        &mut wheel.velocity[0],
-        &mut wheel.yaw,
-        &mut wheel.yaw_rate,
-        &mut wheel.pitch_rate,
-    ] {
-        *value = -*value;
-    }
-    back
 }
 
 /// Wheel and rail turned together about the marker of the rail, motions and all.

@@ -11,7 +11,7 @@ use std::ptr::null_mut;
 
 use host::{Arguments, Host};
 use wheelrail::element::parameters::{Foundation, FoundationModel};
-use wheelrail::fmi::v2::types::{MODEL_EXCHANGE, Status, ValueReference};
+use wheelrail::fmi::v2::types::{MODEL_EXCHANGE, Status};
 use wheelrail::fmi::v2::*;
 use wheelrail::variables::{Kind, WHEEL, WHEELSET, WheelsetValues};
 use wheelrail::wheelset::{Parameters, Wheelset};
@@ -42,22 +42,6 @@ fn outputs(host: &Host) -> Vec<u64> {
     values.iter().map(|v| v.to_bits()).collect()
 }
 
-fn set_derivatives(host: &Host, values: &[(&str, i32, f64)]) -> Status {
-    let references: Vec<ValueReference> =
-        values.iter().map(|(name, ..)| host.reference(name)).collect();
-    let (orders, values): (Vec<i32>, Vec<f64>) = values.iter().map(|&(_, o, v)| (o, v)).unzip();
-    // SAFETY: FMI 2.0, 4.2.1: all arrays hold as many elements as the count says.
-    unsafe {
-        fmi2SetRealInputDerivatives(
-            host.component,
-            references.as_ptr(),
-            references.len(),
-            orders.as_ptr(),
-            values.as_ptr(),
-        )
-    }
-}
-
 /// A wheelset that goes down and up again, its velocity the derivative of its height; all outputs after each step.
 fn run(host: &Host, steps: std::ops::Range<u32>) -> Vec<Vec<u64>> {
     let one = |i: u32| {
@@ -65,7 +49,7 @@ fn run(host: &Host, steps: std::ops::Range<u32>) -> Vec<Vec<u64>> {
         let (height, rate) = (-0.4587 + 1e-4 * (0.7 * f64::from(i)).sin(), 0.05);
         let inputs = [("wheelset.z", height), ("wheelset.vz", rate)];
         assert_eq!(host.set_reals(&inputs), Status::Ok, "{}", host.last());
-        assert_eq!(set_derivatives(host, &[("wheelset.z", 1, rate)]), Status::Ok);
+        assert_eq!(host.set_input_derivatives(&[("wheelset.z", 1, rate)]), Status::Ok);
         assert_eq!(host.step(time, 1e-3), Status::Ok, "{}", host.last());
         outputs(host)
     };
@@ -89,7 +73,7 @@ fn steps_move_the_rails_in_parts_along_the_way_of_the_inputs() {
     let (speed, more) = (0.1, 20.0);
     let derivatives = [("wheelset.z", 1, speed), ("wheelset.z", 2, more), ("wheelset.vz", 1, more)];
     assert_eq!(host.set_reals(&[("wheelset.vz", speed)]), Status::Ok);
-    assert_eq!(set_derivatives(&host, &derivatives), Status::Ok);
+    assert_eq!(host.set_input_derivatives(&derivatives), Status::Ok);
     let step = 9.5e-4;
     assert_eq!(host.step(0.0, step), Status::Ok, "{}", host.last());
     let mut input = values.input;
@@ -158,7 +142,7 @@ fn a_step_that_is_refused_leaves_rails_and_inputs() {
     let before = outputs(&host);
     assert_eq!(host.set_reals(&[("right.friction.coefficient", 0.3)]), Status::Ok);
     let falling = [("right.friction.coefficient", 1, -1e3)];
-    assert_eq!(set_derivatives(&host, &falling), Status::Ok);
+    assert_eq!(host.set_input_derivatives(&falling), Status::Ok);
     assert_eq!(host.step(2e-3, 1e-3), Status::Error);
     assert!(host.last().contains("right.friction.coefficient = -"), "{}", host.last());
     assert_eq!(outputs(&host), before);

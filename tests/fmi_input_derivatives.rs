@@ -5,18 +5,9 @@ mod host;
 
 use std::ptr::null_mut;
 
-use host::{Host, reference};
+use host::Host;
 use wheelrail::fmi::v2::types::Status;
 use wheelrail::fmi::v2::*;
-
-fn derivatives(host: &Host, values: &[(&str, i32, f64)]) -> Status {
-    let references: Vec<u32> = values.iter().map(|v| reference(v.0)).collect();
-    let orders: Vec<i32> = values.iter().map(|v| v.1).collect();
-    let numbers: Vec<f64> = values.iter().map(|v| v.2).collect();
-    let (r, o, n) = (references.as_ptr(), orders.as_ptr(), numbers.as_ptr());
-    // SAFETY: FMI 2.0, 4.2.1: all arrays hold as many elements as the count says.
-    unsafe { fmi2SetRealInputDerivatives(host.component, r, values.len(), o, n) }
-}
 
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-15
@@ -30,7 +21,7 @@ fn outputs_after_a_step_belong_to_inputs_at_its_end() {
     }
     let set =
         [("wheel.y", 1, 2.0), ("wheel.y", 2, 30.0), ("wheel.y", 3, 600.0), ("wheel.z", 1, 0.01)];
-    assert_eq!(derivatives(&host, &set), Status::Ok, "{}", host.last());
+    assert_eq!(host.set_input_derivatives(&set), Status::Ok, "{}", host.last());
     assert_eq!(host.step(0.0, 1e-3), Status::Ok);
     let y = host.get_real("wheel.y");
     assert!(close(y, 0.75 + 2e-3 + 15e-6 + 100e-9), "{y}");
@@ -47,7 +38,7 @@ fn outputs_after_a_step_belong_to_inputs_at_its_end() {
 #[test]
 fn derivatives_are_part_of_the_state() {
     let host = Host::stepping();
-    assert_eq!(derivatives(&host, &[("wheel.y", 1, 1.0)]), Status::Ok);
+    assert_eq!(host.set_input_derivatives(&[("wheel.y", 1, 1.0)]), Status::Ok);
     let mut state = null_mut();
     // SAFETY: FMI 2.0, 2.1.8: a pointer to one state pointer.
     assert_eq!(unsafe { fmi2GetFMUstate(host.component, &raw mut state) }, Status::Ok);
@@ -70,13 +61,13 @@ fn what_is_refused_names_itself_and_changes_nothing() {
         (("wheel.z", 4, 1.0), "order = 4"),
         (("wheel.z", 2, f64::NAN), "derivative 2 of wheel.z = NaN"),
     ] {
-        assert_eq!(derivatives(&host, &[good, bad]), Status::Error);
+        assert_eq!(host.set_input_derivatives(&[good, bad]), Status::Error);
         assert!(host.last().contains(words), "{}", host.last());
     }
     assert_eq!(host.step(0.0, 1e-3), Status::Ok);
     assert_eq!(host.get_real("wheel.y").to_bits(), 0.75_f64.to_bits());
     // An input that leaves its range on the way.
-    assert_eq!(derivatives(&host, &[good, ("friction.coefficient", 1, -1e3)]), Status::Ok);
+    assert_eq!(host.set_input_derivatives(&[good, ("friction.coefficient", 1, -1e3)]), Status::Ok);
     assert_eq!(host.step(1e-3, 1e-3), Status::Error);
     assert!(host.last().contains("friction.coefficient = -0.7"), "{}", host.last());
     assert_eq!(host.get_real("wheel.y").to_bits(), 0.75_f64.to_bits());

@@ -188,29 +188,15 @@ fn input_derivatives_move_the_wheelset_over_the_step() {
     for h in [&host, &other] {
         assert_eq!(h.set_reals(&PRESSED), Status::Ok);
     }
-    let derivatives = |references: &[ValueReference], values: &[f64]| {
-        let orders = vec![1; values.len()];
-        // SAFETY: FMI 2.0, 4.2.1: all arrays hold as many elements as the count says.
-        unsafe {
-            fmi2SetRealInputDerivatives(
-                host.component,
-                references.as_ptr(),
-                references.len(),
-                orders.as_ptr(),
-                values.as_ptr(),
-            )
-        }
-    };
-    let references = ["wheelset.y", "left.rail[1].z"].map(|name| host.reference(name));
-    assert_eq!(derivatives(&references, &[2.0, -0.01]), Status::Ok, "{}", host.last());
+    let rates = [("wheelset.y", 1, 2.0), ("left.rail[1].z", 1, -0.01)];
+    assert_eq!(host.set_input_derivatives(&rates), Status::Ok, "{}", host.last());
     assert_eq!(host.step(0.0, 1e-3), Status::Ok);
     assert!((host.get_real("wheelset.y") - 3e-3).abs() < 1e-15);
     for name in ["wheelset.y", "left.rail[1].z"] {
         assert_eq!(other.set_reals(&[(name, host.get_real(name))]), Status::Ok);
     }
     assert_eq!(outputs(&host), outputs(&other));
-    let force = [host.reference("wheelset.force.y")];
-    assert_eq!(derivatives(&force, &[1.0]), Status::Error);
+    assert_eq!(host.set_input_derivatives(&[("wheelset.force.y", 1, 1.0)]), Status::Error);
     assert!(host.last().contains("wheelset.force.y is no input"), "{}", host.last());
 }
 

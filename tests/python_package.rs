@@ -44,10 +44,9 @@ fn wheel() -> &'static Path {
     })
 }
 
-/// Runs pytest in an environment with the requirements and the wheel, and no Rust in its path.
-fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
-    let python = python::environment(name, requirements);
-    let mut command = Command::new(&python);
+/// Installs the wheel in an environment, without what it requires.
+fn install_wheel(python: &Path) {
+    let mut command = Command::new(python);
     command.args([
         "-m",
         "pip",
@@ -58,6 +57,12 @@ fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
         "--no-deps",
     ]);
     run(command.arg(wheel()), "installing the wheel");
+}
+
+/// Runs pytest in an environment with the requirements and the wheel, and no Rust in its path.
+fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
+    let python = python::environment(name, requirements);
+    install_wheel(&python);
     let mut command = Command::new(&python);
     run(command.args(["-m", "twine", "check", "--strict"]).arg(wheel()), "twine check");
     let mut command = Command::new(&python);
@@ -73,17 +78,7 @@ fn pytest(name: &str, requirements: &str, arguments: &[&str]) {
 #[ignore = "builds the Python package"]
 fn the_wheel_works_where_there_is_nothing_but_numpy() {
     let python = python::environment("bare-venv", "python/tests/bare_requirements.txt");
-    let mut command = Command::new(&python);
-    command.args([
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        "--force-reinstall",
-        "--no-deps",
-    ]);
-    run(command.arg(wheel()), "installing the wheel");
+    install_wheel(&python);
     let mut command = Command::new(python);
     command.args(["-c", "import wheelrail; print(wheelrail.Element().evaluate()['patch_count'])"]);
     let output = run(command.env("PATH", "/usr/bin:/bin"), "the wheel with numpy alone");

@@ -3,7 +3,7 @@
 mod common;
 
 use common::random::Random;
-use common::wheel::{element, evaluate, mirrored, random_input};
+use common::wheel::{element, evaluate, mirrored, random_input, reversed};
 use wheelrail::element::output::Wrench;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, Side, TangentialModel};
 use wheelrail::element::{Element, Input, Parameters};
@@ -28,22 +28,6 @@ fn real_time_models() -> Vec<Parameters> {
         }
     }
     all
-}
-
-/// The same motion seen in a mirror across the track: it runs backwards.
-fn reversed(input: &Input) -> Input {
-    let mut back = *input;
-    let wheel = &mut back.wheel;
-    for value in [
-        &mut wheel.position[0],
-        &mut wheel.velocity[0],
-        &mut wheel.yaw,
-        &mut wheel.yaw_rate,
-        &mut wheel.pitch_rate,
-    ] {
-        *value = -*value;
-    }
-    back
 }
 
 /// `image` is `wrench` in the mirror that turns the signs of forces to `signs`; moments turn the other way.

@@ -3,11 +3,11 @@
 //! Kalker's contact problem as in his variational theory (Three-Dimensional Elastic Bodies in Rolling Contact, 1990): constant
 //! pressure and traction on each element, influence of Boussinesq and Cerruti.
 
-pub mod convolution;
+pub(crate) mod convolution;
 pub mod friction;
 pub mod grid;
-pub mod influence;
+pub(crate) mod influence;
 pub mod pressure;
-pub mod received;
+pub(crate) mod received;
 pub mod rolling;
 pub mod shift;

@@ -23,6 +23,7 @@ use crate::math::root::bracketed;
 
 /// Rolling radius difference over the lateral displacement of a wheelset, straight between its points.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct RollingRadiusDifference {
     /// Displacement y and Δr = r_right - r_left [m].
     points: Vec<[f64; 2]>,

@@ -22,6 +22,7 @@ pub struct TrackedWheelset {
 
 /// Rolling radii at one displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RollingRadii {
     /// Lateral displacement of the wheelset, to the right [m].
     pub displacement: f64,

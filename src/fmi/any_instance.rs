@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::instance::{Instance, Purpose, State};
+use super::instance::Instance;
 use super::interface::Interface;
+use super::life_cycle::{Purpose, State};
 use crate::element::Element;
 use crate::variables::{Described, Unit};
 use crate::wheelset::Wheelset;

@@ -5,11 +5,11 @@
 
 use std::ffi::c_char;
 
-use super::access::{is_boolean, is_integer, is_real, is_text, wrong_type};
 use super::error::FmiError;
 use super::instance::Instance;
 use super::interface::Interface;
 use super::logger::Logger;
+use super::references::{is_boolean, is_integer, is_real, is_text, wrong_type};
 use super::types::{Status, ValueReference};
 use crate::variables::{Described, Kind, Unit, Value};
 

@@ -24,9 +24,9 @@
 
 use super::coupling::LastStep;
 use super::error::FmiError;
-use super::events::Held;
 use super::extrapolation::{Extrapolation, ORDERS};
-use super::instance::{Experiment, Purpose, State};
+use super::held::Held;
+use super::life_cycle::{Experiment, Purpose, State};
 use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::element::parameters::RAILS;
 use crate::element::work_pairs::MOST_PAIRS;

@@ -1,13 +1,9 @@
-//! What `coupling.monitor` asks for: the energy residual of steps, stiffness and damping of the contact.
+//! The beginning of a step, from which its energy residual follows; stiffness and damping of the contact.
 
-use super::error::FmiError;
-use super::instance::Instance;
-use super::logger::Logger;
-use super::types::Status;
 use crate::element::subject::Subject;
-use crate::element::work_pairs::{WorkPairs, energy_residual};
+use crate::element::work_pairs::WorkPairs;
 use crate::error::ContactError;
-use crate::variables::{Coupling, Described, ValuesOf};
+use crate::variables::Coupling;
 
 /// The beginning of the last step: its length [s], and the forces that a host held over it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,34 +12,6 @@ pub struct LastStep {
     pub duration: f64,
     /// Forces and velocities at its beginning.
     pub pairs: WorkPairs,
-}
-
-impl<S: Described> Instance<S> {
-    /// Forces and velocities of the inputs.
-    pub(super) fn work_pairs(&mut self, logger: &Logger) -> Result<(Status, WorkPairs), FmiError> {
-        let status = if self.outputs_stale { self.evaluate(logger)? } else { Status::Ok };
-        Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
-    }
-
-    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
-    pub(super) fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
-        let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
-        self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);
-        self.last_step = Some(LastStep { duration, pairs: *pairs });
-    }
-
-    /// Brings stiffness and damping up to date, after the outputs.
-    #[cold]
-    pub(super) fn find_slopes(&mut self) -> Result<(), FmiError> {
-        let Some(subject) = &mut self.element else { return Ok(()) };
-        let ValuesOf { input, output, coupling, .. } = &mut self.values;
-        if self.slopes_at == Some(*input) {
-            return Ok(());
-        }
-        slopes(subject, input, output, coupling)?;
-        self.slopes_at = Some(*input);
-        Ok(())
-    }
 }
 
 /// Puts stiffness and damping of each contact into `coupling`; `output` is that of `input`.

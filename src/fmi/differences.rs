@@ -37,6 +37,21 @@ impl<S: Described> Default for Beside<S> {
     }
 }
 
+/// Memory for derivatives.
+#[derive(Clone, Debug)]
+pub struct DerivativeScratch<S: Described> {
+    /// Seeds and sensitivities of exact derivatives, as inputs and outputs.
+    pub(super) rates: ValuesOf<S>,
+    /// Values beside those that are set.
+    pub(super) beside: Beside<S>,
+}
+
+impl<S: Described> Default for DerivativeScratch<S> {
+    fn default() -> Self {
+        Self { rates: ValuesOf::default(), beside: Beside::default() }
+    }
+}
+
 impl<S: Described> Beside<S> {
     /// Takes over parameters and all the rest; allocates where texts are longer than before.
     pub fn take_over(&mut self, values: &ValuesOf<S>) {

@@ -1,28 +1,15 @@
 //! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0, 2.1.9; FMI 3.0, 2.2.11).
 
-use super::access::{is_real, variable, wrong_type};
-use super::differences::{Beside, Wanted};
+use super::differences::{DerivativeScratch, Wanted};
 use super::error::FmiError;
-use super::instance::{Instance, State};
+use super::instance::Instance;
 use super::interface::Interface;
+use super::life_cycle::State;
+use super::references::{is_real, variable, wrong_type};
 use super::types::ValueReference;
 use crate::element::subject::Subject;
 use crate::error::ContactError;
 use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variable};
-
-/// Memory for derivatives.
-#[derive(Clone, Debug)]
-pub struct DerivativeScratch<S: Described> {
-    /// Seeds and sensitivities of exact derivatives, as inputs and outputs.
-    rates: ValuesOf<S>,
-    beside: Beside<S>,
-}
-
-impl<S: Described> Default for DerivativeScratch<S> {
-    fn default() -> Self {
-        Self { rates: ValuesOf::default(), beside: Beside::default() }
-    }
-}
 
 /// Which unknowns a call asks for.
 #[derive(Clone, Copy, Debug, Default)]

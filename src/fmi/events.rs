@@ -5,48 +5,15 @@
 //! goes on with the new numbers.
 
 use super::error::FmiError;
-use super::instance::{Instance, State};
+use super::held::discrete;
+use super::instance::Instance;
+use super::life_cycle::State;
 use super::logger::Logger;
-use super::types::{Status, ValueReference};
-use crate::variables::{Causality, Described, Kind, Variable};
+use super::types::Status;
+use crate::variables::Described;
 
 /// What the indicator is while nothing has changed; and with the other sign where something has.
 const UNCHANGED: f64 = 1.0;
-
-/// Outputs that are whole numbers, as they were at the last event, in the order of the variables.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Held(Vec<(ValueReference, i32)>);
-
-impl Held {
-    /// Those of a unit, all zero.
-    pub fn new<S: Described>() -> Self {
-        Self(discrete::<S>().map(|v| (v.reference as ValueReference, 0)).collect())
-    }
-
-    /// The number that a variable had at the last event.
-    pub fn value(&self, reference: ValueReference) -> Option<i32> {
-        let found = self.0.binary_search_by_key(&reference, |(reference, _)| *reference);
-        found.ok().map(|place| self.0[place].1)
-    }
-
-    /// The numbers, in the order of the variables.
-    pub fn values(&self) -> impl Iterator<Item = i32> {
-        self.0.iter().map(|(_, value)| *value)
-    }
-
-    /// Takes over numbers in the order of the variables; nothing is allocated.
-    pub fn set(&mut self, values: impl Iterator<Item = i32>) {
-        for ((_, held), value) in self.0.iter_mut().zip(values) {
-            *held = value;
-        }
-    }
-}
-
-/// Outputs that are whole numbers.
-fn discrete<S: Described>() -> impl Iterator<Item = &'static Variable> {
-    let outputs = S::UNIT.variables.iter().filter(|v| v.causality == Causality::Output);
-    outputs.filter(|v| v.kind == Kind::Integer)
-}
 
 impl<S: Described> Instance<S> {
     /// Goes on from an event with the numbers of the inputs as they are.

@@ -1,7 +1,7 @@
 //! Inputs that go on with their time derivatives over the next step.
 
-use super::access::variable;
 use super::error::FmiError;
+use super::references::variable;
 use super::types::ValueReference;
 use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, check};
 

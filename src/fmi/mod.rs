@@ -11,15 +11,22 @@
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
 //! any_instance   an instance of one unit or the other
-//! instance   a wheel or a wheelset with its variables and its place in the life cycle
-//! access     its variables by reference
+//! stepping   from the time span of a run over initialization and steps to its end
+//! evaluation the element of the parameters and the outputs of the inputs
+//! access     variables by reference, read and set
 //! arrays     the same as FMI 3.0 has them: patches as arrays, time and event indicator as variables
-//! coupling   energy residual, stiffness and damping
-//! extrapolation   inputs that go on with their time derivatives
-//! directional, differences   derivatives of outputs
-//! events     whole numbers between the events of model exchange
+//! monitor    energy residual, stiffness and damping
+//! directional   derivatives of outputs
+//! events     event mode, continuous time and the event indicator
+//! moving_rails  rails with a mass, moved on over a step
+//! worn_files worn profiles at the end of a run
+//! saved_states  states saved and restored
+//! instance   what an instance of a wheel or a wheelset holds
 //! snapshot   what is remembered of it by `fmi2GetFMUstate` and `fmi3GetFMUState`
 //! bytes      the same as bytes
+//! life_cycle what an instance is made for and where in its life it is
+//! coupling, extrapolation, held, differences   what steps, inputs, events and derivatives have to remember
+//! references variables by their references
 //! logger     messages to the host
 //! error      why a call is refused
 //! interface  what messages have to know of the version of the standard
@@ -45,17 +52,24 @@ mod coupling;
 mod differences;
 mod directional;
 mod error;
+mod evaluation;
 mod events;
 mod extrapolation;
 mod guard;
 mod handle;
+mod held;
 mod instance;
 mod interface;
+mod life_cycle;
 mod location;
 mod logger;
+mod monitor;
 mod moving_rails;
+mod references;
+mod saved_states;
 mod slots;
 mod snapshot;
+mod stepping;
 mod types;
 pub mod v2;
 pub mod v3;

@@ -1,7 +1,8 @@
 //! Rails with a mass: what `fmi2DoStep` does with them.
 
 use super::error::FmiError;
-use super::instance::{Instance, Purpose};
+use super::instance::Instance;
+use super::life_cycle::Purpose;
 use super::snapshot::MOST_ELEMENTS;
 use crate::element::parameters::FoundationModel;
 use crate::element::subject::Subject;

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::error::FmiError;
-use super::instance::{Instance, Purpose};
+use super::instance::Instance;
+use super::life_cycle::Purpose;
 use crate::element::Parameters;
 use crate::element::parameters::WearModel;
 use crate::error::ContactError;

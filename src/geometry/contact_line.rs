@@ -21,6 +21,7 @@ pub mod surface;
 use crate::geometry::curve::{Curve, CurvePoint};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::varying_wheel::VaryingWheel;
+pub use crate::geometry::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
@@ -32,17 +33,6 @@ const MOST_SINE: f64 = 0.9;
 const CURVATURE_REACH: f64 = 2e-3;
 /// Least curvature of the section along x over that of the straight wheel: in a flange root at large yaw the outline folds.
 const LEAST_SECTION_SHARE: f64 = 0.1;
-
-/// Where and how a wheel stands in the frame of a rail.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WheelPose<T = f64> {
-    /// Wheel marker, from the rail marker [m].
-    pub marker: [T; 3],
-    /// Roll angle against the rail [rad].
-    pub roll: T,
-    /// Yaw angle [rad].
-    pub yaw: T,
-}
 
 /// The contact line of a wheel in a given pose.
 #[derive(Clone, Copy, Debug)]

@@ -41,6 +41,7 @@ pub struct Profile {
 
 /// Smallest rectangle along the axes of the profile frame that holds a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Bounds {
     /// Smallest and largest y [m].
     pub y: [f64; 2],

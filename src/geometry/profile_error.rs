@@ -4,6 +4,7 @@ use crate::geometry::profile::ProfileKind;
 
 /// What is wrong with a profile. Coordinates in messages are in millimetres, as in the files.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ProfileError {
     /// Neither the name of a built-in profile nor a file that exists.
     #[error(

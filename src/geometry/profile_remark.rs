@@ -6,6 +6,7 @@ use crate::geometry::point_noise::CURVATURE_NOISE;
 
 /// Something that whoever gave the file should know. Coordinates in messages are in millimetres, as in the files.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum ProfileRemark {
     /// Noise that was found in the points, and the smoothing chosen for it.
     Smoothing {

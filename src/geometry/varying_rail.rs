@@ -22,21 +22,22 @@
 //! A roller is such a rail: its rows are circles about an axle across the track.
 
 mod bounds;
-pub(super) mod envelope;
 mod over;
-pub(super) mod surface;
-pub(super) mod touch;
+mod touch;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
-use self::envelope::{Envelope, TREND};
 use self::over::Over;
-use self::surface::{MOST_OF_ROLLER, Surface};
-use self::touch::{CLOSE, Met, Touch};
+use self::touch::{CLOSE, Touch};
 use self::wheel_table::WheelTable;
-use crate::geometry::contact_line::{ContactLine, WheelPose};
+use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::{Curve, CurvePoint};
+pub use crate::geometry::rows::along::Along;
+use crate::geometry::rows::envelope::{Envelope, TREND};
+use crate::geometry::rows::met::Met;
+use crate::geometry::rows::surface::{MOST_OF_ROLLER, Surface};
 use crate::geometry::slices::Slices;
+use crate::geometry::wheel_pose::WheelPose;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::room::Room;
@@ -47,46 +48,6 @@ const STRIDE: usize = 4;
 const FAR_BELOW: f64 = 0.02;
 /// Distance of the few rows that are enough where nothing touches [m].
 const WIDE: f64 = 2e-3;
-
-/// Where a wheel meets a varying rail along the track.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Along<T = f64> {
-    /// How far ahead of the even contact line the bodies are nearest [m].
-    pub ahead: T,
-    /// Curvature of the rail along the track, along the normal of its section at a place across that does not change; positive where it bulges [1/m].
-    pub curvature: T,
-    /// Slope of the rail there: tangent of the angle by which its normal leans forward [-].
-    pub lean: T,
-    /// How fast its rows drift across there [-].
-    pub drift: T,
-}
-
-impl<T: Real> Along<T> {
-    /// Each of them by its own function of itself.
-    fn each(value: impl Fn(fn(&Self) -> T) -> T) -> Self {
-        Self {
-            ahead: value(|a| a.ahead),
-            curvature: value(|a| a.curvature),
-            lean: value(|a| a.lean),
-            drift: value(|a| a.drift),
-        }
-    }
-
-    /// The same in numbers that do not move, or have derivatives.
-    #[must_use]
-    pub fn fixed<U: Real>(&self) -> Along<U> {
-        let Self { ahead, curvature, lean, drift } = *self;
-        let [ahead, curvature, lean, drift] =
-            [ahead, curvature, lean, drift].map(|x| U::from(x.value()));
-        Along { ahead, curvature, lean, drift }
-    }
-
-    /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
-    #[must_use]
-    pub fn shortening(&self) -> T {
-        T::from(1.0) / (self.lean * self.lean + 1.0).three_halves()
-    }
-}
 
 /// A rail whose section varies.
 #[derive(Clone, Debug)]

@@ -19,13 +19,14 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::geometry::contact_line::WheelPose;
 use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::rows::along::Along;
+use crate::geometry::rows::envelope::Envelope;
+use crate::geometry::rows::met::Met;
+use crate::geometry::rows::plane::cross;
+use crate::geometry::rows::surface::Surface;
 use crate::geometry::slices::Slices;
-use crate::geometry::varying_rail::Along;
-use crate::geometry::varying_rail::envelope::Envelope;
-use crate::geometry::varying_rail::surface::Surface;
-use crate::geometry::varying_rail::touch::Met;
+use crate::geometry::wheel_pose::WheelPose;
 use crate::math::room::Room;
 
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is looked for.
@@ -337,10 +338,6 @@ fn extents(surface: &Surface) -> [f64; 2] {
         spread = spread.max(greatest - least);
     }
     [spread, farther]
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

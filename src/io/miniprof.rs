@@ -113,12 +113,7 @@ pub(crate) fn read(
 fn read_header(file: &str, header: &[Line]) -> Result<Header, ProfileError> {
     let mut found = Header::default();
     for line in header {
-        let refused = |allowed| ProfileError::BadHeader {
-            file: file.into(),
-            line: line.number,
-            text: line.shown(),
-            allowed,
-        };
+        let refused = |allowed| line.refused(file, allowed);
         let (key, value) = line.text.split_once('=').unwrap_or(("", line.text));
         let value = value.trim();
         match key.trim().trim_matches('"').to_ascii_lowercase().as_str() {

@@ -90,12 +90,8 @@ pub(crate) fn read(
         last = line.number;
         block = match (block, line.text) {
             (Block::Done, "point.begin") => {
-                return Err(ProfileError::BadHeader {
-                    file: file.into(),
-                    line: line.number,
-                    text: line.shown(),
-                    allowed: "a file can hold one profile only: give each its own file",
-                });
+                let allowed = "a file can hold one profile only: give each its own file";
+                return Err(line.refused(file, allowed));
             }
             (Block::Outside, "header.begin") => Block::Header,
             (Block::Outside, "spline.begin") => Block::Spline,
@@ -149,28 +145,19 @@ fn check_type(file: &str, line: &Line, text: &str, kind: ProfileKind) -> Result<
     if key.trim() != "type" {
         return Ok(());
     }
-    let file = file.to_owned();
     match (value.trim(), kind) {
         ("0", ProfileKind::Rail) | ("1", ProfileKind::Wheel) => Ok(()),
-        ("0" | "1", _) => Err(ProfileError::WrongKind { file, line: line.number, kind }),
-        _ => Err(ProfileError::BadHeader {
-            file,
-            line: line.number,
-            text: line.shown(),
-            allowed: "the type must be 0 (rail) or 1 (wheel)",
-        }),
+        ("0" | "1", _) => {
+            Err(ProfileError::WrongKind { file: file.into(), line: line.number, kind })
+        }
+        _ => Err(line.refused(file, "the type must be 0 (rail) or 1 (wheel)")),
     }
 }
 
 impl Entries {
     fn read(&mut self, file: &str, line: &Line, text: &str) -> Result<(), ProfileError> {
         let Some((key, value)) = text.split_once('=') else { return Ok(()) };
-        let refused = |allowed| ProfileError::BadHeader {
-            file: file.into(),
-            line: line.number,
-            text: line.shown(),
-            allowed,
-        };
+        let refused = |allowed| line.refused(file, allowed);
         let finite = || {
             number(value.trim())
                 .filter(|n| n.is_finite())

@@ -41,6 +41,16 @@ pub fn number(text: &str) -> Option<f64> {
 }
 
 impl Line<'_> {
+    /// Why this line of `file` is refused: what is `allowed` instead.
+    pub(crate) fn refused(&self, file: &str, allowed: &'static str) -> ProfileError {
+        ProfileError::BadHeader {
+            file: file.into(),
+            line: self.number,
+            text: self.shown(),
+            allowed,
+        }
+    }
+
     /// The numbers of columns `pick` of this line, all of them finite.
     pub(crate) fn point(
         &self,

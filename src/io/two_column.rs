@@ -90,12 +90,7 @@ impl Stated {
         let (Some(key), Some(value), None) = (words.next(), words.next(), words.next()) else {
             return Ok(());
         };
-        let refused = |allowed| ProfileError::BadHeader {
-            file: file.into(),
-            line: line.number,
-            text: line.shown(),
-            allowed,
-        };
+        let refused = |allowed| line.refused(file, allowed);
         let flag = || match value {
             "0" => Ok(Some(false)),
             "1" => Ok(Some(true)),

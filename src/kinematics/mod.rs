@@ -1,5 +1,5 @@
 //! Motion of wheel and rail against each other at a contact.
 
 pub mod creepage;
-pub mod motion;
+pub(crate) mod motion;
 mod rigid_body;

@@ -1,13 +1,13 @@
 //! Mathematics without railway words.
 
-pub mod b_spline;
-pub mod dual;
+pub(crate) mod b_spline;
+pub(crate) mod dual;
 pub mod elliptic;
-pub mod linear_system;
-pub mod logarithm;
+pub(crate) mod linear_system;
+pub(crate) mod logarithm;
 pub mod quadrature;
-pub mod real;
-pub mod room;
+pub(crate) mod real;
+pub(crate) mod room;
 pub mod root;
-pub mod smooth_step;
+pub(crate) mod smooth_step;
 pub mod spline;

@@ -25,6 +25,7 @@ use line::PlanarLine;
 
 /// Solution of a planar contact problem; forces on the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct PlanarResult {
     /// Normal force [N].
     pub normal_force: f64,

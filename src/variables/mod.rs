@@ -4,6 +4,7 @@
 //! wheelset has on each side and what only once. From them come the tables [`WHEEL`] and [`WHEELSET`], the typed access of
 //! [`ValuesOf`], the GUIDs and the model descriptions of the FMUs, so that they cannot disagree.
 
+mod spelling;
 mod table;
 mod text;
 mod values;
@@ -160,7 +161,7 @@ impl Unit {
             let names = self.variables.iter().map(|v| v.name);
             // No two names differ by capitals alone.
             let small = name.to_lowercase();
-            let nearest = names.min_by_key(|n| text::distance(&small, n));
+            let nearest = names.min_by_key(|n| spelling::distance(&small, n));
             UnknownVariable { name: name.into(), nearest: nearest.unwrap_or_default() }
         })
     }
@@ -169,6 +170,7 @@ impl Unit {
 /// A name that no variable has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no variable \"{name}\"; the nearest name is {nearest}")]
+#[non_exhaustive]
 pub struct UnknownVariable {
     /// The name asked for.
     pub name: String,

@@ -57,24 +57,8 @@ impl<S: Described> ValuesOf<S> {
     }
 }
 
-/// Number of letters to change, drop or add between two words (Levenshtein).
-pub(super) fn distance(a: &str, b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.bytes().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, other) in b.bytes().enumerate() {
-            let changed = diagonal + usize::from(letter != other);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::variables::{VARIABLES, Values, find};
 
     #[test]
@@ -115,12 +99,5 @@ mod tests {
             let error = values.set_from_text(find("wheel.yaw").unwrap(), text).unwrap_err();
             assert!(error.to_string().contains("wheel.yaw"), "{error}");
         }
-    }
-
-    #[test]
-    fn distance_counts_letters() {
-        assert_eq!(distance("wheel.y", "wheel.y"), 0);
-        assert_eq!(distance("wheel", "whel"), 1);
-        assert_eq!(distance("", "abc"), 3);
     }
 }

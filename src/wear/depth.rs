@@ -14,6 +14,7 @@ const FARTHEST: f64 = 0.02;
 
 /// A place of an unworn profile and what is missing there.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DepthPoint {
     /// Point (y, z) of the unworn profile [m].
     pub point: [f64; 2],

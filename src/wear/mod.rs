@@ -12,19 +12,24 @@
 //! | worn area of the cross section | m² |
 //! | wear depth, along the inward normal of the unworn profile | m |
 //!
-//! [`laws`] has the laws, [`distribution`] how the wear of a patch is spread, [`worn_arc`] the sums along a profile,
-//! [`update`] the new profile (`smoothing` of the sums, `section` of the unworn body), [`depth`] the depth between two profiles at hand, [`rcf`] the fatigue numbers. What belongs to a wheel on its rails is in `element`.
+//! `laws` has the laws, `distribution` how the wear of a patch is spread, `worn_arc` the sums along a profile, `update` the new profile
+//! (`smoothing` of the sums, `section` of the unworn body), [`depth`] the depth between two profiles at hand, `rcf` the fatigue numbers. What
+//! belongs to a wheel on its rails is in `element`.
 
+mod body;
 pub mod depth;
-pub mod distribution;
-pub mod laws;
+pub(crate) mod distribution;
+pub(crate) mod laws;
 pub mod parameters;
-pub mod rcf;
+pub(crate) mod rcf;
+mod scratch;
 mod section;
 mod smoothing;
-pub mod update;
-pub mod worn_arc;
+pub(crate) mod update;
+pub(crate) mod worn_arc;
 
+pub use body::Body;
 pub use laws::{LawCoefficients, StripLoad, WearModel};
 pub use parameters::{WearDistribution, WearParameters};
+pub use update::UpdateReport;
 pub use worn_arc::{ArcState, WornArc};

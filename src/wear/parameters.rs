@@ -6,7 +6,7 @@ use crate::error::ContactError;
 /// How the wear of a patch is spread across it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum WearDistribution {
-    /// In proportion to the interpenetration function less what is already worn; see [`spread`](super::distribution::spread).
+    /// In proportion to the interpenetration function less what is already worn.
     #[default]
     Interpenetration,
     /// Each strip wears where it lies: plain summing, which digs holes if the profiles are updated rarely.

@@ -1,6 +1,6 @@
 //! The section of an unworn body along the arc of its profile: what the layer worn off is measured from.
 
-use super::worn_arc::Body;
+use super::body::Body;
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 

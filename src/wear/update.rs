@@ -12,9 +12,11 @@
 //! volume between the two curves exactly that of the law. Depths run as a cubic spline, so that the new curve is as smooth as the unworn
 //! one, and equal to it where nothing is worn off.
 
+use super::body::Body;
+use super::scratch::Scratch;
 use super::section::{Station, arc_length, hermite, moments};
 use super::smoothing::smooth;
-use super::worn_arc::{Body, WornArc};
+use super::worn_arc::WornArc;
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::spline::{SplineEnd, put_interpolating_slopes};
@@ -22,47 +24,15 @@ use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
 const MOST_DEPTH: f64 = 0.01;
 const MOST_OF_RADIUS: f64 = 0.5;
+
 /// What an update has found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct UpdateReport {
     /// Volume between the unworn and the new curve [m³].
     pub volume: f64,
     /// Whether some of the worn off material was more than can be taken off: the profile is worn through there.
     pub is_worn_through: bool,
-}
-
-/// Memory for an update: all of it is filled before it is read.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    /// Weights of the smoothing kernel.
-    kernel: Vec<f64>,
-    /// Smoothed totals, and the depth that they give, in each cell [m³/m, m].
-    smoothed: Vec<f64>,
-    depths: Vec<f64>,
-    /// A spline through the depths: its knots, its system and its slopes.
-    middles: Vec<f64>,
-    rows: Vec<[f64; 4]>,
-    slopes: Vec<f64>,
-    /// Depth and its derivative at each knot of the worn curve, and those knots.
-    at_knots: Vec<[f64; 2]>,
-    knots: Vec<Knot>,
-}
-
-impl Scratch {
-    /// Room for that many cells and knots of the worn curve.
-    pub fn new(cells: usize, knots: usize) -> Self {
-        let numbers = || Vec::with_capacity(cells);
-        Self {
-            kernel: numbers(),
-            smoothed: numbers(),
-            depths: numbers(),
-            middles: numbers(),
-            rows: Vec::with_capacity(cells),
-            slopes: numbers(),
-            at_knots: Vec::with_capacity(knots),
-            knots: Vec::with_capacity(knots),
-        }
-    }
 }
 
 impl WornArc {

@@ -4,38 +4,14 @@
 //! belongs to the unworn profile; places are given by parameters of the curve in use and carried over. Depths are those of the
 //! layer along the inward normal of the unworn profile.
 
+pub use super::body::Body;
+use super::scratch::Scratch;
 use super::section::{POINTS, Station, bulge, shrinking, stations};
-use super::update::Scratch;
 use crate::geometry::curve::Curve;
 use crate::math::quadrature::GaussLegendre;
 
 /// Length of the cells [m]: the narrowest patches of a flange are ten of them.
 pub const CELL: f64 = 2e-4;
-
-/// Of which body a profile is, and over what the wear of its section is spread.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Body {
-    /// A wheel: over the circumference at each place of its profile. Material is where z is smaller.
-    Wheel {
-        /// Radius of the running circle [m].
-        nominal_radius: f64,
-    },
-    /// A rail: over the running distance that it stands for. Material is where z is greater.
-    Rail {
-        /// That distance [m].
-        distance: f64,
-    },
-}
-
-impl Body {
-    /// Distance of z = 0 from the axle, 0 of a rail [m].
-    pub(super) fn radius(self) -> f64 {
-        match self {
-            Self::Wheel { nominal_radius } => nominal_radius,
-            Self::Rail { .. } => 0.0,
-        }
-    }
-}
 
 /// What a profile has lost: all that has to be remembered of it.
 #[derive(Clone, Debug, PartialEq)]

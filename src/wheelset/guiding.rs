@@ -1,10 +1,11 @@
 //! Guiding forces and wheel loads, by which vehicles are approved (EN 14363: Y, Q, Y/Q and the sum of Y).
 
-use super::{LEFT, RIGHT};
+use super::sides::{LEFT, RIGHT};
 use crate::math::real::Real;
 
 /// Forces between one wheel and its rails.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct SideForces<T = f64> {
     /// Y: lateral force of the wheel on its rails, positive away from the middle of the track [N].
     pub guiding_force: T,
@@ -16,6 +17,7 @@ pub struct SideForces<T = f64> {
 
 /// Those of both wheels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Guiding<T = f64> {
     /// Each side.
     pub sides: [SideForces<T>; 2],

@@ -1,8 +1,8 @@
 //! What an evaluation of a wheelset depends on besides its parameters.
 
 use super::rail_frame::RailFrame;
+use super::sides::{SIDES, name_on_side};
 use super::track::{RailLine, TrackTurn};
-use super::{SIDES, name_on_side};
 use crate::element;
 use crate::element::input::{RailMotion, WheelMotion};
 use crate::element::parameters::RAILS;

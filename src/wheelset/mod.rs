@@ -24,6 +24,7 @@ mod irregularity;
 mod output;
 mod parameters;
 mod rail_frame;
+mod sides;
 mod total;
 mod track;
 
@@ -33,6 +34,7 @@ pub use guiding::{Guiding, SideForces};
 pub use input::{Input, SideInput};
 pub use output::Output;
 pub use parameters::{Parameters, TAPE_CIRCLE};
+pub use sides::{LEFT, RIGHT, SIDES, name_on_side};
 pub use track::{MOST_SLOPE, MOST_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
@@ -43,13 +45,7 @@ use crate::element::{self, Element};
 use crate::error::ContactError;
 use guiding::guiding;
 use irregularity::Irregularities;
-
-/// Place of the right side in all pairs.
-pub const RIGHT: usize = 0;
-/// Place of the left side in all pairs.
-pub const LEFT: usize = 1;
-/// Names of the sides, in the order of all pairs.
-pub const SIDES: [&str; 2] = ["right", "left"];
+use sides::on_side;
 
 /// A wheelset and the rails under it, ready to be evaluated.
 ///
@@ -66,6 +62,7 @@ pub struct Wheelset {
 
 /// Heights of first touch for a starting input.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct NominalHeights {
     /// Height of the centre at which the first of the wheels touches; the starting height where both stand beside the rails [m].
     pub wheelset_z: f64,
@@ -352,29 +349,4 @@ impl Subject for Wheelset {
         let [right, left] = output.sides.map(|side| side.fallback_count);
         output.fallback_count = right.saturating_add(left);
     }
-}
-
-/// The error of an element as one of the wheelset.
-fn on_side(error: ContactError, side: &str) -> ContactError {
-    error.renamed(|name| name_on_side(name, side))
-}
-
-/// The name in `WheelSet.fmu` of what `WheelRail.fmu` calls `name`: what belongs to one wheel or one rail has the side before it, models
-/// and materials are those of both.
-#[must_use]
-pub fn name_on_side(name: &str, side: &str) -> String {
-    let is_common = ["wheel.young_modulus", "wheel.poisson_ratio", "rail.", "wear.model"]
-        .iter()
-        .any(|common| name.starts_with(common));
-    let friction = [
-        "friction.coefficient",
-        "friction.tread.coefficient",
-        "friction.gauge_face.coefficient",
-        "friction.profile",
-    ];
-    let is_of_side = ["wheel.", "rail[", "wear.wheel.file", "wear.rail["]
-        .iter()
-        .chain(&friction)
-        .any(|start| name.starts_with(start));
-    if is_of_side && !is_common { format!("{side}.{name}") } else { name.into() }
 }

@@ -1,6 +1,6 @@
 //! What is fixed once a wheelset is made.
 
-use super::{LEFT, RIGHT};
+use super::sides::{LEFT, RIGHT};
 use crate::element;
 use crate::element::parameters::Side;
 use crate::error::ContactError;

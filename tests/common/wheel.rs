@@ -25,6 +25,22 @@ pub fn plain_parameters(wheel: &str, rail: &str) -> Parameters {
     parameters
 }
 
+/// The same motion seen in a mirror across the track: it runs backwards.
+pub fn reversed(input: &Input) -> Input {
+    let mut back = *input;
+    let wheel = &mut back.wheel;
+    for value in [
+        &mut wheel.position[0],
+        &mut wheel.velocity[0],
+        &mut wheel.yaw,
+        &mut wheel.yaw_rate,
+        &mut wheel.pitch_rate,
+    ] {
+        *value = -*value;
+    }
+    back
+}
+
 /// The result of one evaluation.
 pub fn evaluate(element: &mut Element, input: &Input) -> Output {
     let mut output = Output::default();

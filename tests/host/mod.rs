@@ -257,6 +257,16 @@ impl Host {
         unsafe { fmi2SetString(self.component, &self.reference(name), 1, &raw const start) }
     }
 
+    /// Sets time derivatives of inputs: name, order, value.
+    pub fn set_input_derivatives(&self, values: &[(&str, i32, f64)]) -> Status {
+        let references: Vec<ValueReference> =
+            values.iter().map(|(name, ..)| self.reference(name)).collect();
+        let (orders, values): (Vec<i32>, Vec<f64>) = values.iter().map(|&(_, o, v)| (o, v)).unzip();
+        let (count, r, o) = (references.len(), references.as_ptr(), orders.as_ptr());
+        // SAFETY: FMI 2.0, 4.2.1: all arrays hold as many elements as the count says.
+        unsafe { fmi2SetRealInputDerivatives(self.component, r, count, o, values.as_ptr()) }
+    }
+
     pub fn step(&self, time: f64, step: f64) -> Status {
         fmi2DoStep(self.component, time, step, TRUE)
     }

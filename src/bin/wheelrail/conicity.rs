@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use wheelrail::conicity::{RollingRadii, RollingRadiusDifference, TrackedWheelset};
 
-use crate::args::ContactOptions;
+use crate::options::ContactOptions;
 use crate::remarks::{Found, Remarks};
 use crate::{figures, output};
 

@@ -3,17 +3,18 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Parameters};
 use wheelrail::error::ContactError;
-use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
+use wheelrail::variables::{Causality, VARIABLES, Values, Variable};
 
-use crate::args::TableFiles;
 use crate::batch;
-use crate::cases::{CaseReader, Cases, Header, Row};
+use crate::cases::CaseReader;
+use crate::element_rows::{placed, set, variables};
+use crate::models::is_slow;
 use crate::named_files::NamedFiles;
+use crate::options::TableFiles;
 use crate::output;
 use crate::remarks::{Found, ProfileRemarks, Remarks};
 
@@ -117,71 +118,6 @@ fn line(values: &Values, computed: &[&Variable]) -> Result<String> {
     Ok(line)
 }
 
-/// The rows of a table with the variables they set; none names a file that is one of `results`.
-///
-/// # Errors
-/// With row and column: an unknown name, a value that is refused.
-pub fn read_values<'a>(
-    cases: &'a Cases,
-    results: &[Option<&Path>],
-) -> Result<Vec<(&'a Row, Values)>> {
-    let columns = variables(cases.header())?;
-    let mut files = NamedFiles::new(cases.header().folder(), results);
-    let rows = cases.rows().iter().map(|row| {
-        let mut values = Values::default();
-        set(&mut values, &columns, row)?;
-        files.check(&values.parameters).with_context(|| row.place())?;
-        Ok((row, values))
-    });
-    rows.collect()
-}
-
-/// The variables that the columns of a table set.
-fn variables(header: &Header) -> Result<Vec<&'static Variable>> {
-    header.columns().map(|name| settable(header, name)).collect()
-}
-
-/// Sets what a row has.
-fn set(values: &mut Values, columns: &[&Variable], row: &Row) -> Result<()> {
-    for (column, _, text) in row.cells() {
-        values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
-    }
-    Ok(())
-}
-
-/// Whether an evaluation takes milliseconds.
-pub fn is_slow(parameters: &Parameters) -> bool {
-    parameters.normal_model == NormalModel::BoundaryElement
-        || parameters.tangential_model == TangentialModel::BoundaryElement
-}
-
-fn settable(header: &Header, name: &str) -> Result<&'static Variable> {
-    if name == "separation" {
-        bail!("{}: a table of planar problems is one for patch", header.column_place(name));
-    }
-    let variable = find(name).with_context(|| header.column_place(name))?;
-    if !variable.is_settable() {
-        bail!(
-            "{}: it is computed by the element; columns are inputs and parameters",
-            header.column_place(name)
-        );
-    }
-    Ok(variable)
-}
-
-/// `error` with the column of the variable it names, if the table has it.
-pub fn placed(error: ContactError, row: &Row) -> anyhow::Error {
-    let (ContactError::BadValue { name, .. }
-    | ContactError::BadText { name, .. }
-    | ContactError::Profile { name, .. }) = &error
-    else {
-        return anyhow::Error::new(error).context(row.place());
-    };
-    let column = row.cells().find(|(_, column, _)| column == name).map(|(column, ..)| column);
-    let place = column.map_or_else(|| row.place(), |column| row.cell_place(column));
-    anyhow::Error::new(error).context(place)
-}
-
 /// The elements of the parameters that came last, so that rows that share parameters share an element.
 struct Evaluator {
     folder: PathBuf,
@@ -223,8 +159,8 @@ impl Evaluator {
             let element = Element::new(parameters, input, std::slice::from_ref(&self.folder))?;
             found = element.profile_remarks().to_vec();
             self.elements.truncate(MOST_ELEMENTS - 1);
-            if is_slow(parameters) {
-                self.elements.retain(|made| !is_slow(&made.0));
+            if is_slow(parameters.normal_model, parameters.tangential_model) {
+                self.elements.retain(|made| !is_slow(made.0.normal_model, made.0.tangential_model));
             }
             self.elements.insert(0, Box::new((parameters.clone(), element)));
         }

@@ -10,8 +10,8 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use wheelrail::variables::{Values, find};
 
-use crate::args::assignment;
 use crate::cases::Cases;
+use crate::options::assignment;
 use crate::{figures, output};
 use least_squares::{Fit, Parameter};
 use points::Points;

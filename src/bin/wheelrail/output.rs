@@ -10,6 +10,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 
 pub use table::Table;
+use table::cannot_write;
 use wheelrail::io::write_whole;
 
 /// A table in the file `path`, or on standard output without one.
@@ -26,10 +27,6 @@ pub fn table(path: Option<&Path>) -> Result<Table> {
 /// If it cannot be written; what had that name stays then.
 pub fn write(path: &Path, content: &[u8]) -> Result<()> {
     write_whole(path, content).with_context(|| cannot_write(path))
-}
-
-fn cannot_write(path: &Path) -> String {
-    format!("cannot write {}", path.display())
 }
 
 /// Writes a text to standard output.

@@ -1,22 +1,14 @@
 //! `wheelrail patch`: planar contact problems, one for every row of a table.
 
-mod columns;
-mod separation;
-
-use std::collections::HashMap;
-use std::path::{Path, PathBuf};
-use std::time::Instant;
-
 use anyhow::{Context, Result};
 use clap::Args;
-use wheelrail::planar::{PlanarCase, PlanarResult, solve};
+use wheelrail::planar::PlanarResult;
 
-use crate::args::TableFiles;
 use crate::batch;
 use crate::cases::Cases;
+use crate::options::TableFiles;
 use crate::output;
-
-pub use columns::Case;
+use crate::planar_cases::{Case, PlanarCases, timed};
 
 /// Results, in the order of their columns.
 const RESULTS: [&str; 11] = [
@@ -32,9 +24,6 @@ const RESULTS: [&str; 11] = [
     "fallback",
     "time_us",
 ];
-
-/// Times a case is solved; the median is reported.
-const REPEATS: usize = 5;
 
 /// Solve planar contact problems, one for every row of a table
 ///
@@ -99,66 +88,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     );
     progress.finish_and_clear();
     table.complete(result)
-}
-
-/// All cases of a table with their separations.
-pub struct PlanarCases {
-    /// The cases in order.
-    pub cases: Vec<Case>,
-    separations: HashMap<PathBuf, Vec<[f64; 2]>>,
-}
-
-impl PlanarCases {
-    /// Reads the cases and the files they name.
-    ///
-    /// # Errors
-    /// With row and column: an unknown column, a missing file, a value that is refused.
-    pub fn read(cases: &Cases) -> Result<Self> {
-        columns::check(cases)?;
-        let mut all = Self { cases: Vec::new(), separations: HashMap::new() };
-        for row in cases.rows() {
-            let case = Case::read(cases, row)?;
-            if !all.separations.contains_key(&case.separation) {
-                let points = separation::read(&case.separation)
-                    .with_context(|| row.cell_place(case.separation_column))?;
-                all.separations.insert(case.separation.clone(), points);
-            }
-            all.cases.push(case);
-        }
-        Ok(all)
-    }
-
-    /// The files of the separations.
-    pub fn separation_files(&self) -> impl Iterator<Item = &Path> {
-        self.separations.keys().map(PathBuf::as_path)
-    }
-
-    /// A case with the points of its separation.
-    pub fn planar<'a>(&'a self, case: &Case) -> PlanarCase<'a> {
-        case.planar(&self.separations[&case.separation])
-    }
-}
-
-/// The solution and the time it took [s]: the median of five, that of the first where the models are `slow`.
-///
-/// # Errors
-/// A value that is refused, a load that cannot be carried.
-pub fn timed(case: &PlanarCase<'_>, slow: bool) -> Result<(PlanarResult, f64)> {
-    let once = || -> Result<(PlanarResult, f64)> {
-        let begin = Instant::now();
-        let result = std::hint::black_box(solve(std::hint::black_box(case))?);
-        Ok((result, begin.elapsed().as_secs_f64()))
-    };
-    let first = once()?;
-    if slow {
-        return Ok(first);
-    }
-    let mut times = [0.0; REPEATS];
-    for time in &mut times {
-        *time = once()?.1;
-    }
-    times.sort_by(f64::total_cmp);
-    Ok((first.0, times[REPEATS / 2]))
 }
 
 fn cells(result: &PlanarResult, time: f64) -> [String; RESULTS.len()] {

@@ -13,11 +13,11 @@ use wheelrail::tangential::field::{Adherence, ContactField};
 use wheelrail::variables::Values;
 
 use crate::cases::Cases;
+use crate::element_rows::read_values;
 use crate::figures::contact::{Figure, Side};
-use crate::figures::models;
-use crate::patch::PlanarCases;
+use crate::planar_cases::PlanarCases;
 use crate::remarks::{Found, Remarks};
-use crate::{evaluate, output};
+use crate::{models, output};
 
 /// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
 ///
@@ -102,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let title = case.separation.display().to_string();
         draw(arguments, &planar.planar(case), title, Vec::new(), 0, false)
     } else {
-        let all = evaluate::read_values(&cases, &outputs)?;
+        let all = read_values(&cases, &outputs)?;
         let (row, values) = &all[arguments.row - 1];
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;
@@ -176,7 +176,7 @@ fn draw(
     let side = |case: &PlanarCase<'_>| -> Result<Side> {
         let result = wheelrail::planar::solve(case)?;
         Ok(Side {
-            name: models(case.normal_model, case.tangential_model),
+            name: models::names(case.normal_model, case.tangential_model),
             fields: fields(case)?,
             result,
         })

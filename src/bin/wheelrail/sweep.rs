@@ -10,9 +10,9 @@ use clap::Args;
 use wheelrail::element::Element;
 use wheelrail::variables::{Causality, Kind, VARIABLES, Values, Variable, find};
 
-use crate::args::{TableFiles, assignment};
 use crate::cases::Cases;
-use crate::evaluate::read_values;
+use crate::element_rows::read_values;
+use crate::options::{TableFiles, assignment};
 use crate::output;
 use crate::remarks::{Found, Remarks};
 

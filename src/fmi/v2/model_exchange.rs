@@ -7,7 +7,7 @@ use super::types::{Boolean, Component, EventInfo, FALSE, Status};
 use crate::fmi::arguments::write;
 use crate::fmi::both;
 use crate::fmi::guard::guard;
-use crate::fmi::instance::State;
+use crate::fmi::life_cycle::State;
 
 /// `fmi2EnterEventMode`.
 #[unsafe(no_mangle)]

@@ -13,8 +13,8 @@ use crate::fmi::arguments::text;
 use crate::fmi::both;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::{self, Call, Request, guard};
-use crate::fmi::instance::Purpose;
 use crate::fmi::interface::Interface;
+use crate::fmi::life_cycle::Purpose;
 use crate::fmi::logger::Logger;
 
 /// `fmi3GetVersion`: of the standard.

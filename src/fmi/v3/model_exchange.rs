@@ -8,7 +8,7 @@ use crate::fmi::arguments::write;
 use crate::fmi::both;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::guard;
-use crate::fmi::instance::State;
+use crate::fmi::life_cycle::State;
 
 /// `fmi3EnterEventMode`.
 #[unsafe(no_mangle)]

@@ -1,6 +1,6 @@
 //! Where the rows of a rail can be met by a wheel at all, and where more than once.
 
-use super::surface::{REACH, Surface};
+use crate::geometry::rows::surface::{REACH, Surface};
 use crate::geometry::slices::Rows;
 
 /// Radius of the lowest points of any wheel over its nominal one [-].

@@ -1,9 +1,11 @@
 //! The wheel above a rail, as its rows meet it.
 
-use super::surface::{RowPoint, Within};
-use super::touch::Met;
 use super::wheel_table::CELL;
-use crate::geometry::contact_line::{ContactLine, WheelPose};
+use crate::geometry::contact_line::ContactLine;
+use crate::geometry::rows::met::Met;
+use crate::geometry::rows::plane::dot;
+use crate::geometry::rows::surface::{RowPoint, Within};
+use crate::geometry::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
 /// How far below the wheel rows surely stay of which a few are enough: nothing touches there [m].
@@ -146,9 +148,4 @@ impl Over<'_> {
         }
         None
     }
-}
-
-/// Scalar product.
-pub(super) fn dot<T: Real>(a: [T; 2], b: [T; 2]) -> T {
-    a[0] * b[0] + a[1] * b[1]
 }

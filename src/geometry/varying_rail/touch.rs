@@ -1,10 +1,12 @@
 //! Where the wheel meets a row of the rail.
 
-use super::Along;
 use super::bounds::{Bounds, LARGEST};
-use super::over::{Opposite, Over, dot};
-use super::surface::{RowPoint, Surface};
+use super::over::{Opposite, Over};
 use super::wheel_table::WheelTable;
+use crate::geometry::rows::along::Along;
+use crate::geometry::rows::met::Met;
+use crate::geometry::rows::plane::dot;
+use crate::geometry::rows::surface::{RowPoint, Surface};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 
@@ -17,21 +19,6 @@ const LAST_STEP: f64 = 1e-10;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
 const SCAN: f64 = 4e-3;
-
-/// A row that the wheel meets.
-#[derive(Clone, Copy, Debug, Default)]
-pub(in crate::geometry) struct Met<T = f64> {
-    pub row: usize,
-    pub point: [T; 2],
-    /// F_v and F_x.
-    pub direction: [T; 2],
-    pub first: [T; 2],
-    /// Where it is, from the wheel marker [m].
-    pub x: T,
-    pub along: Along<T>,
-    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not looked for.
-    pub opposite: Option<[T; 2]>,
-}
 
 /// What holds at a place of a row.
 struct State<T> {

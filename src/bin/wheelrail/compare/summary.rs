@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use anyhow::Result;
 
-use super::Compared;
+use super::compared::Compared;
 use crate::output::Table;
 
 /// Errors of all cases.

@@ -9,8 +9,9 @@ use wheelrail::element::{Element, Input};
 use wheelrail::error::ContactError;
 use wheelrail::variables::Values;
 
-use super::{Compared, Solved, half, reference_tangential};
-use crate::evaluate::is_slow;
+use super::compared::{Compared, Solved};
+use super::reference::{half, reference_tangential};
+use crate::models::is_slow;
 use crate::remarks::Found;
 
 /// Times a case is evaluated by fast models; the median is reported.
@@ -31,7 +32,8 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let mut own = Output::default();
     element.evaluate(input, &mut own)?;
     let found = Found::all(&element);
-    let repeats = if is_slow(parameters) { 1 } else { REPEATS };
+    let repeats =
+        if is_slow(parameters.normal_model, parameters.tangential_model) { 1 } else { REPEATS };
     let mut times = Vec::new();
     for _ in 0..repeats {
         let begin = Instant::now();

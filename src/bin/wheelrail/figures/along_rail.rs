@@ -6,7 +6,7 @@ use anyhow::Result;
 
 use super::motion::{Series, panel};
 use super::{Area, BLUE, GREEN, GREY, VERMILION, heading, px, save, thinned};
-use crate::simulate::Record;
+use crate::wheelset::record::Record;
 
 const SIZE: (u32, u32) = (1100, 1100);
 /// Points of a curve at most; more are not seen.
@@ -69,8 +69,8 @@ mod tests {
     use wheelrail::element::output::Wrench;
 
     use super::*;
-    use crate::simulate::Patch;
     use crate::wheelset::body::State;
+    use crate::wheelset::record::Patch;
 
     fn record(distance: f64, rails: &[i32]) -> Record {
         let patch = |&rail: &i32| Patch { rail, normal_force: 5e4, ..Patch::default() };

@@ -19,7 +19,6 @@ use anyhow::{Context, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::TextStyle;
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
 
 use crate::output;
 use crate::wheelset::track::Track;
@@ -75,23 +74,6 @@ fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()
     output::write(path, svg.as_bytes())
 }
 
-/// Names of a normal and a tangential model, for titles.
-pub fn models(normal: NormalModel, tangential: TangentialModel) -> String {
-    format!("{} + {}", name(&normal), name(&tangential))
-}
-
-/// The name of a model as variables have it: `PiotrowskiKik` is `piotrowski_kik`.
-fn name(model: &impl std::fmt::Debug) -> String {
-    let mut name = String::new();
-    for letter in format!("{model:?}").chars() {
-        if letter.is_uppercase() && !name.is_empty() {
-            name.push('_');
-        }
-        name.extend(letter.to_lowercase());
-    }
-    name
-}
-
 /// Every few of `all`, about `most` of them, and the last one.
 fn thinned<T>(all: &[T], most: usize) -> Vec<&T> {
     let every = all.len().div_ceil(most).max(1);
@@ -133,12 +115,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn models_have_the_names_of_their_variables() {
-        let named = models(NormalModel::PiotrowskiKik, TangentialModel::BoundaryElement);
-        assert_eq!(named, "piotrowski_kik + boundary_element");
-    }
-
-    #[test]
     fn the_last_one_is_shown_once() {
         let numbers = [0, 1, 2, 3, 4, 5];
         assert_eq!(thinned(&numbers, 9), [&0, &1, &2, &3, &4, &5]);
@@ -162,8 +138,8 @@ mod drawing {
     use wheelrail::element::output::Wrench;
 
     use super::*;
-    use crate::simulate::{Patch, Record};
     use crate::wheelset::body::State;
+    use crate::wheelset::record::{Patch, Record};
     use crate::wheelset::track::RampShape;
 
     #[test]

@@ -10,7 +10,7 @@ use super::{
     Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, ramp_stretch, range_of, save, text,
     thinned,
 };
-use crate::simulate::Record;
+use crate::wheelset::record::Record;
 use crate::wheelset::track::Track;
 
 /// Length of the line of a legend entry, in coordinates.

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::{Area, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text, thinned};
-use crate::simulate::{Patch, Record};
+use crate::wheelset::record::{Patch, Record};
 use crate::wheelset::track::Track;
 
 const SIZE: (u32, u32) = (1240, 860);

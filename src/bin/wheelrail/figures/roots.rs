@@ -3,15 +3,24 @@
 use std::path::Path;
 
 use anyhow::Result;
+use nalgebra::Complex;
 use plotters::prelude::*;
 
 use super::axes::Axes;
 use super::{Area, BLUE, GREY, VERMILION, heading, px, range_of, save};
-use crate::linearize::Roots;
 
 const SIZE: (u32, u32) = (1100, 480);
 /// Eigenvalues that die out faster are those of the stiff contact, which would leave no room to the others [1/s].
 const FASTEST: f64 = 60.0;
+
+/// Eigenvalues at a speed.
+#[derive(Clone, Debug)]
+pub struct Roots {
+    /// Speed [m/s].
+    pub speed: f64,
+    /// Growth and angular frequency, the one that grows most first [1/s].
+    pub values: Vec<Complex<f64>>,
+}
 
 /// Draws the `roots` at each speed, and the `critical` one.
 ///

@@ -9,10 +9,11 @@ use clap::Args;
 use nalgebra::Complex;
 use wheelrail::wheelset::{Input, Parameters, TAPE_CIRCLE, Wheelset};
 
-use crate::args::ContactOptions;
+use crate::figures::roots::{self, Roots};
+use crate::options::ContactOptions;
+use crate::output;
 use crate::remarks::{Found, Remarks};
 use crate::wheelset::options::WheelsetOptions;
-use crate::{figures, output};
 use linear_wheelset::{LinearWheelset, STATES, eigenvalues};
 
 /// Equations of motion of a wheelset about even rolling, and their eigenvalues over the speed
@@ -58,15 +59,6 @@ const MOST_SPEEDS: u32 = 10_000;
 const RESOLUTION: f64 = 1e-6;
 const COLUMNS: [&str; 5] = ["speed_m_s", "number", "growth_1_s", "frequency_hz", "damping_ratio"];
 
-/// Eigenvalues at a speed.
-#[derive(Clone, Debug)]
-pub struct Roots {
-    /// Speed [m/s].
-    pub speed: f64,
-    /// Growth and angular frequency, the one that grows most first [1/s].
-    pub values: Vec<Complex<f64>>,
-}
-
 /// Computes the table and, if asked for, draws the figure.
 ///
 /// # Errors
@@ -109,7 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     table.finish()?;
     if let Some(path) = &arguments.figure {
-        figures::roots::draw(path, &arguments.contact.profiles(), &roots, critical)?;
+        roots::draw(path, &arguments.contact.profiles(), &roots, critical)?;
     }
     if arguments.output.is_some() {
         output::say(&told(&roots, critical))?;

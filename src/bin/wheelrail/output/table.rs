@@ -9,8 +9,6 @@ use anyhow::{Context, Result, anyhow};
 
 use wheelrail::io::Draft;
 
-use super::cannot_write;
-
 /// Lines are held back until there are that many bytes of them …
 const MOST_HELD_BACK: usize = 1 << 16;
 /// … or for that time.
@@ -148,6 +146,11 @@ impl Lines {
 
 fn under_way() -> MutexGuard<'static, Vec<Weak<Mutex<Lines>>>> {
     UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What is said of a file that cannot be written.
+pub fn cannot_write(path: &Path) -> String {
+    format!("cannot write {}", path.display())
 }
 
 /// Ends the program at an interrupt.

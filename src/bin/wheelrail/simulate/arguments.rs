@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 use super::fmu_wheel::is_driven;
-use crate::args::{ContactOptions, assignment};
+use crate::options::{ContactOptions, assignment};
 use crate::wheelset::options::WheelsetOptions;
 use crate::wheelset::track::{RampShape, Track};
 

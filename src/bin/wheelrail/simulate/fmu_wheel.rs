@@ -4,6 +4,7 @@ use anyhow::{Context, Result};
 use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
 
 use crate::importer::{Fmu, Instance};
+use crate::wheelset::record::Patch;
 use crate::wheelset::{Moment, Wheel, WheelInput};
 
 const INPUTS: [&str; 14] = [
@@ -42,27 +43,6 @@ const PATCH: [&str; 7] =
 /// Whether a run gives the variable `name` its values.
 pub fn is_driven(name: &str) -> bool {
     name == "side" || INPUTS.contains(&name)
-}
-
-/// One patch as the history and the figures show it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Patch {
-    /// Number of the rail, from 1.
-    pub rail: i32,
-    /// Normal force [N].
-    pub normal_force: f64,
-    /// Contact angle [rad].
-    pub contact_angle: f64,
-    /// Lateral position on the rail profile [m].
-    pub rail_y: f64,
-    /// Lateral position on the wheel profile [m].
-    pub wheel_y: f64,
-    /// Extent across [m].
-    pub width: f64,
-    /// Lateral position in the track frame [m].
-    pub position_y: f64,
-    /// Distance of the contact point from the axle [m].
-    pub rolling_radius: f64,
 }
 
 /// A wheel on its rail, computed by the FMU.

@@ -3,31 +3,12 @@
 use std::path::Path;
 
 use anyhow::Result;
-use wheelrail::element::output::Wrench;
 
-use super::fmu_wheel::Patch;
 use crate::output;
-use crate::wheelset::body::State;
+use crate::wheelset::record::{Patch, Record, SIDES};
 
 /// Patches of each wheel that get columns of their own, heaviest first.
 const LISTED_PATCHES: usize = 3;
-/// Names of the wheels in the order of the simulation.
-pub const SIDES: [&str; 2] = ["right", "left"];
-
-/// The run at one moment.
-#[derive(Clone, Debug)]
-pub struct Record {
-    /// Time [s].
-    pub time: f64,
-    /// Lateral position of the track's centre line [m].
-    pub track_y: f64,
-    /// Motion of the wheelset.
-    pub state: State,
-    /// Forces on the wheels and moments about their markers, right one first.
-    pub wrenches: [Wrench; 2],
-    /// Patches of the wheels, right one first.
-    pub patches: [Vec<Patch>; 2],
-}
 
 /// Writes `records` as a table with units in the header.
 ///
@@ -128,7 +109,10 @@ fn significant(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use wheelrail::element::output::Wrench;
+
     use super::*;
+    use crate::wheelset::body::State;
 
     #[test]
     fn every_row_has_as_many_cells_as_the_header() {

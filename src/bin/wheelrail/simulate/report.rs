@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::history::SIDES;
-use super::{Arguments, Record, Run};
+use super::arguments::Arguments;
+use super::integration::Run;
 use crate::wheelset::body::State;
 use crate::wheelset::oscillation::oscillation;
+use crate::wheelset::record::{Patch, Record, SIDES};
 use crate::wheelset::step_limit::StepLimit;
 
 /// Messages of the unit that are shown.
@@ -198,7 +199,7 @@ fn largest(records: &[Record], quantity: impl Fn(&Record) -> f64) -> &Record {
     records.iter().fold(first, |best, r| if quantity(r) > quantity(best) { r } else { best })
 }
 
-fn wheel_maximum(record: &Record, quantity: impl Fn(&super::Patch) -> f64) -> f64 {
+fn wheel_maximum(record: &Record, quantity: impl Fn(&Patch) -> f64) -> f64 {
     record.patches.iter().flatten().map(quantity).fold(0.0, f64::max)
 }
 

@@ -8,6 +8,7 @@ pub mod body;
 pub mod equilibrium;
 pub mod options;
 pub mod oscillation;
+pub mod record;
 pub mod step_limit;
 pub mod suspension;
 pub mod track;

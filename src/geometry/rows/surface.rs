@@ -10,7 +10,7 @@ use crate::geometry::slices::Rows;
 use crate::math::real::Real;
 
 /// Farthest place of touch from the axle [m].
-pub(super) const REACH: f64 = 0.12;
+pub(in crate::geometry) const REACH: f64 = 0.12;
 
 /// A row at one place: point and derivative across, both with their derivatives along the track.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ pub(in crate::geometry) struct Surface {
 }
 
 /// Greatest place along the track on a roller, over its radius: a wheel never goes there from above [-].
-pub(super) const MOST_OF_ROLLER: f64 = 0.8;
+pub(in crate::geometry) const MOST_OF_ROLLER: f64 = 0.8;
 /// Least radius of a row of a roller, over that of the marker, and square of the least height above the axle, over that of the radius [-].
 const LEAST_ROW: f64 = 0.1;
 

@@ -1,16 +1,16 @@
 //! The rows that a wheel meets as one outline.
 
-use super::Along;
-use super::over::dot;
+use super::along::Along;
+use super::met::Met;
+use super::plane::dot;
 use super::surface::Surface;
-use super::touch::Met;
 use crate::geometry::curve::{CurvePoint, Knot};
 use crate::geometry::slices::arc;
 use crate::math::real::Real;
 use crate::math::room::Room;
 
 /// Greatest difference of places along the track of two rows that are taken for a trend [m].
-pub(super) const TREND: f64 = 5e-3;
+pub(in crate::geometry) const TREND: f64 = 5e-3;
 /// Least distance of two rows on the envelope [m].
 const LEAST_ARC: f64 = 1e-6;
 

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use wheelrail::element::Parameters;
-use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::variables::{Values, find};
 
 use super::separation::number;
 use crate::cases::{Cases, Row};
+use crate::models::is_slow;
 
 /// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
 const VARIABLE_COLUMNS: [(&str, &str, f64); 19] = [
@@ -141,8 +141,7 @@ impl Case {
 
     /// Whether it takes milliseconds.
     pub fn is_slow(&self) -> bool {
-        self.parameters.normal_model == NormalModel::BoundaryElement
-            || self.parameters.tangential_model == TangentialModel::BoundaryElement
+        is_slow(self.parameters.normal_model, self.parameters.tangential_model)
     }
 
     /// The case with the points of its separation file.

@@ -1,0 +1,79 @@
+//! Options that several commands share.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use wheelrail::variables::{Causality, Values, find};
+
+/// Where the commands on tables read and write; its help is shown with theirs.
+#[derive(Args, Debug)]
+pub struct TableFiles {
+    /// Table of cases, CSV
+    #[arg(value_name = "CASES.csv")]
+    pub cases: PathBuf,
+    /// File for the results, CSV; without it standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What touches what; its help is shown with that of the commands that run a wheelset.
+#[derive(Args, Debug)]
+pub struct ContactOptions {
+    /// Profile of both wheels: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "S1002", help_heading = "Contact")]
+    pub wheel_profile: String,
+    /// Profile of both rails: built-in name or file
+    #[arg(long, value_name = "PROFILE", default_value = "60E1", help_heading = "Contact")]
+    pub rail_profile: String,
+    /// Inclination of the rails: 0.025 is 1:40
+    #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
+    pub inclination: f64,
+    /// Set any other parameter of both wheels (for simulate any input too), such as track.gauge; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
+    pub settings: Vec<(String, String)>,
+}
+
+impl ContactOptions {
+    /// Names and values of all variables that are set, in order.
+    pub fn all_settings(&self) -> Vec<(String, String)> {
+        let named = [
+            ("wheel.profile", self.wheel_profile.clone()),
+            ("rail[1].profile", self.rail_profile.clone()),
+            ("rail[1].inclination", self.inclination.to_string()),
+        ];
+        let named = named.into_iter().map(|(name, value)| (name.into(), value));
+        named.chain(self.settings.iter().cloned()).collect()
+    }
+
+    /// Parameters of both wheels as the options set them.
+    ///
+    /// # Errors
+    /// A name that no parameter has or that wheels do not share, or a value that is not admitted.
+    pub fn shared_values(&self) -> Result<Values> {
+        let mut values = Values::default();
+        for (name, value) in self.all_settings() {
+            let variable = find(&name).with_context(|| format!("--set {name}"))?;
+            if variable.causality != Causality::Parameter || name == "side" {
+                bail!("--set {name}: only parameters that both wheels share can be set");
+            }
+            values.set_from_text(variable, &value)?;
+        }
+        Ok(values)
+    }
+
+    /// The pair, for titles.
+    pub fn profiles(&self) -> String {
+        format!("{} on {}", self.wheel_profile, self.rail_profile)
+    }
+}
+
+/// Reads NAME=VALUE.
+pub fn assignment(text: &str) -> std::result::Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok((name.trim().into(), value.trim().into()))
+        }
+        _ => Err("write NAME=VALUE, such as friction.coefficient=0.4".into()),
+    }
+}
