@@ -2,6 +2,7 @@
 //!
 //! Threads live as long as a call: a pool that outlives it would hang in processes forked from this one.
 
+use std::mem::take;
 use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -9,7 +10,8 @@ use std::time::{Duration, Instant};
 
 /// Most rows that a thread takes at once: enough to forget the lock.
 const MOST_AT_ONCE: usize = 32;
-/// Shares for each thread at least, so that those with rows that take long do not keep the others waiting.
+/// Shares of each thread in the rows that are left when it takes some: fewer and fewer rows, so that none waits long for the others at the
+/// end.
 const SHARES: usize = 4;
 /// Time after which other threads help: some times what it takes to start one.
 const ALONE: Duration = Duration::from_micros(200);
@@ -22,6 +24,25 @@ pub struct Target<'a> {
     pub width: usize,
     /// States of the rows.
     pub states: &'a mut [u8],
+}
+
+/// Rows that no thread has taken.
+struct Rows<'a> {
+    numbers: &'a mut [f64],
+    states: &'a mut [u8],
+    first: usize,
+}
+
+impl<'a> Rows<'a> {
+    /// The next rows, one of `shares` of those that are left.
+    fn take(&mut self, width: usize, shares: usize) -> Rows<'a> {
+        let count = (self.states.len() / shares).clamp(1, MOST_AT_ONCE).min(self.states.len());
+        let (numbers, other_numbers) = take(&mut self.numbers).split_at_mut(count * width);
+        let (states, other_states) = take(&mut self.states).split_at_mut(count);
+        let first = self.first;
+        *self = Rows { numbers: other_numbers, states: other_states, first: first + count };
+        Rows { numbers, states, first }
+    }
 }
 
 /// Fills all rows by `work(kept, row, numbers, state)` on as many threads as there are things `kept`; each thread has one for its own.
@@ -45,24 +66,22 @@ pub fn fill<K: Send, E: Send>(
     if states.is_empty() {
         return Ok(());
     }
-    let piece = (states.len() / (SHARES * kept.len())).clamp(1, MOST_AT_ONCE);
-    // Rows without numbers have states still.
-    let mut numbers = numbers.chunks_mut((piece * width).max(1));
-    let pieces =
-        states.chunks_mut(piece).map(move |states| (numbers.next().unwrap_or_default(), states));
-    let pieces = Mutex::new(pieces.enumerate());
+    let most = SHARES * kept.len();
+    let left = Mutex::new(Rows { numbers, states, first });
     let failed: Mutex<Option<(usize, E)>> = Mutex::new(None);
     let is_failed = || failed.lock().unwrap_or_else(PoisonError::into_inner).is_some();
     let share = |kept: &mut K| {
         while !is_failed() {
-            let next = pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some((number, (numbers, states))) = next else { return };
-            for (i, state) in states.iter_mut().enumerate() {
-                let row = first + number * piece + i;
-                if let Err(error) = work(kept, row, &mut numbers[i * width..(i + 1) * width], state)
-                {
+            let rows = left.lock().unwrap_or_else(PoisonError::into_inner).take(width, most);
+            if rows.states.is_empty() {
+                return;
+            }
+            for (i, state) in rows.states.iter_mut().enumerate() {
+                let row = rows.first + i;
+                let numbers = &mut rows.numbers[i * width..(i + 1) * width];
+                if let Err(error) = work(kept, row, numbers, state) {
                     let mut earliest = failed.lock().unwrap_or_else(PoisonError::into_inner);
-                    // Pieces are taken in order: of those before this one none is left out.
+                    // Rows are taken in order: of those before these none is left out.
                     if earliest.as_ref().is_none_or(|(other, _)| row < *other) {
                         *earliest = Some((row, error));
                     }
