@@ -1,5 +1,5 @@
-//! The documents do not go stale: the tables of variables in docs/fmi.md are those of wheel and wheelset, and every variable that a
-//! document names exists. `UPDATE_DOCS=1 cargo test --test docs` writes the tables.
+//! The documents do not go stale: the tables of variables in docs/fmi.md and the keywords of the Python package are those of wheel and
+//! wheelset, and every variable that a document names exists. `UPDATE_DOCS=1 cargo test --test docs` writes the tables.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -144,6 +144,38 @@ fn range(v: &Variable) -> String {
         (None, Some(max)) => format!("to {max}"),
         (None, None) => String::new(),
     }
+}
+
+/// The keywords of the Python package are written by `python/make_keywords.py`, with the package installed.
+#[test]
+fn the_keywords_of_python_are_those_of_the_variables() {
+    let folder = document("python");
+    if !folder.is_dir() {
+        // The crate as it is packed comes without the Python package.
+        return;
+    }
+    let text = std::fs::read_to_string(folder.join("package/wheelrail/_keywords.py")).unwrap();
+    let stale = "_keywords.py is stale: run python python/make_keywords.py";
+    let mut count = 0;
+    for v in VARIABLES.iter().chain(WHEELSET.variables).filter(|v| v.is_settable()) {
+        let unit = match (v.kind, v.unit) {
+            (Kind::Real, "") => " [-]".into(),
+            (Kind::Real, unit) => format!(" [{unit}]"),
+            _ => String::new(),
+        };
+        let described = format!("    \"\"\"{}{unit}.\"\"\"\n", v.description);
+        assert!(text.contains(&described), "{}: {stale}", v.name);
+        if let Kind::Enumeration(e) = v.kind {
+            let items: Vec<String> = e.items.iter().map(|i| format!("\"{}\"", i.name)).collect();
+            let items = format!(": Literal[{}]\n{described}", items.join(", "));
+            assert!(text.contains(&items), "{}: {stale}", v.name);
+        }
+        // Inputs are keywords of a call, and of the element that keeps them.
+        count += if v.causality == Causality::Input { 2 } else { 1 };
+    }
+    let keywords = text.lines().filter(|line| line.starts_with("    \"\"\""));
+    // Four classes have a line of their own.
+    assert_eq!(keywords.count(), count + 4, "{stale}");
 }
 
 /// Names in backquotes that begin like a variable are variables; `wheel.x|y|z` stands for three.

@@ -1,5 +1,8 @@
 //! Planar contact problems for arrays.
 
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -34,7 +37,7 @@ fn case<'a>(
 /// Solves a planar problem for every row of `cases`, with the models and materials of a wheel.
 ///
 /// Columns of `cases`: radius, approach or load, creepage longitudinal, lateral, spin, friction, speed. Of `out`: normal force, greatest
-/// pressure, area, length, width, fx, fy, mz, number of zones, whether a solver fell back.
+/// pressure, area, length, width, fx, fy, mz, number of zones, whether a solver fell back. Returns why rows were refused.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn planar_solve(
@@ -47,19 +50,22 @@ pub fn planar_solve(
     mut states: PyReadwriteArray1<'_, u8>,
     threads: usize,
     tolerant: bool,
-) -> PyResult<()> {
+) -> PyResult<HashMap<usize, String>> {
     let (separation, _) = separation.as_slice()?.as_chunks::<2>();
     let (cases, _) = cases.as_slice()?.as_chunks::<GIVEN>();
     let (numbers, states) = (out.as_slice_mut()?, states.as_slice_mut()?);
+    let refusals = Mutex::new(HashMap::new());
     let done = py.detach(|| {
-        let mut workers = vec![(); threads_for(cases.len() * 32, threads)];
+        let mut workers = vec![(); threads_for(cases.len(), threads)];
         let target = Target { numbers, width: FOUND, states };
         fill(target, &mut workers, |(), row, numbers, state| {
             let found = match solve(&case(wheel, separation, &cases[row], by_load)) {
                 Ok(found) => found,
-                Err(_) if tolerant => {
+                Err(error) if tolerant => {
                     numbers.fill(f64::NAN);
                     *state = REFUSED;
+                    let mut refusals = refusals.lock().unwrap_or_else(PoisonError::into_inner);
+                    refusals.insert(row, error.to_string());
                     return Ok(());
                 }
                 Err(error) => return Err(error),
@@ -80,7 +86,8 @@ pub fn planar_solve(
             Ok(())
         })
     });
-    done.map_err(|(row, error): (usize, ContactError)| refused(py, &error, Some(row)))
+    done.map_err(|(row, error): (usize, ContactError)| refused(py, &error, Some(row)))?;
+    Ok(refusals.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
 /// Pressure and tractions of one planar problem, one dict for each zone.

@@ -47,10 +47,11 @@ macro_rules! unit {
                 self.evaluator.subject.nominal_z()
             }
 
-            /// What was found and mended in files of profiles, with the parameter that names each.
+            /// What was mended or is suspect in files of profiles, with the parameter that names each.
             fn remarks(&self) -> Vec<(String, String)> {
                 let all = elements(&self.evaluator.subject).iter().flat_map(Element::profile_remarks);
-                all.map(|(name, remark)| (name.clone(), remark.to_string())).collect()
+                let worth_a_look = all.filter(|(_, remark)| remark.is_warning());
+                worth_a_look.map(|(name, remark)| (name.clone(), remark.to_string())).collect()
             }
 
             /// Evaluates rows; refusals by row.

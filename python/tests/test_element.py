@@ -44,6 +44,27 @@ def test_bits_do_not_depend_on_threads(wheel):
         assert one.tobytes() == wheel.evaluate(**rows, threads=threads).to_numpy().tobytes()
 
 
+def test_few_rows_that_take_long_are_shared_out():
+    wheel = wheelrail.Element(
+        normal_model="boundary_element", tangential_model="boundary_element",
+        normal_elements_along=10, normal_elements_across=10, vertical_mode="load", **ROLLING,
+    )  # fmt: skip
+    y = 0.75 + np.linspace(-4e-3, 4e-3, 5)
+    one = wheel.evaluate(y=y, load=8e4, threads=1).to_numpy()
+    assert one.tobytes() == wheel.evaluate(y=y, load=8e4, threads=4).to_numpy().tobytes()
+
+
+def test_the_first_refusal_is_told_whatever_the_threads(wheel):
+    rows = places(wheel, 3000)
+    rows["y"][[1700, 1710, 2900]] = np.nan
+    for threads in (1, 2, 7):
+        with pytest.raises(wheelrail.BadValueError) as caught:
+            wheel.evaluate(**rows, threads=threads)
+        assert caught.value.row == 1700
+        masked = wheel.evaluate(**rows, threads=threads, errors="nan")
+        assert list(masked.refusals) == np.flatnonzero(~masked.valid).tolist() == [1700, 1710, 2900]
+
+
 def test_inputs_broadcast(wheel):
     y = 0.75 + np.linspace(-2e-3, 2e-3, 4)[:, np.newaxis]
     depth = np.array([2e-5, 5e-5, 1e-4])
@@ -94,6 +115,8 @@ def test_outputs_can_be_chosen(wheel):
         ({"outputs": "nothing.*"}, wheelrail.UnknownVariableError, "nothing.*", None, "no output fits"),
         ({"errors": "ignore"}, wheelrail.BadValueError, "errors", None, "raise or nan"),
         ({"threads": 0}, wheelrail.BadValueError, "threads", None, "at least 1"),
+        ({"threads": "2"}, wheelrail.BadValueError, "threads", None, "threads = '2'"),
+        ({"threads": 1.5}, wheelrail.BadValueError, "threads", None, "a whole number"),
     ],
 )
 def test_refusals_name_variable_and_row(wheel, call, kind, variable, row, words):
@@ -175,6 +198,105 @@ def test_derivatives_are_those_of_differences(wheel):
     np.testing.assert_allclose(alone["wheel.force.y", "vy"], jacobian["wheel.force.y", "wheel.vy"], rtol=1e-12)
     with pytest.raises(wheelrail.UnknownVariableError, match="by="):
         jacobian["wheel.force.z", "vx"]
+
+
+def test_a_table_without_names_is_refused(wheel):
+    for table in ([0.75, 0.751], np.zeros((2, 3)), "cases.csv"):
+        with pytest.raises(wheelrail.BadValueError, match="a mapping or a DataFrame") as caught:
+            wheel.evaluate(table)
+        assert caught.value.variable == "table"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "inputs", "words"),
+    [
+        ({}, {"load": 8e4}, 'wheel.load has no effect with vertical.mode = penetration: it has with "load"'),
+        ({}, {"friction_tread_coefficient": 0.2}, "friction.tread.coefficient has no effect"),
+        ({"friction_distribution": "regions"}, {"friction": 0.2}, "friction.coefficient has no effect"),
+    ],
+)
+def test_inputs_without_effect_are_told(parameters, inputs, words):
+    wheel = wheelrail.Element(**parameters, **QUICK)
+    for call in (wheel.evaluate, wheel.jacobian):
+        with pytest.warns(wheelrail.ContactWarning, match=words) as told:
+            call(y=[0.75, 0.751], **inputs)
+        assert len(told) == 1 and told[0].filename == __file__
+    with pytest.warns(wheelrail.ContactWarning, match=words) as told:
+        wheelrail.Element(**parameters, **QUICK, **inputs)
+    assert told[0].filename == __file__
+    name, value = next(iter(inputs.items()))
+    with pytest.warns(wheelrail.ContactWarning, match=f"left.{words}"):
+        wheelrail.WheelSet(**parameters, **QUICK, **{f"left_{name if name != 'load' else 'wheel_load'}": value})
+
+
+def section_table(path, heading, rows):
+    path.write_text("\n".join([heading, *(f"{place},{profile}" for place, profile in rows)]) + "\n")
+    return path
+
+
+def test_profiles_vary_along_the_track_and_around_the_wheel(tmp_path):
+    rail = section_table(tmp_path / "rail.csv", "station_m,profile", [(0, "60E1"), (3, "60E2")])
+    hollow = wheelrail.profile("S1002")
+    hollow[:, 1] += 1e-4 * np.exp(-((hollow[:, 0] / 10e-3) ** 2))
+    np.savetxt(tmp_path / "hollow.txt", 1e3 * hollow[::-1])
+    around = section_table(tmp_path / "wheel.csv", "angle_deg,profile", [(0, "S1002"), (180, "hollow.txt")])
+    under_load = {"vertical_mode": "load", **QUICK}
+    y = 0.75 + np.linspace(-4e-3, 4e-3, 5)
+    varying = wheelrail.Element(rail1_profile=rail, **under_load)
+    along = varying.evaluate(y=y, track_s=np.array([[-1.0], [-0.5], [1.5], [3.0]]), load=8e4)
+    # The rail goes on before its first section as it is there, and is another one where the sections are.
+    for name in ("wheel.force.y", "vertical.wheel_z"):
+        np.testing.assert_allclose(along[name][0], along[name][1], rtol=1e-6)
+        assert (np.abs(along[name][3] - along[name][0]) > 1e-6 * np.abs(along[name][0])).any()
+    slope = varying.jacobian(y=y, track_s=1.5, load=8e4, outputs="wheel.force.y", by="track_s")
+    step = 1e-5
+    moved = [varying.evaluate(y=y, track_s=1.5 + d, load=8e4, outputs="wheel.force.y") for d in (-step, step)]
+    differences = (moved[1]["wheel.force.y"] - moved[0]["wheel.force.y"]) / (2 * step)
+    exact = slope["wheel.force.y", "track_s"]
+    np.testing.assert_allclose(exact, differences, rtol=1e-4, atol=1e-4 * np.abs(exact).max())
+    turned = wheelrail.Element(wheel_profile=around, **under_load)
+    found = turned.evaluate(y=y, pitch=np.array([[0.0], [-np.pi], [-2 * np.pi]]), load=8e4)["wheel.force.y"]
+    np.testing.assert_allclose(found[0], found[2], rtol=1e-6)
+    assert (np.abs(found[1] - found[0]) > 1e-3 * np.abs(found[0])).any()
+    with pytest.raises(wheelrail.NoDerivativeError, match=r"wheel\.profile"):
+        turned.jacobian(y=y, load=8e4)
+    with pytest.raises(wheelrail.BadValueError, match="sections|section") as caught:
+        wheelrail.Element(wheel_profile=around, rail1_profile=rail, **QUICK).evaluate()
+    assert caught.value.variable == "wheel.profile"
+    section_table(rail, "station_m,profile", [(0, "60E1"), (1, "nowhere.txt")])
+    with pytest.raises(wheelrail.ProfileError, match=r"rail\.csv:3: .*nowhere\.txt") as caught:
+        wheelrail.Element(rail1_profile=rail)
+    assert caught.value.variable == "rail[1].profile"
+
+
+def test_a_roller_turns_under_the_wheel():
+    radius, speed = 0.5, 20.0
+    under_load = {"vertical_mode": "load", **QUICK}
+    wheel = wheelrail.Element(rail1_roller_radius=radius, **under_load)
+    names = ["patch[1].creepage.longitudinal", "patch[1].length", "patch[1].width"]
+    turning = speed / radius * np.array([1.0, 1.001])
+    found = wheel.evaluate(vx=0.0, rail1_pitch_rate=turning, load=8e4, outputs=names)
+    # The patch lies within 0.5 mm below the top of the roller, which is a creepage of 1e-3.
+    assert abs(found[names[0]][0]) < 1e-3
+    # A thousandth more of the roller's speed is as much more of creepage.
+    np.testing.assert_allclose(np.diff(found[names[0]])[0], 1e-3, rtol=0.01)
+    # Curvatures along x add up, so that the patch is shorter and wider in proportion than on a rail.
+    straight = wheelrail.Element(**under_load).evaluate(load=8e4, outputs=names)
+    assert found[names[1]][0] / found[names[2]][0] < 0.9 * straight[names[1]] / straight[names[2]]
+
+
+def test_friction_comes_from_a_table(tmp_path):
+    path = tmp_path / "friction.csv"
+    path.write_text("station_m,friction\n0,0.1\n10,0.4\n")
+    sliding = {"vertical_mode": "load", "vy": 2.0, **QUICK}
+    wheel = wheelrail.Element(friction_distribution="profile", friction_profile=path, **sliding)
+    found = wheel.evaluate(track_s=[0.0, 5.0, 10.0], load=8e4)["wheel.force.y"]
+    same = wheelrail.Element(**sliding).evaluate(friction=[0.1, 0.25, 0.4], load=8e4)["wheel.force.y"]
+    np.testing.assert_allclose(found, same, rtol=1e-6)
+    path.write_text("station_m,friction\n0,0.1\n10,-0.4\n")
+    with pytest.raises(wheelrail.ContactError, match=r"friction\.csv") as caught:
+        wheelrail.Element(friction_distribution="profile", friction_profile=path)
+    assert caught.value.variable == "friction.profile"
 
 
 def test_models_without_derivatives_say_so():

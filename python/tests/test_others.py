@@ -47,6 +47,7 @@ def test_planar_refusals_are_named():
     assert caught.value.row == 1
     masked = planar.solve(y, f, radius=[0.3, -1.0], approach=1e-5, errors="nan")
     assert masked.valid.tolist() == [True, False] and np.isnan(masked["normal_force"][1])
+    assert list(masked.refusals) == [1] and "radius = -1" in masked.refusals[1]
     with pytest.raises(wheelrail.BadValueError, match="one f for each y"):
         planar.solve(y, f[1:], radius=0.3, approach=1e-5)
 
@@ -72,6 +73,12 @@ def test_contact_geometry_is_symmetric_and_agrees_with_the_rigid_table_without_r
     np.testing.assert_allclose(found["difference"], rigid["difference"], atol=0.1e-3)
 
 
+def test_contact_geometry_has_no_numbers_beside_the_rail():
+    found = conicity.contact_geometry([0.0, 1e-3, 0.5], **_models())
+    assert np.isfinite(found["difference"][:2]).all()
+    assert all(np.isnan(found[name][2]) for name in found)
+
+
 def test_wear_takes_material_off_and_stays():
     run = wheelrail.WearRun(wear_model="frictional_work", wear_acceleration_factor=1e6, vy=0.05, **QUICK)
     z = wheelrail.Element(**QUICK).nominal_z + 6e-5
@@ -83,6 +90,9 @@ def test_wear_takes_material_off_and_stays():
     assert run.depth("wheel")[:, 1].max() > 0 and run.profile("rail[1]").shape == (1000, 2)
     with pytest.raises(wheelrail.BadValueError, match="frictional_work"):
         wheelrail.WearRun()
+    for points in (1, -3, 10.5):
+        with pytest.raises(wheelrail.BadValueError, match="points = .* 2 to 1000000"):
+            run.profile(points=points)
     with pytest.raises(wheelrail.BadValueError, match="duration"):
         run.advance(y=0.75, duration=-1.0)
 
@@ -110,6 +120,8 @@ def test_rows_of_a_table_can_have_their_own_parameters():
     assert caught.value.row == 2
     assert wheelrail.evaluate(table, errors="nan")["valid"].tolist() == [True, True, False, True]
     assert list(wheelrail.evaluate(table.iloc[:0])) == list(found)
+    with pytest.raises(wheelrail.BadValueError, match="takes a DataFrame"):
+        wheelrail.evaluate({"wheel.y": [0.75]})
 
 
 @pytest.mark.parametrize("kind", ["csv", "parquet"])
@@ -152,6 +164,8 @@ def test_profiles_are_points():
     assert caught.value.variable == "wheel.profile"
     with pytest.raises(wheelrail.BadValueError, match="wheel or rail"):
         wheelrail.profile("S1002", "axle")
+    with pytest.raises(wheelrail.BadValueError, match="points = 10.5"):
+        wheelrail.profile("S1002", points=10.5)
 
 
 def test_what_was_mended_in_a_profile_is_told(tmp_path):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Union
 
 import numpy as np
@@ -16,7 +16,7 @@ from ._contact import Contact, contact_of
 from ._files import folders
 from ._result import REFUSED, SUNK, Column, Jacobian, Layout, Result
 from ._variables import Unit, Variable, by_name, find, is_evaluated, select, variables
-from .errors import BadValueError, ContactWarning
+from .errors import BadValueError, ContactWarning, admitted_count
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -31,6 +31,16 @@ Outputs = Union[Sequence[str], str, None]
 
 #: Time that a call of the native part should take: between calls progress is told and Ctrl-C heard [s].
 _SLICE = 0.2
+#: Rows of each thread in the first of these calls: a second at most of boundary elements.
+_FIRST_SLICE = 32
+
+#: Inputs that have an effect with one choice of a parameter alone.
+_ONLY_WITH = {
+    "wheel.load": ("vertical.mode", "load"),
+    "friction.coefficient": ("friction.distribution", "uniform"),
+    "friction.tread.coefficient": ("friction.distribution", "regions"),
+    "friction.gauge_face.coefficient": ("friction.distribution", "regions"),
+}
 
 
 class _Unit:
@@ -54,6 +64,7 @@ class _Unit:
         self._native: Any = self._class()(made, folders())
         for name, remark in self._native.remarks():
             warnings.warn(f"{name}: {remark}", ContactWarning, stacklevel=3)
+        self._tell_idle(settings)
 
     @classmethod
     def _class(cls) -> Any:
@@ -99,6 +110,7 @@ class _Unit:
         inputs: Mapping[str, Any],
     ) -> Result:
         given = _Given(self._unit, table, inputs)
+        self._tell_idle(given.layout.inputs)
         wanted = select(self._unit, outputs, self._default_outputs())
         references = [v.reference for v in wanted]
         data = np.empty((given.rows, len(wanted)))
@@ -110,9 +122,9 @@ class _Unit:
             found = self._native.evaluate(
                 given.columns(rows), references, data[rows], states[rows], count, tolerant
             )
-            refusals.update((rows.start + row, text) for row, text in found.items())
+            refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
 
-        given.in_slices(work, count, progress)
+        in_slices(given.rows, work, count, progress)
         sunk = int(np.count_nonzero(states == SUNK))
         if sunk:
             warnings.warn(
@@ -135,6 +147,7 @@ class _Unit:
         inputs: Mapping[str, Any],
     ) -> Jacobian:
         given = _Given(self._unit, table, inputs)
+        self._tell_idle(given.layout.inputs)
         own = "wheel" if self._unit == "WheelRail" else "wheelset"
         wanted = select(self._unit, outputs, [f"{own}.force.*", f"{own}.moment.*"])
         for v in wanted:
@@ -159,9 +172,9 @@ class _Unit:
             found = self._native.jacobian(
                 given.columns(rows), *references, data[rows], states[rows], count, tolerant
             )
-            refusals.update((rows.start + row, text) for row, text in found.items())
+            refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
 
-        given.in_slices(work, count, progress)
+        in_slices(given.rows, work, count, progress)
         return Jacobian(
             data.reshape(*given.layout.shape, *shape),
             tuple(v.name for v in wanted),
@@ -176,14 +189,28 @@ class _Unit:
         data = np.empty((given.rows, 1))
         states = np.zeros(given.rows, dtype=np.uint8)
         count = _threads(threads)
-        given.in_slices(
+        in_slices(
+            given.rows,
             lambda rows: self._native.touching_heights(
                 given.columns(rows), data[rows], states[rows], count
             ),
             count,
-            None,
         )
         return data.reshape(given.layout.shape)[()]
+
+    def _tell_idle(self, given: Iterable[str]) -> None:
+        """Warns of inputs that have no effect with the parameters as they are."""
+        for name in given:
+            for input_, (parameter, item) in _ONLY_WITH.items():
+                if name.endswith(input_):
+                    chosen = self.parameters[parameter]
+                    # Items may be given by number.
+                    if isinstance(chosen, str) and chosen != item:
+                        warnings.warn(
+                            f'{name} has no effect with {parameter} = {chosen}: it has with "{item}"',
+                            ContactWarning,
+                            stacklevel=4,
+                        )
 
 
 class Element(_Unit):
@@ -440,6 +467,12 @@ class _Given:
     ) -> None:
         given: dict[str, Any] = {}
         references: list[int] = []
+        if not (table is None or hasattr(table, "keys")):
+            raise BadValueError(
+                f"table is a {type(table).__name__}: it takes a mapping or a DataFrame; arrays are "
+                "keywords, such as y=",
+                variable="table",
+            )
         pairs = [(str(name), table[name]) for name in table] if table is not None else []
         for name, value in [*pairs, *inputs.items()]:
             variable = _input(unit, name)
@@ -479,26 +512,27 @@ class _Given:
             for r, column in self._columns
         ]
 
-    def in_slices(
-        self, work: Callable[[slice], None], threads: int, progress: Progress
-    ) -> None:
-        """Does the work slice by slice, each of about the same time."""
-        tell, close = _teller(progress, self.rows)
-        size, start = 512 * threads, 0
-        try:
-            while start < self.rows:
-                stop = min(start + size, self.rows)
-                begin = time.perf_counter()
-                try:
-                    work(slice(start, stop))
-                except Exception as error:
-                    raise _moved(error, start) from None
-                taken = time.perf_counter() - begin
-                size = int(min(max(size * min(_SLICE / max(taken, 1e-9), 8.0), threads), 1 << 20))
-                start = stop
-                tell(start)
-        finally:
-            close()
+
+def in_slices(
+    rows: int, work: Callable[[slice], None], threads: int, progress: Progress = None
+) -> None:
+    """Does the work slice by slice, each of about the same time."""
+    tell, close = _teller(progress, rows)
+    size, start = _FIRST_SLICE * threads, 0
+    try:
+        while start < rows:
+            stop = min(start + size, rows)
+            begin = time.perf_counter()
+            try:
+                work(slice(start, stop))
+            except Exception as error:
+                raise _moved(error, start) from None
+            taken = time.perf_counter() - begin
+            size = int(min(max(size * min(_SLICE / max(taken, 1e-9), 8.0), threads), 1 << 20))
+            start = stop
+            tell(start)
+    finally:
+        close()
 
 
 def _moved(error: Exception, start: int) -> Exception:
@@ -568,12 +602,8 @@ def _threads(threads: int | None) -> int:
         if text is None:
             affinity = getattr(os, "sched_getaffinity", None)
             return len(affinity(0)) if affinity else os.cpu_count() or 1
-        threads = int(text) if text.isdecimal() else 0
-    if threads < 1:
-        raise BadValueError(
-            f"threads = {threads} is not admitted: at least 1", variable="threads"
-        )
-    return threads
+        return admitted_count("WHEELRAIL_NUM_THREADS", int(text) if text.isdecimal() else text, 1)
+    return admitted_count("threads", threads, 1)
 
 
 def _is_tolerant(errors: str) -> bool:

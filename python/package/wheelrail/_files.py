@@ -10,12 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from .errors import BadValueError
+from .errors import BadValueError, admitted_count
 
 __all__ = ["fmu", "profile", "profile_folder"]
 
-_HERE = Path(__file__).parent
+#: How many points of a profile can be asked for.
+POINTS = (2, 1_000_000)
 
+_HERE = Path(__file__).parent
 
 _UNITS = ("WheelRail", "WheelSet", "WheelRail3", "WheelSet3")
 
@@ -77,6 +79,5 @@ def profile(
     ndarray, shape (points, 2)
         y to the field side and z down [m]; of a wheel from the running circle.
     """
-    if not 2 <= points <= 1_000_000:
-        raise BadValueError(f"points = {points} is not admitted: 2 to 1000000", variable="points")
-    return _native.profile_points(os.fspath(name), body, smoothing, folders(), points)
+    count = admitted_count("points", points, *POINTS)
+    return _native.profile_points(os.fspath(name), body, smoothing, folders(), count)

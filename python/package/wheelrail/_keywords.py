@@ -88,7 +88,7 @@ class ElementParameters(TypedDict, total=False):
     side: Literal["right", "left"]
     """Side of the track on which the wheel runs; with left, set the start of wheel.y too (negative)."""
     wheel_profile: str | os.PathLike[str]
-    """Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory."""
+    """Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     wheel_nominal_radius: float
     """Radius of the running circle [m]."""
     wheel_young_modulus: float
@@ -96,9 +96,9 @@ class ElementParameters(TypedDict, total=False):
     wheel_poisson_ratio: float
     """Poisson's ratio of the wheel [-]."""
     rail1_profile: str | os.PathLike[str]
-    """Profile of rail 1: a built-in name or a file, found like wheel.profile."""
+    """Profile of rail 1: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     rail2_profile: str | os.PathLike[str]
-    """Profile of rail 2: a built-in name or a file, found like wheel.profile."""
+    """Profile of rail 2: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     rail1_enabled: bool
     """Whether rail 1 takes part."""
     rail2_enabled: bool
@@ -778,13 +778,13 @@ class WheelSetParameters(TypedDict, total=False):
     coupling_monitor: bool
     """Whether contact.stiffness and contact.damping are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
     right_wheel_profile: str | os.PathLike[str]
-    """Right side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory."""
+    """Right side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     right_wheel_nominal_radius: float
     """Right side: Radius of the running circle [m]."""
     right_rail1_profile: str | os.PathLike[str]
-    """Right side: Profile of rail 1: a built-in name or a file, found like wheel.profile."""
+    """Right side: Profile of rail 1: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     right_rail2_profile: str | os.PathLike[str]
-    """Right side: Profile of rail 2: a built-in name or a file, found like wheel.profile."""
+    """Right side: Profile of rail 2: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     right_rail1_enabled: bool
     """Right side: Whether rail 1 takes part."""
     right_rail2_enabled: bool
@@ -852,13 +852,13 @@ class WheelSetParameters(TypedDict, total=False):
     right_wear_rail2_file: str | os.PathLike[str]
     """Right side: File to which fmi2Terminate writes the worn profile of rail 2, as wear.wheel.file."""
     left_wheel_profile: str | os.PathLike[str]
-    """Left side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory."""
+    """Left side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     left_wheel_nominal_radius: float
     """Left side: Radius of the running circle [m]."""
     left_rail1_profile: str | os.PathLike[str]
-    """Left side: Profile of rail 1: a built-in name or a file, found like wheel.profile."""
+    """Left side: Profile of rail 1: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     left_rail2_profile: str | os.PathLike[str]
-    """Left side: Profile of rail 2: a built-in name or a file, found like wheel.profile."""
+    """Left side: Profile of rail 2: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     left_rail1_enabled: bool
     """Left side: Whether rail 1 takes part."""
     left_rail2_enabled: bool

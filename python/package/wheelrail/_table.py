@@ -31,6 +31,7 @@ def outputs_of(
     skipped = tuple(f"patch[{k}]." for k in range(3, 9)) + (() if second else ("rail[2].",))
     return select(unit, outputs, [n for n in default if not any(part in n for part in skipped)])
 
+
 def evaluate(
     table: pandas.DataFrame,
     *,
@@ -65,6 +66,10 @@ def evaluate(
     """
     import pandas
 
+    if not isinstance(table, pandas.DataFrame):
+        raise BadValueError(
+            f"table is a {type(table).__name__}: it takes a DataFrame", variable="table"
+        )
     found = {name: find(unit, str(name)) for name in table.columns}
     of_parameters = [name for name, v in found.items() if v.causality == "parameter"]
     of_inputs = [name for name, v in found.items() if v.causality == "input"]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ._element import Errors, Outputs, Progress, _teller
 from ._table import evaluate as evaluate_table
 from ._variables import Unit
-from .errors import BadValueError, ContactError
+from .errors import BadValueError, ContactError, admitted_count
 
 if TYPE_CHECKING:
     import pandas
@@ -61,10 +61,7 @@ def evaluate(
     """
     import pandas
 
-    if rows_at_once < 1:
-        raise BadValueError(
-            f"rows_at_once = {rows_at_once} is not admitted: at least 1", variable="rows_at_once"
-        )
+    rows_at_once = admitted_count("rows_at_once", rows_at_once, 1)
     path = Path(target)
     partial = path.with_name(path.name + ".partial")
     writer = _writer(path, partial)

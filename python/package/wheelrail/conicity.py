@@ -132,24 +132,27 @@ def contact_geometry(
     -------
     Result
         Over the input ``wheelset.y``: difference, roll, z, of each side rolling_radius, contact_angle,
-        wheel_y and rail_y, and conicity.
+        wheel_y and rail_y, and conicity; NaN where a wheel stands beside its rail.
     """
     places = _numbers("y", y).ravel()
     names = ("rolling_radius", "contact_angle", "wheel_y", "rail_y")
     heaviest = [f"{side}.patch[1].{name}" for side in ("right", "left") for name in names]
     axle = WheelSet({"vertical.mode": "load", **parameters})
     given: Any = {"right.wheel.load": load, "left.wheel.load": load}
+    counts = ["right.patch_count", "left.patch_count"]
     found = axle.evaluate(
-        given, y=places, yaw=yaw, outputs=["vertical.roll", "vertical.wheelset_z", *heaviest]
+        given, y=places, yaw=yaw, outputs=["vertical.roll", "vertical.wheelset_z", *counts, *heaviest]
     )
     columns = [found[name] for name in heaviest]
     difference = columns[0] - columns[len(names)]
     conicity = np.full(places.shape, np.nan)
-    if places.size >= 2:
-        swings = places > 0.0
-        conicity[swings] = equivalent(places, difference, places[swings])
+    stands = (found["right.patch_count"] > 0) & (found["left.patch_count"] > 0)
+    if np.count_nonzero(stands) >= 2:
+        swings = stands & (places > 0.0)
+        conicity[swings] = equivalent(places[stands], difference[stands], places[swings])
     data = np.column_stack(
         [difference, found["vertical.roll"], found["vertical.wheelset_z"], *columns, conicity]
     )
+    data[~stands] = np.nan
     states = np.zeros(places.size, np.uint8)
     return Result(_GEOMETRY, data, states, {}, Layout(places.shape, {"wheelset.y": places}))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import operator
+from typing import Any
+
 __all__ = [
     "BadValueError",
     "ContactError",
@@ -63,3 +66,16 @@ class NoDerivativeError(ContactError):
 
 class ContactWarning(UserWarning):
     """Nothing that is refused, but worth knowing before wondering at the forces."""
+
+
+def admitted_count(name: str, value: Any, least: int, greatest: int | None = None) -> int:
+    """The value as a whole number within its bounds."""
+    count: int | None = None
+    if hasattr(value, "__index__"):
+        count = operator.index(value)
+    if count is None or count < least or (greatest is not None and count > greatest):
+        range_of = f"at least {least}" if greatest is None else f"{least} to {greatest}"
+        raise BadValueError(
+            f"{name} = {value!r} is not admitted: a whole number, {range_of}", variable=name
+        )
+    return count

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import _native
 from ._contact import Field
-from ._element import Element, _is_tolerant, _numbers, _threads
+from ._element import Element, _is_tolerant, _numbers, _threads, in_slices
 from ._result import Column, Layout, Result
 from .errors import BadValueError
 
@@ -81,10 +81,17 @@ def solve(
     )  # fmt: skip
     data = np.empty((len(cases), len(_COLUMNS)))
     states = np.zeros(len(cases), dtype=np.uint8)
-    _native.planar_solve(
-        wheel._native, separation, cases, by_load, data, states, _threads(threads), _is_tolerant(errors)
-    )
-    return Result(_COLUMNS, data, states, {}, Layout(shape, given))
+    count, tolerant = _threads(threads), _is_tolerant(errors)
+    refusals: dict[int, str] = {}
+
+    def work(rows: slice) -> None:
+        found = _native.planar_solve(
+            wheel._native, separation, cases[rows], by_load, data[rows], states[rows], count, tolerant
+        )
+        refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
+
+    in_slices(len(cases), work, count)
+    return Result(_COLUMNS, data, states, refusals, Layout(shape, given))
 
 
 def fields(

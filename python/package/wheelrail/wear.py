@@ -10,10 +10,10 @@ import numpy.typing as npt
 
 from . import _native
 from ._element import Element, Outputs, _Given, _numbers
-from ._files import folders
+from ._files import POINTS, folders
 from ._result import Column, Result
 from ._variables import Variable, select, variables
-from .errors import BadValueError
+from .errors import BadValueError, admitted_count
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -113,14 +113,14 @@ class WearRun:
         body : {"wheel", "rail[1]", "rail[2]"}
             Which body.
         points : int
-            How many.
+            How many, from 2 to 1e6.
 
         Returns
         -------
         ndarray, shape (points, 2)
             y to the field side and z down [m], in the frame of the profile.
         """
-        return self._native.profile(_body(body), points)
+        return self._native.profile(_body(body), admitted_count("points", points, *POINTS))
 
     def depth(self, body: Body = "wheel") -> npt.NDArray[np.float64]:
         """Wear depth of a body over the lateral coordinate of its unworn profile, as the profile in use has it.
