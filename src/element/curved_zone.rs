@@ -15,8 +15,8 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
 use crate::tangential::{CreepForce, CreepNumber, Tangential, UnderLaw};
@@ -67,9 +67,9 @@ impl<T: Real> Tractions<T> {
 #[derive(Clone, Debug)]
 pub struct CurvedZone<T = f64> {
     /// Under the centre of each strip, x from the wheel marker [m].
-    points: Room<Vector3<T>>,
-    tangents: Room<Vector3<T>>,
-    creepages: Room<Creepage<T>>,
+    points: FixedVec<Vector3<T>>,
+    tangents: FixedVec<Vector3<T>>,
+    creepages: FixedVec<Creepage<T>>,
     /// Tangent of the angle by which its normals lean forward [-].
     lean: T,
 }
@@ -78,9 +78,9 @@ impl<T: Real> CurvedZone<T> {
     /// Room for a zone of `strips` strips.
     pub fn with_capacity(strips: usize) -> Self {
         Self {
-            points: Room::new(strips),
-            tangents: Room::new(strips),
-            creepages: Room::new(strips),
+            points: FixedVec::new(strips),
+            tangents: FixedVec::new(strips),
+            creepages: FixedVec::new(strips),
             lean: T::from(0.0),
         }
     }

@@ -8,9 +8,9 @@ use super::wear_sums::WearSums;
 use crate::geometry::contact_search::MOST_CONTACTS;
 use crate::geometry::varying_rail::MovingOutline;
 use crate::material::MaterialPair;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::math::room::Room;
 use crate::normal::strips_on_grid::{GridFollower, GridSolver, LEAST_STRIPS};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
@@ -60,7 +60,7 @@ pub struct Models<T = f64> {
     /// Greatest angle between normals of the elements that carry pressure on one rail, where boundary elements were solved on it [rad].
     pub turn_of_normals: f64,
     /// All loaded zones of the evaluation under way.
-    pub patches: Room<Patch<T>>,
+    pub patches: FixedVec<Patch<T>>,
     /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
     pub shear_yield: f64,
     /// Wear, if there is any.
@@ -96,7 +96,7 @@ impl Models {
             outline: rows.map(|rows| Box::new(MovingOutline::new(rows))),
             given: None,
             turn_of_normals: 0.0,
-            patches: Room::new(self.patches.capacity()),
+            patches: FixedVec::new(self.patches.capacity()),
             shear_yield: self.shear_yield,
             wear: None,
         }
@@ -153,7 +153,7 @@ impl Models {
             outline: None,
             given: None,
             turn_of_normals: 0.0,
-            patches: Room::new(parameters.rails.len() * MOST_CONTACTS * zones),
+            patches: FixedVec::new(parameters.rails.len() * MOST_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,
         }

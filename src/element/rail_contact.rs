@@ -22,7 +22,7 @@ use crate::geometry::profile::{Profile, ProfileKind};
 use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{Probe, Separation};
 use crate::geometry::varying_wheel::VaryingWheel;
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 use crate::normal::{self, NormalModel, NormalProblem};
 
 /// One rail and what is prepared for its contact with the wheel.
@@ -39,10 +39,10 @@ pub struct RailContact {
     /// The wheel, if its section varies around.
     around: Option<Box<Around>>,
     /// Stretches of the contact line that may touch.
-    ranges: Room<[f64; 2]>,
+    ranges: FixedVec<[f64; 2]>,
     pub(super) search: ContactSearch,
     /// Distance of the contact line from the rail over all contacts.
-    pub(super) probes: Room<Probe>,
+    pub(super) probes: FixedVec<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
     deviations: Option<Longitudinal>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
@@ -94,9 +94,9 @@ impl RailContact {
             clearance,
             here,
             around: None,
-            ranges: Room::new(MOST_RANGES),
+            ranges: FixedVec::new(MOST_RANGES),
             search: ContactSearch::new(&wheel.curve),
-            probes: Room::new(MOST_PROBES),
+            probes: FixedVec::new(MOST_PROBES),
             wheel: wheel.clone(),
             rail_name: rail_name.into(),
             nominal_radius,

@@ -6,7 +6,7 @@ use crate::geometry::curve::Curve;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::line_separation::RailSeparation;
 use crate::geometry::separation::Separation;
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 use crate::normal::{Strips, Zone};
 use crate::tangential::UnderLaw;
 use crate::wear::distribution::spread;
@@ -67,15 +67,15 @@ pub struct WearSums {
     duration: f64,
     /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of each strip.
     first: usize,
-    dissipation: Room<f64>,
-    slip_area: Room<f64>,
+    dissipation: FixedVec<f64>,
+    slip_area: FixedVec<f64>,
     /// Volume rate of wheel and rail in each strip [m³/s].
-    rates: Room<[f64; 2]>,
+    rates: FixedVec<[f64; 2]>,
     /// Nodes across the zone: parameter of the contact line and of the rail in use, interpenetration and worn depth [m].
-    nodes: Room<[f64; 2]>,
-    interpenetration: Room<f64>,
-    worn: Room<f64>,
-    shares: Room<f64>,
+    nodes: FixedVec<[f64; 2]>,
+    interpenetration: FixedVec<f64>,
+    worn: FixedVec<f64>,
+    shares: FixedVec<f64>,
 }
 
 impl WearSums {
@@ -96,13 +96,13 @@ impl WearSums {
             wheel_curve: wheel.clone(),
             duration: 0.0,
             first: 0,
-            dissipation: Room::new(strips),
-            slip_area: Room::new(strips),
-            rates: Room::new(strips),
-            nodes: Room::new(MOST_NODES),
-            interpenetration: Room::new(MOST_NODES),
-            worn: Room::new(MOST_NODES),
-            shares: Room::new(MOST_NODES),
+            dissipation: FixedVec::new(strips),
+            slip_area: FixedVec::new(strips),
+            rates: FixedVec::new(strips),
+            nodes: FixedVec::new(MOST_NODES),
+            interpenetration: FixedVec::new(MOST_NODES),
+            worn: FixedVec::new(MOST_NODES),
+            shares: FixedVec::new(MOST_NODES),
         }
     }
 

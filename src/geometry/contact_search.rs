@@ -13,7 +13,7 @@ use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::Curve;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::{Probe, Separation};
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::root::{bracketed, interpolated_step};
 
 /// Most patches of one wheel on one rail.
@@ -102,11 +102,11 @@ pub struct ContactSearch {
     concavity: Vec<f64>,
     /// Greatest factor of the wheel in [`ContactLine::stretch_per_factor`] over each bin and the next [1/m].
     stretch: Vec<f64>,
-    interval: Room<IntervalProbe>,
+    interval: FixedVec<IntervalProbe>,
     /// Separation at the probes of all contacts; see [`Contact::probes`].
-    pub probes: Room<Probe>,
+    pub probes: FixedVec<Probe>,
     /// The contacts found, in growing y.
-    pub contacts: Room<Contact>,
+    pub contacts: FixedVec<Contact>,
     /// Points of the line at which the distance was evaluated.
     pub evaluations: u64,
     /// Contacts or probes for which there was no room.
@@ -120,9 +120,9 @@ impl ContactSearch {
         let mut search = Self {
             concavity: Vec::new(),
             stretch: Vec::new(),
-            interval: Room::new(MOST_PROBES),
-            probes: Room::new(MOST_PROBES),
-            contacts: Room::new(MOST_CONTACTS),
+            interval: FixedVec::new(MOST_PROBES),
+            probes: FixedVec::new(MOST_PROBES),
+            contacts: FixedVec::new(MOST_CONTACTS),
             evaluations: 0,
             left_out: 0,
         };

@@ -17,7 +17,7 @@ mod stretches;
 pub use lift::Lift;
 
 use crate::geometry::waviness::Waviness;
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 
 /// Least and greatest distance of samples [m].
 const SPACING: [f64; 2] = [2.5e-4, 4e-3];
@@ -44,7 +44,7 @@ pub struct Longitudinal {
     turn: f64,
     /// First of the samples [m].
     first: f64,
-    samples: Room<f64>,
+    samples: FixedVec<f64>,
 }
 
 impl Longitudinal {
@@ -63,7 +63,7 @@ impl Longitudinal {
         let reach = (2.0 * largest * range).sqrt().min(largest * (w.slope + r.slope));
         let spacing = w.spacing.min(r.spacing).min(0.5 * reach).clamp(SPACING[0], SPACING[1]);
         let curvature = w.curvature + r.curvature;
-        let samples = Room::new(MOST_SAMPLES);
+        let samples = FixedVec::new(MOST_SAMPLES);
         let (station, turn, first) = (0.0, 0.0, 0.0);
         Some(Self {
             wheel,

@@ -39,8 +39,8 @@ use crate::geometry::rows::surface::{MOST_OF_ROLLER, Surface};
 use crate::geometry::slices::Slices;
 use crate::geometry::wheel_pose::WheelPose;
 use crate::math::dual::Dual;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// Rows of which only one is looked through for hollows.
 const STRIDE: usize = 4;
@@ -56,7 +56,7 @@ pub struct VaryingRail {
     bounds: Bounds,
     wheel: WheelTable,
     envelope: Envelope,
-    met: Room<Met>,
+    met: FixedVec<Met>,
 }
 
 impl VaryingRail {
@@ -80,7 +80,7 @@ impl VaryingRail {
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
             envelope: Envelope::new(surface.count()),
-            met: Room::new(surface.count()),
+            met: FixedVec::new(surface.count()),
             surface,
         }
     }
@@ -201,14 +201,14 @@ impl VaryingRail {
 #[derive(Clone, Debug)]
 pub struct MovingOutline<T> {
     envelope: Envelope<T>,
-    met: Room<Met<T>>,
+    met: FixedVec<Met<T>>,
 }
 
 impl<T: Real> MovingOutline<T> {
     /// Room for an outline of `count` rows.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        Self { envelope: Envelope::new(count), met: Room::new(count) }
+        Self { envelope: Envelope::new(count), met: FixedVec::new(count) }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].

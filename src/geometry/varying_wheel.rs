@@ -27,7 +27,7 @@ use crate::geometry::rows::plane::cross;
 use crate::geometry::rows::surface::Surface;
 use crate::geometry::slices::Slices;
 use crate::geometry::wheel_pose::WheelPose;
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is looked for.
 const LEAST_RATE: f64 = 0.1;
@@ -69,8 +69,8 @@ pub struct VaryingWheel {
     /// See [`farther_down`](Self::farther_down).
     farther_down: f64,
     envelope: Envelope,
-    met: Room<Met>,
-    knots: Room<Knot>,
+    met: FixedVec<Met>,
+    knots: FixedVec<Knot>,
 }
 
 /// The wheel as it stands to the rail.
@@ -125,8 +125,8 @@ impl VaryingWheel {
             reach: (2.0 * spread / radius).sqrt(),
             farther_down: STEEPEST * farther,
             envelope: Envelope::new(count),
-            met: Room::new(count),
-            knots: Room::new(count),
+            met: FixedVec::new(count),
+            knots: FixedVec::new(count),
             surface,
         }
     }

@@ -3,11 +3,11 @@
 pub(crate) mod b_spline;
 pub(crate) mod dual;
 pub mod elliptic;
+pub(crate) mod fixed_vec;
 pub(crate) mod linear_system;
 pub(crate) mod logarithm;
 pub mod quadrature;
 pub(crate) mod real;
-pub(crate) mod room;
 pub mod root;
 pub(crate) mod smooth_step;
 pub mod spline;

@@ -19,9 +19,9 @@ pub use zones::Edge;
 
 use crate::friction::StripFriction;
 use crate::geometry::separation::{FrameSeparation, Probe, Separation};
+use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// Normal contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,21 +70,21 @@ pub struct Zone<T = f64> {
 #[derive(Clone, Debug, Default)]
 pub struct Strips<T = f64> {
     /// The zones, in growing y.
-    pub zones: Room<Zone<T>>,
+    pub zones: FixedVec<Zone<T>>,
     /// Lateral coordinate of each strip in the contact frame [m].
-    pub y: Room<T>,
+    pub y: FixedVec<T>,
     /// Width [m].
-    pub width: Room<T>,
+    pub width: FixedVec<T>,
     /// Centre along the track, from the wheel marker [m].
-    pub x: Room<T>,
+    pub x: FixedVec<T>,
     /// Half length along x [m].
-    pub half_length: Room<T>,
+    pub half_length: FixedVec<T>,
     /// Pressure at the centre [Pa].
-    pub pressure: Room<T>,
+    pub pressure: FixedVec<T>,
     /// Parameter of the contact line [m].
-    pub u: Room<T>,
+    pub u: FixedVec<T>,
     /// Coefficient of friction, where strips have their own: filled in once the strips are there; empty for one coefficient.
-    pub friction: Room<StripFriction<T>>,
+    pub friction: FixedVec<StripFriction<T>>,
     /// The elements that the strips were made from, if the normal model has them.
     pub elements: Option<Box<ElementPressure>>,
 }
@@ -93,16 +93,16 @@ impl<T: Real> Strips<T> {
     /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
     #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
-        let column = || Room::new(zones * strips);
+        let column = || FixedVec::new(zones * strips);
         Self {
-            zones: Room::new(zones),
+            zones: FixedVec::new(zones),
             y: column(),
             width: column(),
             x: column(),
             half_length: column(),
             pressure: column(),
             u: column(),
-            friction: Room::new(zones * strips),
+            friction: FixedVec::new(zones * strips),
             elements: None,
         }
     }
@@ -113,12 +113,12 @@ impl<T: Real> Strips<T> {
     where
         T: Into<O>,
     {
-        let column = |own: &Room<T>| {
-            let mut other = Room::new(own.len());
+        let column = |own: &FixedVec<T>| {
+            let mut other = FixedVec::new(own.len());
             other.extend(own.iter().map(|&value| value.into()));
             other
         };
-        let mut zones = Room::new(self.zones.len());
+        let mut zones = FixedVec::new(self.zones.len());
         zones.extend(self.zones.iter().map(|zone| Zone {
             first: zone.first,
             count: zone.count,
@@ -131,7 +131,7 @@ impl<T: Real> Strips<T> {
             y: zone.y.into(),
             u: zone.u.into(),
         }));
-        let mut friction = Room::new(self.friction.len());
+        let mut friction = FixedVec::new(self.friction.len());
         friction.extend(self.friction.iter().map(|own| StripFriction {
             tread: own.tread.into(),
             gauge_face: own.gauge_face.into(),

@@ -21,8 +21,8 @@ use super::{NormalProblem, Strips, Zone};
 use crate::geometry::line_separation::{Lifting, LineSeparation};
 use crate::geometry::separation::{Probe, Separation};
 use crate::math::elliptic::first_minus_second_split;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
-use crate::math::room::Room;
 
 /// Most stretches of a strip.
 const MOST_STRETCHES: usize = 16;
@@ -52,7 +52,7 @@ struct Stretch {
 pub struct UnevenStrips {
     /// Slopes of rail and wheel along the track, averaged by the pressure of the contact solved last [-].
     pub slopes: [f64; 2],
-    stretches: Room<Stretch>,
+    stretches: FixedVec<Stretch>,
     /// Nodes sin θ and weights cos θ dθ over a quarter turn, for functions that end like a root.
     quarter: [[f64; 2]; POINTS],
 }
@@ -67,7 +67,7 @@ impl UnevenStrips {
             let angle = 0.25 * PI * (1.0 + rule.nodes[i]);
             *node = [angle.sin(), 0.25 * PI * rule.weights[i] * angle.cos()];
         }
-        Self { slopes: [0.0; 2], stretches: Room::new(strips * MOST_STRETCHES), quarter }
+        Self { slopes: [0.0; 2], stretches: FixedVec::new(strips * MOST_STRETCHES), quarter }
     }
 
     /// Fills the empty `strips` with the loaded zones of one contact frame; as

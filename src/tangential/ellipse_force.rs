@@ -1,13 +1,13 @@
 //! Forces that a zone gets from the ellipse that stands for it: those of the table, and the correction of FASTSIM.
 
 use super::equivalent_ellipse::{LoadedPart, RollingEllipse};
+use super::neck::{Lobes, Side};
 use super::rigid_slip::RigidSlip;
 use super::tables::CreepForceTable;
-use super::waist::{Lobes, Side};
 use super::{CreepForce, CreepNumber, LoadedZone, Rolling, RollingState, StripForce, Tangential};
 
 impl Tangential {
-    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its `lobes` where it has a waist, to `each`, strip by strip in
+    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its `lobes` where it has a neck, to `each`, strip by strip in
     /// proportion to the load; where FASTSIM marches through the zone, what corrects the forces `marched` of the same parts, which holds the sum to the friction
     /// limit. `state.creepage` is the mean creepage. Nothing without friction or without a table.
     pub(super) fn ellipse_force<T: CreepNumber>(
@@ -33,17 +33,17 @@ impl Tangential {
                 }
                 force.spread_by_load(zone, strips, member, &mut each);
             };
-        let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
+        let share = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
         if share < 1.0 {
             let part = LoadedPart::whole(zone, strips, state.creepage);
             add(&part, -share + 1.0, &marched[0], &|_| T::from(1.0));
         }
-        let Some(Lobes { waist, parts }) = lobes else { return Some(()) };
+        let Some(Lobes { neck, parts }) = lobes else { return Some(()) };
         for ((part, marched), side) in
             parts.iter().zip(&marched[1..]).zip([Side::Left, Side::Right])
         {
             if let Some(part) = part {
-                add(part, share, marched, &|y| waist.member(side, y));
+                add(part, share, marched, &|y| neck.member(side, y));
             }
         }
         Some(())

@@ -2,8 +2,8 @@
 
 use super::boundary_element::LoadedElements;
 use super::march::MarchedPart;
+use super::neck::{LobeSlip, Lobes};
 use super::rigid_slip::FlatSlip;
-use super::waist::{LobeSlip, Lobes};
 use super::{LoadedZone, Rolling, RollingState, Tangential, TangentialModel};
 use crate::boundary_element::grid::Grid;
 use crate::material::MaterialPair;
@@ -87,7 +87,7 @@ impl Tangential {
                     if strip < zone.first || strip >= zone.first + zone.count {
                         continue;
                     }
-                    // Of a zone with a waist that description which has more weight in the force.
+                    // Of a zone with a neck that description which has more weight in the force.
                     let weight = |part: &&MarchedPart<f64>| part.weight(strips.y[strip]);
                     let heavier = |a: &&MarchedPart<f64>, b: &&MarchedPart<f64>| {
                         weight(a).total_cmp(&weight(b))

@@ -1,9 +1,9 @@
-//! Forces by a march through the strips of a zone, and of its lobes where it has a waist.
+//! Forces by a march through the strips of a zone, and of its lobes where it has a neck.
 
 use super::equivalent_ellipse::LoadedPart;
 use super::flexibility::ZoneFlexibility;
+use super::neck::{LobeSlip, Lobes, Neck, Side};
 use super::rigid_slip::RigidSlip;
-use super::waist::{LobeSlip, Lobes, Side, Waist};
 use super::{
     CreepNumber, Creepage, Flexibilities, LoadedZone, Rolling, StripForce, Tangential,
     TangentialModel, linear,
@@ -15,7 +15,7 @@ use crate::math::real::Real;
 pub(super) struct MarchedPart<T> {
     /// Share in the force, and of a lobe which one.
     share: T,
-    lobe: Option<(Waist<T>, Side)>,
+    lobe: Option<(Neck<T>, Side)>,
     three: ZoneFlexibility<T>,
     /// The flexibilities that the march has.
     pub blended: ZoneFlexibility<T>,
@@ -27,7 +27,7 @@ impl<T: Real> MarchedPart<T> {
     /// Share of this march in the force of a strip at `y`.
     #[inline]
     pub fn weight(&self, y: T) -> T {
-        self.lobe.map_or(self.share, |(waist, side)| self.share * waist.member(side, y))
+        self.lobe.map_or(self.share, |(neck, side)| self.share * neck.member(side, y))
     }
 }
 
@@ -47,23 +47,23 @@ impl Tangential {
             let blended = if is_blended { three.blended(&mean, limit * of_limit) } else { three };
             MarchedPart { share, lobe, three, blended, mean }
         };
-        let share = lobes.map_or(T::from(0.0), |lobes| lobes.waist.share);
+        let share = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
         let whole = if share < 1.0 {
             ZoneFlexibility::new(zone, strips, material, |_| T::from(1.0))
                 .map(|three| part(-share + 1.0, None, three, slip.mean(), T::from(1.0)))
         } else {
             None
         };
-        let Some(&Lobes { waist, parts: [left, right] }) = lobes else {
+        let Some(&Lobes { neck, parts: [left, right] }) = lobes else {
             return [whole, None, None];
         };
         let lobe = |side, carried: Option<LoadedPart<T>>| {
             // What has no friction holds nothing.
             let carried = carried.filter(|carried| carried.friction > 0.0)?;
-            let member = |y| waist.member(side, y);
+            let member = |y| neck.member(side, y);
             let three = ZoneFlexibility::new(zone, strips, material, member)?;
             let of_limit = carried.share * carried.friction;
-            Some(part(share, Some((waist, side)), three, carried.creepage, of_limit))
+            Some(part(share, Some((neck, side)), three, carried.creepage, of_limit))
         };
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
     }

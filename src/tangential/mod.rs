@@ -15,12 +15,12 @@ pub mod kalker_coefficients;
 pub mod linear;
 mod loaded_zone;
 mod march;
+pub mod neck;
 mod own_friction;
 pub mod rigid_slip;
 pub mod strips;
 pub mod tables;
 mod under_law;
-pub mod waist;
 
 pub use crate::kinematics::creepage::Creepage;
 pub use forces::{CreepForce, StripForce};
@@ -37,10 +37,10 @@ use fastsim::{Fastsim, TractionBound};
 use fastsim_correction::EllipseStrips;
 use flash_temperature::FlashTemperature;
 use friction_law::FrictionLaw;
+use neck::Lobes;
 use rigid_slip::{FlatSlip, RigidSlip};
 use strips::{Scratch, Settled, TractionStrips};
 use tables::CreepForceTable;
-use waist::Lobes;
 
 /// Tangential contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

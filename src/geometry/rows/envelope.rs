@@ -6,8 +6,8 @@ use super::plane::dot;
 use super::surface::Surface;
 use crate::geometry::curve::{CurvePoint, Knot};
 use crate::geometry::slices::arc;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// Greatest difference of places along the track of two rows that are taken for a trend [m].
 pub(in crate::geometry) const TREND: f64 = 5e-3;
@@ -18,15 +18,19 @@ const LEAST_ARC: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub(in crate::geometry) struct Envelope<T = f64> {
     /// Rows of the outline, their knots, and what belongs to them with its slope.
-    kept: Room<Met<T>>,
-    knots: Room<Knot<T>>,
-    along: Room<[Along<T>; 2]>,
+    kept: FixedVec<Met<T>>,
+    knots: FixedVec<Knot<T>>,
+    along: FixedVec<[Along<T>; 2]>,
 }
 
 impl<T: Real> Envelope<T> {
     /// Room for an outline of `count` rows.
     pub fn new(count: usize) -> Self {
-        Self { kept: Room::new(count), knots: Room::new(count), along: Room::new(count) }
+        Self {
+            kept: FixedVec::new(count),
+            knots: FixedVec::new(count),
+            along: FixedVec::new(count),
+        }
     }
 
     /// The knots of the outline.

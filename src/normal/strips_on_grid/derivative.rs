@@ -15,9 +15,9 @@ use super::grid::Grid;
 use super::line::OverlapLine;
 use super::zones::Loads;
 use crate::math::dual::Dual;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::linear_system::Factors;
 use crate::math::real::Real;
-use crate::math::room::Room;
 use crate::normal::Strips;
 
 /// Most turns, and the last change of derivatives, over the greatest of the same kind.
@@ -28,14 +28,14 @@ const LAST_CHANGE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub struct GridFollower<T> {
     grid: Grid<T>,
-    z: Room<T>,
-    shape: Room<T>,
-    residuals: Room<T>,
-    matrix: Room<f64>,
+    z: FixedVec<T>,
+    shape: FixedVec<T>,
+    residuals: FixedVec<T>,
+    matrix: FixedVec<f64>,
     factors: Factors,
-    right: Room<f64>,
-    slender: Room<T>,
-    shapes: Room<T>,
+    right: FixedVec<f64>,
+    slender: FixedVec<T>,
+    shapes: FixedVec<T>,
 }
 
 impl<T: Real> GridFollower<T> {
@@ -46,14 +46,14 @@ impl<T: Real> GridFollower<T> {
         let unknowns = nodes + knots;
         Self {
             grid: Grid::new(solver.knots.nodes()),
-            z: Room::new(nodes),
-            shape: Room::new(knots),
-            residuals: Room::new(unknowns),
-            matrix: Room::new(unknowns * unknowns),
+            z: FixedVec::new(nodes),
+            shape: FixedVec::new(knots),
+            residuals: FixedVec::new(unknowns),
+            matrix: FixedVec::new(unknowns * unknowns),
             factors: Factors::with_capacity(unknowns),
-            right: Room::new(unknowns),
-            slender: Room::new(nodes),
-            shapes: Room::new(nodes),
+            right: FixedVec::new(unknowns),
+            slender: FixedVec::new(nodes),
+            shapes: FixedVec::new(nodes),
         }
     }
 }

@@ -25,8 +25,8 @@ use super::grid::{Cell, Grid, Node};
 use super::influence::{Influence, STATION, centred_at, shifted_at};
 use super::samples::Samples;
 use super::shape::Knots;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 use crate::normal::hertz;
 
 /// Least half length over that of the ellipse: strips that hardly carry load stay longer than nothing.
@@ -335,7 +335,7 @@ pub(super) fn residuals<T: Real>(
     knots: &Knots,
     z: &[T],
     shape: &[T],
-    slender: &mut Room<T>,
+    slender: &mut FixedVec<T>,
     out: &mut Vec<T>,
 ) {
     let scales = Scales::new(&grid.samples);

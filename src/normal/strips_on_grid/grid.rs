@@ -15,8 +15,8 @@ use super::overlap::{MOST_OVERLAPS, Overlaps};
 use super::samples::{Samples, nodes_between, share_behind};
 use super::shape::{Between, Knots};
 use super::valleys::MOST_VALLEYS;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// A node: one unknown load per width.
 #[derive(Clone, Copy, Debug)]
@@ -53,8 +53,8 @@ pub(super) struct Cell<T = f64> {
 /// Nodes and cells of one problem.
 #[derive(Clone, Debug)]
 pub(super) struct Grid<T = f64> {
-    pub nodes: Room<Node<T>>,
-    pub cells: Room<Cell<T>>,
+    pub nodes: FixedVec<Node<T>>,
+    pub cells: FixedVec<Cell<T>>,
     pub samples: Samples<T>,
 }
 
@@ -63,8 +63,8 @@ impl<T: Real> Grid<T> {
     pub fn new(nodes: usize) -> Self {
         let nodes = nodes + 2 * MOST_OVERLAPS + MOST_VALLEYS;
         Self {
-            nodes: Room::new(nodes),
-            cells: Room::new(nodes + MOST_OVERLAPS),
+            nodes: FixedVec::new(nodes),
+            cells: FixedVec::new(nodes + MOST_OVERLAPS),
             samples: Samples::new(),
         }
     }

@@ -13,7 +13,7 @@ use super::equations::{
 };
 use super::grid::Grid;
 use super::shape::Knots;
-use crate::math::room::Room;
+use crate::math::fixed_vec::FixedVec;
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
@@ -43,12 +43,12 @@ const SELF_INFLUENCE: f64 = 4.0;
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     /// Unknowns: z at the nodes and χ at the knots.
-    pub z: Room<f64>,
+    pub z: FixedVec<f64>,
     pub shape: Vec<f64>,
     /// χ and 1/c at the nodes, and their strips.
-    pub shapes: Room<f64>,
-    slenderness: Room<f64>,
-    strips: Room<Strip>,
+    pub shapes: FixedVec<f64>,
+    slenderness: FixedVec<f64>,
+    strips: FixedVec<Strip>,
     /// Loads of the cells, their strips, and the derivatives of the logarithms of half lengths by z and χ at both ends.
     cells: Vec<CellLoad>,
     cell_strips: Vec<Strip>,
@@ -74,7 +74,7 @@ pub(super) struct Newton {
     /// Derivatives of all equations by columns, and behind them minus their residuals, which become the step.
     matrix: Vec<Block>,
     /// The row of each equation: nodes, and behind the block of the last of them the knots.
-    pivots: Room<usize>,
+    pivots: FixedVec<usize>,
     /// Derivatives of the equations of the knots by their own χ.
     weights: Vec<f64>,
     /// Steps so far.
@@ -99,11 +99,11 @@ impl Newton {
         let numbers = |count: usize| vec![0.0; count];
         let blocks = |count: usize| vec![Block::ZERO; count];
         Self {
-            z: Room::new(n),
+            z: FixedVec::new(n),
             shape: numbers(m),
-            shapes: Room::new(n),
-            slenderness: Room::new(n),
-            strips: Room::new(n),
+            shapes: FixedVec::new(n),
+            slenderness: FixedVec::new(n),
+            strips: FixedVec::new(n),
             cells: vec![CellLoad::default(); cells],
             cell_strips: vec![Strip::default(); cells],
             cell_lengths: vec![[[0.0; 2]; 2]; cells],
@@ -120,7 +120,7 @@ impl Newton {
             falls: blocks(nodes * LANES * behind),
             penalty,
             matrix: blocks((n + m + 1) * stride),
-            pivots: Room::new(n + m),
+            pivots: FixedVec::new(n + m),
             weights: numbers(m),
             steps: 0,
             nodes,

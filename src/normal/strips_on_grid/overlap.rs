@@ -2,8 +2,8 @@
 
 use super::line::{Line, LinePlace, OverlapLine};
 use crate::geometry::separation::Probe;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 use crate::math::root::bracketed;
 
 /// One end of an interval of overlap.
@@ -20,7 +20,7 @@ pub(super) struct End {
 /// The intervals of a contact line in which the bodies overlap.
 #[derive(Clone, Debug)]
 pub(super) struct Overlaps {
-    pub intervals: Room<[End; 2]>,
+    pub intervals: FixedVec<[End; 2]>,
 }
 
 /// Most intervals of overlap of one rail.
@@ -34,7 +34,7 @@ const BRACKET: f64 = 1e-15;
 
 impl Overlaps {
     pub fn new() -> Self {
-        Self { intervals: Room::new(MOST_OVERLAPS) }
+        Self { intervals: FixedVec::new(MOST_OVERLAPS) }
     }
 
     /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between two of which it changes its

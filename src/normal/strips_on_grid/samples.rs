@@ -9,8 +9,8 @@ use super::line::OverlapLine;
 use super::overlap::{End, MOST_OVERLAPS, Overlaps};
 use super::turns::turns;
 use super::valleys::{MOST_VALLEYS, Valley};
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// Distance between the places that the overlap is taken at, over the width of all overlaps; and how far they are apart at most, about as far as points in measured
 /// profiles, but in that many places at most.
@@ -90,33 +90,33 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 /// Samples of all overlaps, by their coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Samples<T = f64> {
-    pub list: Room<Sample<T>>,
-    pub valleys: Room<Valley<T>>,
+    pub list: FixedVec<Sample<T>>,
+    pub valleys: FixedVec<Valley<T>>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
     /// Radius of the normal section of the wheel along x in the middle of the square of the overlap [m].
     pub radius: T,
     /// Ends of the intervals of overlap [m].
-    ends: Room<[T; 2]>,
+    ends: FixedVec<[T; 2]>,
     /// Overlaps at the places within the interval under way and beside it.
-    places: Room<T>,
+    places: FixedVec<T>,
     /// Integrals of the square and the cube of the overlap up to each sample [m^3, m^4].
-    integrals: Room<[T; 2]>,
+    integrals: FixedVec<[T; 2]>,
 }
 
 impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: Room::new(MOST_SAMPLES),
-            valleys: Room::new(MOST_VALLEYS),
+            list: FixedVec::new(MOST_SAMPLES),
+            valleys: FixedVec::new(MOST_VALLEYS),
             depth: zero,
             half_width: zero,
             radius: zero,
-            ends: Room::new(MOST_OVERLAPS),
-            places: Room::new(MOST_PLACES + 4),
-            integrals: Room::new(MOST_SAMPLES),
+            ends: FixedVec::new(MOST_OVERLAPS),
+            places: FixedVec::new(MOST_PLACES + 4),
+            integrals: FixedVec::new(MOST_SAMPLES),
         }
     }
 

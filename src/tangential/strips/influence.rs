@@ -8,8 +8,8 @@ use super::kernel::{FIRST, POLES, SECOND, THIRD, WIDTHS, inside};
 use super::layout::Node;
 use super::points::{LANES, MOMENTS, MOST_POINTS, PLACES, Points, Row};
 use super::{ALL, NODES};
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// Power of what lies inside the unit circle from which on it is nothing.
 const NOTHING: f64 = -34.5;
@@ -18,7 +18,7 @@ const NOTHING: f64 = -34.5;
 #[derive(Clone, Debug)]
 pub(super) struct Influence<T = f64> {
     /// Gradients along and across at the places ξ_m of strip i by its own r_x and r_y in the places t_l: `[component][i, l][m]`.
-    pub own: [Room<Row<T>>; 2],
+    pub own: [FixedVec<Row<T>>; 2],
     /// Coefficients of the gradients by the moments of the tractions times strength and bound: `[component][k][i]` by rows, `[component][k][j]` by columns.
     pub coupling: Vec<[T; ALL]>,
 }
@@ -44,7 +44,7 @@ fn kernels(p: usize, poisson_ratio: f64) -> Kernels<f64> {
 impl<T: Real> Influence<T> {
     /// With room for `points` along each strip.
     pub fn with_capacity(points: usize) -> Self {
-        let own = || Room::new(NODES * points);
+        let own = || FixedVec::new(NODES * points);
         Self { own: [own(), own()], coupling: vec![[T::from(0.0); ALL]; ALL] }
     }
 

@@ -9,8 +9,8 @@ use std::ops::Range;
 
 use super::NODES;
 use crate::kinematics::creepage::Creepage;
+use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-use crate::math::room::Room;
 
 /// A strip on which tractions are sought.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,10 +62,10 @@ pub(super) struct Between<T = f64> {
 pub(super) struct Layout<T = f64> {
     pub nodes: [Node<T>; NODES],
     /// Of each strip of the zone, in their order.
-    pub places: Room<Between<T>>,
-    carriers: Room<Carrier<T>>,
+    pub places: FixedVec<Between<T>>,
+    carriers: FixedVec<Carrier<T>>,
     /// Of each carrier.
-    between: Room<Between<T>>,
+    between: FixedVec<Between<T>>,
 }
 
 /// Least bound over the greatest one: what has no friction slides.
@@ -76,9 +76,9 @@ impl<T: Real> Layout<T> {
     pub fn with_capacity(strips: usize) -> Self {
         Self {
             nodes: [Node::default(); NODES],
-            places: Room::new(strips),
-            carriers: Room::new(strips),
-            between: Room::new(strips),
+            places: FixedVec::new(strips),
+            carriers: FixedVec::new(strips),
+            between: FixedVec::new(strips),
         }
     }
 

@@ -4,9 +4,9 @@ use std::ops::{Deref, DerefMut};
 
 /// A list with room set aside; unlike that of a plain `Vec`, its clone has as much room.
 #[derive(Debug, Default)]
-pub struct Room<T>(Vec<T>);
+pub struct FixedVec<T>(Vec<T>);
 
-impl<T> Room<T> {
+impl<T> FixedVec<T> {
     /// An empty list with room for `count` items.
     #[must_use]
     pub fn new(count: usize) -> Self {
@@ -14,7 +14,7 @@ impl<T> Room<T> {
     }
 }
 
-impl<T: Clone> Clone for Room<T> {
+impl<T: Clone> Clone for FixedVec<T> {
     fn clone(&self) -> Self {
         let mut copy = Self::new(self.0.capacity());
         copy.0.extend_from_slice(&self.0);
@@ -22,7 +22,7 @@ impl<T: Clone> Clone for Room<T> {
     }
 }
 
-impl<T> Deref for Room<T> {
+impl<T> Deref for FixedVec<T> {
     type Target = Vec<T>;
 
     fn deref(&self) -> &Vec<T> {
@@ -30,7 +30,7 @@ impl<T> Deref for Room<T> {
     }
 }
 
-impl<T> DerefMut for Room<T> {
+impl<T> DerefMut for FixedVec<T> {
     fn deref_mut(&mut self) -> &mut Vec<T> {
         &mut self.0
     }
@@ -42,7 +42,7 @@ mod tests {
 
     #[test]
     fn a_clone_has_the_items_and_the_room() {
-        let mut list = Room::new(7);
+        let mut list = FixedVec::new(7);
         list.push(1);
         let copy = list.clone();
         assert_eq!(*copy, vec![1]);

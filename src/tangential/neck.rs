@@ -1,7 +1,7 @@
-//! Zones with a waist: two lobes that are about to part, or have just joined.
+//! Zones with a neck: two lobes that are about to part, or have just joined.
 //!
 //! One ellipse for the whole and one for each lobe are different forces, so that a step from the one to the other would be a jump where zones
-//! join. Instead a zone with a waist is mixed of both, by how deep the waist is: with q the load per width, d the least q between two
+//! join. Instead a zone with a neck is mixed of both, by how deep the neck is: with q the load per width, d the least q between two
 //! peaks over the lower of them,
 //!
 //! ```text
@@ -21,12 +21,12 @@ use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone};
 
-/// Depth of a waist from which on a zone is one.
+/// Depth of a neck from which on a zone is one.
 const WHOLE: f64 = 0.5;
 
-/// A waist and what is left and right of it.
+/// A neck and what is left and right of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Waist<T = f64> {
+pub struct Neck<T = f64> {
     /// Share w of the two lobes in the force, above 0 to 1.
     pub share: T,
     /// Where it is, as the lateral coordinate of strips [m].
@@ -68,28 +68,28 @@ impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<'_, S, T> {
     }
 }
 
-/// The two lobes of a zone with a waist.
+/// The two lobes of a zone with a neck.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobes<T = f64> {
     /// What is between them.
-    pub waist: Waist<T>,
+    pub neck: Neck<T>,
     /// The left and the right one, as far as they carry load.
     pub parts: [Option<LoadedPart<T>>; 2],
 }
 
 impl<T: Real> Lobes<T> {
-    /// Those of a zone, if it has a waist.
+    /// Those of a zone, if it has a neck.
     #[must_use]
     pub fn of(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>) -> Option<Self> {
-        let waist = Waist::of(loaded.zone, loaded.strips)?;
+        let neck = Neck::of(loaded.zone, loaded.strips)?;
         let parts =
-            [Side::Left, Side::Right].map(|side| LoadedPart::of(loaded, |y| waist.member(side, y)));
-        Some(Self { waist, parts })
+            [Side::Left, Side::Right].map(|side| LoadedPart::of(loaded, |y| neck.member(side, y)));
+        Some(Self { neck, parts })
     }
 }
 
-impl<T: Real> Waist<T> {
-    /// The deepest waist of `zone`, if it has one.
+impl<T: Real> Neck<T> {
+    /// The deepest neck of `zone`, if it has one.
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
@@ -187,41 +187,41 @@ mod tests {
     }
 
     #[test]
-    fn one_lobe_has_no_waist_and_two_have_one_between_them() {
+    fn one_lobe_has_no_neck_and_two_have_one_between_them() {
         for loads in [&[0.2, 0.5, 1.0, 0.8, 0.3][..], &[1.0, 0.6, 0.8], &[0.1, 0.1, 0.1]] {
             let (zone, strips) = strips(loads);
-            assert_eq!(Waist::of(&zone, &strips), None, "{loads:?}");
+            assert_eq!(Neck::of(&zone, &strips), None, "{loads:?}");
         }
         let (zone, strips) = strips(&[0.5, 1.0, 0.5, 0.0, 0.4, 0.8, 0.4]);
-        let waist = Waist::of(&zone, &strips).unwrap();
-        assert_abs_diff_eq!(waist.share, 1.0, epsilon = 1e-12);
-        assert_abs_diff_eq!(waist.y, 3e-3, epsilon = 1e-9);
+        let neck = Neck::of(&zone, &strips).unwrap();
+        assert_abs_diff_eq!(neck.share, 1.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(neck.y, 3e-3, epsilon = 1e-9);
         // Of which lobe the strip is that carries nothing makes no difference.
-        assert_abs_diff_eq!(waist.left(2e-3), 1.0);
-        assert_abs_diff_eq!(waist.left(4e-3), 0.0);
+        assert_abs_diff_eq!(neck.left(2e-3), 1.0);
+        assert_abs_diff_eq!(neck.left(4e-3), 0.0);
     }
 
     #[test]
-    fn the_strip_in_a_waist_is_half_of_each_lobe_and_its_neighbours_come_to_belong_to_one() {
+    fn the_strip_in_a_neck_is_half_of_each_lobe_and_its_neighbours_come_to_belong_to_one() {
         let mut before = 0.5;
-        for neck in [0.3, 0.1, 0.01, 1e-4, 1e-8] {
-            let (zone, strips) = strips(&[0.5, 1.0, 0.5, neck, 0.5, 1.0, 0.5]);
-            let waist = Waist::of(&zone, &strips).unwrap();
-            assert_abs_diff_eq!(waist.left(3e-3), 0.5, epsilon = 1e-6);
-            let neighbour = waist.left(2e-3);
-            assert!(neighbour >= before, "{neck}: {neighbour} after {before}");
+        for depth in [0.3, 0.1, 0.01, 1e-4, 1e-8] {
+            let (zone, strips) = strips(&[0.5, 1.0, 0.5, depth, 0.5, 1.0, 0.5]);
+            let neck = Neck::of(&zone, &strips).unwrap();
+            assert_abs_diff_eq!(neck.left(3e-3), 0.5, epsilon = 1e-6);
+            let neighbour = neck.left(2e-3);
+            assert!(neighbour >= before, "{depth}: {neighbour} after {before}");
             before = neighbour;
         }
         assert_abs_diff_eq!(before, 1.0);
     }
 
     #[test]
-    fn a_waist_comes_up_smoothly() {
+    fn a_neck_comes_up_smoothly() {
         let mut before = 0.0;
         for i in 0..=100 {
             let neck = 0.5 - 0.005 * f64::from(i);
             let (zone, strips) = strips(&[0.5, 1.0, 0.8, neck, 0.8, 1.0, 0.5]);
-            let share = Waist::of(&zone, &strips).map_or(0.0, |waist| waist.share);
+            let share = Neck::of(&zone, &strips).map_or(0.0, |neck| neck.share);
             assert!(share >= before && share < before + 0.02, "{neck}: {share} after {before}");
             before = share;
         }
