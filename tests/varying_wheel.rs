@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::fs;
 
-use approx::assert_relative_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use common::median_and_worst;
 use common::random::Random;
 use common::vectors::{assert_balanced, cross};
@@ -200,6 +200,43 @@ fn a_load_is_carried_all_around_and_nothing_is_remembered() {
     }
     // An element that comes from elsewhere finds the same.
     assert_eq!(evaluate(&mut other, &input), last);
+}
+
+#[test]
+fn sections_of_other_outlines_stand_where_wheels_of_them_would() {
+    // At both sections the wheel is even around: it stands as high as a round one, but for its curvature along the rail.
+    let folder = TempDir::new().unwrap();
+    let worn = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles/S1002_worn.txt");
+    fs::copy(worn, folder.path().join("worn.txt")).unwrap();
+    for other in ["worn.txt", "conical:0.05"] {
+        for sections in [["S1002", other], [other, "S1002"]] {
+            let table = format!("angle_deg,profile\n0,{}\n180,{}\n", sections[0], sections[1]);
+            fs::write(folder.path().join("around.csv"), table).unwrap();
+            let mut varying = with("around.csv");
+            varying.vertical_mode = VerticalMode::Load;
+            let mut around = element(&varying, &folder);
+            let mut input = Input { wheel_load: 8e4, friction: 0.0, ..Input::default() };
+            for (turn, section) in sections.into_iter().enumerate() {
+                let mut round = element(
+                    &Parameters { vertical_mode: VerticalMode::Load, ..with(section) },
+                    &folder,
+                );
+                input.wheel.pitch = PI * turn as f64;
+                let [own, wanted] = [&mut around, &mut round].map(|it| evaluate(it, &input));
+                assert_abs_diff_eq!(own.wheel_z, wanted.wheel_z, epsilon = 1e-6);
+                assert_relative_eq!(own.wheel.force[2], -8e4, max_relative = tolerance::SIMILARITY);
+            }
+            for k in 0..12 {
+                input.wheel.pitch = TAU * f64::from(k) / 12.0;
+                let output = evaluate(&mut around, &input);
+                assert_relative_eq!(
+                    output.wheel.force[2],
+                    -8e4,
+                    max_relative = tolerance::SIMILARITY
+                );
+            }
+        }
+    }
 }
 
 #[test]

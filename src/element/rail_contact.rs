@@ -110,9 +110,9 @@ impl RailContact {
     #[must_use]
     pub fn with_wheel(mut self, wheel: &VaryingWheel) -> Self {
         let mut clearance = self.clearance.clone();
-        clearance.reserve(wheel.farther_down());
+        clearance.reserve(self.clearance.lower(wheel.sides()));
         self.wheel.curve.reserve(wheel.most_knots());
-        self.search.reserve(MOST_LONGER + wheel.farther_down());
+        self.search.reserve(MOST_LONGER + wheel.longer());
         self.around = Some(Box::new(Around { wheel: wheel.clone(), clearance }));
         self
     }
@@ -243,7 +243,6 @@ impl RailContact {
     /// How much nearer the bodies can be than the profiles of the clearance [m].
     fn highest(&self) -> f64 {
         self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
-            + self.around.as_ref().map_or(0.0, |around| around.wheel.farther_down())
     }
 
     /// The contacts with rail number `k` for `input` (right side), laid flat.

@@ -16,7 +16,7 @@ const CELL: f64 = 5e-4;
 const SAMPLE: f64 = 1e-4;
 /// What a body may reach beyond its samples: bulges of radius 1 mm between them, and rounding [m].
 const MARGIN: f64 = 5e-6;
-/// What a rail that varies may reach beyond the corners of a face between two slices and two rows [m].
+/// What a body that varies may reach beyond the corners of a face between two slices and two rows [m].
 const BULGE: f64 = 5e-4;
 /// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
 const LEVELS: usize = 9;
@@ -177,6 +177,38 @@ impl Clearance {
         let circle = 2.0 * (self.nominal_radius + self.wheel_low);
         self.chord = (self.chord * self.chord + circle * more).sqrt();
         self.put_levels();
+        (before + after) as f64 * CELL
+    }
+
+    /// Lowers the wheel to all of the `sides` of outlines of one that varies around, by the ends (y, z) of each: no rail below them is touched at any angle.
+    /// Returns how far it then reaches beyond the sides that it had [m].
+    pub fn lower(&mut self, sides: impl Iterator<Item = [[f64; 2]; 2]> + Clone) -> f64 {
+        let across = |[a, b]: [[f64; 2]; 2]| [a[0].min(b[0]), a[0].max(b[0])];
+        let first = self.wheel_start;
+        let last = first + self.lows.len() as f64 * CELL;
+        let [left, right] =
+            sides.clone().map(across).fold([first, last], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let more = |by: f64| (by / CELL).ceil() as usize;
+        let (before, after) = (more(first - left), more(right - last) + 1);
+        let nothing = f64::NEG_INFINITY;
+        self.lows.splice(0..0, std::iter::repeat_n(nothing, before));
+        self.lows.resize(self.lows.len() + after, nothing);
+        self.wheel_start -= before as f64 * CELL;
+        for side in sides {
+            let [left, right] = across(side).map(|y| ((y - self.wheel_start) / CELL) as usize);
+            let low = side[0][1].max(side[1][1]) + BULGE;
+            for cell in &mut self.lows[left..=right] {
+                *cell = cell.max(low);
+            }
+            let [extent_y, extent_z] = &mut self.wheel_extent;
+            for [y, z] in side {
+                (*extent_y, *extent_z) = (extent_y.max(y.abs()), extent_z.max(z.abs()));
+            }
+            self.wheel_low = self.wheel_low.max(low);
+        }
+        // What is above the first outline lies no lower than the rail either.
+        let reach = self.rail_depth + 2.0 * self.wheel_extent[1];
+        self.chord = (2.0 * (self.nominal_radius + self.wheel_low) * reach).sqrt();
         (before + after) as f64 * CELL
     }
 

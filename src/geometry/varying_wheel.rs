@@ -25,7 +25,7 @@ use crate::geometry::rows::envelope::Envelope;
 use crate::geometry::rows::met::Met;
 use crate::geometry::rows::plane::cross;
 use crate::geometry::rows::surface::Surface;
-use crate::geometry::slices::Slices;
+use crate::geometry::slices::{RowKnot, Rows, Slices};
 use crate::geometry::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
 
@@ -43,8 +43,6 @@ const LONGEST_STEP: f64 = 0.04;
 const LEAST_BEND: f64 = 0.1;
 /// Sine of the angle from straight below up to which a round wheel is met.
 const MOST_SINE: f64 = 0.9;
-/// What a wheel whose outline moves reaches farther down over how far that moves: its steepest flank has 3:1.
-const STEEPEST: f64 = 4.0;
 
 /// What a round wheel in the place of a varying one leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -66,8 +64,6 @@ pub struct VaryingWheel {
     middle: f64,
     /// How far to either side a row may be met because it is not round [rad].
     reach: f64,
-    /// See [`farther_down`](Self::farther_down).
-    farther_down: f64,
     envelope: Envelope,
     met: FixedVec<Met>,
     knots: FixedVec<Knot>,
@@ -118,12 +114,10 @@ impl VaryingWheel {
         let rows = slices.around().over_places(radius).rows(turned, turned);
         let surface = Surface { rows, roller_radius: 0.0 };
         let count = surface.count();
-        let [spread, farther] = extents(&surface);
         Self {
             radius,
             middle: 0.5 * (first + last),
-            reach: (2.0 * spread / radius).sqrt(),
-            farther_down: STEEPEST * farther,
+            reach: (2.0 * spread(&surface) / radius).sqrt(),
             envelope: Envelope::new(count),
             met: FixedVec::new(count),
             knots: FixedVec::new(count),
@@ -137,10 +131,33 @@ impl VaryingWheel {
         self.surface.count()
     }
 
-    /// How far any section reaches beyond the first one, at the same place across [m].
+    /// Sides of outlines of which none of the wheel lies outside, by the ends (y, z) of each on the profile [m].
+    pub fn sides(&self) -> impl Iterator<Item = [[f64; 2]; 2]> + Clone + '_ {
+        let (rows, count) = (&self.surface.rows, self.surface.count());
+        let outlines = (0..rows.places.len()).flat_map(|i| hull(rows, i).map(|way| (i, way)));
+        outlines.flat_map(move |(i, way)| {
+            let point = move |knot: &RowKnot| {
+                [knot.value[0] + way * knot.slope[0], -knot.value[1] - way * knot.slope[1]]
+            };
+            let knots = &rows.knots[i * count..(i + 1) * count];
+            let sides = knots.windows(2).map(move |pair| [point(&pair[0]), point(&pair[1])]);
+            sides.filter(|side| side.iter().flatten().all(|x| x.is_finite()))
+        })
+    }
+
+    /// What its outline may be longer than its first section [m].
     #[must_use]
-    pub fn farther_down(&self) -> f64 {
-        self.farther_down
+    pub fn longer(&self) -> f64 {
+        let (rows, count) = (&self.surface.rows, self.surface.count());
+        let length = |knots: &[RowKnot]| -> f64 {
+            let pairs = knots.windows(2).map(|pair| {
+                let [a, b] = [pair[0].value, pair[1].value];
+                (b[0] - a[0]).hypot(b[1] - a[1])
+            });
+            pairs.filter(|length| length.is_finite()).sum()
+        };
+        let first = length(&rows.knots[..count]);
+        rows.knots.chunks(count).map(|knots| length(knots) - first).fold(0.0, f64::max)
     }
 
     /// Lays the section of the round wheel that takes the place of this one at `pose` and `pitch` [rad] into `curve`; allocates nothing within the room that it has. False
@@ -311,33 +328,29 @@ impl VaryingWheel {
     }
 }
 
-/// Greatest difference of the heights of one row, and how far the sections lie from the first one, bulges of splines between slices included [m].
-fn extents(surface: &Surface) -> [f64; 2] {
+/// Places and neighbours of a row between slices, as the control points of its splines: no spline leaves their hull.
+fn hull(rows: &Rows, i: usize) -> [f64; 3] {
+    let last = rows.places.len() - 1;
+    let span = |i: usize| rows.places[i.min(last)] - rows.places[i.max(1) - 1];
+    [0.0, -span(i) / 3.0, span(i + 1) / 3.0]
+}
+
+/// Greatest difference of the heights of one row [m].
+fn spread(surface: &Surface) -> f64 {
     let (rows, count) = (&surface.rows, surface.count());
-    let slices = rows.places.len();
-    let first = &rows.knots[..count];
-    let [mut spread, mut farther] = [0.0_f64; 2];
+    let mut spread = 0.0_f64;
     for j in 0..count {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
-        for i in 0..slices {
+        for i in 0..rows.places.len() {
             let knot = &rows.knots[i * count + j];
-            if !knot.value[0].is_finite() {
-                continue;
-            }
-            let span = |i: usize| rows.places[i.min(slices - 1)] - rows.places[i.max(1) - 1];
-            for way in [0.0, -span(i) / 3.0, span(i + 1) / 3.0] {
-                let point = [0, 1].map(|c| knot.value[c] + way * knot.slope[c]);
-                (least, greatest) = (least.min(point[1]), greatest.max(point[1]));
-                let away = |other: [f64; 4]| (point[0] - other[0]).hypot(point[1] - other[1]);
-                let own = away(first[j].value);
-                // A row that is not on the first section is looked for beside it.
-                let nearest = || first.iter().map(|k| away(k.value)).fold(f64::INFINITY, f64::min);
-                farther = farther.max(if own.is_finite() { own } else { nearest() });
+            for way in hull(rows, i).into_iter().filter(|_| knot.value[0].is_finite()) {
+                let height = knot.value[1] + way * knot.slope[1];
+                (least, greatest) = (least.min(height), greatest.max(height));
             }
         }
         spread = spread.max(greatest - least);
     }
-    [spread, farther]
+    spread
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
