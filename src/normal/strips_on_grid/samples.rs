@@ -18,7 +18,7 @@ const SPACING: f64 = 1.0 / 24.0;
 const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
 /// Parts between two of them, in each of which the density is linear.
-const PARTS: usize = 2;
+const PARTS: usize = 6;
 /// Most samples of all overlaps.
 const MOST_SAMPLES: usize = (MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + MOST_VALLEYS;
 
