@@ -5,15 +5,14 @@
 mod common;
 mod tolerance;
 
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 use common::random::Random;
 use common::summary::Summary;
 use common::walk::{FRICTION, Line, STEP, STEPS, follow};
-use common::wheel::{evaluate, pressed, rolling};
+use common::wheel::rolling;
 use common::{quantiles, write_report};
-use wheelrail::element::parameters::{Placement, TangentialModel};
+use wheelrail::element::parameters::TangentialModel;
 use wheelrail::element::{Element, Input, Parameters};
 
 /// Pairs of wheel and rail.
@@ -127,43 +126,6 @@ fn lobes_that_join_and_part_make_no_jumps() {
             assert!(found.jump <= most, "{rail} {y} {model:?}: {:e} of {most:e}", found.jump);
         }
     }
-}
-
-#[test]
-fn a_rail_that_ends_under_the_contact_makes_no_jumps() {
-    // The gauge side of a crown of radius 300 mm, cut off at its top.
-    let folder = tempfile::TempDir::new().unwrap();
-    let crown = (-40..=0).fold(String::new(), |text, i| {
-        let angle = 0.5 * f64::from(i) / 300.0;
-        text + &format!("{:.9} {:.9}\n", 300.0 * angle.sin(), 300.0 * (1.0 - angle.cos()))
-    });
-    std::fs::write(folder.path().join("cut.txt"), crown).unwrap();
-    let mut parameters =
-        Parameters { tangential_model: TangentialModel::None, ..Parameters::default() };
-    let rail = &mut parameters.rails[0];
-    (rail.profile, rail.inclination) = ("cut.txt".into(), 0.0);
-    (rail.placement, rail.position) = (Placement::Position, [0.75, 0.0]);
-    let mut ended = 0;
-    for (wheel, shift, rolls) in
-        [("conical:0.025", 0.0, [0.02, 0.025, 0.03]), ("S1002", -6e-3, [0.01, 0.02, 0.03])]
-    {
-        parameters.wheel.profile = wheel.into();
-        let folders = [folder.path().to_path_buf()];
-        let mut element = Element::new(&parameters, &Input::default(), &folders).unwrap();
-        for roll in rolls {
-            let mut input = rolling(shift, 20.0);
-            (input.wheel.roll, input.wheel.yaw) = (roll, 4e-3);
-            let start = pressed(&mut element, &input, 6e-5);
-            let patch = evaluate(&mut element, &start).patches[0];
-            // An ellipse of its area, as wide as long, would reach beyond.
-            ended += usize::from((0.75 - patch.position[1]).powi(2) < patch.area / PI);
-            let line = Line { start, y: 0.3, z: -0.5, roll: 0.4, yaw: 0.0 };
-            let [most, _] = tolerance::WALK_JUMPS;
-            let found = follow(&mut element, &line, 1.0, most, &mut Vec::new());
-            assert!(found.jump <= most, "{wheel} {shift} {roll}: {:e}", found.jump);
-        }
-    }
-    assert!(ended >= 2, "{ended} contacts that the end cuts off");
 }
 
 #[test]

@@ -87,12 +87,16 @@ impl<'a> LocalLine<'a> {
 
 impl LocalLine<'_> {
     /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]: where the line crosses the normal of the
-    /// rail, looked for from the parameter `guess`. A little beyond its end a body goes on as it does before. Nothing where one is bent more than the other one is far.
+    /// rail, looked for from the parameter `guess`. A little beyond its end the rail goes on as it does before. Nothing where the wheel ends, or a body is bent more than the other one is far.
     fn on_normal(&mut self, y: f64, guess: f64) -> Option<(LinePlace, [f64; 2])> {
+        let [start, end] = self.line.range();
         let on = self.rail.curve().at(y);
         let along = |v: [f64; 2]| v[0] * on.first[0] + v[1] * on.first[1];
         let mut u = guess;
         for _ in 0..MOST_CROSSINGS {
+            if !(u > start && u < end) {
+                return None;
+            }
             let (at, derivative) = self.point(u);
             let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
             let rate = along(derivative);
@@ -166,11 +170,6 @@ impl Line for LocalLine<'_> {
             None => self.line.wheel_point(u).section_radius,
             Some(deviations) => self.uneven_radius(u, deviations),
         }
-    }
-
-    fn limits(&self) -> [f64; 2] {
-        let curve = self.rail.curve();
-        [curve.start(), curve.end()]
     }
 
     fn across(&mut self, y: f64, guess: f64) -> LinePlace {

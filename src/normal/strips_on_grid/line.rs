@@ -63,11 +63,6 @@ pub trait Line {
     /// Radius of the normal section of the wheel along x at parameter `u`, > 0 [m].
     fn radius(&mut self, u: f64) -> f64;
 
-    /// Coordinates across between which the rail is [m].
-    fn limits(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
-    }
-
     /// At coordinate `y` across, for a parameter near `guess` [m].
     ///
     /// The overlap over `y` is as smooth as the surfaces; over the parameter it is not, where the contact line of a yawed wheel changes

@@ -82,16 +82,6 @@ fn crossing(line: &mut impl Line, inside: &Probe, outside: &Probe, level: f64) -
             return end_at(line.place(u), true);
         }
     }
-    // Where the rail ends the overlap does not go to zero.
-    let ways = [inside, outside].map(|probe| line.place(probe.u).y);
-    for limit in line.limits() {
-        if (ways[0] - limit) * (ways[1] - limit) <= 0.0 {
-            let place = line.across(limit, inside.u);
-            if place.overlap > 0.0 {
-                return end_at(place, false);
-            }
-        }
-    }
     let u = bracketed(a, b, BRACKET, |u| line.place(u).overlap);
     end_at(line.place(u), true)
 }
