@@ -1,17 +1,20 @@
 //! Zones with a neck: two lobes that are about to part, or have just joined.
 //!
 //! One ellipse for the whole and one for each lobe are different forces, so that a step from the one to the other would be a jump where zones
-//! join. Instead a zone with a neck is mixed of both, by how deep the neck is: with q the load per width, d the least q between two
-//! peaks over the lower of them,
+//! join. Instead a zone with a neck is mixed of both, by how deep the neck is: with q the load per width and d the least of its shares in
+//! the lower of the greatest q on either side,
 //!
 //! ```text
 //! F = (1 - w) F_whole + w (F_left + F_right),      w = 1 at d = 0, where zones join, 0 from d = 1/2 on
+//! d = min_j q_j/min(max_{k≤j} q_k, max_{k≥j} q_k)
 //! ```
 //!
 //! That holds for ellipses from the table and for marches through the strips alike: each lobe has flexibilities of its own, and its own
 //! mean creepage that two of them refer to.
 //!
 //! All of it is a continuous function of the strips.
+
+use std::ops::Range;
 
 use super::equivalent_ellipse::LoadedPart;
 use super::flexibility::ZoneFlexibility;
@@ -89,7 +92,7 @@ impl<T: Real> Lobes<T> {
 }
 
 impl<T: Real> Neck<T> {
-    /// The deepest neck of `zone`, if it has one.
+    /// The neck of `zone`, if it has one.
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
@@ -105,50 +108,35 @@ impl<T: Real> Neck<T> {
             }
             sum
         };
-        // Where load falls and rises again; the peaks on both sides of the deepest such place.
-        let (mut peak, mut least) = (T::from(0.0), T::from(f64::INFINITY));
-        let mut best = None::<[T; 3]>;
-        let [ys, lengths, pressures] =
-            [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
-        let mut next = 0;
-        while next < range.len() {
-            let mut q = lengths[next] * pressures[next];
-            let y = ys[next];
-            next += 1;
-            while next < range.len() && ys[next] == y {
-                q += lengths[next] * pressures[next];
-                next += 1;
+        let peak = range.clone().max_by(|&i, &j| load(i).value().total_cmp(&load(j).value()))?;
+        let mut deepest = (T::from(WHOLE), None);
+        for_each_depth(range.clone(), peak, load, |j, depth| {
+            if depth < deepest.0 {
+                deepest = (depth, Some(j));
             }
-            least = least.min(q);
-            let lower = q.min(peak);
-            if least < lower * WHOLE {
-                let depth = least / lower;
-                if best.is_none_or(|[before, ..]| depth < before) {
-                    best = Some([depth, least, lower]);
-                }
-            }
-            if q >= peak {
-                (peak, least) = (q, q);
-            }
-        }
-        let [depth, least, lower] = best?;
-        let x = -(depth / WHOLE) + 1.0;
-        let share = smooth_step(x);
-        // Where it is: strips between the peaks, the more the less they carry; where zones join that strip alone which carries nothing.
-        let weight = |j: usize| {
-            let own = load(j);
+        });
+        let (least, Some(at)) = deepest else { return None };
+        // Where it is: the strips between peaks, the more the less they carry; where zones join that strip alone which carries nothing. Ways from there, so that nothing
+        // is rounded where that alone counts.
+        let at = strips.y[at];
+        let [mut sum, mut first, mut second] = [T::from(0.0); 3];
+        for_each_depth(range.clone(), peak, load, |j, depth| {
             // A strip may carry nothing at all.
-            let [least, own_least] = [least, own].map(|load| load.at_least(f64::MIN_POSITIVE));
-            strips.width[j] * ((lower - own).at_least(0.0) * (least / own_least)).powi(2)
-        };
-        let first = range.clone().find(|&j| load(j) >= lower)?;
-        let last = range.clone().rev().find(|&j| load(j) >= lower)?;
-        let sum: T = (first..=last).map(weight).sum();
-        let y = (first..=last).map(|j| weight(j) * strips.y[j]).sum::<T>() / sum;
-        let square = (first..=last).map(|j| weight(j) * (strips.y[j] - y).powi(2)).sum::<T>() / sum;
+            let [own, least] = [depth, least].map(|depth| depth.at_least(f64::MIN_POSITIVE));
+            let weight = strips.width[j] * ((-depth + 1.0) * (least / own)).powi(2);
+            let way = strips.y[j] - at;
+            sum += weight;
+            first += weight * way;
+            second += weight * way * way;
+        });
+        if sum <= 0.0 {
+            return None;
+        }
+        let way = first / sum;
+        let square = (second / sum - way * way).at_least(0.0);
         // An even distribution as wide as that of these strips.
         let blend = (square * 12.0).sqrt().at_least(f64::MIN_POSITIVE);
-        (sum > 0.0).then_some(Self { share, y, blend })
+        Some(Self { share: smooth_step(-(least / WHOLE) + 1.0), y: at + way, blend })
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.
@@ -166,6 +154,28 @@ impl<T: Real> Neck<T> {
         let x = ((self.y - y) / self.blend + 0.5).within(0.0, 1.0);
         smooth_step(x)
     }
+}
+
+/// Hands to `each` the strips of a `range` and their loads over the lower of the greatest on either side; the greatest of all is that of `peak`.
+fn for_each_depth<T: Real>(
+    range: Range<usize>,
+    peak: usize,
+    load: impl Fn(usize) -> T,
+    mut each: impl FnMut(usize, T),
+) {
+    let mut walk = |strips: &mut dyn Iterator<Item = usize>| {
+        let mut greatest = T::from(0.0);
+        for j in strips {
+            let own = load(j);
+            if own < greatest {
+                each(j, own / greatest);
+            } else {
+                greatest = own;
+            }
+        }
+    };
+    walk(&mut (range.start..peak));
+    walk(&mut (peak + 1..range.end).rev());
 }
 
 #[cfg(test)]
@@ -213,6 +223,28 @@ mod tests {
             before = neighbour;
         }
         assert_abs_diff_eq!(before, 1.0);
+    }
+
+    #[test]
+    fn a_strip_that_alone_is_the_neck_is_half_of_each_lobe_wherever_it_is() {
+        for shift in [-3.3e-3, -1e-3 / 3.0, 7.7e-4, 0.1] {
+            let (zone, mut strips) = strips(&[0.6, 1.5, 0.6, 1.4, 0.7, 0.3]);
+            strips.y.iter_mut().for_each(|y| *y += shift);
+            let neck = Neck::of(&zone, &strips).unwrap();
+            assert_abs_diff_eq!(neck.left(strips.y[2]), 0.5, epsilon = 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_third_peak_comes_up_smoothly() {
+        // The third lobe overtakes the second one as the lower of the peaks beside the neck.
+        let places = [-1.0, 1.0].map(|side| {
+            let (zone, strips) = strips(&[1.0, 0.1, 0.5, 0.3, 0.5 + 1e-9 * side, 0.2]);
+            Neck::of(&zone, &strips).unwrap()
+        });
+        assert_abs_diff_eq!(places[0].share, places[1].share, epsilon = 1e-7);
+        assert_abs_diff_eq!(places[0].y, places[1].y, epsilon = 1e-10);
+        assert_abs_diff_eq!(places[0].blend, places[1].blend, epsilon = 1e-10);
     }
 
     #[test]
