@@ -213,7 +213,7 @@ MODELS = {
     "as it starts": {},
     "piotrowski_kik + fastsim": {"normal.model": "piotrowski_kik", "tangential.model": "fastsim", "creepage.model": "flat"},
 }
-STEPS = (5e-4, 1e-3, 2e-3)
+STEPS = (5e-4, 1e-3, 2e-3, 2.5e-3, 1 / 300)
 
 
 def means(columns):
