@@ -14,8 +14,6 @@
 //!
 //! All of it is a continuous function of the strips.
 
-use std::ops::Range;
-
 use super::equivalent_ellipse::LoadedPart;
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
@@ -96,21 +94,28 @@ impl<T: Real> Neck<T> {
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
+        let [ys, lengths, pressures] =
+            [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
         // Stretches of one strip, as uneven bodies have them, count together.
         let load = |j: usize| {
-            let mut sum = strips.half_length[j] * strips.pressure[j];
-            let same = |k: &usize| strips.y[*k] == strips.y[j];
-            for k in (range.start..j).rev().take_while(same) {
-                sum += strips.half_length[k] * strips.pressure[k];
+            let y = ys[j];
+            let own = |k: usize| lengths[k] * pressures[k];
+            let is_next = j + 1 < ys.len() && ys[j + 1] == y;
+            if !is_next && (j == 0 || ys[j - 1] != y) {
+                return own(j);
             }
-            for k in (j + 1..range.end).take_while(same) {
-                sum += strips.half_length[k] * strips.pressure[k];
-            }
-            sum
+            (0..ys.len()).filter(|&k| ys[k] == y).map(own).sum()
         };
-        let peak = range.clone().max_by(|&i, &j| load(i).value().total_cmp(&load(j).value()))?;
+        let mut greatest = (T::from(0.0), 0);
+        for j in 0..ys.len() {
+            let own = load(j);
+            if own > greatest.0 {
+                greatest = (own, j);
+            }
+        }
+        let (count, peak) = (ys.len(), greatest.1);
         let mut deepest = (T::from(WHOLE), None);
-        for_each_depth(range.clone(), peak, load, |j, depth| {
+        for_each_depth(count, peak, load, |j, depth| {
             if depth < deepest.0 {
                 deepest = (depth, Some(j));
             }
@@ -118,13 +123,13 @@ impl<T: Real> Neck<T> {
         let (least, Some(at)) = deepest else { return None };
         // Where it is: the strips between peaks, the more the less they carry; where zones join that strip alone which carries nothing. Ways from there, so that nothing
         // is rounded where that alone counts.
-        let at = strips.y[at];
+        let at = ys[at];
         let [mut sum, mut first, mut second] = [T::from(0.0); 3];
-        for_each_depth(range.clone(), peak, load, |j, depth| {
+        for_each_depth(count, peak, load, |j, depth| {
             // A strip may carry nothing at all.
             let [own, least] = [depth, least].map(|depth| depth.at_least(f64::MIN_POSITIVE));
-            let weight = strips.width[j] * ((-depth + 1.0) * (least / own)).powi(2);
-            let way = strips.y[j] - at;
+            let weight = strips.width[range.start + j] * ((-depth + 1.0) * (least / own)).powi(2);
+            let way = ys[j] - at;
             sum += weight;
             first += weight * way;
             second += weight * way * way;
@@ -156,9 +161,9 @@ impl<T: Real> Neck<T> {
     }
 }
 
-/// Hands to `each` the strips of a `range` and their loads over the lower of the greatest on either side; the greatest of all is that of `peak`.
+/// Hands to `each` those of `count` strips that carry less than some on either side, and their loads over the lower of the greatest on either side; the greatest of all is that of `peak`.
 fn for_each_depth<T: Real>(
-    range: Range<usize>,
+    count: usize,
     peak: usize,
     load: impl Fn(usize) -> T,
     mut each: impl FnMut(usize, T),
@@ -174,8 +179,8 @@ fn for_each_depth<T: Real>(
             }
         }
     };
-    walk(&mut (range.start..peak));
-    walk(&mut (peak + 1..range.end).rev());
+    walk(&mut (0..peak));
+    walk(&mut (peak + 1..count).rev());
 }
 
 #[cfg(test)]
