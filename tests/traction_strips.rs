@@ -283,3 +283,23 @@ fn forces_all_over_profiles_are_those_of_boundary_elements() {
         assert!(100.0 * most >= found, "{found}");
     }
 }
+
+#[test]
+fn answers_tell_how_well_their_equations_are_solved() {
+    let mut parameters = Parameters::default();
+    parameters.tangential_model = TangentialModel::Strips;
+    let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
+    let mut output = Output::default();
+    for shift in (-60..=80).step_by(5) {
+        let mut input = rolling(1e-4 * f64::from(shift), 20.0);
+        input.wheel.yaw = 4e-3;
+        let input = pressed(&mut element, &input, 8e-5);
+        element.evaluate(&input, &mut output).unwrap();
+        let [gap, slip] = [output.normal_residual, output.tangential_residual];
+        assert!(gap > 0.0 && gap <= tolerance::STRIPS_GAP, "y {shift}: {gap:e}");
+        assert!(slip <= tolerance::STRIPS_SLIP, "y {shift}: {slip:e}");
+    }
+    // Nothing is left of nothing.
+    element.evaluate(&Input::default(), &mut output).unwrap();
+    assert_eq!([output.normal_residual, output.tangential_residual], [0.0; 2]);
+}

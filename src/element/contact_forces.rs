@@ -124,6 +124,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
             fallbacks += u64::from(tractions.fell_back);
+            output.tangential_residual = output.tangential_residual.at_least(tractions.residual);
             let normal_force = zone.load * load_factor * self.resultant_share;
             let pressing = axes.normal * -normal_force;
             let bearing = match lifting {

@@ -34,6 +34,8 @@ pub struct Tractions<T = f64> {
     pub slip_area: T,
     /// Whether a simpler model took the place of one that did not converge.
     pub fell_back: bool,
+    /// Greatest part of the bound that tractions on strips are away from the law of friction; 0 for other models [-].
+    pub residual: f64,
 }
 
 impl<T: Real> Default for Tractions<T> {
@@ -44,6 +46,7 @@ impl<T: Real> Default for Tractions<T> {
             dissipation: T::from(0.0),
             slip_area: T::from(0.0),
             fell_back: false,
+            residual: 0.0,
         }
     }
 }
@@ -59,6 +62,7 @@ impl<T: Real> Tractions<T> {
                 + force.spin_moment * creepage.spin),
             slip_area: force.slip_area,
             fell_back: force.fell_back,
+            residual: force.residual,
         }
     }
 }
@@ -162,7 +166,7 @@ impl<T: Real> CurvedZone<T> {
             total.slip_area += strip.slip_area;
             each(j, dissipation, strip.slip_area);
         })?;
-        total.fell_back = solved.fell_back;
+        (total.fell_back, total.residual) = (solved.fell_back, solved.residual);
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
             total.force *= (solved.limit / total.force.dot(&total.force).sqrt()).at_most(1.0);

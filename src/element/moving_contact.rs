@@ -119,14 +119,14 @@ impl RailContact {
         let mut work = Work::default();
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
             strip_contact::solve(&line, rail, search, probes, found);
+            output.normal_residual = output.normal_residual.at_least(found.normal_residual());
             if !T::follow(&moving, &outline, search, found, models) {
                 return Err(UNSETTLED);
             }
-            let mut deepest = T::from(0.0);
-            for contact in search.contacts.iter() {
-                let contact = contact.moving(&moving, &outline).ok_or(BODY_ENDS)?;
-                deepest = deepest.max(contact.penetration);
-            }
+            let deepest = search.contacts.iter().try_fold(T::from(0.0), |deepest, contact| {
+                Some(deepest.max(contact.moving(&moving, &outline)?.penetration))
+            });
+            let deepest = deepest.ok_or(BODY_ENDS)?;
             let damping = StripDamping {
                 motion: &relative_motion(input, k, &frame),
                 frame: &frame,

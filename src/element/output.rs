@@ -109,10 +109,11 @@ pub struct Output<T = f64> {
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
     pub fallback_count: i32,
-    /// Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap; 0 for models that do not
-    /// tell it [-].
+    /// Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap, of
+    /// boundary elements, and of strips at their nodes before the last Newton step; 0 for other models [-].
     pub normal_residual: T,
-    /// Largest slip that contradicts the friction law, over the largest rigid slip; 0 for models that do not tell it [-].
+    /// Largest slip of boundary elements that contradicts the friction law, over the largest rigid slip; of tractions on strips, the greatest part of their bound by which
+    /// they do; 0 for other models [-].
     pub tangential_residual: T,
     /// Dissipated energy per distance, spin included [J/m].
     pub wear_number: T,

@@ -239,6 +239,7 @@ pub fn add<'a>(
     let ContactForces { input, line, rail, frame, .. } = &of_rail;
     let placed = rail.rail;
     let mut left_out = solve(line, placed, search, probes, models) as u64;
+    output.normal_residual = output.normal_residual.max(models.normal_residual());
     let wheel = &input.wheel;
     let speeds = [wheel.velocity[0], wheel.pitch_rate * line.nominal_radius()];
     let damping = StripDamping {

@@ -210,6 +210,7 @@ impl<T: Tabulated> RollingEllipse<'_, T> {
             spin_moment: limit * direction * c * force[2],
             slip_area: slip_share * area,
             fell_back: false,
+            residual: 0.0,
         }
     }
 }

@@ -40,6 +40,8 @@ pub struct CreepForce<T = f64> {
     pub slip_area: T,
     /// Whether a simpler model took the place of one that did not converge.
     pub fell_back: bool,
+    /// Greatest part of the bound that tractions on strips are away from the law of friction; 0 for other models [-].
+    pub residual: f64,
 }
 
 impl<T: Real> CreepForce<T> {

@@ -236,7 +236,7 @@ impl Tangential {
             total.add(zone, strips, j, &force);
             each(j, &force);
         })?;
-        Some(CreepForce { fell_back: marched.fell_back, ..total })
+        Some(CreepForce { fell_back: marched.fell_back, residual: marched.residual, ..total })
     }
 
     /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
@@ -263,7 +263,7 @@ impl Tangential {
         // Strips know no ellipse, and need no lobes.
         let is_strips = self.model == TangentialModel::Strips;
         let lobes = if is_strips { None } else { Lobes::of(&loaded) };
-        let mut solved = Solved { limit, fell_back: false };
+        let mut solved = Solved { limit, fell_back: false, residual: 0.0 };
         if self.model == TangentialModel::Tables {
             let none = [CreepForce::default(); 3];
             self.ellipse_force(&loaded, lobes.as_ref(), &state, &none, each)?;
@@ -292,7 +292,8 @@ impl Tangential {
                 let add = |j, force: StripForce<T>| each(j, force.times(share));
                 let settled = T::on_strips(&mut solver.lend(), &loaded, rolling, add);
                 solved.fell_back |= !settled.is_some_and(|settled| settled.converged());
-                if settled.is_some() {
+                if let Some(settled) = settled {
+                    solved.residual = solved.residual.max(settled.left);
                     continue;
                 }
             }
@@ -389,4 +390,6 @@ pub struct Solved<T = f64> {
     pub limit: T,
     /// Whether the chosen model did not converge: FASTSIM took the place of boundary elements; strips keep their last step, within the bound.
     pub fell_back: bool,
+    /// Greatest part of the bound that tractions on strips are away from the law of friction; 0 for other models [-].
+    pub residual: f64,
 }

@@ -79,6 +79,8 @@ pub(super) struct Newton {
     weights: Vec<f64>,
     /// Steps so far.
     pub steps: u64,
+    /// Largest distance left at a node that carries load, or overlap left at one that does not, over the greatest overlap, before the last step.
+    pub residual: f64,
     /// Blocks of nodes and of knots.
     nodes: usize,
     behind: usize,
@@ -123,6 +125,7 @@ impl Newton {
             pivots: FixedVec::new(n + m),
             weights: numbers(m),
             steps: 0,
+            residual: 0.0,
             nodes,
             behind,
         }
@@ -455,7 +458,7 @@ impl Newton {
         n + m
     }
 
-    /// Makes the equations of nodes as steep as they have to be; returns the greatest overlap that a node without load has beyond its gap, over the depth.
+    /// Makes the equations of nodes as steep as they have to be and finds their residual; returns the greatest overlap that a node without load has beyond its gap, over the depth.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn steepen(&mut self, grid: &Grid, scales: &Scales) -> f64 {
@@ -463,20 +466,23 @@ impl Newton {
         let (matrix, right) = self.matrix.split_at_mut(self.pivots.len() * stride);
         let greatest = (0..n).map(|i| row(right, i).abs()).fold(0.0, f64::max);
         let least = LEAST_SLOPE * greatest.min(grid.samples.depth) / scales.load;
-        let mut not_carried = 0.0f64;
+        let (mut not_carried, mut apart) = (0.0f64, 0.0f64);
         for (i, column) in matrix.chunks_exact_mut(stride).take(n).enumerate() {
             let slope = row(column, i);
             *slope = slope.max(least);
             let (node, z, residual) = (&grid.nodes[i], self.z[i], *row(right, i));
             let below = (-z).max(0.0);
             let overlap = residual - scales.gap * below * below.sqrt();
-            if z <= 0.0 && overlap > 0.0 {
+            if z > 0.0 {
+                apart = apart.max(residual.abs());
+            } else if overlap > 0.0 {
                 let width = 0.5 * (node.reach[1] - node.reach[0]);
                 let loaded = SELF_INFLUENCE * INFLUENCE * width / scales.length;
                 *slope = slope.max(residual / (below + overlap / loaded));
                 not_carried = not_carried.max(overlap);
             }
         }
+        self.residual = apart.max(not_carried) / grid.samples.depth;
         not_carried / grid.samples.depth
     }
 
