@@ -286,8 +286,8 @@ fn forces_all_over_profiles_are_those_of_boundary_elements() {
 
 #[test]
 fn answers_tell_how_well_their_equations_are_solved() {
-    let mut parameters = Parameters::default();
-    parameters.tangential_model = TangentialModel::Strips;
+    let parameters =
+        Parameters { tangential_model: TangentialModel::Strips, ..Parameters::default() };
     let mut element = Element::new(&parameters, &Input::default(), &[]).unwrap();
     let mut output = Output::default();
     for shift in (-60..=80).step_by(5) {
@@ -301,5 +301,5 @@ fn answers_tell_how_well_their_equations_are_solved() {
     }
     // Nothing is left of nothing.
     element.evaluate(&Input::default(), &mut output).unwrap();
-    assert_eq!([output.normal_residual, output.tangential_residual], [0.0; 2]);
+    assert!(output.normal_residual <= 0.0 && output.tangential_residual <= 0.0, "{output:?}");
 }
