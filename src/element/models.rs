@@ -68,10 +68,11 @@ pub struct Models<T = f64> {
 }
 
 impl Models {
-    /// Largest distance left at a node of the strips of the rail under way, or overlap left, over its greatest overlap; 0 where strips were not solved [-].
+    /// Largest distance left at a node of the strips of the rail under way, or overlap left, over its
+    /// greatest overlap; 0 where strips were not solved [-].
     #[must_use]
     pub fn normal_residual(&self) -> f64 {
-        self.strip_solver.as_ref().map_or(0.0, |solver| solver.residual)
+        self.strip_solver.as_ref().map_or(0.0, GridSolver::residual)
     }
 
     /// The same models with memory for other numbers; without what only plain ones can be: a solver, uneven bodies, wear. `rows` is how many an outline of a rail that

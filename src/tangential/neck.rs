@@ -121,8 +121,8 @@ impl<T: Real> Neck<T> {
             }
         });
         let (least, Some(at)) = deepest else { return None };
-        // Where it is: the strips between peaks, the more the less they carry; where zones join that strip alone which carries nothing. Ways from there, so that nothing
-        // is rounded where that alone counts.
+        // Where it is: the strips between peaks, the more the less they carry; where zones join that
+        // strip alone which carries nothing. Ways from there, so that it is not rounded then.
         let at = ys[at];
         let [mut sum, mut first, mut second] = [T::from(0.0); 3];
         for_each_depth(count, peak, load, |j, depth| {
@@ -161,7 +161,8 @@ impl<T: Real> Neck<T> {
     }
 }
 
-/// Hands to `each` those of `count` strips that carry less than some on either side, and their loads over the lower of the greatest on either side; the greatest of all is that of `peak`.
+/// Hands to `each` those of `count` strips that carry less than some on either side, with their loads
+/// over the lower of the greatest on either side; `peak` carries most of all.
 fn for_each_depth<T: Real>(
     count: usize,
     peak: usize,

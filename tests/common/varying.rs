@@ -58,7 +58,7 @@ pub fn of_slices(parameters: Parameters) -> Parameters {
 }
 
 /// The rail of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by 1:10.
-fn rail_of(name: &str) -> TempDir {
+pub fn rail_of(name: &str) -> TempDir {
     let places = (0..=20).map(|i| 10.0 * f64::from(i));
     match name {
         "wing" => slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0)),

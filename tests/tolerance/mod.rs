@@ -511,8 +511,8 @@ pub const RAIL_PLACE: f64 = 1e-10;
 /// Forces at heights and deflections that were found, and found again on rails that are put there: searches within searches, each to 1e-9 of the load.
 pub const FOUND_AGAIN: f64 = 1e-8;
 
-/// Distance or overlap left at the nodes of strips before the last Newton step, over the greatest overlap: by then loads change by a millionth, and displacements by up to ten times
-/// as much, with the logarithm of what strips are wide.
+/// Distance or overlap left at the nodes of strips before the last Newton step, over the greatest
+/// overlap: that step changes loads by a millionth of the greatest, displacements by some times that.
 pub const STRIPS_GAP: f64 = 1e-5;
-/// What tractions on strips are away from the law of friction, over their bound: rounding of some hundred terms.
+/// What tractions on strips are away from the law of friction, over their bound, where the iteration ends.
 pub const STRIPS_SLIP: f64 = 1e-10;

@@ -68,9 +68,6 @@ pub struct GridSolver {
     newton: Newton,
     /// Work so far.
     pub work: Work,
-    /// Largest distance left at a node of the last problem that carries load, or overlap left at one that does not, over the greatest overlap [-]: that before the last Newton
-    /// step, which the answer is nearer than.
-    pub residual: f64,
 }
 
 impl GridSolver {
@@ -82,14 +79,14 @@ impl GridSolver {
         let knots = Knots::new(strips - 2);
         let grid = Grid::new(strips - 2);
         let newton = Newton::new(grid.nodes.capacity(), &knots, grid.cells.capacity());
-        Self {
-            knots,
-            overlaps: Overlaps::new(),
-            grid,
-            newton,
-            work: Work::default(),
-            residual: 0.0,
-        }
+        Self { knots, overlaps: Overlaps::new(), grid, newton, work: Work::default() }
+    }
+
+    /// Largest distance left at a node of the last problem that carries load, or overlap left at one
+    /// that does not, over the greatest overlap, before the last Newton step; 0 without a problem [-].
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.newton.residual
     }
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
@@ -104,7 +101,7 @@ impl GridSolver {
         strips: &mut Strips,
     ) -> usize {
         self.work.solved += 1;
-        self.residual = 0.0;
+        self.newton.residual = 0.0;
         self.overlaps.fill(line, probes, level);
         if self.overlaps.intervals.is_empty() {
             return 0;
@@ -119,7 +116,6 @@ impl GridSolver {
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
-        self.residual = self.newton.residual;
         let Newton { z, shapes, .. } = &self.newton;
         Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips) + usize::from(!settled)
     }
