@@ -22,14 +22,14 @@ PYTHON = Path(__file__).parent.parent
 DOCUMENT = PYTHON.parent / "docs/python.md"
 MARKS = "<!-- throughput -->\n", "<!-- end of throughput -->"
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", PYTHON / "target"))
-#: Normal, creepage and tangential model, and rows that take some tenths of a second.
+#: Normal, creepage and tangential model, and rows that take some tenths of a second, shared evenly among threads.
 MODELS = (
     ("hertz", "flat", "fastsim", 20_000),
     ("piotrowski_kik", "flat", "fastsim", 20_000),
     ("piotrowski_kik", "flat", "tables", 20_000),
     ("strips", "curved", "tables", 2_000),
     ("strips", "curved", "fastsim_corrected", 2_000),
-    ("boundary_element", "curved", "boundary_element", 8),
+    ("boundary_element", "curved", "boundary_element", 64),
 )
 #: Elements of the boundary element solution along and across, as in the scoreboard.
 ELEMENTS = 40

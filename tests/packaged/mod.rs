@@ -1,4 +1,5 @@
-//! The FMU as a release build packs it, in a target directory of its own.
+//! The FMU as a release build packs it, in a target directory of its own. Tests that are not of a release build themselves do without
+//! optimisation at link time, which takes minutes on one core.
 
 #![allow(dead_code)] // each test crate uses its own part
 
@@ -36,7 +37,13 @@ pub fn for_platforms(platforms: &str) -> PathBuf {
 fn build(folder: &str, platforms: &str) -> PathBuf {
     // Not the outer target directory: cargo may hold its lock while the tests run.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
-    let output = Command::new(env!("CARGO"))
+    let mut command = Command::new(env!("CARGO"));
+    if cfg!(debug_assertions) {
+        command
+            .env("CARGO_PROFILE_RELEASE_LTO", "off")
+            .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
+    }
+    let output = command
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .args(["build", "--release", "--no-default-features", "--features", "package"])
         .arg("--target-dir")
