@@ -74,7 +74,7 @@ def times(models: list[str], rows: int, cores: int, rounds: int) -> dict[str | i
     settings |= {"wheel.vx": 20.0, "wheel.pitch_rate": -20.0 / 0.46}
     wheel = wheelrail.Element(settings)
     random = np.random.default_rng(7)
-    y, yaw = 0.75 + random.uniform(-5e-3, 5e-3, rows), random.normal(0.0, 2e-3, rows)
+    y, yaw = 0.75 + random.uniform(-4e-3, 4e-3, rows), random.normal(0.0, 2e-3, rows)
     inputs = {"y": y, "yaw": yaw, "z": wheel.touching_height(y=y, yaw=yaw) + 6e-5}
     best: dict[str | int, float] = {"loop": np.inf, 1: np.inf, cores: np.inf}
     with tempfile.TemporaryDirectory() as folder:
