@@ -275,10 +275,10 @@ fn forces_over_a_tread_are_those_of_boundary_elements() {
 }
 
 #[test]
-#[ignore = "long"]
+#[ignore = "15 000 states against boundary elements: minutes in release builds"]
 fn forces_all_over_profiles_are_those_of_boundary_elements() {
     let pairs = [["S1002", "60E1"], ["S1002", "54E1"], ["S1002_worn.txt", "60E1"]];
-    let found = over_positions(0.7e-3, &pairs, "traction_strips_dense");
+    let found = over_positions(0.1e-3, &pairs, "traction_strips_dense");
     for (found, most) in found[0].into_iter().zip(tolerance::STRIPS_POSITIONS) {
         assert!(100.0 * most >= found, "{found}");
     }
