@@ -149,7 +149,7 @@ impl LoadedElements {
         self.rows.iter().map(|row| row.as_ref().map(Row::nearest))
     }
 
-    /// Hands the force of each row of `zone` on the wheel to `each`, as one of the nearest strip.
+    /// Hands the force of each row of `zone` on the wheel to `each`, shared by the strips between which the row lies as their creepage is.
     pub fn strip_forces(
         &self,
         zone: &Zone,
@@ -159,23 +159,25 @@ impl LoadedElements {
     ) {
         let grid = &self.grid;
         let area = grid.element_area();
+        let own = zone.first..zone.first + zone.count;
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
-            let strip = row.nearest();
-            if strip < zone.first || strip >= zone.first + zone.count {
-                continue;
+            for (strip, share) in row.strips.into_iter().zip([1.0 - row.share, row.share]) {
+                if share <= 0.0 || !own.contains(&strip) {
+                    continue;
+                }
+                let arm_y = grid.y(j) - strips.y[strip];
+                let mut force = StripForce::default();
+                for i in 0..grid.along {
+                    let k = j * grid.along + i;
+                    let (x, y) = (share * area * tractions.x[k], share * area * tractions.y[k]);
+                    force.longitudinal += x;
+                    force.lateral += y;
+                    force.moment += (grid.x(i) - strips.x[strip]) * y - arm_y * x;
+                    force.slip_area += if tractions.slips[k] { share * area } else { 0.0 };
+                }
+                each(strip, force);
             }
-            let arm_y = grid.y(j) - strips.y[strip];
-            let mut force = StripForce::default();
-            for i in 0..grid.along {
-                let k = j * grid.along + i;
-                let (x, y) = (area * tractions.x[k], area * tractions.y[k]);
-                force.longitudinal += x;
-                force.lateral += y;
-                force.moment += (grid.x(i) - strips.x[strip]) * y - arm_y * x;
-                force.slip_area += if tractions.slips[k] { area } else { 0.0 };
-            }
-            each(strip, force);
         }
     }
 }
