@@ -163,9 +163,13 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     }
 }
 
-/// Median and worst of the errors on a rail: height and place [m], pressure and creep force, over the friction limit.
-fn against_contact(rail: &str) -> [[f64; 2]; 4] {
-    let errors = errors_against_contact(rail, &Parameters::default());
+/// Median and worst of the errors on a rail by a normal model: height and place [m], pressure and creep force, over the friction limit.
+fn against_contact(rail: &str, normal_model: NormalModel) -> [[f64; 2]; 4] {
+    let mut parameters = Parameters { normal_model, ..Parameters::default() };
+    if normal_model == NormalModel::BoundaryElement {
+        parameters.tangential_model = TangentialModel::BoundaryElement;
+    }
+    let errors = errors_against_contact(rail, &parameters);
     assert!(errors.len() > 20);
     let [height, pressure, place, force] =
         [0, 1, 2, 3].map(|k| median_and_worst(errors.iter().map(|(_, own)| own[k]).collect()));
@@ -174,13 +178,14 @@ fn against_contact(rail: &str) -> [[f64; 2]; 4] {
     for (quantity, [median, worst]) in named {
         writeln!(report, "{quantity},{median:.3e},{worst:.3e}").unwrap();
     }
-    common::write_report(&format!("varying_{rail}.csv"), &report);
+    println!("{rail}, {normal_model:?}: {report}");
+    common::write_report(&format!("varying_{rail}_{normal_model:?}.csv"), &report);
     [height, pressure, place, force]
 }
 
 #[test]
 fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
-    let [height, pressure, place, force] = against_contact("wing");
+    let [height, pressure, place, force] = against_contact("wing", NormalModel::Strips);
     assert!(height[0] <= tolerance::VARYING_HEIGHT);
     assert!(pressure[0] <= tolerance::VARYING_PRESSURE);
     assert!(place[0] <= tolerance::VARYING_PLACE);
@@ -189,9 +194,47 @@ fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
 
 #[test]
 fn a_nose_that_rises_is_met_as_by_contact() {
-    let [height, _, place, _] = against_contact("nose");
+    let [height, _, place, _] = against_contact("nose", NormalModel::Strips);
     assert!(height[0] <= tolerance::VARYING_HEIGHT);
     assert!(place[0] <= tolerance::VARYING_PLACE);
+}
+
+#[test]
+fn boundary_elements_meet_a_rail_that_varies_as_contact_does() {
+    let [height, pressure, place, force] = against_contact("wing", NormalModel::BoundaryElement);
+    assert!(height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(pressure[0] <= tolerance::VARYING_PRESSURE);
+    assert!(place[0] <= tolerance::VARYING_PLACE);
+    assert!(force[0] <= tolerance::VARYING_FORCE);
+    let [height, _, place, _] = against_contact("nose", NormalModel::BoundaryElement);
+    assert!(height[0] <= tolerance::VARYING_HEIGHT);
+    assert!(place[0] <= tolerance::VARYING_PLACE);
+}
+
+#[test]
+fn boundary_elements_on_slices_that_are_all_the_same_are_those_of_one_profile() {
+    let folder = TempDir::new().unwrap();
+    let table = "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n";
+    fs::write(folder.path().join("rail.csv"), table).unwrap();
+    let mut even =
+        Parameters { normal_model: NormalModel::BoundaryElement, ..Parameters::default() };
+    even.tangential_model = TangentialModel::BoundaryElement;
+    let mut varying = even.clone();
+    varying.rails[0].profile = "rail.csv".into();
+    let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
+    for y in [-5e-3, 0.0, 4e-3] {
+        let mut input = rolling(y, 20.0);
+        input.wheel.velocity[1] = 0.02;
+        let input = common::wheel::pressed(&mut even, &input, 7e-5);
+        let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
+        assert_eq!(one.patch_count, other.patch_count);
+        let limit = one.wheel.force[2].abs();
+        for axis in 0..3 {
+            let apart = one.wheel.force[axis] - other.wheel.force[axis];
+            println!("{y} {axis} {:e}", apart / limit);
+            assert!(apart.abs() <= 1e-7 * limit);
+        }
+    }
 }
 
 /// CONTACT's pressure on the nose is less: 4613 and 3888 MPa (docs/scoreboard.md).
@@ -228,7 +271,6 @@ fn what_does_not_go_with_slices_is_refused_by_name() {
         }
     };
     refused(&|p| p.wear.model = WearModel::Archard, "wear.model");
-    refused(&|p| p.normal_model = NormalModel::BoundaryElement, "boundary_element");
     refused(&|p| p.rails[0].corrugation.amplitude = 1e-5, "corrugation");
 }
 

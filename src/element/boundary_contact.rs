@@ -12,6 +12,7 @@ use super::models::Models;
 use super::output::Output;
 use super::parameters::CreepageModel;
 use super::rail_walk::RailPlace;
+use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
@@ -63,7 +64,7 @@ pub fn add<'a>(
     let whole = Damped::Together([models.rail_strips.load(), elements.approach]);
     let (mut contacts, mut states) = (Vec::new(), Vec::new());
     for index in 0..models.rail_strips.zones.len() {
-        let (contact, share) = take_zone(elements, index, models);
+        let (contact, share) = take_zone(elements, rail, index, models);
         let Zone { x, y, .. } = models.rail_strips.zones[index];
         let forces = forces(contact, [0.0; 2], whole);
         let separation = LineSeparation::new(&forces.line, rail, contact);
@@ -84,7 +85,7 @@ pub fn add<'a>(
     });
     given.reverse();
     for (index, (contact, resultant_share)) in contacts.into_iter().enumerate() {
-        take_zone(elements, index, models);
+        take_zone(elements, rail, index, models);
         models.given = given.pop();
         let forces = ContactForces { resultant_share, ..forces(contact, [0.0; 2], whole) };
         let mut separation = LineSeparation::new(&forces.line, rail, contact);
@@ -95,20 +96,26 @@ pub fn add<'a>(
 
 /// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
 /// where the line of action of that passes through the contact; and the share of [`ContactForces::resultant_share`].
-fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> (Contact, f64) {
+fn take_zone(
+    elements: &RailElements,
+    rail: &PlacedRail,
+    index: usize,
+    models: &mut Models,
+) -> (Contact, f64) {
     let Models { strips, rail_strips: all, .. } = models;
     strips.clear();
     let mut zone = all.zones[index];
     let range = zone.first..zone.first + zone.count;
-    let (mut load, mut force, mut moment) = (0.0, [0.0; 2], 0.0);
+    let (mut load, mut force, mut moment, mut forward) = (0.0, [0.0; 2], 0.0, 0.0);
     let (mut centre, mut penetration) = ([0.0; 2], 0.0_f64);
     for_each_element(elements, all.elements.as_deref().map(|e| &*e.strip_of_row), |element| {
         if !range.contains(&element.strip) {
             return;
         }
-        let [_, gy, gz] = element.growth;
+        let [gx, gy, gz] = element.growth;
         let ([y, z], own) = (element.point, element.load);
         load += own;
+        forward += own * gx;
         force = [force[0] + own * gy, force[1] + own * gz];
         moment += own * (y * gz - z * gy);
         centre = [centre[0] + own * y, centre[1] + own * z];
@@ -120,7 +127,9 @@ fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> (Con
     let centre = centre.map(|c| c / load.max(f64::MIN_POSITIVE));
     let arm = moment / size - (centre[0] * normal[1] - centre[1] * normal[0]);
     let middle = zone.y;
-    let share = size / load.max(f64::MIN_POSITIVE);
+    // An even frame does not lean along the track.
+    let forward = if rail.variation().is_some() { forward } else { 0.0 };
+    let share = size.hypot(forward) / load.max(f64::MIN_POSITIVE);
     for j in range {
         strips.y.push(all.y[j] - middle);
         strips.width.push(all.width[j]);
@@ -131,7 +140,7 @@ fn take_zone(elements: &RailElements, index: usize, models: &mut Models) -> (Con
     }
     let contact = Contact {
         u: zone.u,
-        rail_s: middle,
+        rail_s: ArcLength::new(rail.curve()).parameter(middle).unwrap_or(middle),
         penetration,
         origin: [0, 1].map(|i| centre[i] + arm * tangent[i]),
         tangent,
@@ -232,7 +241,13 @@ fn tractions(
         })
         .collect();
     let in_track = |element: &Loaded| {
-        forces.frame.marker + forces.frame.direction(element.point) + Vector3::x() * element.x
+        let (normal, lift) = (element.row.normal(), element.row.lift(element.x));
+        let point = [0, 1].map(|c| element.point[c] - lift * normal[c]);
+        forces.frame.marker + forces.frame.direction(point) + Vector3::x() * element.x
+    };
+    let axes_of = |row: &Row| {
+        let [tangent, normal] = [row.tangent, row.normal()].map(|v| forces.frame.direction(v));
+        ContactAxes::along_track(tangent, normal).leaning(row.course.lean)
     };
     // Of a row of elements, each of which has a place on the arc of its own.
     let own_friction =
@@ -245,13 +260,11 @@ fn tractions(
         let friction = own.map_or(state.friction, |own| own.under(&law.factors));
         bound[element.k] = friction * state.load_factor * elements.pressure[element.k];
         let own = if models.creepage == CreepageModel::Curved {
-            let axes = ContactAxes::along_track(
-                forces.frame.direction(element.row.tangent),
-                forces.frame.direction(element.row.normal()),
-            );
+            let axes = axes_of(element.row);
             // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
             let normal = element.row.normal();
-            let at = [0, 1].map(|c| element.row.point[c] + element.row.overlap * normal[c]);
+            let depth = element.row.overlap - element.row.lift(element.x);
+            let at = [0, 1].map(|c| element.row.point[c] + depth * normal[c]);
             let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
             motion.creepage(at, &axes, state.speed)
         } else {
@@ -285,8 +298,8 @@ fn tractions(
             let Some(z) = zone_of_strip(element.strip) else { return };
             let k = element.k;
             let [px, py] = [solution.x[k], solution.y[k]].map(|p| share * area * p);
-            let tangent = forces.frame.direction(element.row.tangent);
-            let force = Vector3::x() * px + tangent * py;
+            let axes = axes_of(element.row);
+            let force = axes.longitudinal * px + axes.lateral * py;
             let dissipation = -(px * rigid[k][0] + py * rigid[k][1]);
             let slip_area = if solution.slips[k] { share * area } else { 0.0 };
             let GivenTractions { tractions, strips, .. } = &mut found[z];

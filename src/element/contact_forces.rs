@@ -266,13 +266,14 @@ impl<T: ElementNumber> ContactForces<'_, T> {
         })
     }
 
-    /// How the first zone in `models.strips` rolls on even bodies, with its flat creepage.
+    /// How the first zone in `models.strips` rolls on bodies without deviations, with its flat creepage.
     pub(super) fn rolling_state(&self, models: &Models<T>) -> RollingState<T> {
         let motion = self.motion();
         let load_factor = self.load_factor(&motion, None, models);
         let zone = models.strips.zones[0];
-        let rolling =
-            self.rolling(&motion, zone, &ZoneSurface::even(), load_factor, models.minimum_speed);
+        let surface =
+            if self.rail.varies() { self.met_surface(&zone, models) } else { ZoneSurface::even() };
+        let rolling = self.rolling(&motion, zone, &surface, load_factor, models.minimum_speed);
         let creepage = if models.creepage == CreepageModel::Kinematic {
             self.kinematic(&rolling)
         } else {

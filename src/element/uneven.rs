@@ -166,11 +166,6 @@ impl Parameters {
                 "as wear.model is not off: what wears is a profile that is the same all along a straight rail",
             );
         }
-        if self.normal_model == NormalModel::BoundaryElement {
-            return refuse(
-                "where normal.model is boundary_element; slices and rollers go with strips, hertz and piotrowski_kik",
-            );
-        }
         if self.friction_distribution == FrictionDistribution::Profile {
             return refuse("where friction.distribution is profile");
         }

@@ -17,6 +17,17 @@
 //! as every N meets the axle, it has no moment about it. Summed along n instead it differs by what Σ a p tan(N, n) leaves, which vanishes
 //! where A is a convolution (Σ p ∂(A p)/∂y = 0). Elements therefore lie on a lattice that is fixed to the rail across and to the wheel's
 //! centre along, with sizes from a ladder, so that the solution is that of one lattice under small movements.
+//!
+//! **Rails whose section varies along the track.** The section is the outline that the wheel meets
+//! ([`varying_rail`](crate::geometry::varying_rail)): at each place of the arc it lies where along the track the bodies are nearest, x_m. With W(x) the overlap with an even
+//! rail of that outline, lean λ and curvature κ of the rail along the track there, rows that drift across by δ, and b(y) the overlap at x_m,
+//!
+//! ```text
+//! b(x, y) = W(x) + (b(y) - W(x_m)) + (λ - δ b'(y)) (x - x_m) - ½ κ (x - x_m)²
+//! ```
+//!
+//! along the normal of the section, and the cosine of the lean times that along the normal that leans with the rail. Along a row of the
+//! surface the overlap has its greatest value at x_m, so that at a place across that does not change it has the slope -δ b'(y) there.
 
 use super::Strips;
 use super::boundary_element::{ElementPressure, fill_rows};
@@ -26,20 +37,50 @@ use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::placed_rail::PlacedRail;
+use crate::geometry::varying_rail::Along;
 
 /// A row of elements at one place of the rail's section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
+    /// Parameter of the rail's curve [m].
+    pub s: f64,
     /// Point (y, z) of the rail [m].
     pub point: [f64; 2],
     /// Unit tangent (y, z) of the rail.
     pub tangent: [f64; 2],
     /// Parameter of the wheel's contact line where the rail's normal meets it [m].
     pub u: f64,
-    /// Place of that along the track, from the wheel marker [m].
+    /// Place along the track at which the bodies are nearest, from the wheel marker [m].
     pub x: f64,
     /// Overlap there [m].
     pub overlap: f64,
+    /// The rail along the track there.
+    pub course: Course,
+}
+
+/// A rail along the track, where a wheel meets it; zero where its section does not vary.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Course {
+    /// Height of the wheel over its contact line, along the normal of the section [m].
+    pub lift: f64,
+    /// Tangent of the angle by which the normal of the rail leans forward [-].
+    pub lean: f64,
+    /// Slope of the overlap along the track at a place across that does not change [-].
+    slope: f64,
+    /// Curvature of the rail; positive where it bulges [1/m].
+    curvature: f64,
+}
+
+impl Course {
+    /// What overlaps more than with an even rail, at `x` ahead of where the bodies are nearest [m].
+    fn more(&self, x: f64) -> f64 {
+        self.lift + x * (self.lean + self.slope - 0.5 * self.curvature * x)
+    }
+
+    /// Cosine of the lean [-].
+    fn cosine(&self) -> f64 {
+        1.0 / self.lean.hypot(1.0)
+    }
 }
 
 impl Row {
@@ -48,6 +89,12 @@ impl Row {
     pub fn normal(&self) -> [f64; 2] {
         [-self.tangent[1], self.tangent[0]]
     }
+
+    /// How much higher than at its contact line the wheel is at `x` from the wheel marker, along the normal of the section [m].
+    #[must_use]
+    pub fn lift(&self, x: f64) -> f64 {
+        self.course.lift + self.course.lean * (x - self.x)
+    }
 }
 
 /// The wheel opposite to an element.
@@ -55,7 +102,7 @@ impl Row {
 pub struct Opposite {
     /// Overlap of the undeformed bodies along the rail's normal, > 0 [m].
     pub overlap: f64,
-    /// N/(N·n): what the overlap grows by when the wheel moves by a unit along x, y and z.
+    /// N/(N·n), n leaning with the rail: what the overlap grows by when the wheel moves by a unit along x, y and z.
     pub growth: [f64; 3],
 }
 
@@ -99,6 +146,8 @@ const COARSE: [usize; 2] = [24, 48];
 const NOTABLE: f64 = 0.02;
 /// Sizes of elements on the ladder between one and its half.
 const RUNGS: f64 = 4.0;
+/// Least curvature of wheel and rail together along the track, over that of the wheel, by which the length of a contact is estimated [-].
+const LEAST_CURVATURE_SHARE: f64 = 0.05;
 /// Most elements of a grid, over those asked for of one zone: zones of different sizes far apart share one lattice.
 const MOST_ELEMENTS: f64 = 30.0;
 /// Rows and columns beyond the extent that the coarse solution tells.
@@ -151,7 +200,8 @@ struct Section<'a> {
 impl Section<'_> {
     /// The row at `arc`, the contact line sought near the parameter `u`.
     fn row(&self, arc: f64, mut u: f64) -> Option<Row> {
-        let on = self.rail.curve().at(self.arcs.parameter(arc)?);
+        let s = self.arcs.parameter(arc)?;
+        let on = self.rail.curve().at(s);
         let speed = on.first[0].hypot(on.first[1]);
         let tangent = on.first.map(|d| d / speed);
         let [start, end] = self.line.range();
@@ -172,10 +222,28 @@ impl Section<'_> {
                 let normal = [-tangent[1], tangent[0]];
                 let down = |v: [f64; 2]| v[0] * normal[0] + v[1] * normal[1];
                 let overlap = down(to) + step * down(derivative);
-                return Some(Row { point: on.point, tangent, u, x: at.x, overlap });
+                let course = Course::default();
+                let row = Row { s, point: on.point, tangent, u, x: at.x, overlap, course };
+                return match self.rail.variation() {
+                    None => Some(row),
+                    Some(varying) => self.met(row, down(derivative) / rate, &varying.along(s)),
+                };
             }
         }
         None
+    }
+
+    /// An even `row` where the wheel meets it on a rail that varies, with the slope of its overlap `across`; nothing where the wheel is not that long.
+    fn met(&self, row: Row, across: f64, along: &Along) -> Option<Row> {
+        let x = row.x + along.ahead;
+        let even = self.line.surface_along(x, row.point, row.normal(), [row.u, row.overlap])?;
+        let course = Course {
+            lift: row.overlap - even.depth,
+            lean: along.lean,
+            slope: -along.drift * across,
+            curvature: along.curvature,
+        };
+        Some(Row { x, overlap: course.cosine() * row.overlap, course, ..row })
     }
 
     /// The stretches of overlap about the contacts of `search`, in growing arc, those that share a place as one.
@@ -217,7 +285,9 @@ impl Section<'_> {
     fn overlap(&self, rail_s: f64, near: f64) -> Option<Overlap> {
         let middle = self.arcs.arc(rail_s);
         let place = |arc: f64, row: &Row| {
-            let radius = self.line.wheel_point(row.u).section_radius;
+            let even = self.line.wheel_point(row.u).section_radius;
+            let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
+            let radius = even / share;
             [arc, row.u, row.x, (2.0 * radius * row.overlap.max(0.0)).sqrt()]
         };
         let first = self.row(middle, near).filter(|row| row.overlap > 0.0)?;
@@ -291,16 +361,23 @@ impl Section<'_> {
         let normal = row.normal();
         let middle =
             ((grid.leading_x - row.x) / grid.dx).round().clamp(0.0, (grid.along - 1) as f64);
+        let (course, cosine) = (row.course, row.course.cosine());
         let mut meet = |i: usize, guess: &mut [f64; 2]| {
-            let found = self.line.surface_along(grid.x(i), row.point, normal, *guess);
-            let Some(at) = found.filter(|at| at.depth > 0.0) else { return false };
-            let facing = at.normal[1] * normal[0] + at.normal[2] * normal[1];
+            let x = grid.x(i);
+            let Some(at) = self.line.surface_along(x, row.point, normal, *guess) else {
+                return false;
+            };
+            let overlap = cosine * (at.depth + course.more(x - row.x));
+            if overlap <= 0.0 {
+                return false;
+            }
+            let across = at.normal[1] * normal[0] + at.normal[2] * normal[1];
+            let facing = cosine * (course.lean * at.normal[0] + across);
             *guess = [at.s, at.depth];
-            opposite[i] =
-                Some(Opposite { overlap: at.depth, growth: at.normal.map(|n| n / facing) });
+            opposite[i] = Some(Opposite { overlap, growth: at.normal.map(|n| n / facing) });
             true
         };
-        let from = [row.u, row.overlap];
+        let from = [row.u, row.overlap - course.lift];
         let middle = middle as usize;
         let mut guess = from;
         for i in (0..=middle).rev() {
