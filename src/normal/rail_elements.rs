@@ -19,15 +19,15 @@
 //! centre along, with sizes from a ladder, so that the solution is that of one lattice under small movements.
 //!
 //! **Rails whose section varies along the track.** The section is the outline that the wheel meets
-//! ([`varying_rail`](crate::geometry::varying_rail)): at each place of the arc it lies where along the track the bodies are nearest, x_m. With W(x) the overlap with an even
-//! rail of that outline, lean λ and curvature κ of the rail along the track there, rows that drift across by δ, and b(y) the overlap at x_m,
+//! ([`varying_rail`](crate::geometry::varying_rail)): each row of the surface lies in it where along the track the bodies are nearest, x_m. A row of elements follows
+//! that row, which may drift across. With W(x) the overlap with an even rail of that outline, lean λ and curvature κ of the row along the track,
 //!
 //! ```text
-//! b(x, y) = W(x) + (b(y) - W(x_m)) + (λ - δ b'(y)) (x - x_m) - ½ κ (x - x_m)²
+//! b(x) = W(x) + (b(x_m) - W(x_m)) + λ (x - x_m) - ½ κ (x - x_m)²
 //! ```
 //!
-//! along the normal of the section, and the cosine of the lean times that along the normal that leans with the rail. Along a row of the
-//! surface the overlap has its greatest value at x_m, so that at a place across that does not change it has the slope -δ b'(y) there.
+//! along the normal of the section, and the cosine of the lean times that along the normal that leans with the rail. A is as if the rows did not drift: an angle δ
+//! between row and track changes distances by shares of δ²/2.
 
 use super::Strips;
 use super::boundary_element::{ElementPressure, fill_rows};
@@ -65,8 +65,8 @@ pub struct Course {
     pub lift: f64,
     /// Tangent of the angle by which the normal of the rail leans forward [-].
     pub lean: f64,
-    /// Slope of the overlap along the track at a place across that does not change [-].
-    slope: f64,
+    /// How fast the row drifts across [-].
+    drift: f64,
     /// Curvature of the rail; positive where it bulges [1/m].
     curvature: f64,
 }
@@ -74,7 +74,7 @@ pub struct Course {
 impl Course {
     /// What overlaps more than with an even rail, at `x` ahead of where the bodies are nearest [m].
     fn more(&self, x: f64) -> f64 {
-        self.lift + x * (self.lean + self.slope - 0.5 * self.curvature * x)
+        self.lift + x * (self.lean - 0.5 * self.curvature * x)
     }
 
     /// Cosine of the lean [-].
@@ -90,10 +90,13 @@ impl Row {
         [-self.tangent[1], self.tangent[0]]
     }
 
-    /// How much higher than at its contact line the wheel is at `x` from the wheel marker, along the normal of the section [m].
+    /// Point (y, z) at `x` from the wheel marker [m] of a wheel that overlaps the row by `overlap` [m], as if the wheel were laid flat along the row.
     #[must_use]
-    pub fn lift(&self, x: f64) -> f64 {
-        self.course.lift + self.course.lean * (x - self.x)
+    pub fn wheel_point(&self, x: f64, overlap: f64) -> [f64; 2] {
+        let ahead = x - self.x;
+        let depth = overlap - self.course.lift - self.course.lean * ahead;
+        let (beside, normal) = (self.course.drift * ahead, self.normal());
+        [0, 1].map(|c| self.point[c] + depth * normal[c] + beside * self.tangent[c])
     }
 }
 
@@ -226,21 +229,21 @@ impl Section<'_> {
                 let row = Row { s, point: on.point, tangent, u, x: at.x, overlap, course };
                 return match self.rail.variation() {
                     None => Some(row),
-                    Some(varying) => self.met(row, down(derivative) / rate, &varying.along(s)),
+                    Some(varying) => self.met(row, &varying.along(s)),
                 };
             }
         }
         None
     }
 
-    /// An even `row` where the wheel meets it on a rail that varies, with the slope of its overlap `across`; nothing where the wheel is not that long.
-    fn met(&self, row: Row, across: f64, along: &Along) -> Option<Row> {
+    /// An even `row` where the wheel meets it on a rail that varies; nothing where the wheel is not that long.
+    fn met(&self, row: Row, along: &Along) -> Option<Row> {
         let x = row.x + along.ahead;
         let even = self.line.surface_along(x, row.point, row.normal(), [row.u, row.overlap])?;
         let course = Course {
             lift: row.overlap - even.depth,
             lean: along.lean,
-            slope: -along.drift * across,
+            drift: along.drift,
             curvature: along.curvature,
         };
         Some(Row { x, overlap: course.cosine() * row.overlap, course, ..row })
