@@ -244,9 +244,13 @@ fn tractions(
         let point = element.row.wheel_point(element.x, element.overlap);
         forces.frame.marker + forces.frame.direction(point) + Vector3::x() * element.x
     };
-    let axes_of = |row: &Row| {
-        let [tangent, normal] = [row.tangent, row.normal()].map(|v| forces.frame.direction(v));
-        ContactAxes::along_track(tangent, normal).leaning(row.course.lean)
+    // Of the wheel opposite: where a rail rises, the bodies close along the track, which is no slip across.
+    let axes_of = |element: &Loaded| {
+        let [_, y, z] = element.growth;
+        let size = y.hypot(z);
+        let [tangent, normal] =
+            [[z, -y], [y, z]].map(|v| forces.frame.direction(v.map(|c| c / size)));
+        ContactAxes::along_track(tangent, normal).leaning(element.row.course.lean)
     };
     // Of a row of elements, each of which has a place on the arc of its own.
     let own_friction =
@@ -259,7 +263,7 @@ fn tractions(
         let friction = own.map_or(state.friction, |own| own.under(&law.factors));
         bound[element.k] = friction * state.load_factor * elements.pressure[element.k];
         let own = if models.creepage == CreepageModel::Curved {
-            let axes = axes_of(element.row);
+            let axes = axes_of(&element);
             // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
             let at = element.row.wheel_point(element.x, element.row.overlap);
             let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
@@ -295,7 +299,7 @@ fn tractions(
             let Some(z) = zone_of_strip(element.strip) else { return };
             let k = element.k;
             let [px, py] = [solution.x[k], solution.y[k]].map(|p| share * area * p);
-            let axes = axes_of(element.row);
+            let axes = axes_of(&element);
             let force = axes.longitudinal * px + axes.lateral * py;
             let dissipation = -(px * rigid[k][0] + py * rigid[k][1]);
             let slip_area = if solution.slips[k] { share * area } else { 0.0 };
