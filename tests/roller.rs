@@ -15,7 +15,8 @@ use common::wheel::{evaluate, pressed, random_input, rolling, the_patch};
 use tempfile::TempDir;
 use wheelrail::element::input::RailMotion;
 use wheelrail::element::parameters::{
-    CreepageModel, FrictionDistribution, NormalModel, Placement, Side, VerticalMode, WearModel,
+    CreepageModel, FrictionDistribution, NormalModel, Placement, Side, TangentialModel,
+    VerticalMode, WearModel,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -191,6 +192,24 @@ fn wheels_of_simple_shapes_on_rollers_are_those_of_contact() {
 }
 
 #[test]
+fn boundary_elements_on_rollers_are_those_of_contact_too() {
+    let parameters = Parameters {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: TangentialModel::BoundaryElement,
+        ..Parameters::default()
+    };
+    for (case, errors) in errors_against_contact(&parameters) {
+        let Errors { force, pressure, place, angle, creep, .. } = errors;
+        println!("{case}: {force:.5} {pressure:.5} {place:.2e} {angle:.2e} {creep:.5}");
+        assert!(force.abs() <= tolerance::ROLLER_FORCE, "{case} {force}");
+        assert!(pressure.abs() <= tolerance::ROLLER_PRESSURE, "{case} {pressure}");
+        assert!(place.abs() <= tolerance::VARYING_PLACE, "{case} {place}");
+        assert!(angle.abs() <= tolerance::ROLLER_ANGLE, "{case} {angle}");
+        assert!(creep <= tolerance::VARYING_FORCE, "{case} {creep}");
+    }
+}
+
+#[test]
 fn forces_on_wheel_and_roller_are_in_balance_and_the_left_side_is_a_mirror() {
     let mut parameters = parameters("S1002", "60E1");
     let mut right = element(&parameters);
@@ -245,7 +264,6 @@ fn what_does_not_go_with_a_roller_is_refused_by_name() {
     };
     let name = "rail[1].roller_radius";
     refused(&|p| p.wear.model = WearModel::Archard, name, "wear.model");
-    refused(&|p| p.normal_model = NormalModel::BoundaryElement, name, "boundary_element");
     refused(&|p| p.rails[0].corrugation.amplitude = 1e-5, name, "corrugation");
     let profile = |p: &mut Parameters| {
         p.friction_distribution = FrictionDistribution::Profile;
