@@ -11,7 +11,7 @@ use super::parameters::{Placement, RAILS, Side, VerticalMode, WearModel};
 use super::rail_contact::RailContact;
 use super::rail_friction::RailFriction;
 use super::start::StartWarning;
-use super::uneven::deviations;
+use super::uneven::{deviations, rail_deviations};
 use super::wear_sums::WearSums;
 use super::{Input, Output, Parameters};
 use crate::error::ContactError;
@@ -156,13 +156,20 @@ impl Element {
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
-            let deviations = deviations(parameters, k, folders)?;
             let placed = placed(k, profile, parameters)?;
             let roller = parameters.rails[k].roller_radius;
             let placed = match &slices[k] {
-                Some(slices) => placed.varying(slices, &wheel.curve, radius),
+                // Its corrugation is part of its surface.
+                Some(slices) => {
+                    let corrugation = rail_deviations(parameters, k, folders)?;
+                    placed.varying(slices, corrugation, &wheel.curve, radius)
+                }
                 None if roller > 0.0 => placed.on_roller(profile, &wheel.curve, radius, roller),
                 None => placed,
+            };
+            let deviations = match &slices[k] {
+                Some(_) => None,
+                None => deviations(parameters, k, folders)?,
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;

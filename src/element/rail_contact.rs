@@ -21,6 +21,7 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileKind};
 use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::varying_rail::VaryingRail;
 use crate::geometry::varying_wheel::VaryingWheel;
 use crate::math::fixed_vec::FixedVec;
 use crate::normal::{self, NormalModel, NormalProblem};
@@ -211,11 +212,11 @@ impl RailContact {
     /// Fills `ranges` with the stretches of the contact line that may touch, and places the deviations along the track.
     fn find_ranges(&mut self, input: &Input, pose: &WheelPose) {
         let mut lowest = *pose;
+        lowest.marker[2] += self.highest();
         if let Some(deviations) = &mut self.deviations {
             let station = input.track_s + input.wheel.position[0];
             let ahead = (2.0 * self.nominal_radius + 0.1) * pose.yaw.abs();
             deviations.place(station, input.wheel.pitch, ahead);
-            lowest.marker[2] += deviations.highest();
         }
         let clearance = self.around.as_ref().map_or(&self.clearance, |around| &around.clearance);
         clearance.ranges(&lowest, &mut self.ranges);
@@ -242,7 +243,8 @@ impl RailContact {
 
     /// How much nearer the bodies can be than the profiles of the clearance [m].
     fn highest(&self) -> f64 {
-        self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
+        let of_rail = self.rail.variation().map_or(0.0, VaryingRail::highest);
+        of_rail + self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
     }
 
     /// The contacts with rail number `k` for `input` (right side), laid flat.

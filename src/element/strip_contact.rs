@@ -67,20 +67,28 @@ impl<'a> LocalLine<'a> {
         [x + ahead, 1.0 / lean.hypot(1.0)]
     }
 
-    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies [m].
+    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies, whose corrugation is bridged as on an even rail [m].
     fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
-        radius_on_rows(even, &varying.along(self.place(u).y))
+        let place = self.place(u);
+        let along = varying.along(place.y);
+        let bridged = varying.bridged(place.x, self.bridge(even));
+        let [share, _] = place.tangent;
+        radius_on_rows(even, &Along { curvature: along.curvature + share * bridged, ..along })
     }
 
-    /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length that a ball of the wheel's
-    /// radius touches along, to the station at which strips meet them: shorter waves are bridged [m].
+    /// Distance to either side over which waves along the track are bridged by a wheel whose even section has the radius `even`: over the length that a ball of it touches
+    /// along, to the station at which strips meet them [m].
+    fn bridge(&self, even: f64) -> f64 {
+        STATION * (even * self.depth).sqrt()
+    }
+
+    /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length of the [`bridge`](Self::bridge) [m].
     #[cold]
     fn uneven_radius(&self, u: f64, deviations: &Longitudinal) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
         let (at, _, radius) = self.line.lifted_with_derivative(u, deviations);
-        let reach = STATION * (even * self.depth).sqrt();
-        let share = radius * deviations.mean_curvature(radius, at.x, reach);
+        let share = radius * deviations.mean_curvature(radius, at.x, self.bridge(even));
         even / share.max(LEAST_CURVATURE_SHARE)
     }
 }

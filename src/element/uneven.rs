@@ -69,13 +69,19 @@ impl Parameters {
     /// Whether anything is uneven along the track.
     #[must_use]
     pub fn is_uneven(&self) -> bool {
+        self.wheel_is_uneven() || (0..self.rails.len()).any(|k| self.is_corrugated(k))
+    }
+
+    /// Whether the wheel is not round.
+    fn wheel_is_uneven(&self) -> bool {
         let OutOfRound { amplitude, file, .. } = &self.wheel.out_of_round;
-        *amplitude != 0.0
-            || !file.is_empty()
-            || self.wheel.flat.length != 0.0
-            || self.rails.iter().any(|r| {
-                r.enabled && (r.corrugation.amplitude != 0.0 || !r.corrugation.file.is_empty())
-            })
+        *amplitude != 0.0 || !file.is_empty() || self.wheel.flat.length != 0.0
+    }
+
+    /// Whether rail number `k` is there and has a height over the station.
+    fn is_corrugated(&self, k: usize) -> bool {
+        let Corrugation { amplitude, file, .. } = &self.rails[k].corrugation;
+        self.rails[k].enabled && (*amplitude != 0.0 || !file.is_empty())
     }
 
     /// Whether deviations along the track are in their range and go with the models.
@@ -158,8 +164,11 @@ impl Parameters {
                 "where there is rail[k].roller_radius: a roller has one profile all around",
             );
         }
-        if self.is_uneven() {
-            return refuse("where there is wheel.flat, wheel.out_of_round or rail[k].corrugation");
+        if self.wheel_is_uneven() {
+            return refuse("where there is wheel.flat or wheel.out_of_round");
+        }
+        if radius != 0.0 && self.is_corrugated(k) {
+            return refuse("where there is rail[k].corrugation");
         }
         if self.wear.model != WearModel::Off {
             return refuse(

@@ -22,7 +22,7 @@ use crate::math::fixed_vec::FixedVec;
 /// Least and greatest distance of samples [m].
 const SPACING: [f64; 2] = [2.5e-4, 4e-3];
 /// Distance over that of samples below which differences are no better than the curvature itself.
-const LEAST_REACH: f64 = 1e-2;
+pub(in crate::geometry) const LEAST_REACH: f64 = 1e-2;
 /// Most samples that are kept for an evaluation.
 const MOST_SAMPLES: usize = 600;
 

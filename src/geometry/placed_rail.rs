@@ -5,6 +5,7 @@ use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::profile::Profile;
 use crate::geometry::slices::Slices;
 use crate::geometry::varying_rail::VaryingRail;
+use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
@@ -200,11 +201,17 @@ impl PlacedRail {
         [self.hand * (y * cosine - z * sine), y * sine + z * cosine]
     }
 
-    /// The rail whose section varies as `slices` say, which stands as that of their first one does, under wheels with the profile `wheel` and the
-    /// radius `nominal_radius` [m].
+    /// The rail whose section varies as `slices` say, which stands as that of their first one does, with its `corrugation` over the station on top, under wheels with
+    /// the profile `wheel` and the radius `nominal_radius` [m].
     #[must_use]
-    pub fn varying(self, slices: &Slices, wheel: &Curve, nominal_radius: f64) -> Self {
-        self.of_slices(slices, wheel, nominal_radius, 0.0)
+    pub fn varying(
+        self,
+        slices: &Slices,
+        corrugation: Waviness,
+        wheel: &Curve,
+        nominal_radius: f64,
+    ) -> Self {
+        self.of_slices(slices, wheel, nominal_radius, 0.0, corrugation)
     }
 
     /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame `radius` [m] below the marker, under wheels as in
@@ -218,7 +225,7 @@ impl PlacedRail {
         radius: f64,
     ) -> Self {
         let slices = Slices::even(profile, VaryingRail::range_of_roller(radius));
-        self.of_slices(&slices, wheel, nominal_radius, radius)
+        self.of_slices(&slices, wheel, nominal_radius, radius, Waviness::new(None))
     }
 
     fn of_slices(
@@ -227,6 +234,7 @@ impl PlacedRail {
         wheel: &Curve,
         nominal_radius: f64,
         roller_radius: f64,
+        corrugation: Waviness,
     ) -> Self {
         let varying = VaryingRail::new(
             slices,
@@ -236,6 +244,7 @@ impl PlacedRail {
             wheel,
             nominal_radius,
             roller_radius,
+            corrugation,
         );
         self.reserve(varying.most_knots());
         let hollow = |profile: &Profile| greatest_concavity(&profile.curve);

@@ -19,7 +19,7 @@
 //! the same all along the track it is x_l, and the envelope is the section. Strips of the contact lie along the rows: a rail whose edge runs off
 //! sideways turns its patch with it.
 //!
-//! A roller is such a rail: its rows are circles about an axle across the track.
+//! A roller is such a rail: its rows are circles about an axle across the track. Corrugation is part of the surface, so that the wheel meets its crests.
 
 mod bounds;
 mod over;
@@ -32,11 +32,13 @@ use self::touch::{CLOSE, Touch};
 use self::wheel_table::WheelTable;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::{Curve, CurvePoint};
+use crate::geometry::longitudinal::LEAST_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
 use crate::geometry::rows::met::Met;
 use crate::geometry::rows::surface::{MOST_OF_ROLLER, Surface};
 use crate::geometry::slices::Slices;
+use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
@@ -57,13 +59,16 @@ pub struct VaryingRail {
     wheel: WheelTable,
     envelope: Envelope,
     met: FixedVec<Met>,
+    /// Station above which the wheel passed last [m].
+    station: f64,
 }
 
 impl VaryingRail {
     /// The rail of `slices`, whose points and directions `point` and `direction` put where it stands, turned left to right if `turned`, under wheels with the
     /// profile `wheel` and the radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes around a roller whose axle is at station 0, and
-    /// they end where a wheel leaves that.
+    /// they end where a wheel leaves that. `corrugation` is the height of the rail over the station on top of that of the slices.
     #[must_use]
+    #[allow(clippy::too_many_arguments)] // a surface, its place and the wheel on it
     pub fn new(
         slices: &Slices,
         point: impl Fn([f64; 2]) -> [f64; 2],
@@ -72,16 +77,18 @@ impl VaryingRail {
         wheel: &Curve,
         nominal_radius: f64,
         roller_radius: f64,
+        corrugation: Waviness,
     ) -> Self {
         let rows = slices.rows(point, direction);
         let rows = if turned { rows.turned() } else { rows };
-        let surface = Surface { rows, roller_radius };
+        let surface = Surface { rows, roller_radius, corrugation };
         Self {
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
             envelope: Envelope::new(surface.count()),
             met: FixedVec::new(surface.count()),
             surface,
+            station: 0.0,
         }
     }
 
@@ -117,6 +124,7 @@ impl VaryingRail {
         station: f64,
         curve: &mut Curve,
     ) -> bool {
+        self.station = station;
         let over = Over::new(line, pose, station, self.surface.within(station));
         self.meet_rows(&over);
         let is_there = self.envelope.lay(&self.surface, &self.met);
@@ -159,6 +167,7 @@ impl VaryingRail {
         let count = parameter.len();
         let mut before: Option<Met> = None;
         let (mut kept, mut looked) = (None, None);
+        let is_corrugated = !surface.corrugation.is_empty();
         for j in 0..count {
             let below = below(bounds.of(j, over.within.slice), wheel, over);
             let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
@@ -171,7 +180,7 @@ impl VaryingRail {
                 met.extend(touch.aside(over, j));
                 continue;
             }
-            let looks = looked.is_none_or(|k: usize| j - k >= STRIDE);
+            let looks = is_corrugated || looked.is_none_or(|k: usize| j - k >= STRIDE);
             if looks {
                 looked = Some(j);
             }
@@ -188,6 +197,25 @@ impl VaryingRail {
                 before = Some(here);
             }
         }
+    }
+
+    /// How far corrugation lifts the rail at most [m].
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        self.surface.corrugation.bounds().range[1]
+    }
+
+    /// How much more curved corrugation is at the place `x` from the marker of the wheel that passed last than over the distance `reach` to either side of
+    /// it, positive where it bulges more [1/m].
+    #[must_use]
+    pub fn bridged(&self, x: f64, reach: f64) -> f64 {
+        let waves = &self.surface.corrugation;
+        if waves.is_empty() || reach <= waves.bounds().spacing * LEAST_REACH {
+            return 0.0;
+        }
+        let at = self.station + x;
+        let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
+        (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.

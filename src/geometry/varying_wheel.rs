@@ -26,6 +26,7 @@ use crate::geometry::rows::met::Met;
 use crate::geometry::rows::plane::cross;
 use crate::geometry::rows::surface::Surface;
 use crate::geometry::slices::{RowKnot, Rows, Slices};
+use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
 
@@ -112,7 +113,8 @@ impl VaryingWheel {
         // Upside down it is as a rail: rows go to the field side over a top.
         let turned = |[y, z]: [f64; 2]| [y, -z];
         let rows = slices.around().over_places(radius).rows(turned, turned);
-        let surface = Surface { rows, roller_radius: 0.0 };
+        let corrugation = Waviness::new(None);
+        let surface = Surface { rows, roller_radius: 0.0, corrugation };
         let count = surface.count();
         Self {
             radius,

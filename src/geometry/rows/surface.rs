@@ -5,8 +5,11 @@
 //! ```text
 //! z(x) = R - sqrt(ρ² - x²)
 //! ```
+//!
+//! Corrugation lifts all rows alike, over the station, on top of what the slices say.
 
 use crate::geometry::slices::Rows;
+use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
 
 /// Farthest place of touch from the axle [m].
@@ -38,6 +41,8 @@ pub(in crate::geometry) struct Surface {
     pub rows: Rows,
     /// Height of the marker above the axle of a roller, of which the rows are the section at the top, all along; 0 for a rail [m].
     pub roller_radius: f64,
+    /// Height of the rail over the station on top of that of its rows.
+    pub corrugation: Waviness,
 }
 
 /// Greatest place along the track on a roller, over its radius: a wheel never goes there from above [-].
@@ -72,8 +77,22 @@ impl Surface {
             .filter(|face| face.iter().all(|corner| corner[0].is_finite()))
     }
 
-    /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the surface is held at its ends.
+    /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the surface of the slices is held at its ends.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+        let mut point = self.even_at(j, run, station, near);
+        if !self.corrugation.is_empty() {
+            let [height, slope, curvature] = self.corrugation.at(station.value());
+            // To first order in how the station moves.
+            let moved = station - station.value();
+            point.value[1] -= moved * slope + height;
+            point.first[1] -= moved * curvature + slope;
+            point.second[1] -= T::from(curvature);
+        }
+        point
+    }
+
+    /// The same without corrugation.
+    fn even_at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
         if self.roller_radius > 0.0 {
             return self.on_roller(j, station);
         }

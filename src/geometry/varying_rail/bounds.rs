@@ -32,7 +32,12 @@ impl Bounds {
     /// Bounds under a wheel of `radius` [m].
     pub fn new(surface: &Surface, radius: f64) -> Self {
         let rows = &surface.rows;
-        Self { all: bounds(rows, radius), hollows: hollows(rows, radius), count: surface.count() }
+        let waves = surface.corrugation.bounds();
+        Self {
+            all: bounds(rows, radius, waves.range[1]),
+            hollows: hollows(rows, radius, waves.curvature),
+            count: surface.count(),
+        }
     }
 
     /// That of row `j` for a wheel behind `slice`.
@@ -47,8 +52,8 @@ impl Bounds {
     }
 }
 
-/// Bounds of all rows under a wheel of `radius` between each slice and the next.
-fn bounds(rows: &Rows, radius: f64) -> Vec<Bound> {
+/// Bounds of all rows, which corrugation lifts by up to `crest`, under a wheel of `radius` between each slice and the next [m].
+fn bounds(rows: &Rows, radius: f64, crest: f64) -> Vec<Bound> {
     let Rows { places, knots, .. } = rows;
     let count = rows.parameter.len();
     let none =
@@ -64,7 +69,7 @@ fn bounds(rows: &Rows, radius: f64) -> Vec<Bound> {
                 for way in [0.0, way] {
                     let [y, z] = [0, 1].map(|c| knot.value[c] + way * knot.slope[c]);
                     bound.y = [bound.y[0].min(y), bound.y[1].max(y)];
-                    bound.least = bound.least.min(z);
+                    bound.least = bound.least.min(z - crest);
                 }
             }
         }
@@ -85,8 +90,8 @@ fn bounds(rows: &Rows, radius: f64) -> Vec<Bound> {
     all
 }
 
-/// For each row and slice the number of slices up to it between which the row may be hollow for a wheel of `radius`.
-fn hollows(rows: &Rows, radius: f64) -> Vec<u32> {
+/// For each row and slice the number of slices up to it between which the row may be hollow for a wheel of `radius` [m], where corrugation is curved by up to `waves` [1/m].
+fn hollows(rows: &Rows, radius: f64, waves: f64) -> Vec<u32> {
     let count = rows.parameter.len();
     let most = HOLLOW_SHARE / radius;
     let mut hollows = vec![0; count * rows.places.len()];
@@ -107,9 +112,9 @@ fn hollows(rows: &Rows, radius: f64) -> Vec<u32> {
             let is_hollow = [from, to].into_iter().any(|knot| {
                 let [_, _, dy, dz] = knot.value;
                 let limit = most * dy.hypot(dz);
-                [0, 1]
-                    .into_iter()
-                    .any(|end| (y[end] * dz).abs() - z[end].min(0.0) * dy.hypot(dz) > limit)
+                [0, 1].into_iter().any(|end| {
+                    (y[end] * dz).abs() - (z[end].min(0.0) - waves) * dy.hypot(dz) > limit
+                })
             });
             hollows[i * count + j] = hollows[(i - 1) * count + j] + u32::from(is_hollow);
         }

@@ -120,13 +120,34 @@ impl Touch<'_> {
         if guess.is_none() {
             x = centre.clamp(from, to);
         }
+        let mut other = None;
         if looks_through && self.bounds.is_hollow(j, over.within.ends) {
-            x = self.scanned(j, run, over, (x, &p), [centre, from, to]);
+            (x, other) = self.valleys(j, run, over, (x, &p), [centre, from, to]);
         }
         if (x - start).abs() > 0.0 {
             p = at(x);
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
         }
+        let met = self.settle(over, (j, run), x, opposite, [from, to]);
+        let Some(x) = other else { return Some(met) };
+        // Two valleys about as high: samples do not tell which one is higher.
+        opposite = over.opposite(opposite.u, over.in_wheel(&at(x))[0]).unwrap_or(opposite);
+        let too = self.settle(over, (j, run), x, opposite, [from, to]);
+        let height = |met: &Met| dot(opposite.normal, met.point);
+        Some(if height(&too) < height(&met) { too } else { met })
+    }
+
+    /// Where the wheel meets row `j` on a `run` of slices `from` one place `to` another one, by Newton steps from `x` and the point `opposite` to that.
+    fn settle(
+        &self,
+        over: &Over,
+        (j, run): (usize, [usize; 2]),
+        mut x: f64,
+        mut opposite: Opposite,
+        [from, to]: [f64; 2],
+    ) -> Met {
+        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let mut p = at(x);
         let mut met = State::new(over, &p, x, &opposite);
         // A chord tells more than what is about the slope, but one across a place where slices bend may lead beyond where the slope has the other sign.
         let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -154,7 +175,7 @@ impl Touch<'_> {
             }
             chord = (met.g - before) / moved;
         }
-        Some(met.met(j, x, &opposite, over.in_wheel(&p)[0]))
+        met.met(j, x, &opposite, over.in_wheel(&p)[0])
     }
 
     /// The row that was `found`, as it moves with the wheel; `fixed` is the same wheel at rest.
@@ -206,33 +227,52 @@ impl Touch<'_> {
         (p, opposite, state, [missing, g])
     }
 
-    /// The sample of row `j` that is highest for the wheel.
-    fn scanned(
+    /// The sample of row `j` about which it is highest for the wheel, and the one about which it may be higher still.
+    fn valleys(
         &self,
         j: usize,
         run: [usize; 2],
         over: &Over,
         (place, here): (f64, &RowPoint),
         [centre, from, to]: [f64; 3],
-    ) -> f64 {
+    ) -> (f64, Option<f64>) {
         let normal = [-here.value[3], here.value[2]];
-        let mut best = (f64::INFINITY, centre);
         // No farther than where a wheel stands higher than the row ever rises.
         let rise = (here.value[1] - self.bounds.of(j, over.within.slice).least).max(0.0);
         let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt() + (place - centre).abs();
         let [from, to] = [from.max(centre - far).min(to), to.min(centre + far).max(from)];
-        let count = ((to - from) / SCAN).ceil().max(1.0) as usize;
-        for i in 0..=count {
-            let x = from + (to - from) * i as f64 / count as f64;
+        let spacing = SCAN.min(self.surface.corrugation.bounds().spacing);
+        let count = ((to - from) / spacing).ceil().max(1.0) as usize;
+        let at = |i: usize| from + (to - from) * i as f64 / count as f64;
+        let height = |i: usize| -> f64 {
+            let x = at(i);
             let p = self.surface.at(j, run, over.station + x, over.within.slice);
             let [_, z] = over.in_wheel(&p);
             let down = (x - centre).hypot(z) - z;
-            let height: f64 =
-                [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum();
-            if height < best.0 {
-                best = (height, x);
+            [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum()
+        };
+        // Bottom by the parabola through three samples, how far below it may be, and the sample.
+        let mut lowest = [(f64::INFINITY, 0.0, None); 2];
+        let (mut before, mut own) = (f64::INFINITY, height(0));
+        for i in 0..=count {
+            let after = if i < count { height(i + 1) } else { f64::INFINITY };
+            if own <= before && own <= after {
+                let bend = before - 2.0 * own + after;
+                let fall = if bend.is_finite() && bend > 0.0 {
+                    [(before - after).powi(2) / (8.0 * bend), 0.125 * bend]
+                } else {
+                    [0.0; 2]
+                };
+                let valley = (own - fall[0], fall[1], Some(at(i)));
+                if valley.0 < lowest[0].0 {
+                    lowest = [valley, lowest[0]];
+                } else if valley.0 < lowest[1].0 {
+                    lowest[1] = valley;
+                }
             }
+            (before, own) = (own, after);
         }
-        best.1
+        let [(bottom, below, best), (next, next_below, other)] = lowest;
+        (best.unwrap_or(centre), other.filter(|_| next - bottom < below + next_below))
     }
 }
