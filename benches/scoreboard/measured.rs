@@ -132,10 +132,6 @@ fn missed_creep(output: &Output, on_rail: impl IntoIterator<Item = ([f64; 2], f6
 
 fn crossings(setting: &Setting, rails: &[&str]) -> Option<Vec<Case>> {
     let folders = folders()?;
-    // Boundary elements have no rails that vary.
-    if setting.is_slow {
-        return None;
-    }
     let table = read_table("contact_25_1/crossings.csv");
     let rail = column(&table, "rail");
     let mut cases = Vec::new();
