@@ -39,13 +39,17 @@ fn build(folder: &str, platforms: &str) -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
     let mut command = Command::new(env!("CARGO"));
     if cfg!(debug_assertions) {
+        // The build script packs, and builds the library for that by itself: of the rest a check is enough.
         command
+            .arg("check")
             .env("CARGO_PROFILE_RELEASE_LTO", "off")
             .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
+    } else {
+        command.arg("build");
     }
     let output = command
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["build", "--release", "--no-default-features", "--features", "package"])
+        .args(["--release", "--no-default-features", "--features", "package"])
         .arg("--target-dir")
         .arg(&target)
         .env_remove("CARGO_BUILD_TARGET")
