@@ -7,41 +7,22 @@ use nalgebra::Vector3;
 
 use super::contact_forces::{ContactForces, Damped};
 use super::curved_zone::Tractions;
-use super::evaluate::Work;
+use super::given_tractions::GivenTractions;
 use super::models::Models;
 use super::output::Output;
 use super::parameters::CreepageModel;
 use super::rail_walk::RailPlace;
+use super::work::Work;
 use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
-use crate::math::real::Real;
 use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
 use crate::tangential::{Rolling, TangentialModel, UnderLaw};
-
-/// Tractions of a zone that were found together with those of the others of its rail.
-#[derive(Clone, Debug)]
-pub struct GivenTractions<T = f64> {
-    /// Creepage, its mean weighted by load.
-    pub creepage: Creepage<T>,
-    /// The tractions, their moment about the origin of the track frame at the x of the wheel marker.
-    pub tractions: Tractions<T>,
-    /// Dissipation over the reference speed [J/m] and area that slips [m²] of each strip.
-    pub strips: Vec<[T; 2]>,
-}
-
-impl<T: Real> GivenTractions<T> {
-    /// The tractions with their moment about `position`.
-    pub fn about(&self, position: Vector3<T>) -> Tractions<T> {
-        let Tractions { force, moment, .. } = self.tractions;
-        Tractions { moment: moment - position.cross(&force), ..self.tractions }
-    }
-}
 
 /// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and adds the forces to `output`; returns how many zones found no room or
 /// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track

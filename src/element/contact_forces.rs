@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::curved_zone::Tractions;
-use super::evaluate::Work;
 use super::input::{Input, WheelMotion};
 use super::models::Models;
 use super::number::ElementNumber;
@@ -12,8 +11,9 @@ use super::parameters::{CreepageModel, NormalModel};
 use super::rail_frame::RailFrame;
 use super::rail_friction::{LastPlace, RailFriction};
 use super::rail_walk::{RailPlace, RailWalk};
-use super::uneven::{ZoneSurface, closing_speed};
 use super::wear_sums::WearSums;
+use super::work::Work;
+use super::zone_surface::{ZoneSurface, closing_speed};
 use crate::friction::StripFriction;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
@@ -110,7 +110,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             }
             work.zones += 1;
             let surface = match &lifting {
-                Some(lifting) => T::zone_surface(self, lifting, &zone, models),
+                Some(lifting) => {
+                    T::zone_surface(&self.line, self.contact.u, lifting, &zone, models)
+                }
                 None if self.rail.varies() || self.line.varies_around() => {
                     self.met_surface(&zone, models)
                 }
@@ -146,7 +148,7 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             add(rail, -pressing, bearing + Vector3::x() * station - marker, Vector3::zeros());
             let dissipation = tractions.dissipation.at_least(0.0);
             if models.wear.as_deref().is_some_and(WearSums::is_recording) {
-                T::record(self, index, &law, models, separation);
+                T::record(&self.line, self.k, index, &law, models, separation);
             }
             let frictional_power = dissipation * speed.reference;
             output.wear_number += dissipation;

@@ -5,34 +5,20 @@
 //! as it is computed, element by element of the tractions. At a kink, such as the end of an adhesion area that passes from one element
 //! to the next, it is that of one side.
 
-use super::Output;
-use super::evaluate::Element;
+use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
 use super::foundation::FoundationModel;
 use super::input::{INPUT_NAMES, INPUTS, Input};
 use super::models::Models;
 use super::moving_contact::{Kink, MovingNumber};
-use super::output::REPORTED_PATCHES;
+use super::output::{Output, REPORTED_PATCHES};
 use super::parameters::{NormalModel, Side, VerticalMode};
 use super::rail_contact::RailContact;
 use super::rail_friction::RailFriction;
 use super::vertical_load::is_carried;
+use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 use crate::math::dual::Dual;
 use crate::tangential::TangentialModel;
-
-/// Directions that are followed at once for a whole Jacobian.
-pub(super) const DIRECTIONS: usize = 7;
-
-/// Memory for evaluations with derivatives.
-#[derive(Clone, Debug)]
-pub(super) struct DerivativeMemory {
-    /// For one direction, and one more for the height that carries a load.
-    one: Models<Dual<2>>,
-    one_output: Output<Dual<2>>,
-    /// For many at once.
-    all: Models<Dual<DIRECTIONS>>,
-    all_output: Output<Dual<DIRECTIONS>>,
-}
 
 /// Places of height and load among the inputs.
 const HEIGHT: usize = 2;

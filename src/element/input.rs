@@ -176,7 +176,28 @@ pub const INPUT_NAMES: [&str; INPUTS] = [
     "rail[1].pitch_rate", "rail[2].pitch_rate",
 ];
 
+/// Moves all rails of an array of inputs, or of their rates, by `way`; `first` is the place of the component of rail 1.
+pub(super) fn move_all(numbers: &mut [f64; INPUTS], first: usize, way: f64) {
+    numbers[first] += way;
+    numbers[first + RAIL] += way;
+}
+
+/// Places among the inputs: lateral and vertical coordinate of rail 1, its velocities, and how far behind it rail 2 is.
+pub(super) const PLACES: [usize; 2] = [12, 13];
+pub(super) const VELOCITIES: [usize; 2] = [15, 16];
+const RAIL: usize = 6;
+
 impl Input {
+    /// The same with all rails of the side moved.
+    pub(super) fn with_rails_moved(&self, deflection: [f64; 2], velocity: [f64; 2]) -> Self {
+        let mut moved = *self;
+        for rail in &mut moved.rails {
+            (rail.y, rail.z) = (rail.y + deflection[0], rail.z + deflection[1]);
+            (rail.vy, rail.vz) = (rail.vy + velocity[0], rail.vz + velocity[1]);
+        }
+        moved
+    }
+
     /// Whether every input is finite and friction is not negative.
     ///
     /// # Errors
@@ -244,5 +265,22 @@ impl Input {
         let place = all.iter().position(|value| !value.is_finite());
         let (name, value) = place.map_or(("input", f64::NAN), |i| (INPUT_NAMES[i], all[i]));
         ContactError::bad_value(name, value, "a finite number")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_places_among_the_inputs_are_those_of_the_rails() {
+        let moved = Input::default().with_rails_moved([1e-3, 2e-3], [3e-3, 4e-3]);
+        let mut numbers = Input::default().to_array();
+        for (place, way) in PLACES.into_iter().chain(VELOCITIES).zip([1e-3, 2e-3, 3e-3, 4e-3]) {
+            move_all(&mut numbers, place, way);
+        }
+        for (number, moved) in numbers.into_iter().zip(moved.to_array()) {
+            assert_eq!(number.to_bits(), moved.to_bits());
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The contact models of an element and their scratch memory.
 
-use super::boundary_contact::GivenTractions;
 use super::curved_zone::CurvedZone;
+use super::given_tractions::GivenTractions;
 use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use super::wear_sums::WearSums;

@@ -1,15 +1,15 @@
 //! The contact of one wheel with one rail with derivatives: what the search finds, as it moves.
 
 use super::contact_forces::{ContactForces, Damped, relative_motion};
-use super::evaluate::Work;
 use super::input::Input;
 use super::models::Models;
 use super::number::ElementNumber;
 use super::output::Output;
-use super::rail_contact::{LEAST_CURVATURE_SHARE, MOST_STRIP_DEPTH, RailContact};
+use super::rail_contact::RailContact;
 use super::rail_frame::RailFrame;
-use super::strip_contact;
+use super::strip_contact::{self, LEAST_CURVATURE_SHARE, MOST_STRIP_DEPTH};
 use super::strip_damping::StripDamping;
+use super::work::Work;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;

@@ -15,13 +15,14 @@
 //! Other derivatives, as of models that have none, cost accuracy in stiff motions and no order. The step from k1 alone is one of first order: what
 //! it differs by is the estimated error.
 
-use super::derivatives::{DIRECTIONS, Height};
-use super::evaluate::Element;
-use super::foundation::{PLACES, TrackState, VELOCITIES, move_all};
-use super::input::{INPUTS, Input};
+use super::derivative_memory::DIRECTIONS;
+use super::derivatives::Height;
+use super::foundation::TrackState;
+use super::input::{INPUTS, Input, PLACES, VELOCITIES, move_all};
 use super::output::Output;
-use super::parameters::Side;
+use super::parameters::{FoundationModel, Side};
 use super::resting_rails::solve;
+use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 
 /// γ of the method, 1 - 1/√2: the smaller one of the two with which it is L-stable.
@@ -54,6 +55,29 @@ impl Motion {
 }
 
 impl Element {
+    /// Where rails with a mass are since their first step; before it they rest in equilibrium.
+    #[must_use]
+    pub fn track_state(&self) -> Option<TrackState> {
+        self.track
+    }
+
+    /// Goes back to an earlier [`track_state`](Self::track_state).
+    pub fn set_track_state(&mut self, state: Option<TrackState>) {
+        self.track = state;
+    }
+
+    /// Whether the rails have a mass.
+    #[must_use]
+    pub fn has_moving_rails(&self) -> bool {
+        self.foundation.model == FoundationModel::Mass
+    }
+
+    /// Longest step in which a unit moves rails with a mass on [s].
+    #[must_use]
+    pub fn longest_step(&self) -> f64 {
+        self.foundation.longest_step
+    }
+
     /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`; other rails stay. The
     /// error of the new deflection is of third order in the duration, estimated in [`TrackState::step_error`].
     ///

@@ -1,10 +1,10 @@
 //! Numbers with which contacts are brought to forces: plain ones, and ones with derivatives.
 
-use super::contact_forces::ContactForces;
 use super::models::Models;
 use super::parameters::NormalModel;
-use super::uneven::ZoneSurface;
 use super::wear_sums::ZoneWear;
+use super::zone_surface::ZoneSurface;
+use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, LineSeparation, RailSeparation};
 use crate::geometry::moving_separation::MovingSeparation;
 use crate::math::dual::Dual;
@@ -17,9 +17,10 @@ pub trait ElementNumber: CreepNumber + Influence {
     /// The separation of wheel and rail in the frame of a contact.
     type Separation<'a>: RailSeparation<'a, Self> + Clone;
 
-    /// The surface of an uneven wheel in `zone`.
+    /// The surface of an uneven wheel with the contact line `line` in `zone`; `contact_u` is the parameter of the line in the contact.
     fn zone_surface(
-        _: &ContactForces<Self>,
+        _line: &ContactLine<Self>,
+        _contact_u: Self,
         _: &Lifting,
         _: &Zone<Self>,
         _: &Models<Self>,
@@ -27,9 +28,10 @@ pub trait ElementNumber: CreepNumber + Influence {
         ZoneSurface::even()
     }
 
-    /// Records the wear of zone number `index`, which rolls as `law` says.
+    /// Records the wear of zone number `index` on rail number `k`, from 0, which rolls as `law` says.
     fn record(
-        _: &ContactForces<Self>,
+        _line: &ContactLine<Self>,
+        _k: usize,
         _index: usize,
         _law: &UnderLaw<Self>,
         _: &mut Models<Self>,
@@ -46,7 +48,8 @@ impl ElementNumber for f64 {
     type Separation<'a> = LineSeparation<'a>;
 
     fn zone_surface(
-        forces: &ContactForces,
+        line: &ContactLine,
+        contact_u: f64,
         lifting: &Lifting,
         zone: &Zone,
         models: &Models,
@@ -54,25 +57,26 @@ impl ElementNumber for f64 {
         // All of an ellipse lies over its contact point.
         let is_ellipse = models.normal == NormalModel::Hertz;
         ZoneSurface::new(lifting, zone, &models.strips, |u| {
-            forces.line.even_at(if is_ellipse { forces.contact.u } else { u }).x
+            line.even_at(if is_ellipse { contact_u } else { u }).x
         })
     }
 
     fn record(
-        forces: &ContactForces,
+        line: &ContactLine,
+        k: usize,
         index: usize,
         law: &UnderLaw,
         models: &mut Models,
         separation: &mut LineSeparation,
     ) {
         let Models { wear, strips, .. } = models;
-        let (Some(wear), line) = (wear, &forces.line) else { return };
+        let Some(wear) = wear else { return };
         let zone = &strips.zones[index];
         let state = ZoneWear {
             law: *law,
             section_radius: line.wheel_point(zone.u).section_radius,
             range: line.range(),
         };
-        wear.record(forces.k, index, strips, &state, separation);
+        wear.record(k, index, strips, &state, separation);
     }
 }

@@ -1,9 +1,7 @@
 //! What is fixed once an element is initialised.
 
 pub use super::foundation::{Foundation, FoundationModel};
-use super::ranges;
 pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
-use crate::error::ContactError;
 pub use crate::friction::Changeover;
 pub use crate::geometry::point_noise::AUTOMATIC_SMOOTHING;
 pub use crate::geometry::waviness::FlatShape;
@@ -181,9 +179,6 @@ pub struct Parameters {
     pub wear: WearParameters,
 }
 
-/// Least radius of a roller [m]: that of models of rigs in a fifth of the size.
-const LEAST_ROLLER: f64 = 0.1;
-
 /// Number of rails an element can carry.
 pub const RAILS: usize = 2;
 
@@ -271,78 +266,21 @@ impl Parameters {
         parameters
     }
 
-    /// Whether every number is in its declared range, and goes with the others.
-    ///
-    /// # Errors
-    /// The first parameter at fault, by its FMU name.
-    pub fn check(&self) -> Result<(), ContactError> {
-        ranges::check(self)?;
-        self.check_deviations()?;
-        self.check_friction()?;
-        self.check_foundation()?;
-        self.check_rollers()?;
-        self.check_wear()
+    /// Whether anything is uneven along the track.
+    #[must_use]
+    pub fn is_uneven(&self) -> bool {
+        self.wheel_is_uneven() || (0..self.rails.len()).any(|k| self.is_corrugated(k))
     }
 
-    /// Whether rails that move are under a wheel that moves.
-    fn check_foundation(&self) -> Result<(), ContactError> {
-        let is_moving = self.foundation.model == FoundationModel::Mass;
-        if is_moving && self.vertical_mode == VerticalMode::Load {
-            return Err(ContactError::BadText {
-                name: "track.foundation.model".into(),
-                value: "mass".into(),
-                allowed: "with vertical.mode load rigid or massless: a given load is that of a wheel at rest on its rails".into(),
-            });
-        }
-        Ok(())
+    /// Whether the wheel is not round.
+    pub(super) fn wheel_is_uneven(&self) -> bool {
+        let OutOfRound { amplitude, file, .. } = &self.wheel.out_of_round;
+        *amplitude != 0.0 || !file.is_empty() || self.wheel.flat.length != 0.0
     }
 
-    /// Whether there is a table of friction where one is asked for, and none that nobody looks at.
-    fn check_friction(&self) -> Result<(), ContactError> {
-        let file = &self.friction_profile;
-        let asked = self.friction_distribution == FrictionDistribution::Profile;
-        let allowed = match (asked, file.is_empty()) {
-            (true, true) => "the name of a file, as friction.distribution is profile",
-            (false, false) => "empty, or set friction.distribution to profile",
-            _ => return Ok(()),
-        };
-        let (name, value, allowed) = ("friction.profile".into(), file.clone(), allowed.into());
-        Err(ContactError::BadText { name, value, allowed })
-    }
-
-    /// Whether rollers are large enough for a wheel to stand on.
-    fn check_rollers(&self) -> Result<(), ContactError> {
-        for (k, rail) in self.rails.iter().enumerate() {
-            let radius = rail.roller_radius;
-            if radius != 0.0 && radius < LEAST_ROLLER {
-                let name = format!("rail[{}].roller_radius", k + 1);
-                return Err(ContactError::bad_value(
-                    name,
-                    radius,
-                    "0 for a straight rail, or from 0.1 m on",
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    /// Whether wear is admitted, and together with the models.
-    fn check_wear(&self) -> Result<(), ContactError> {
-        self.wear.check()?;
-        let refused = |allowed: &str| {
-            let value = self.wear.model.name().into();
-            let (name, allowed) = ("wear.model".into(), allowed.into());
-            Err(ContactError::BadText { name, value, allowed })
-        };
-        match self.wear.model {
-            WearModel::Off => Ok(()),
-            _ if self.is_uneven() => refused(
-                "corrugated rails, out-of-round wheels and flats go with off: what wears is a profile that is even along the track",
-            ),
-            WearModel::Archard if self.tangential_model == TangentialModel::Linear => {
-                refused("with tangential.model linear nothing slides")
-            }
-            _ => Ok(()),
-        }
+    /// Whether rail number `k` is there and has a height over the station.
+    pub(super) fn is_corrugated(&self, k: usize) -> bool {
+        let Corrugation { amplitude, file, .. } = &self.rails[k].corrugation;
+        self.rails[k].enabled && (*amplitude != 0.0 || !file.is_empty())
     }
 }

@@ -2,7 +2,6 @@
 
 use super::boundary_contact;
 use super::contact_forces::{ContactForces, Damped};
-use super::evaluate::Work;
 use super::flattened::FlatContact;
 use super::input::Input;
 use super::models::Models;
@@ -10,7 +9,8 @@ use super::output::Output;
 use super::parameters::Parameters;
 use super::rail_frame::RailFrame;
 use super::rail_friction::RailFriction;
-use super::strip_contact;
+use super::strip_contact::{self, LEAST_CURVATURE_SHARE, MOST_STRIP_DEPTH};
+use super::work::Work;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
@@ -62,9 +62,6 @@ struct Around {
 const DEEP: f64 = 5e-3;
 /// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its underside is as near as its top.
 const MOST_DEPTH: f64 = 2.5e-2;
-/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, normals of a gauge corner have crossed, and the strips of a
-/// virtual penetration carry on.
-pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
 const STEEPEST: f64 = 0.05;
 /// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side and to the length of its arc [m].
@@ -452,10 +449,6 @@ fn with<'a>(
     let line = deviations.map_or(line, |deviations| line.with_deviations(deviations));
     around.map_or(line, |around| line.varying(&around.wheel))
 }
-
-/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
-/// ellipse.
-pub(super) const LEAST_CURVATURE_SHARE: f64 = 0.02;
 
 /// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose even section has `radius` [m].
 fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {

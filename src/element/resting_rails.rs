@@ -12,13 +12,14 @@
 //! how far the rails sink, by bracketed secants for the lateral deflection alone. Where a normal model jumps past the equilibrium the forces are
 //! those beside the jump, and a fallback.
 
-use super::derivatives::{DIRECTIONS, Height};
-use super::evaluate::Element;
-use super::foundation::{PLACES, TrackState, move_all};
-use super::input::{INPUTS, Input};
+use super::derivative_memory::DIRECTIONS;
+use super::derivatives::Height;
+use super::foundation::TrackState;
+use super::input::{INPUTS, Input, PLACES, move_all};
 use super::moving_contact::Kink;
 use super::output::Output;
 use super::parameters::VerticalMode;
+use super::wheel_on_rails::Element;
 use crate::math::root::outward;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.

@@ -1,11 +1,11 @@
-//! What is odd about the place in which a wheel starts: nothing that is refused, but a host should hear of it before it wonders at the forces.
+//! The place in which a wheel starts: the height at which it first touches its rails, and whether anything is odd about it.
 
-use std::fmt;
-
-use super::evaluate::{Element, first_touch};
 use super::input::Input;
 use super::output::Output;
 use super::parameters::{FoundationModel, Side, VerticalMode};
+use super::rail_contact::RailContact;
+use super::start_warning::StartWarning;
+use super::wheel_on_rails::Element;
 
 /// Height above first touch from which on a wheel counts as far from its rails [m]: more than any bounce.
 const FAR_ABOVE: f64 = 0.01;
@@ -13,104 +13,26 @@ const FAR_ABOVE: f64 = 0.01;
 const INSIDE: f64 = 2e-3;
 /// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries the wheel is no hindrance [rad].
 const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
-
-/// Something odd about the place in which a wheel starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StartWarning {
-    /// It stands beside all rails, at this y, or is on the other side of the track.
-    BesideTheRails {
-        /// Lateral position of the wheel marker [m].
-        y: f64,
-        /// Side of the track that the parameters name.
-        side: Side,
-    },
-    /// It hangs far above the height of first touch.
-    InTheAir {
-        /// Height of the wheel marker [m].
-        z: f64,
-        /// Height at which the wheel would just touch [m].
-        nominal: f64,
-    },
-    /// It is far below the height of first touch.
-    InsideARail {
-        /// Height of the wheel marker [m].
-        z: f64,
-        /// Height at which the wheel would just touch [m].
-        nominal: f64,
-    },
-    /// Where it stands on rail 1 it overlaps rail 2 from the side.
-    InRail2 {
-        /// By how much [m].
-        overlap: f64,
-    },
-}
-
-impl StartWarning {
-    /// The words for it; `prefix` stands before the names of variables of this wheel in a wheelset.
-    #[must_use]
-    pub fn message(&self, prefix: &str) -> String {
-        let of = |name: &str| {
-            if prefix.is_empty() { format!("wheel.{name}") } else { format!("wheelset.{name}") }
-        };
-        match *self {
-            Self::BesideTheRails { y, side } => {
-                let (side, sign) = match side {
-                    Side::Right => ("right", "positive"),
-                    Side::Left => ("left", "negative"),
-                };
-                format!(
-                    "the wheel on the {side} side starts beside its rails, with its marker at y = {y} m: it carries nothing there; on this side y \
-                     is {sign}, about half the gauge: set {}",
-                    of("y")
-                )
-            }
-            Self::InTheAir { z, nominal } | Self::InsideARail { z, nominal } => {
-                let mm = 1e3 * (z - nominal).abs();
-                let (place, what) = if z < nominal {
-                    ("above", "it hangs in the air")
-                } else {
-                    ("below", "it is inside the rail")
-                };
-                format!(
-                    "the wheel starts with its marker at z = {z} m, {mm:.1} mm {place} {prefix}nominal.wheel_z = {nominal:.6} m, where it would \
-                     just touch: {what}; set {} from that height",
-                    of("z")
-                )
-            }
-            Self::InRail2 { overlap } => format!(
-                "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move it by {prefix}rail[2].position.y, which counts with {prefix}rail[2].placement = position",
-                1e3 * overlap
-            ),
-        }
-    }
-}
-
-/// The words for a wheel that is `depth` [m] below the top of its rail, as [`Element::sunk`] has it; `prefix` as in
-/// [`StartWarning::message`].
-#[must_use]
-pub fn sunk_message(depth: f64, prefix: &str) -> impl fmt::Display {
-    SunkMessage { depth, prefix }
-}
-
-/// Written where it goes, during a run, so that nothing is allocated for it.
-struct SunkMessage<'a> {
-    depth: f64,
-    prefix: &'a str,
-}
-
-impl fmt::Display for SunkMessage<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
-             lifted; see {}nominal.wheel_z for where it would just touch",
-            1e3 * self.depth,
-            self.prefix
-        )
-    }
-}
+/// Step of the descent onto the rail: no wheel passes through a rail in it [m].
+const DESCENT_STEP: f64 = 2e-4;
+/// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
+const MOST_DESCENT_STEPS: usize = 750;
+/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known to.
+const LOOK_BESIDE: f64 = 1.0 / 256.0;
+/// Every so many trials the middle is taken, should the guesses be none.
+const BISECT_EVERY: usize = 4;
+/// From the step of the descent to rounding it takes 45 bisections; a dozen trials are the rule.
+const MOST_TRIALS: usize = BISECT_EVERY * 45;
 
 impl Element {
+    /// Takes `start` as the place in which the wheel starts: [`nominal_wheel_z`](Self::nominal_wheel_z) and
+    /// [`start_warning`](Self::start_warning) are then those of it.
+    pub fn set_start(&mut self, start: &Input) {
+        let touching = self.touch(start);
+        self.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
+        self.look_at_start(start, touching);
+    }
+
     /// What is odd about the place in which the wheel starts, if anything is.
     #[must_use]
     pub fn start_warning(&self) -> Option<StartWarning> {
@@ -118,7 +40,7 @@ impl Element {
     }
 
     /// Looks at the place of `start`; `touching` is the height of first touch, if there is one.
-    pub(super) fn look_at_start(&mut self, start: &Input, touching: Option<f64>) {
+    fn look_at_start(&mut self, start: &Input, touching: Option<f64>) {
         if self.rails.iter().all(Option::is_none) {
             return;
         }
@@ -161,4 +83,65 @@ impl Element {
         let from_the_side = contacts.filter(|contact| contact.angle().abs() > FROM_THE_SIDE);
         from_the_side.map(|contact| contact.penetration).max_by(f64::total_cmp)
     }
+
+    /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
+    /// yaw of `start`; its own height where it stands beside the rails [m].
+    pub fn touching_height(&mut self, start: &Input) -> f64 {
+        self.touch(start).unwrap_or(start.wheel.position[2])
+    }
+
+    /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the rails.
+    pub fn touch(&mut self, start: &Input) -> Option<f64> {
+        let input = if self.side == Side::Left { start.mirrored() } else { *start };
+        self.first_touch(&input)
+    }
+
+    /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.
+    pub(super) fn first_touch(&mut self, input: &Input) -> Option<f64> {
+        first_touch(&mut self.rails, input)
+    }
+}
+
+/// The marker height at which a wheel coming down from above first touches one of the first `rails`, for the input of a right side; nothing
+/// where it stands beside them [m].
+fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> {
+    let highest = (rails.iter().enumerate())
+        .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
+        .fold(f64::INFINITY, f64::min);
+    if !highest.is_finite() {
+        return None;
+    }
+    let mut lift = |z: f64| {
+        let mut at = *input;
+        at.wheel.position[2] = z;
+        (rails.iter_mut().enumerate())
+            .filter_map(|(k, rail)| rail.as_mut()?.lift(k, &at))
+            .reduce(f64::max)
+    };
+    // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
+    let height = |step: usize| highest + step as f64 * DESCENT_STEP;
+    let (step, mut to_lift) =
+        (1..=MOST_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
+    let (mut clear, mut touching) = (height(step - 1), height(step));
+    // Down to neighbouring numbers.
+    for trial in 1..=MOST_TRIALS {
+        let guess = touching - to_lift;
+        let aside = LOOK_BESIDE * (touching - clear);
+        // The farther end is brought to just beyond the guess.
+        let beside = if guess - clear > touching - guess { guess - aside } else { guess + aside };
+        let is_inside = |z: f64| z > clear && z < touching;
+        let z = if trial % BISECT_EVERY != 0 && is_inside(beside) {
+            beside
+        } else {
+            0.5 * (clear + touching)
+        };
+        if !is_inside(z) {
+            break;
+        }
+        match lift(z) {
+            Some(found) => (touching, to_lift) = (z, found),
+            None => clear = z,
+        }
+    }
+    Some(touching)
 }

@@ -5,11 +5,10 @@
 //! place becomes the deepest, or when overlaps join or part. Each loaded zone then gets its frame from its own load.
 
 use super::contact_forces::{ContactForces, Damped};
-use super::evaluate::Work;
 use super::models::Models;
 use super::output::Output;
-use super::rail_contact::LEAST_CURVATURE_SHARE;
 use super::strip_damping::StripDamping;
+use super::work::Work;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
@@ -25,6 +24,12 @@ use crate::normal::strips_on_grid::{
     Line, LinePlace, NEAR, OverlapLine, Place, STATION, walk_across,
 };
 
+/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, normals of a gauge corner have crossed, and the strips of a
+/// virtual penetration carry on.
+pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
+/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
+/// ellipse.
+pub(super) const LEAST_CURVATURE_SHARE: f64 = 0.02;
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
 

@@ -16,9 +16,9 @@
 //! found by guesses from force ~ penetration^(3/2) and then by bracketed secants in force^(2/3), which is nearly straight. Both are
 //! counted: no input makes them fail or go on for ever.
 
-use super::evaluate::Element;
 use super::input::Input;
 use super::output::Output;
+use super::wheel_on_rails::Element;
 use crate::math::root::bracketed;
 
 /// Bounds of the first step down from where nothing touches [m].

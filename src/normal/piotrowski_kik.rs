@@ -127,15 +127,6 @@ pub fn solve<T: Influence>(
     left_out
 }
 
-/// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are reached along the tangent.
-pub(super) fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [T; 2] {
-    let last = zone.count - 1;
-    [(0, -1.0), (last, 1.0)].map(|(i, end)| {
-        let j = zone.first + i;
-        strips.y[j] + strips.width[j] * (end - rule.nodes[i]) / rule.weights[i]
-    })
-}
-
 /// Sum over strips of width times the integrand of I2, 2 s (K - E), and of the least that it can be.
 ///
 /// The order of the sums is fixed by [`LANES`].

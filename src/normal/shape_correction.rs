@@ -15,7 +15,6 @@
 //! force, is continuous there; with the distance of the outermost edges for W, or with a ratio for each zone, it would jump.
 
 use super::hertz::axis_ratio;
-use super::piotrowski_kik::edges;
 use super::{Strips, Zone};
 use crate::geometry::separation::FrameSeparation;
 use crate::math::quadrature::GaussLegendre;
@@ -89,6 +88,15 @@ pub fn apply<T: Real>(
         }
     }
     shortening
+}
+
+/// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are reached along the tangent.
+fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [T; 2] {
+    let last = zone.count - 1;
+    [(0, -1.0), (last, 1.0)].map(|(i, end)| {
+        let j = zone.first + i;
+        strips.y[j] + strips.width[j] * (end - rule.nodes[i]) / rule.weights[i]
+    })
 }
 
 /// Least derivative of y along the line that is believed in: zones some nanometres wide have no better one than rounding.

@@ -1,17 +1,13 @@
 //! The ellipse that stands for a zone, or for a lobe of it.
 //!
 //! In the table of creep forces it is centred at the centroid of the load and has the second moments of the load; for the flexibilities of
-//! marches it has those of the outline. For a Hertzian pressure
-//!
-//! ```text
-//! of the load:     <x²> = a²/5,  <y²> = b²/5,  and of a semi-ellipse of half length x_l <x²> = x_l²/4
-//! of the outline:  <x²> = a²/4,  <y²> = b²/4,  and of a strip of half length x_l <x²> = x_l²/3
-//! ```
+//! marches it has those of the outline.
 //!
 //! That strips of a yawed wheel are shifted against each other along rolling is left out: particles cross each of them alone. Of the
 //! ellipses tried (moments of load, of area, length to width with the area, greatest length with the area) these have the least error, each
 //! for its purpose: see docs/validation.md.
 
+pub use super::outline::{EquivalentEllipse, Outline};
 use super::rigid_slip::RigidSlip;
 use super::tables::tabulated::Tabulated;
 use super::tables::{CreepForceTable, EllipseForce};
@@ -19,15 +15,6 @@ use super::{CreepForce, Creepage, LoadedZone, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
-
-/// Semi-axes of an ellipse with the second moments of a zone, or of a part of it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EquivalentEllipse<T = f64> {
-    /// Along rolling, > 0 [m].
-    pub along: T,
-    /// Across, > 0 [m].
-    pub across: T,
-}
 
 /// A part of a zone: its load and its ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +28,6 @@ pub struct LoadedPart<T = f64> {
     /// Mean coefficient of friction over that of the zone, weighted by load [-].
     pub friction: T,
 }
-
-/// Greatest ratio of the semi-axes.
-const MOST_RATIO: f64 = 1e6;
 
 impl<T: Real> LoadedPart<T> {
     /// The whole of `zone`, which carries load, with the creepage `creepage` at its centroid.
@@ -113,65 +97,6 @@ impl<T: Real> LoadedPart<T> {
 
 /// Parts that carry less of the load are nothing.
 const LEAST_SHARE: f64 = 1e-9;
-
-impl<T: Real> EquivalentEllipse<T> {
-    /// From the means of x_l², of y² about the centroid and of the square of the strips' width over the load [m²].
-    fn of_load(along: T, across: T, within: T) -> Self {
-        Self::of_moments(along * 1.25, across * 5.0, within * 5.0)
-    }
-
-    /// From a², b² and, with the factor of b², the mean square of the width of strips [m²], which counts where a single strip has no moment of
-    /// its own.
-    fn of_moments(along: T, across: T, within: T) -> Self {
-        let along = along.sqrt();
-        let across = across.max(within / 12.0).sqrt();
-        Self { along, across: across.max(along / MOST_RATIO) }
-    }
-
-    /// c = sqrt(a b) [m].
-    #[must_use]
-    pub fn mean_radius(&self) -> T {
-        (self.along * self.across).sqrt()
-    }
-}
-
-/// What of the outline of a zone, or of a part of it, is in its flexibilities.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outline<T = f64> {
-    /// The ellipse with its second moments.
-    pub ellipse: EquivalentEllipse<T>,
-    /// ∫ x_l² dy [m³].
-    pub squares: T,
-    /// ∫ x_l³ dy [m⁴].
-    pub cubes: T,
-}
-
-impl<T: Real> Outline<T> {
-    /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no area.
-    #[must_use]
-    pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
-        let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];
-        let [mut first, mut across, mut within] = [T::from(0.0); 3];
-        for j in zone.first..zone.first + zone.count {
-            let (half_length, width) = (strips.half_length[j], strips.width[j]);
-            let weight = half_length * width * member(strips.y[j]);
-            let y = strips.y[j] - zone.y;
-            area += weight;
-            squares += weight * half_length;
-            cubes += weight * half_length * half_length;
-            first += weight * y;
-            across += weight * y * y;
-            within += weight * width * width;
-        }
-        (area > 0.0).then(|| {
-            let [along, within] = [cubes / area, within / area];
-            let across = across / area - (first / area).powi(2);
-            let ellipse =
-                EquivalentEllipse::of_moments(along * (4.0 / 3.0), across * 4.0, within * 4.0);
-            Self { ellipse, squares, cubes }
-        })
-    }
-}
 
 /// An ellipse that rolls under load.
 #[derive(Clone, Copy, Debug)]

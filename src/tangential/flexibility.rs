@@ -14,8 +14,8 @@
 use std::f64::consts::PI;
 
 use super::Creepage;
-use super::equivalent_ellipse::Outline;
 use super::kalker_coefficients::kalker_coefficients;
+use super::outline::Outline;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};

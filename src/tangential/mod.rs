@@ -16,6 +16,7 @@ pub mod linear;
 mod loaded_zone;
 mod march;
 pub mod neck;
+mod outline;
 mod own_friction;
 pub mod rigid_slip;
 pub mod strips;

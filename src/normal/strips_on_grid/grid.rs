@@ -9,10 +9,10 @@
 //! The load per width is the positive part of a line in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
 //! middles, with the half length that belongs to the load there.
 
-use super::equations::Scales;
 use super::line::{OverlapLine, Place};
 use super::overlap::{MOST_OVERLAPS, Overlaps};
 use super::samples::{Samples, nodes_between, share_behind};
+use super::scales::Scales;
 use super::shape::{Between, Knots};
 use super::valleys::MOST_VALLEYS;
 use crate::math::fixed_vec::FixedVec;
@@ -77,8 +77,8 @@ impl<T: Real> Grid<T> {
         if !self.samples.take(line, overlaps) {
             return;
         }
-        let scales = Scales::new(&self.samples);
-        let wanted = self.samples.lay(&scales);
+        let level = Scales::new(&self.samples).level;
+        let wanted = self.samples.lay(level);
         if !(wanted.value() > 0.0 && wanted.value().is_finite()) {
             return;
         }

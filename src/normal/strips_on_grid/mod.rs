@@ -25,6 +25,7 @@ mod line;
 mod newton;
 mod overlap;
 mod samples;
+mod scales;
 mod shape;
 mod turns;
 mod valleys;

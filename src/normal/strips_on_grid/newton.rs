@@ -8,10 +8,11 @@ use multiversion::multiversion;
 use super::columns::{Beside, Block, LANES, Rows, Sources, Sums, add, project, row};
 use super::elimination;
 use super::equations::{
-    CellLoad, INFLUENCE, Pair, RULE, Scales, Strip, loaded_part, loaded_width, near_pair,
-    slenderness, wanted_fall,
+    CellLoad, INFLUENCE, Pair, RULE, Strip, loaded_part, loaded_width, near_pair, slenderness,
+    wanted_fall,
 };
 use super::grid::Grid;
+use super::scales::Scales;
 use super::shape::Knots;
 use crate::math::fixed_vec::FixedVec;
 

@@ -4,7 +4,6 @@
 //! overlap is too small to carry load. The overlap is taken at equal distances from the middle of all overlaps, with parabolas in between, whatever belongs to which
 //! interval: where two of them join, nodes stay where they are.
 
-use super::equations::Scales;
 use super::line::OverlapLine;
 use super::overlap::{End, MOST_OVERLAPS, Overlaps};
 use super::turns::turns;
@@ -254,8 +253,8 @@ impl<T: Real> Samples<T> {
         }
     }
 
-    /// Takes the density of nodes, for an ellipse of some `scales`; returns the number that it makes.
-    pub fn lay(&mut self, scales: &Scales<T>) -> T {
+    /// Takes the density of nodes, the `level` being the overlap at the edge of an ellipse over its depth; returns the number that it makes.
+    pub fn lay(&mut self, level: T) -> T {
         self.part();
         self.integrate();
         let width = self.sum_of(|[a, b]| b.y - a.y);
@@ -269,10 +268,9 @@ impl<T: Real> Samples<T> {
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
             // Where the overlap is less deep there are fewer, by the root of its depth besides its width: less depends on it.
-            self.list[k].density =
-                bend * share_loaded(overlap, scales.level) * (near / self.depth).sqrt();
+            self.list[k].density = bend * share_loaded(overlap, level) * (near / self.depth).sqrt();
         }
-        self.stand_in_valleys(scales.level);
+        self.stand_in_valleys(level);
         self.stand_beside_gaps();
         self.sum_of(nodes_between)
     }

@@ -1,0 +1,101 @@
+//! What is odd about the place in which a wheel starts: nothing that is refused, but a host should hear of it before it wonders at the forces.
+
+use std::fmt;
+
+use super::parameters::Side;
+
+/// Something odd about the place in which a wheel starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StartWarning {
+    /// It stands beside all rails, at this y, or is on the other side of the track.
+    BesideTheRails {
+        /// Lateral position of the wheel marker [m].
+        y: f64,
+        /// Side of the track that the parameters name.
+        side: Side,
+    },
+    /// It hangs far above the height of first touch.
+    InTheAir {
+        /// Height of the wheel marker [m].
+        z: f64,
+        /// Height at which the wheel would just touch [m].
+        nominal: f64,
+    },
+    /// It is far below the height of first touch.
+    InsideARail {
+        /// Height of the wheel marker [m].
+        z: f64,
+        /// Height at which the wheel would just touch [m].
+        nominal: f64,
+    },
+    /// Where it stands on rail 1 it overlaps rail 2 from the side.
+    InRail2 {
+        /// By how much [m].
+        overlap: f64,
+    },
+}
+
+impl StartWarning {
+    /// The words for it; `prefix` stands before the names of variables of this wheel in a wheelset.
+    #[must_use]
+    pub fn message(&self, prefix: &str) -> String {
+        let of = |name: &str| {
+            if prefix.is_empty() { format!("wheel.{name}") } else { format!("wheelset.{name}") }
+        };
+        match *self {
+            Self::BesideTheRails { y, side } => {
+                let (side, sign) = match side {
+                    Side::Right => ("right", "positive"),
+                    Side::Left => ("left", "negative"),
+                };
+                format!(
+                    "the wheel on the {side} side starts beside its rails, with its marker at y = {y} m: it carries nothing there; on this side y \
+                     is {sign}, about half the gauge: set {}",
+                    of("y")
+                )
+            }
+            Self::InTheAir { z, nominal } | Self::InsideARail { z, nominal } => {
+                let mm = 1e3 * (z - nominal).abs();
+                let (place, what) = if z < nominal {
+                    ("above", "it hangs in the air")
+                } else {
+                    ("below", "it is inside the rail")
+                };
+                format!(
+                    "the wheel starts with its marker at z = {z} m, {mm:.1} mm {place} {prefix}nominal.wheel_z = {nominal:.6} m, where it would \
+                     just touch: {what}; set {} from that height",
+                    of("z")
+                )
+            }
+            Self::InRail2 { overlap } => format!(
+                "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move it by {prefix}rail[2].position.y, which counts with {prefix}rail[2].placement = position",
+                1e3 * overlap
+            ),
+        }
+    }
+}
+
+/// The words for a wheel that is `depth` [m] below the top of its rail, as [`Element::sunk`](crate::element::Element::sunk) has it; `prefix` as in
+/// [`StartWarning::message`].
+#[must_use]
+pub fn sunk_message(depth: f64, prefix: &str) -> impl fmt::Display {
+    SunkMessage { depth, prefix }
+}
+
+/// Written where it goes, during a run, so that nothing is allocated for it.
+struct SunkMessage<'a> {
+    depth: f64,
+    prefix: &'a str,
+}
+
+impl fmt::Display for SunkMessage<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
+             lifted; see {}nominal.wheel_z for where it would just touch",
+            1e3 * self.depth,
+            self.prefix
+        )
+    }
+}

@@ -1,0 +1,94 @@
+//! A wheel on its rails: what an element consists of.
+
+use super::derivative_memory::DerivativeMemory;
+use super::foundation::{Foundation, TrackState};
+use super::input::Input;
+use super::models::Models;
+use super::parameters::{RAILS, Side, VerticalMode};
+use super::rail_contact::RailContact;
+use super::start_warning::StartWarning;
+use super::work::Work;
+use crate::geometry::profile::ProfileRemark;
+
+/// A wheel and the rails under it, ready to be evaluated.
+///
+/// The result of an evaluation depends on its input alone, not on earlier ones; with rails that have a mass also on where [`Element::move_rails`] has
+/// brought them.
+#[derive(Clone, Debug)]
+pub struct Element {
+    pub(super) side: Side,
+    pub(super) vertical_mode: VerticalMode,
+    pub(super) foundation: Foundation,
+    /// Where rails with a mass are, from their first step on.
+    pub(super) track: Option<TrackState>,
+    /// The last input under which rails without mass rested at a given height, where that was, and what was left of the way to it: asked for
+    /// derivatives at an input, they are not to be sought again.
+    pub(super) rested: Option<(Input, [f64; 2], f64)>,
+    pub(super) nominal_radius: f64,
+    pub(super) models: Models,
+    pub(super) rails: [Option<RailContact>; RAILS],
+    pub(super) nominal_wheel_z: f64,
+    pub(super) start_warning: Option<StartWarning>,
+    pub(super) fallbacks: u64,
+    pub(super) work: Work,
+    /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force [m].
+    pub(super) sunk: Option<f64>,
+    /// What was found and mended in the files of the profiles, with the parameter that names each.
+    pub(super) remarks: Vec<(String, ProfileRemark)>,
+    /// Memory for derivatives, once they have been asked for.
+    pub(super) memory: Option<Box<DerivativeMemory>>,
+}
+
+impl Element {
+    /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches; its starting height where
+    /// it stands beside the rails [m].
+    #[must_use]
+    pub fn nominal_wheel_z(&self) -> f64 {
+        self.nominal_wheel_z
+    }
+
+    /// What was found and mended in the files of the profiles, with the parameter that names each file.
+    #[must_use]
+    pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
+        &self.remarks
+    }
+
+    /// Greatest angle between the normals within the contact of one rail at the last evaluation [rad]; 0 but for boundary elements, which are the only ones that
+    /// lie on the curved surface each by itself.
+    #[must_use]
+    pub fn turn_of_normals(&self) -> f64 {
+        self.models.turn_of_normals
+    }
+
+    /// Work done and skipped so far.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        let strips = self.models.strip_solver.as_ref().map(|solver| solver.work);
+        let strips = strips.unwrap_or_default();
+        Work { strip_steps: strips.steps, most_strip_steps: strips.most_steps, ..self.work }
+    }
+
+    /// Contacts and zones that found no room so far: the only thing an element remembers.
+    #[must_use]
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
+    }
+
+    /// How deep the wheel of the last evaluation was below the top of a rail, where that was too deep for the outlines to tell a force: the
+    /// rail then carries nothing, which is no lifted wheel [m].
+    #[must_use]
+    pub fn sunk(&self) -> Option<f64> {
+        self.sunk
+    }
+
+    /// Goes back to an earlier count of [`fallbacks`](Self::fallbacks).
+    pub fn set_fallbacks(&mut self, fallbacks: u64) {
+        self.fallbacks = fallbacks;
+    }
+
+    /// The count as it is reported in [`Output::fallback_count`](super::Output::fallback_count).
+    #[must_use]
+    pub fn fallback_count(&self) -> i32 {
+        i32::try_from(self.fallbacks).unwrap_or(i32::MAX)
+    }
+}
