@@ -4,7 +4,7 @@
 
 // Clippy lets tests import by wildcard, benches not.
 #[allow(clippy::wildcard_imports)]
-#[path = "../tests/host/mod.rs"]
+#[path = "../tests/suite/host/mod.rs"]
 mod host;
 
 use std::hint::black_box;

@@ -6,11 +6,11 @@
 //! has no memory, so that a round again is the same work.
 #![allow(unsafe_code)]
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/suite/common/mod.rs"]
 mod common;
 // Clippy lets tests import by wildcard, benches not.
 #[allow(clippy::wildcard_imports)]
-#[path = "../tests/host/mod.rs"]
+#[path = "../tests/suite/host/mod.rs"]
 mod host;
 
 use common::random::Random;

@@ -8,7 +8,7 @@
 #[path = "../callgrind/mod.rs"]
 mod callgrind;
 mod choices;
-#[path = "../../tests/common/mod.rs"]
+#[path = "../../tests/suite/common/mod.rs"]
 mod common;
 mod contact_program;
 mod figure;

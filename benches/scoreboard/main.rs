@@ -4,7 +4,7 @@
 //! random cases, which are others in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed on. A word behind `--` runs the
 //! families alone whose titles have it in them, and shows their tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
 
-#[path = "../../tests/common/mod.rs"]
+#[path = "../../tests/suite/common/mod.rs"]
 mod common;
 mod family;
 mod linear;

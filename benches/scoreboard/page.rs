@@ -42,7 +42,7 @@ const LEFT_OUT: [(&str, &str); 15] = [
     ),
     (
         "Friction falling with the temperature of the flash: temp_*",
-        "compared in `cargo test --test friction_law`, with the whole table of that program's cases",
+        "compared in `cargo test --test suite friction_law::`, with the whole table of that program's cases",
     ),
     (
         "contact_mbench, mbench_a22_left, _right, _kpec, s+c_cross_*, s+c_wing_*, s+c_mbench_brute",
@@ -70,7 +70,7 @@ const LEFT_OUT: [(&str, &str); 15] = [
     ),
     (
         "Measured creep curves of locomotives",
-        "the law of friction is fitted to them; compared in `cargo test --test cli published`",
+        "the law of friction is fitted to them; compared in `cargo test --test suite published_curves`",
     ),
     (
         "Outlines of planar contacts",
@@ -78,7 +78,7 @@ const LEFT_OUT: [(&str, &str); 15] = [
     ),
     (
         "EN 15302",
-        "equivalent conicity has no contact model in it; compared in `cargo test --test conicity`",
+        "equivalent conicity has no contact model in it; compared in `cargo test --test suite conicity::`",
     ),
 ];
 
@@ -149,7 +149,7 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
     let mut page = String::from(HEAD) + &tables(results);
     writeln!(
         page,
-        "## Jumps\n\nStraight lines of 0.1 mm in steps of 0.1 µm through random poses of new and worn wheels, with the models as they start (`tests/walk.rs` has the long \
+        "## Jumps\n\nStraight lines of 0.1 mm in steps of 0.1 µm through random poses of new and worn wheels, with the models as they start (`tests/suite/walk.rs` has the long \
          walk): {:.0} mm, {} jumps beyond {:e} of the load or {:e} of the friction limit, {:.0} in a metre; the greatest {} of the load without creep forces, {} of the limit with them.\n",
         1e3 * walk.way,
         walk.beyond,

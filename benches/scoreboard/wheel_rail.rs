@@ -124,7 +124,7 @@ pub const FAMILIES: [Family; 11] = [
         source: "`tests/data/contact_25_1/variable_profiles.csv`",
         text: "A section that rises by 1:10, which the wheel touches ahead of its centre; normal and creep force each in its own frame, as the reference leans to the side alone. \
             Contacts lie where the flat top and a corner of 5 mm meet: there its surface is rounder than the sections. On one section held constant strips and `boundary_element` (80x80) have p_max 4980 and \
-            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test varying_rail a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end.",
+            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test suite a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end.",
         quantities: &VARYING,
         is_random: false,
         needs_folder: false,

@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn the_fits_meet_the_exact_coefficients_at_a_circle() {
-        // ../../tests/data/kalker_coefficients.csv holds the whole set: tests/literature.rs.
+        // ../../tests/data/kalker_coefficients.csv holds the whole set: tests/suite/literature.rs.
         let c = kalker_coefficients(1.0, 0.25);
         approx::assert_relative_eq!(c.c11, 4.1128, max_relative = 2.1e-3);
         approx::assert_relative_eq!(c.c22, 3.6683, max_relative = 1.3e-3);

@@ -1,0 +1,5 @@
+//! Rails that give way: in equilibrium on springs, and with a mass that runs along.
+
+mod massless;
+mod masters;
+mod with_mass;
