@@ -22,7 +22,7 @@ use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
-use crate::tangential::{Rolling, TangentialModel, UnderLaw};
+use crate::tangential::{Convergence, Rolling, TangentialModel, UnderLaw};
 
 /// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and adds the forces to `output`; returns how many zones found no room or
 /// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track
@@ -60,10 +60,7 @@ pub fn add<'a>(
         let forces = forces(*contact, [0.0; 2], whole);
         tractions(elements, &forces, &forces.motion(), &states, models)
     });
-    let mut given = found.map_or_else(Vec::new, |(given, residual)| {
-        output.tangential_residual = output.tangential_residual.max(residual);
-        given
-    });
+    let mut given = found.unwrap_or_default();
     given.reverse();
     for (index, (contact, resultant_share)) in contacts.into_iter().enumerate() {
         take_zone(elements, rail, index, models);
@@ -189,8 +186,7 @@ struct ZoneState {
     centre: [f64; 2],
 }
 
-/// Tractions of all zones of a rail together, one for each of `zones`, and the largest slip that contradicts the friction law, over the
-/// largest rigid slip; nothing where there is nothing to compute or no solution was
+/// Tractions of all zones of a rail together, one for each of `zones`; nothing where there is nothing to compute or no solution was
 /// found. `forces` is of any of the zones.
 fn tractions(
     elements: &RailElements,
@@ -198,7 +194,7 @@ fn tractions(
     motion: &RelativeMotion,
     zones: &[ZoneState],
     models: &Models,
-) -> Option<(Vec<GivenTractions>, f64)> {
+) -> Option<Vec<GivenTractions>> {
     if models.tangential.model() != TangentialModel::BoundaryElement {
         return None;
     }
@@ -265,7 +261,6 @@ fn tractions(
         return None;
     }
     let material = zones[heaviest].law.material;
-    let mut residual: f64 = 0.0;
     let forward = zones[heaviest].law.state.forward_share;
     for (rolling, share) in [(Rolling::Forward, forward), (Rolling::Backward, 1.0 - forward)] {
         if share <= 0.0 {
@@ -275,7 +270,10 @@ fn tractions(
         if !solution.converged {
             return None;
         }
-        residual = residual.max(solution.residual);
+        let convergence = Convergence::to(solution.residual);
+        for GivenTractions { tractions, .. } in &mut found {
+            tractions.convergence = tractions.convergence.and(convergence);
+        }
         for_each_element(elements, strip_of_row, |element| {
             let Some(z) = zone_of_strip(element.strip) else { return };
             let k = element.k;
@@ -293,5 +291,5 @@ fn tractions(
             *strip = [strip[0] + dissipation, strip[1] + slip_area];
         });
     }
-    Some((found, residual))
+    Some(found)
 }

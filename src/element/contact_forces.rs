@@ -25,7 +25,7 @@ use crate::kinematics::creepage::{
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
 use crate::normal::{Strips, Zone, damping};
-use crate::tangential::{RollingState, StripForce, UnderLaw};
+use crate::tangential::{Convergence, RollingState, StripForce, UnderLaw};
 use crate::wear::rcf;
 
 /// How the normal motion of a contact is damped.
@@ -125,8 +125,9 @@ impl<T: ElementNumber> ContactForces<'_, T> {
             let (law, tractions) = self.tractions(&motion, models, &rolling);
             work.marches += u64::from(tractions.is_some());
             let tractions = tractions.unwrap_or_default();
-            fallbacks += u64::from(tractions.fell_back);
-            output.tangential_residual = output.tangential_residual.at_least(tractions.residual);
+            let Convergence { fell_back, residual } = tractions.convergence;
+            fallbacks += u64::from(fell_back);
+            output.tangential_residual = output.tangential_residual.at_least(residual);
             let normal_force = zone.load * load_factor * self.resultant_share;
             let pressing = axes.normal * -normal_force;
             let bearing = match lifting {

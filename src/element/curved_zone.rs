@@ -19,7 +19,7 @@ use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{CreepForce, CreepNumber, Tangential, UnderLaw};
+use crate::tangential::{Convergence, CreepForce, CreepNumber, Tangential, UnderLaw};
 
 /// Resultant of the tractions of one zone on the wheel, in the track frame.
 #[derive(Clone, Copy, Debug)]
@@ -32,10 +32,8 @@ pub struct Tractions<T = f64> {
     pub dissipation: T,
     /// Area that slips [m²].
     pub slip_area: T,
-    /// Whether a simpler model took the place of one that did not converge.
-    pub fell_back: bool,
-    /// Greatest part of the bound that tractions on strips are away from the law of friction; 0 for other models [-].
-    pub residual: f64,
+    /// How they converged.
+    pub convergence: Convergence,
 }
 
 impl<T: Real> Default for Tractions<T> {
@@ -45,8 +43,7 @@ impl<T: Real> Default for Tractions<T> {
             moment: Vector3::zeros(),
             dissipation: T::from(0.0),
             slip_area: T::from(0.0),
-            fell_back: false,
-            residual: 0.0,
+            convergence: Convergence::default(),
         }
     }
 }
@@ -61,8 +58,7 @@ impl<T: Real> Tractions<T> {
                 + force.lateral * creepage.lateral
                 + force.spin_moment * creepage.spin),
             slip_area: force.slip_area,
-            fell_back: force.fell_back,
-            residual: force.residual,
+            convergence: force.convergence,
         }
     }
 }
@@ -166,7 +162,7 @@ impl<T: Real> CurvedZone<T> {
             total.slip_area += strip.slip_area;
             each(j, dissipation, strip.slip_area);
         })?;
-        (total.fell_back, total.residual) = (solved.fell_back, solved.residual);
+        total.convergence = solved.convergence;
         if tangential.is_corrected() {
             // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
             total.force *= (solved.limit / total.force.dot(&total.force).sqrt()).at_most(1.0);

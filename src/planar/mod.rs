@@ -199,7 +199,7 @@ fn summarise(
         let y = contact_y + zone.y;
         let state = rolling_state(case, y);
         let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
-        result.fallback |= force.fell_back;
+        result.fallback |= force.convergence.fell_back;
         result.fx += force.longitudinal;
         result.fy += force.lateral;
         result.mz += force.spin_moment - y * force.longitudinal;

@@ -11,7 +11,7 @@ pub use super::outline::{EquivalentEllipse, Outline};
 use super::rigid_slip::RigidSlip;
 use super::tables::tabulated::Tabulated;
 use super::tables::{CreepForceTable, EllipseForce};
-use super::{CreepForce, Creepage, LoadedZone, Rolling};
+use super::{Convergence, CreepForce, Creepage, LoadedZone, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -134,8 +134,7 @@ impl<T: Tabulated> RollingEllipse<'_, T> {
             lateral: limit * force[1],
             spin_moment: limit * direction * c * force[2],
             slip_area: slip_share * area,
-            fell_back: false,
-            residual: 0.0,
+            convergence: Convergence::default(),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Forces of the tractions: of a strip, and of a zone.
 
+use super::convergence::Convergence;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -38,10 +39,8 @@ pub struct CreepForce<T = f64> {
     pub spin_moment: T,
     /// Area that slips [m²].
     pub slip_area: T,
-    /// Whether a simpler model took the place of one that did not converge.
-    pub fell_back: bool,
-    /// Greatest part of the bound that tractions on strips are away from the law of friction; 0 for other models [-].
-    pub residual: f64,
+    /// How the tractions converged.
+    pub convergence: Convergence,
 }
 
 impl<T: Real> CreepForce<T> {

@@ -3,7 +3,7 @@
 use super::flash_temperature::FlashTemperature;
 use super::friction_law::FrictionLaw;
 use super::own_friction::mean;
-use super::{RollingState, Tangential};
+use super::rolling::RollingState;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -19,21 +19,6 @@ pub struct UnderLaw<T = f64> {
     pub factors: [T; 2],
     /// Mean rise of temperature over the pressure as if all of the zone slid, where friction depends on it; otherwise 0 [K].
     pub temperature: T,
-}
-
-impl Tangential {
-    /// `zone` of `strips` in `state` under the laws of friction.
-    #[must_use]
-    pub fn under_law<T: Real>(
-        &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        material: &MaterialPair<T>,
-        state: &RollingState<T>,
-    ) -> UnderLaw<T> {
-        let heat = self.flash_temperature.as_ref();
-        UnderLaw::of(self.laws.as_ref(), heat, zone, strips, material, state)
-    }
 }
 
 /// What `of` gives for the laws of tread and gauge face.

@@ -3,7 +3,7 @@
 //! C gives the gradients of all strips by the moments of their tractions, R, in blocks, the moments of each strip by the gradients that it sees from others.
 
 use super::equations::dot;
-use super::{ALL, NODES, PAIR};
+use super::sizes::{ALL, NODES, PAIR};
 
 /// Most directions.
 const MOST_DIRECTIONS: usize = 40;

@@ -13,7 +13,7 @@
 use super::influence::Influence;
 use super::layout::Node;
 use super::points::{LANES, MOMENTS, Points, Row};
-use super::{ALL, NODES};
+use super::sizes::{ALL, NODES};
 use crate::math::real::Real;
 
 /// Overshoot of |v| over which the direction of slip goes over from the gradient ahead to the one in place.

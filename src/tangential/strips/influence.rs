@@ -7,7 +7,7 @@
 use super::kernel::{FIRST, POLES, SECOND, THIRD, WIDTHS, inside};
 use super::layout::Node;
 use super::points::{LANES, MOMENTS, MOST_POINTS, PLACES, Points, Row};
-use super::{ALL, NODES};
+use super::sizes::{ALL, NODES};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 

@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use super::NODES;
+use super::sizes::NODES;
 use crate::kinematics::creepage::Creepage;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;

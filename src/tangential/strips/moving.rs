@@ -6,38 +6,16 @@
 //! r' = -(∂R/∂r)^-1 R'
 //! ```
 
-use super::equations::{Equations, Strip};
-use super::influence::Influence;
-use super::layout::Layout;
-use super::{NODES, Settled, TractionStrips, carrier};
+use super::equations::Equations;
+use super::newton::Settled;
+use super::solver::{One, TractionStrips, carrier, solve};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::{LoadedZone, Rolling, StripForce};
 
-/// A number and its derivative in one direction.
-type One = Dual<1>;
-
 /// What is left of the system that couples strips, as a share of its right side.
 const COUPLING_LEFT: f64 = 1e-12;
-
-/// Memory for derivatives in one direction.
-#[derive(Clone, Debug)]
-pub(super) struct Moving {
-    layout: Layout<One>,
-    influence: Influence<One>,
-    strips: Vec<Strip<One>>,
-}
-
-impl Moving {
-    pub fn with_capacity(points: usize, strips: usize) -> Self {
-        Self {
-            layout: Layout::with_capacity(strips),
-            influence: Influence::with_capacity(points),
-            strips: vec![Strip::default(); NODES],
-        }
-    }
-}
 
 impl TractionStrips {
     /// As [`strip_forces`](Self::strip_forces), with derivatives: a strip comes once for each direction.
@@ -54,7 +32,7 @@ impl TractionStrips {
             return None;
         }
         let material = loaded.material;
-        let settled = super::solve(self, material.poisson_ratio, material.shear_modulus.value);
+        let settled = solve(self, material.poisson_ratio, material.shear_modulus.value);
         settled.left.is_finite().then_some(())?;
         for direction in 0..N {
             let to = |x: Dual<N>| One { value: x.value, slopes: [x.slopes[direction]] };

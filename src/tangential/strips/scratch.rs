@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::TractionStrips;
+use super::solver::TractionStrips;
 
 /// A solver for whoever has the model; whoever comes while it is in use waits.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! What keeps interpolated forces within friction.
 
-use super::ForceSlopes;
+use super::ellipse_force::ForceSlopes;
 
 /// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin that vanishes in full sliding.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use super::EllipseForce;
+use super::ellipse_force::EllipseForce;
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::rolling::steady_rolling;
 use crate::material::{Material, MaterialPair};

@@ -1,7 +1,8 @@
 //! Look-ups in plain numbers and in numbers with derivatives.
 
+use super::ellipse_force::EllipseForce;
 use super::scales::Scales;
-use super::{CreepForceTable, EllipseForce};
+use super::table::CreepForceTable;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 

@@ -1,0 +1,80 @@
+//! Numbers in which tangential problems are solved: plain ones, and ones with derivatives.
+
+use super::boundary_element::LoadedElements;
+use super::forces::StripForce;
+use super::loaded_zone::LoadedZone;
+use super::rigid_slip::RigidSlip;
+use super::rolling::Rolling;
+use super::strips::{Settled, TractionStrips};
+use super::{fastrip, fastsim, tables};
+use crate::math::dual::Dual;
+use crate::normal::{Strips, Zone};
+
+/// Numbers with which tangential problems are solved; the half-space solution on elements is one of plain numbers alone.
+pub trait CreepNumber:
+    fastsim::Marching + fastrip::Marching + tables::tabulated::Tabulated
+{
+    /// The elements of a zone for the half-space solution.
+    #[must_use]
+    fn elements(_: &Zone<Self>, _: &Strips<Self>, _: [usize; 2]) -> Option<LoadedElements> {
+        None
+    }
+
+    /// Solves on strips and hands the force of each strip to `each`; nothing where there is no solution.
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce<Self>),
+    ) -> Option<Settled>;
+
+    /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
+    #[must_use]
+    fn on_elements(
+        _: &LoadedElements,
+        _: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        _: Rolling,
+        _: impl FnMut(usize, StripForce<Self>),
+    ) -> bool {
+        false
+    }
+}
+
+impl<const N: usize> CreepNumber for Dual<N> {
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce<Self>),
+    ) -> Option<Settled> {
+        solver.moving_strip_forces(loaded, rolling, each)
+    }
+}
+
+impl CreepNumber for f64 {
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce),
+    ) -> Option<Settled> {
+        solver.strip_forces(loaded, rolling, each)
+    }
+
+    fn elements(zone: &Zone, strips: &Strips, count: [usize; 2]) -> Option<LoadedElements> {
+        Some(LoadedElements::of(zone, strips, count))
+    }
+
+    fn on_elements(
+        elements: &LoadedElements,
+        loaded: &LoadedZone<'_, impl RigidSlip>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce),
+    ) -> bool {
+        let tractions = elements.tractions(loaded, rolling);
+        if tractions.converged {
+            elements.strip_forces(loaded.zone, loaded.strips, &tractions, each);
+        }
+        tractions.converged
+    }
+}

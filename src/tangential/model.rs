@@ -1,0 +1,33 @@
+//! Which tangential contact models there are.
+
+/// Tangential contact model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TangentialModel {
+    /// No creep force.
+    None,
+    /// Full adhesion without bound: the limit of FASTSIM for infinite friction.
+    Linear,
+    /// Kalker's march through the strips of the true patch.
+    Fastsim,
+    /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
+    Fastrip,
+    /// The force of the ellipse with the same moments of load, from a table of boundary element solutions; no tractions.
+    Tables,
+    /// FASTSIM on the true patch, its force corrected by what it is wrong by on that ellipse.
+    #[default]
+    FastsimCorrected,
+    /// The half-space solution on rectangular elements: slow, for checking the others.
+    BoundaryElement,
+    /// The half-space solution in a few points along a few strips of the true patch.
+    Strips,
+}
+
+/// How the three flexibilities of the simplified theory enter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Flexibilities {
+    /// One for each creepage.
+    Three,
+    /// Blended towards a common one as the creepage grows (Vollebregt and Voltr 2023).
+    #[default]
+    Blended,
+}
