@@ -7,23 +7,11 @@
 //! The edge of a row lies between the centre of its last loaded element and that of the next: as pressure vanishes like the square root
 //! of the distance from it, it is where p² of the last two elements extrapolates to zero.
 
+use super::element_pressure::ElementPressure;
 use super::{NormalProblem, Strips, Zone};
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::pressure::{PressureSolution, PressureSolver};
 use crate::geometry::separation::{Probe, Separation, SeparationPoint};
-
-/// Pressure on elements, from which strips were made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ElementPressure {
-    /// The elements; x from the wheel marker, y in the contact frame.
-    pub grid: Grid,
-    /// Pressure on each [Pa].
-    pub pressure: Vec<f64>,
-    /// The strip of each row; nothing where the row is not loaded.
-    pub strip_of_row: Vec<Option<usize>>,
-    /// Iterations of conjugate gradients on this grid.
-    pub iterations: usize,
-}
 
 /// Elements of the grid on which the extent of the contact is found.
 const COARSE: usize = 24;

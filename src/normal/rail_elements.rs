@@ -30,7 +30,8 @@
 //! between row and track changes distances by shares of δ²/2.
 
 use super::Strips;
-use super::boundary_element::{ElementPressure, fill_rows};
+use super::boundary_element::fill_rows;
+use super::element_pressure::ElementPressure;
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::pressure::{PressureSolver, TOLERANCE};
 use crate::geometry::arc_length::ArcLength;

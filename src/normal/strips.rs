@@ -1,0 +1,168 @@
+//! Strips along rolling with their pressure, in loaded zones: what normal models fill and tangential models see.
+
+use super::element_pressure::ElementPressure;
+use crate::friction::StripFriction;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+
+/// One loaded zone: a connected part of the contact area.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Zone<T = f64> {
+    /// Index of its first strip.
+    pub first: usize,
+    /// Number of its strips.
+    pub count: usize,
+    /// Normal force without damping [N].
+    pub load: T,
+    /// Greatest pressure [Pa].
+    pub max_pressure: T,
+    /// Length of the longest strip [m]; strips of a yawed wheel are shifted against each other besides.
+    pub length: T,
+    /// Extent across [m].
+    pub width: T,
+    /// Area [m²].
+    pub area: T,
+    /// Centroid of the load along the track, from the wheel marker [m].
+    pub x: T,
+    /// Centroid of the load across, in the contact frame from the contact point [m].
+    pub y: T,
+    /// Parameter of the contact line at the centroid of the load [m].
+    pub u: T,
+}
+
+/// The loaded zones of one contact frame and their strips, as columns of equal length.
+///
+/// Strip j carries p(x, y_j) = pressure_j sqrt(1 - ((x - x_j)/half_length_j)²).
+#[derive(Clone, Debug, Default)]
+pub struct Strips<T = f64> {
+    /// The zones, in growing y.
+    pub zones: FixedVec<Zone<T>>,
+    /// Lateral coordinate of each strip in the contact frame [m].
+    pub y: FixedVec<T>,
+    /// Width [m].
+    pub width: FixedVec<T>,
+    /// Centre along the track, from the wheel marker [m].
+    pub x: FixedVec<T>,
+    /// Half length along x [m].
+    pub half_length: FixedVec<T>,
+    /// Pressure at the centre [Pa].
+    pub pressure: FixedVec<T>,
+    /// Parameter of the contact line [m].
+    pub u: FixedVec<T>,
+    /// Coefficient of friction, where strips have their own: filled in once the strips are there; empty for one coefficient.
+    pub friction: FixedVec<StripFriction<T>>,
+    /// The elements that the strips were made from, if the normal model has them.
+    pub elements: Option<Box<ElementPressure>>,
+}
+
+impl<T: Real> Strips<T> {
+    /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
+    #[must_use]
+    pub fn with_capacity(zones: usize, strips: usize) -> Self {
+        let column = || FixedVec::new(zones * strips);
+        Self {
+            zones: FixedVec::new(zones),
+            y: column(),
+            width: column(),
+            x: column(),
+            half_length: column(),
+            pressure: column(),
+            u: column(),
+            friction: FixedVec::new(zones * strips),
+            elements: None,
+        }
+    }
+
+    /// The same in other numbers; without the elements.
+    #[must_use]
+    pub fn in_other_numbers<O: Real>(&self) -> Strips<O>
+    where
+        T: Into<O>,
+    {
+        let column = |own: &FixedVec<T>| {
+            let mut other = FixedVec::new(own.len());
+            other.extend(own.iter().map(|&value| value.into()));
+            other
+        };
+        let mut zones = FixedVec::new(self.zones.len());
+        zones.extend(self.zones.iter().map(|zone| Zone {
+            first: zone.first,
+            count: zone.count,
+            load: zone.load.into(),
+            max_pressure: zone.max_pressure.into(),
+            length: zone.length.into(),
+            width: zone.width.into(),
+            area: zone.area.into(),
+            x: zone.x.into(),
+            y: zone.y.into(),
+            u: zone.u.into(),
+        }));
+        let mut friction = FixedVec::new(self.friction.len());
+        friction.extend(self.friction.iter().map(|own| StripFriction {
+            tread: own.tread.into(),
+            gauge_face: own.gauge_face.into(),
+            gauge_face_share: own.gauge_face_share.into(),
+        }));
+        Strips {
+            zones,
+            y: column(&self.y),
+            width: column(&self.width),
+            x: column(&self.x),
+            half_length: column(&self.half_length),
+            pressure: column(&self.pressure),
+            u: column(&self.u),
+            friction,
+            elements: None,
+        }
+    }
+
+    /// Forgets all zones and strips, keeps the room.
+    pub fn clear(&mut self) {
+        self.elements = None;
+        self.friction.clear();
+        self.zones.clear();
+        for column in [
+            &mut self.y,
+            &mut self.width,
+            &mut self.x,
+            &mut self.half_length,
+            &mut self.pressure,
+            &mut self.u,
+        ] {
+            column.clear();
+        }
+    }
+
+    /// Whether another zone of `strips` strips fits.
+    #[must_use]
+    pub fn has_room_for(&self, strips: usize) -> bool {
+        self.zones.len() < self.zones.capacity() && self.y.len() + strips <= self.y.capacity()
+    }
+
+    /// Normal force of all zones, without damping [N].
+    #[must_use]
+    pub fn load(&self) -> T {
+        self.zones.iter().map(|zone| zone.load).sum()
+    }
+
+    /// Fills load, area and centroid of `zone` from its strips.
+    pub(crate) fn summarise(&self, zone: &mut Zone<T>) {
+        let strips = zone.first..zone.first + zone.count;
+        let (mut load, mut area) = (T::from(0.0), T::from(0.0));
+        let (mut x, mut y, mut u) = (T::from(0.0), T::from(0.0), T::from(0.0));
+        for j in strips {
+            let strip_area = self.half_length[j] * self.width[j];
+            let strip_load = strip_area * self.pressure[j];
+            area += strip_area;
+            load += strip_load;
+            x += strip_load * self.x[j];
+            y += strip_load * self.y[j];
+            u += strip_load * self.u[j];
+        }
+        zone.area = area * 2.0;
+        zone.load = load * std::f64::consts::FRAC_PI_2;
+        if load > 0.0 {
+            (zone.x, zone.y, zone.u) = (x / load, y / load, u / load);
+        }
+    }
+}
