@@ -17,6 +17,7 @@ pub(crate) mod point_noise;
 pub mod profile;
 mod profile_checks;
 mod profile_error;
+mod profile_kind;
 mod profile_of_points;
 pub(crate) mod profile_points;
 mod profile_remark;

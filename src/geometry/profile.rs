@@ -1,29 +1,9 @@
 //! A wheel or rail profile: a named curve in its own frame.
 
-use std::fmt;
-
 use crate::geometry::curve::Curve;
 pub use crate::geometry::profile_error::ProfileError;
+pub use crate::geometry::profile_kind::ProfileKind;
 pub use crate::geometry::profile_remark::ProfileRemark;
-
-/// Of which body a profile is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ProfileKind {
-    /// Origin on the running circle: the local rolling radius is the nominal radius plus z.
-    Wheel,
-    /// Origin at the top of the rail head, before inclination; text and SIMPACK files as they
-    /// stand.
-    Rail,
-}
-
-impl fmt::Display for ProfileKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Wheel => "wheel",
-            Self::Rail => "rail",
-        })
-    }
-}
 
 /// A right-side profile: y to the field side, z down [m]; the curve runs from the flange back
 /// (the gauge side of a rail) to the field side.

@@ -1,6 +1,6 @@
 //! What can be wrong with a profile, and what to do about it.
 
-use crate::geometry::profile::ProfileKind;
+use crate::geometry::profile_kind::ProfileKind;
 
 /// What is wrong with a profile. Coordinates in messages are in millimetres, as in the files.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::draft::{Draft, write as write_whole};
+use super::{miniprof, simpack, two_column};
 use crate::error::ContactError;
 use crate::geometry::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::profile_points::ProfilePoints;
 use crate::geometry::standard_profiles::{built_in, built_in_names};
-use crate::io::{Draft, miniprof, simpack, two_column, write_whole};
 
 /// Largest file that is read [bytes]; a million points stay below it.
 const LARGEST_FILE: u64 = 64 << 20;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::Input;
+use super::input::Input;
 use super::track::RailLine;
 use crate::error::ContactError;
 use crate::geometry::waviness::Waviness;

@@ -1,0 +1,22 @@
+//! Of which body a profile is.
+
+use std::fmt;
+
+/// Of which body a profile is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProfileKind {
+    /// Origin on the running circle: the local rolling radius is the nominal radius plus z.
+    Wheel,
+    /// Origin at the top of the rail head, before inclination; text and SIMPACK files as they
+    /// stand.
+    Rail,
+}
+
+impl fmt::Display for ProfileKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Wheel => "wheel",
+            Self::Rail => "rail",
+        })
+    }
+}
