@@ -1,7 +1,7 @@
 //! The generated table and field access; `build/code.rs` writes the included text.
 
 use super::values::{Described, ValuesOf};
-use super::{Causality, Enumeration, Item, Kind, Unit, Value, Variable};
+use super::variable::{Causality, Enumeration, Item, Kind, Unit, Value, Variable};
 use crate::element::Element;
 use crate::element::output::REPORTED_PATCHES;
 use crate::element::parameters::{

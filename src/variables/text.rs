@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::values::{Described, bad_text};
-use super::{Kind, Value, ValuesOf, Variable};
+use super::values::ValuesOf;
+use super::variable::{Kind, Value, Variable};
 use crate::error::ContactError;
 use crate::io::number;
 

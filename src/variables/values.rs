@@ -1,6 +1,6 @@
 //! The values of all variables of one element, set and read through the table.
 
-use super::{Kind, Unit, Value, Variable};
+use super::variable::{Kind, Unit, Value, Variable};
 use crate::element::subject::Subject;
 use crate::error::ContactError;
 
