@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::values::{Described, bad_text};
 use super::values::ValuesOf;
+use super::values::{Described, bad_text};
 use super::variable::{Kind, Value, Variable};
 use crate::error::ContactError;
 use crate::io::number;

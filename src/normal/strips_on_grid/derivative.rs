@@ -81,9 +81,9 @@ impl<const N: usize> GridFollower<Dual<N>> {
             return false;
         }
         self.z.clear();
-        self.z.extend(solver.newton.z[..count].iter().map(|&z| Dual::from(z)));
+        self.z.extend(solver.newton.unknowns.z[..count].iter().map(|&z| Dual::from(z)));
         self.shape.clear();
-        self.shape.extend(solver.newton.shape.iter().map(|&shape| Dual::from(shape)));
+        self.shape.extend(solver.newton.unknowns.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
             residuals(grid, &solver.knots, z, shape, &mut self.slender, &mut self.residuals);

@@ -15,6 +15,7 @@
 //!
 //! This is `normal.model` = strips, with which an element starts; docs/theory.md, section 6, has the equations, docs/validation.md the errors.
 
+mod beside;
 mod columns;
 mod derivative;
 mod elimination;
@@ -22,12 +23,15 @@ mod equations;
 mod grid;
 mod influence;
 mod line;
+mod linearised;
 mod newton;
 mod overlap;
 mod samples;
 mod scales;
 mod shape;
+mod sources;
 mod turns;
+mod unknowns;
 mod valleys;
 mod zones;
 
@@ -42,6 +46,7 @@ use line::FrameLine;
 use newton::Newton;
 use overlap::Overlaps;
 use shape::Knots;
+use unknowns::Unknowns;
 use zones::Loads;
 
 /// Least strips: fewer do not tell the shape of a contact region.
@@ -117,7 +122,7 @@ impl GridSolver {
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
-        let Newton { z, shapes, .. } = &self.newton;
+        let Unknowns { z, shapes, .. } = &self.newton.unknowns;
         Loads { grid: &self.grid, z, shapes }.emit(contact_modulus, strips) + usize::from(!settled)
     }
 }
