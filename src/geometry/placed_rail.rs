@@ -1,17 +1,14 @@
-//! A rail as it stands under the wheel: its curve in the frame of its marker, and the nearest point to a given one.
+//! A rail as it stands under the wheel: its curve in the frame of its marker.
 
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
+pub use crate::geometry::nearest_point::Nearest;
+use crate::geometry::nearest_point::{CoarsePoints, nearest};
 use crate::geometry::profile::Profile;
 use crate::geometry::slices::Slices;
 use crate::geometry::varying_rail::VaryingRail;
 use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
-
-/// Samples for the coarse search of the nearest point.
-const COARSE_POINTS: usize = 32;
-/// Newton steps for the nearest point; two or three are the rule.
-const MOST_STEPS: usize = 20;
 
 /// A rail profile turned by its inclination, with its highest point as origin.
 #[derive(Clone, Debug)]
@@ -27,27 +24,9 @@ pub struct PlacedRail {
     hand: f64,
     /// Greatest concave curvature of the head, ≥ 0 [1/m].
     pub concavity: f64,
-    /// Points (y, z) of the curve at equal steps of the parameter [m].
-    coarse: Vec<[f64; 2]>,
+    coarse: CoarsePoints,
     /// The surface of a rail whose section varies along the track.
     varying: Option<Box<VaryingRail>>,
-}
-
-/// The point of a rail nearest to a given point, and the signed distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest {
-    /// Parameter of the rail's curve [m].
-    pub s: f64,
-    /// Distance, negative inside the rail; positive where the rail ends [m].
-    pub distance: f64,
-    /// Unit tangent (y, z) of the rail there, towards the field side.
-    pub tangent: [f64; 2],
-    /// The point (y, z) [m].
-    pub point: [f64; 2],
-    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 + curvature · distance) [-].
-    pub ratio: f64,
-    /// Whether the rail's curve ends there, so that nothing lies opposite.
-    pub beyond_end: bool,
 }
 
 /// Why a rail cannot be placed.
@@ -101,7 +80,7 @@ impl PlacedRail {
             }
         }
         let curve = Curve::through(&knots);
-        let (concavity, coarse) = (greatest_concavity(&curve), coarse_points(&curve).collect());
+        let (concavity, coarse) = (greatest_concavity(&curve), CoarsePoints::of(&curve));
         let hand = if mirrored { -1.0 } else { 1.0 };
         Self {
             curve,
@@ -142,8 +121,7 @@ impl PlacedRail {
     pub fn put_curve<T>(&mut self, put: impl FnOnce(&mut Curve) -> T) -> T {
         let put = put(&mut self.curve);
         self.concavity = greatest_concavity(&self.curve);
-        self.coarse.clear();
-        self.coarse.extend(coarse_points(&self.curve));
+        self.coarse.take(&self.curve);
         put
     }
 
@@ -284,8 +262,7 @@ impl PlacedRail {
         let Self { curve, coarse, varying, .. } = self;
         let Some(varying) = varying else { return true };
         let is_there = varying.pass(line, pose, station, curve);
-        coarse.clear();
-        coarse.extend(coarse_points(curve));
+        coarse.take(curve);
         is_there
     }
 
@@ -305,68 +282,15 @@ impl PlacedRail {
     /// A parameter near the point of the rail nearest to `point`, for a search without a neighbour.
     #[must_use]
     pub fn coarse_nearest(&self, point: [f64; 2]) -> f64 {
-        let mut best = (f64::INFINITY, 0);
-        for (i, p) in self.coarse.iter().enumerate() {
-            let (y, z) = (p[0] - point[0], p[1] - point[1]);
-            let distance = y * y + z * z;
-            if distance < best.0 {
-                best = (distance, i);
-            }
-        }
-        let (start, end) = (self.curve.start(), self.curve.end());
-        start + (end - start) * best.1 as f64 / COARSE_POINTS as f64
+        self.coarse.nearest(&self.curve, point)
     }
 
     /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to within `tolerance` [m].
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
-        let mut s = self.curve.within(guess);
-        let mut p = self.curve.at(s);
-        let mut beyond_end = false;
-        let mut ratio = 1.0;
-        for _ in 0..MOST_STEPS {
-            let to = [point[0] - p.point[0], point[1] - p.point[1]];
-            let along = to[0] * p.first[0] + to[1] * p.first[1];
-            let speed = p.first[0] * p.first[0] + p.first[1] * p.first[1];
-            let bending = to[0] * p.second[0] + to[1] * p.second[1];
-            // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
-            let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
-            let stiffness = 1.0 / slope;
-            ratio = speed * stiffness;
-            let free = s + along * stiffness;
-            let next = self.curve.within(free);
-            let moved = next - s;
-            beyond_end = (next - free).abs() > tolerance;
-            s = next;
-            if moved.abs() <= tolerance {
-                // Over so short a step the curve is as good as its tangent and its curvature.
-                for i in 0..2 {
-                    p.point[i] += moved * (p.first[i] + 0.5 * moved * p.second[i]);
-                    p.first[i] += moved * p.second[i];
-                }
-                break;
-            }
-            p = self.curve.at(s);
-        }
-        let to = [point[0] - p.point[0], point[1] - p.point[1]];
-        let slowness = 1.0 / (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
-        let tangent = [p.first[0] * slowness, p.first[1] * slowness];
-        // Outward normal (t_z, -t_y): up on the top of the head.
-        let distance = if beyond_end {
-            (to[0] * to[0] + to[1] * to[1]).sqrt()
-        } else {
-            to[0] * tangent[1] - to[1] * tangent[0]
-        };
-        Nearest { s, distance, tangent, point: p.point, ratio, beyond_end }
+        nearest(&self.curve, point, guess, tolerance)
     }
-}
-
-/// Points at equal steps of the parameter.
-fn coarse_points(curve: &Curve) -> impl Iterator<Item = [f64; 2]> {
-    let (start, length) = (curve.start(), curve.end() - curve.start());
-    (0..=COARSE_POINTS)
-        .map(move |i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
 }
 
 /// The point of least z, exact within its cubic piece.

@@ -224,3 +224,11 @@ pub enum ProfileError {
         placement: String,
     },
 }
+
+const MM: f64 = 1e-3;
+
+/// A length in millimetres with the digits that a message needs.
+pub(crate) fn rounded_mm(length: f64) -> f64 {
+    let digits = 1e4;
+    (length / MM * digits).round() / digits
+}

@@ -28,6 +28,7 @@ use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::point_noise::{LONGEST_CHOSEN, chosen_wavelength, noise};
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::geometry::profile_checks::{self, Mirror};
+use crate::geometry::profile_order;
 use crate::geometry::profile_points::ProfilePoints;
 use crate::math::spline::{penalty_of_wavelength, smoothing_spline};
 
@@ -63,7 +64,7 @@ impl ProfilePoints {
         self.merge(MERGE_DISTANCE.max(MERGE_SHARE * wavelength));
         self.leave_out_strays(wavelength);
         profile_checks::enough(&self)?;
-        profile_checks::order(&self, wavelength)?;
+        profile_order::order(&self, wavelength)?;
 
         let points = self.places();
         let mut knots = smooth(&points, wavelength);
@@ -160,7 +161,7 @@ impl ProfilePoints {
 
     /// Leaves out points at which the profile doubles back, if few of them set it right.
     fn leave_out_strays(&mut self, wavelength: f64) {
-        let strays = profile_checks::strays(&self.points, wavelength);
+        let strays = profile_order::strays(&self.points, wavelength);
         if !strays.is_empty() {
             self.points.retain(|p| !strays.contains(&p.line));
             let file = self.file.clone();

@@ -45,6 +45,19 @@ pub(crate) struct ProfilePoints {
     pub remarks: Vec<ProfileRemark>,
 }
 
+/// Least and greatest coordinate along an axis [m].
+pub(crate) fn range(points: &[FilePoint], axis: usize) -> [f64; 2] {
+    points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
+        [low.min(p.point[axis]), high.max(p.point[axis])]
+    })
+}
+
+/// Diagonal of the smallest rectangle that holds the points [m].
+pub(crate) fn extent(points: &[FilePoint]) -> f64 {
+    let [y, z] = [0, 1].map(|i| range(points, i));
+    (y[1] - y[0]).hypot(z[1] - z[0])
+}
+
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
