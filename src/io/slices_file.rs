@@ -20,20 +20,16 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use super::profile_file::{bytes_of, find, load_profile};
-use super::table::{lines, number};
+use super::section_table::{is_table, read_table};
+use super::slice_list::{Entry, LEAST_DISTANCE, Listed, MOST_SLICES, Places};
+use super::slice_tokens::{Token, Tokens};
 use crate::error::ContactError;
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::geometry::slices::{Slice, Slices};
 use crate::geometry::standard_profiles::built_in;
 
-/// What begins a comment.
-const COMMENT: [char; 3] = ['%', '!', '#'];
-/// Most slices of a body.
-const MOST_SLICES: usize = 20_000;
 /// Most features of a slice.
 const MOST_FEATURES: usize = 1000;
-/// Least distance of two slices, in units of their file.
-const LEAST_DISTANCE: f64 = 1e-3;
 /// Distance up to which the place in a line of features is that of its slice, over the least distance of slices.
 const SAME: f64 = 0.5;
 
@@ -112,182 +108,6 @@ pub fn load_slices(
     Slices::new(&file, slices, listed.passes_near)
         .map(Some)
         .map_err(|what| refuse(ProfileError::BadSlices { file, line: 1, what }))
-}
-
-/// How the places of slices are given.
-struct Places {
-    /// What the name of a file of slices ends with.
-    extension: &'static str,
-    /// What the names of its values begin with.
-    name: &'static str,
-    /// Unit of places in it, and the same in m or rad.
-    unit: &'static str,
-    size: f64,
-    /// Heading of their column in a table, and its unit in m or rad.
-    heading: &'static str,
-    heading_size: f64,
-}
-
-impl Places {
-    fn of(kind: ProfileKind) -> Self {
-        match kind {
-            ProfileKind::Rail => Self {
-                extension: "slcs",
-                name: "U",
-                unit: "mm",
-                size: 1e-3,
-                heading: "station_m",
-                heading_size: 1.0,
-            },
-            ProfileKind::Wheel => Self {
-                extension: "slcw",
-                name: "TH",
-                unit: "rad",
-                size: 1.0,
-                heading: "angle_deg",
-                heading_size: 1_f64.to_radians(),
-            },
-        }
-    }
-}
-
-/// A slice as it is named.
-#[derive(Debug)]
-struct Entry {
-    line: usize,
-    /// Station [m]; of a wheel the angle [rad].
-    place: f64,
-    name: String,
-    /// Lengths along the slice to its features [m]; nothing for what is not there.
-    features: Vec<Option<f64>>,
-}
-
-#[derive(Debug)]
-struct Listed {
-    entries: Vec<Entry>,
-    passes_near: bool,
-}
-
-impl Listed {
-    fn check(&self, file: &str, places: &Places) -> Result<(), ProfileError> {
-        let Places { unit, size, .. } = places;
-        let bad =
-            |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
-        let last = self.entries.last().map_or(1, |entry| entry.line);
-        if self.entries.len() < 2 {
-            return bad(last, "there is one slice or none; give two or more".into());
-        }
-        for pair in self.entries.windows(2) {
-            let [before, entry] = [&pair[0], &pair[1]];
-            // Less what rounding leaves of it.
-            if entry.place - before.place < LEAST_DISTANCE * size * (1.0 - 1e-9) {
-                let [own, other] = [entry.place, before.place].map(|x| x / size);
-                let what = format!(
-                    "the slice at {own} {unit} does not lie behind the one before, at {other} {unit}; put the slices in the order of their places, at least {LEAST_DISTANCE} {unit} apart"
-                );
-                return bad(entry.line, what);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// A number or a name of a file, and its line.
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Number(f64),
-    Name(String),
-}
-
-/// The numbers and names of a file, one after the other.
-struct Tokens<'a> {
-    file: &'a str,
-    all: Vec<(Token, usize)>,
-    next: usize,
-    last_line: usize,
-}
-
-impl<'a> Tokens<'a> {
-    fn new(file: &'a str, text: &str) -> Self {
-        let mut all = Vec::new();
-        let mut last_line = 1;
-        for line in lines(text) {
-            let mut rest = line.text;
-            last_line = line.number;
-            while let Some((token, after)) = token(rest) {
-                all.push((token, line.number));
-                rest = after;
-            }
-        }
-        Self { file, all, next: 0, last_line }
-    }
-
-    fn bad<T>(&self, line: usize, what: String) -> Result<T, ProfileError> {
-        Err(ProfileError::BadSlices { file: self.file.into(), line, what })
-    }
-
-    fn take(&mut self, wanted: &str) -> Result<(Token, usize), ProfileError> {
-        let Some(found) = self.all.get(self.next).cloned() else {
-            return self.bad(self.last_line, format!("the file ends before {wanted}; complete it"));
-        };
-        self.next += 1;
-        Ok(found)
-    }
-
-    fn number(&mut self, wanted: &str) -> Result<(f64, usize), ProfileError> {
-        match self.take(wanted)? {
-            (Token::Number(x), line) if x.is_finite() => Ok((x, line)),
-            (Token::Number(x), line) => {
-                self.bad(line, format!("{wanted} is {x}; give a finite number"))
-            }
-            (Token::Name(name), line) => {
-                self.bad(line, format!("'{name}' stands in the place of {wanted}; give a number"))
-            }
-        }
-    }
-
-    fn count(&mut self, wanted: &str, most: usize) -> Result<usize, ProfileError> {
-        let (x, line) = self.number(wanted)?;
-        if x.fract() != 0.0 || !(0.0..=most as f64).contains(&x) {
-            return self
-                .bad(line, format!("{wanted} is {x}; give a whole number from 0 to {most}"));
-        }
-        Ok(x as usize)
-    }
-
-    fn name(&mut self, wanted: &str) -> Result<(String, usize), ProfileError> {
-        match self.take(wanted)? {
-            (Token::Name(name), line) => Ok((name, line)),
-            (Token::Number(x), line) => self
-                .bad(line, format!("{x} stands in the place of {wanted}; give it between quotes")),
-        }
-    }
-
-    /// Passes over what is left of the line of the last token.
-    fn end_line(&mut self) {
-        let line = self.all[self.next - 1].1;
-        while self.all.get(self.next).is_some_and(|(_, own)| *own == line) {
-            self.next += 1;
-        }
-    }
-}
-
-/// The first token of a line and what is behind it; nothing at a comment, or at a word, from which on there are words.
-fn token(text: &str) -> Option<(Token, &str)> {
-    let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
-    let first = text.chars().next()?;
-    if COMMENT.contains(&first) {
-        return None;
-    }
-    if first == '\'' || first == '"' {
-        let (name, rest) = text[1..].split_once(first)?;
-        return Some((Token::Name(name.trim().into()), rest));
-    }
-    let end = text.find(|c: char| {
-        c.is_whitespace() || c == ',' || c == '\'' || c == '"' || COMMENT.contains(&c)
-    });
-    let (word, rest) = text.split_at(end.unwrap_or(text.len()));
-    Some((Token::Number(number(word)?), rest))
 }
 
 fn read_slices(file: &str, text: &str, places: &Places) -> Result<Listed, ProfileError> {
@@ -375,54 +195,4 @@ fn read_slices(file: &str, text: &str, places: &Places) -> Result<Listed, Profil
         return tokens.bad(*line, what);
     }
     Ok(Listed { entries, passes_near })
-}
-
-/// Whether a text is a table of sections.
-fn is_table(text: &str) -> bool {
-    heading(text).is_some_and(|(_, columns)| columns.len() == 2 && columns[1] == "profile")
-}
-
-/// The number of the first line that is no comment, and its columns.
-fn heading(text: &str) -> Option<(usize, Vec<String>)> {
-    let line = lines(text).find(|line| !line.text.is_empty() && !line.text.starts_with(COMMENT))?;
-    Some((line.number, cells(line.text)))
-}
-
-fn cells(text: &str) -> Vec<String> {
-    text.split([',', ';', '\t'])
-        .map(|cell| cell.trim().trim_matches(['\'', '"']).to_owned())
-        .collect()
-}
-
-fn read_table(file: &str, text: &str, places: &Places) -> Result<Listed, ProfileError> {
-    let bad = |line, what: String| Err(ProfileError::BadSlices { file: file.into(), line, what });
-    let (first, columns) = heading(text).unwrap_or_default();
-    let wanted = places.heading;
-    if columns[0] != wanted {
-        let what = format!(
-            "the heading of a table of sections is \"{wanted},profile\", not \"{},profile\"",
-            columns[0]
-        );
-        return bad(first, what);
-    }
-    let mut entries = Vec::new();
-    for line in lines(text).filter(|line| line.number > first) {
-        if line.text.is_empty() || line.text.starts_with(COMMENT) {
-            continue;
-        }
-        let cells = cells(line.text);
-        let place = cells.first().and_then(|cell| number(cell)).filter(|x| x.is_finite());
-        let (Some(place), [_, name]) = (place, cells.as_slice()) else {
-            return bad(
-                line.number,
-                format!("\"{}\" is no section; give {wanted} and a profile", line.shown()),
-            );
-        };
-        if entries.len() == MOST_SLICES {
-            return bad(line.number, format!("there are more than {MOST_SLICES} sections"));
-        }
-        let (name, place) = (name.clone(), places.heading_size * place);
-        entries.push(Entry { line: line.number, place, name, features: Vec::new() });
-    }
-    Ok(Listed { entries, passes_near: false })
 }
