@@ -1,0 +1,28 @@
+//! What writer and reader of a state have to agree on.
+
+use crate::fmi::life_cycle::State;
+use crate::variables::{Causality, Described, Variable};
+
+pub(super) const TAG: &[u8] = b"wheelrail state";
+
+/// To be counted up when the layout changes; a change of variables shows in the GUID.
+pub(super) const FORMAT: u32 = 5;
+
+pub(super) const STATES: [State; 6] = [
+    State::Instantiated,
+    State::Initialization,
+    State::Stepping,
+    State::EventMode,
+    State::ContinuousTime,
+    State::Terminated,
+];
+
+/// Heights of first touch.
+pub(super) fn calculated<S: Described>() -> impl Iterator<Item = &'static Variable> {
+    S::UNIT.variables.iter().filter(|v| v.causality == Causality::CalculatedParameter)
+}
+
+/// Inputs and parameters.
+pub(super) fn settable<S: Described>() -> impl Iterator<Item = &'static Variable> {
+    S::UNIT.variables.iter().filter(|v| v.is_settable())
+}
