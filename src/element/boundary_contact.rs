@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use super::contact_forces::{ContactForces, Damped};
+use super::contact_setup::{ContactSetup, Damped};
 use super::curved_zone::Tractions;
 use super::given_tractions::GivenTractions;
 use super::models::Models;
@@ -30,7 +30,7 @@ use crate::tangential::{Convergence, Rolling, TangentialModel, UnderLaw};
 pub fn add<'a>(
     rail: &PlacedRail,
     search: &ContactSearch,
-    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactForces<'a>,
+    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
     models: &mut Models,
     output: &mut Output,
     work: &mut Work,
@@ -65,15 +65,15 @@ pub fn add<'a>(
     for (index, (contact, resultant_share)) in contacts.into_iter().enumerate() {
         take_zone(elements, rail, index, models);
         models.given = given.pop();
-        let forces = ContactForces { resultant_share, ..forces(contact, [0.0; 2], whole) };
+        let forces = ContactSetup { resultant_share, ..forces(contact, [0.0; 2], whole) };
         let mut separation = LineSeparation::new(&forces.line, rail, contact);
-        left_out += forces.add(&mut separation, models, output, work);
+        left_out += forces.add_forces(&mut separation, models, output, work);
     }
     Some(left_out)
 }
 
 /// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
-/// where the line of action of that passes through the contact; and the share of [`ContactForces::resultant_share`].
+/// where the line of action of that passes through the contact; and the share of [`ContactSetup::resultant_share`].
 fn take_zone(
     elements: &RailElements,
     rail: &PlacedRail,
@@ -190,7 +190,7 @@ struct ZoneState {
 /// found. `forces` is of any of the zones.
 fn tractions(
     elements: &RailElements,
-    forces: &ContactForces,
+    forces: &ContactSetup,
     motion: &RelativeMotion,
     zones: &[ZoneState],
     models: &Models,

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::contact_forces::ContactForces;
+use super::contact_setup::ContactSetup;
 use super::rail_walk::RailPlace;
 use crate::friction::StripFriction;
 use crate::geometry::line_separation::LineSeparation;
@@ -44,7 +44,7 @@ const REACH: f64 = 0.02;
 /// Separations beyond this do not close [m].
 const BEYOND: f64 = 1e-3;
 
-impl ContactForces<'_> {
+impl ContactSetup<'_> {
     /// The contact laid flat.
     pub fn flattened(
         &self,

@@ -1,13 +1,15 @@
 //! The contact of one wheel with one rail with derivatives: what the search finds, as it moves.
 
-use super::contact_forces::{ContactForces, Damped, relative_motion};
+use super::contact_setup::{ContactSetup, Damped, relative_motion};
 use super::input::Input;
+use super::local_line::LEAST_CURVATURE_SHARE;
 use super::models::Models;
+use super::moving_strips;
 use super::number::ElementNumber;
 use super::output::Output;
 use super::rail_contact::RailContact;
 use super::rail_frame::RailFrame;
-use super::strip_contact::{self, LEAST_CURVATURE_SHARE, MOST_STRIP_DEPTH};
+use super::strip_contact::{self, MOST_STRIP_DEPTH};
 use super::strip_damping::StripDamping;
 use super::work::Work;
 use crate::geometry::contact_line::ContactLine;
@@ -24,7 +26,7 @@ use crate::normal::{self, NormalProblem};
 pub trait MovingNumber:
     for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, Self>> + Real
 {
-    /// See [`strip_contact::follow`].
+    /// See [`moving_strips::follow`].
     fn follow(
         line: &ContactLine<Self>,
         rail: &RailOutline<Self>,
@@ -42,7 +44,7 @@ impl<const N: usize> MovingNumber for Dual<N> {
         found: &mut Models,
         models: &mut Models<Self>,
     ) -> bool {
-        strip_contact::follow(line, rail, search, found, models)
+        moving_strips::follow(line, rail, search, found, models)
     }
 }
 
@@ -137,13 +139,12 @@ impl RailContact {
                 around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
-                let taken = strip_contact::take_moving_zone(
-                    &moving, &outline, search, zone, &damping, models,
-                );
+                let taken =
+                    moving_strips::take_zone(&moving, &outline, search, zone, &damping, models);
                 let contact = taken.contact;
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, outline, contact);
-                let forces = ContactForces {
+                let forces = ContactSetup {
                     k,
                     input,
                     frame,
@@ -156,7 +157,7 @@ impl RailContact {
                     friction: friction.as_ref(),
                     is_on_arc: true,
                 };
-                forces.add(&mut separation, models, output, &mut work);
+                forces.add_forces(&mut separation, models, output, &mut work);
             }
             return Ok(());
         }
@@ -191,7 +192,7 @@ impl RailContact {
                 probes,
                 &mut models.strips,
             );
-            let forces = ContactForces {
+            let forces = ContactSetup {
                 k,
                 input,
                 frame,
@@ -204,7 +205,7 @@ impl RailContact {
                 friction: friction.as_ref(),
                 is_on_arc: false,
             };
-            forces.add(&mut separation, models, output, &mut work);
+            forces.add_forces(&mut separation, models, output, &mut work);
             if separation.has_kink {
                 return Err(BODY_ENDS);
             }
