@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 input.wheel.pitch_rate *= 1.0 + mean(0);
                 input.wheel.velocity[1] -= mean(1) * SPEED;
             }
-            let patches = || output.patches.iter().filter(|p| p.rail > 0);
+            let patches = || output.patches();
             let lateral: f64 = patches().map(|p| p.creep_force[1]).sum();
             let total: f64 = patches().map(|p| p.length).sum();
             println!(

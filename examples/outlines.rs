@@ -9,12 +9,10 @@ use std::path::Path;
 use chart::{Chart, Corner, Series};
 use csv::{Reader, ReaderBuilder, StringRecord};
 use wheelrail::material::Material;
-use wheelrail::normal::{NormalModel, ShapeFit};
-use wheelrail::planar::{Indentation, PlanarCase, fields};
-use wheelrail::tangential::fastsim::TractionBound;
-use wheelrail::tangential::flash_temperature::FlashTemperature;
-use wheelrail::tangential::friction_law::FrictionLaw;
-use wheelrail::tangential::{Flexibilities, TangentialModel};
+use wheelrail::planar::{
+    FlashTemperature, Flexibilities, FrictionLaw, Indentation, NormalModel, PlanarCase, ShapeFit,
+    TangentialModel, TractionBound, fields,
+};
 
 /// G = 82 GPa, ν = 0.28, as the reference has it.
 const STEEL: Material = Material { young_modulus: 2.0992e11, poisson_ratio: 0.28 };

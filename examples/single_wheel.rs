@@ -20,7 +20,7 @@ fn main() -> Result<(), ContactError> {
 
     let [x, y, z] = output.wheel.force.map(|force| 1e-3 * force);
     println!("force on the wheel: x {x:.2} kN, y {y:.2} kN, z {z:.2} kN (down)");
-    for patch in output.patches.iter().take_while(|patch| patch.rail > 0) {
+    for patch in output.patches() {
         println!(
             "patch at y = {:.1} mm: N = {:.2} kN, p_max = {:.0} MPa, angle {:.2} deg, creepage {:.5} {:.5} {:.3} 1/m, slip {:.0} %",
             1e3 * patch.position[1],

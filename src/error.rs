@@ -7,6 +7,7 @@ use crate::geometry::profile::ProfileError;
 
 /// Why a parameter, an input or a profile was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ContactError {
     /// A number outside its admitted range, not finite included.
     #[error("{name} = {value} is not admitted: {allowed}")]

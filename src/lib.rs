@@ -103,9 +103,7 @@ mod friction;
 pub mod geometry;
 pub mod io;
 pub mod material;
-pub mod normal;
 pub mod planar;
-pub mod tangential;
 pub mod variables;
 pub mod wear;
 pub mod wheelset;
@@ -117,3 +115,7 @@ pub mod boundary_element;
 pub mod kinematics;
 #[doc(hidden)]
 pub mod math;
+#[doc(hidden)]
+pub mod normal;
+#[doc(hidden)]
+pub mod tangential;

@@ -99,6 +99,7 @@ impl Normal {
             NormalModel::PiotrowskiKikCorrected => "piotrowski_kik_corrected",
             NormalModel::Strips => "strips",
             NormalModel::BoundaryElement => "boundary_element",
+            _ => "another model",
         }
     }
 
@@ -129,6 +130,7 @@ impl Rolling {
             TangentialModel::FastsimCorrected => format!("fastsim_corrected {count}"),
             TangentialModel::BoundaryElement => format!("boundary_element {count}"),
             TangentialModel::Strips => format!("strips {count}"),
+            _ => "another model".into(),
         }
     }
 }

@@ -48,6 +48,7 @@ fn colour(model: NormalModel) -> RGBColor {
         NormalModel::PiotrowskiKikCorrected => RGBColor(230, 159, 0),
         NormalModel::Strips => RGBColor(0, 114, 178),
         NormalModel::BoundaryElement => RGBColor(0, 158, 115),
+        _ => RGBColor(0, 0, 0),
     }
 }
 

@@ -5,8 +5,7 @@ use wheelrail::element::parameters::{
     FlashTemperature, Flexibilities, FrictionLaw, NormalModel, ShapeFit, TangentialModel,
 };
 use wheelrail::material::Material;
-use wheelrail::planar::{Indentation, PlanarCase, solve};
-use wheelrail::tangential::fastsim::TractionBound;
+use wheelrail::planar::{Indentation, PlanarCase, TractionBound, solve};
 
 use super::values::{any, within};
 

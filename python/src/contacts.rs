@@ -5,8 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wheelrail::element::{Element, FlatContact};
 use wheelrail::error::ContactError;
-use wheelrail::planar::{Indentation, PlanarCase, fields};
-use wheelrail::tangential::field::{Adherence, ContactField};
+use wheelrail::planar::{Adherence, ContactField, Indentation, PlanarCase, fields};
 use wheelrail::variables::Values;
 
 use crate::profile::pairs;

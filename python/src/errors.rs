@@ -13,6 +13,7 @@ pub fn refused(py: Python<'_>, error: &ContactError, row: Option<usize>) -> PyEr
         }
         ContactError::Profile { name, .. } => ("ProfileError", Some(name.as_str())),
         ContactError::NoDerivative { name, .. } => ("NoDerivativeError", *name),
+        _ => ("ContactError", None),
     };
     raised(py, class, &error.to_string(), name, row)
 }

@@ -113,11 +113,8 @@ impl InBulk for Wheelset {
 
     fn touching_height(&mut self, input: &wheelset::Input) -> f64 {
         let z = input.wheelset.position[2];
-        let at = wheelset::Output {
-            wheelset_z: z,
-            roll: input.wheelset.roll,
-            ..wheelset::Output::default()
-        };
+        let mut at = wheelset::Output::default();
+        (at.wheelset_z, at.roll) = (z, input.wheelset.roll);
         let sides = [0, 1].map(|k| self.input_of_element(k, input, &at));
         let heights = sides.iter().zip(self.elements_mut()).filter_map(|(side, element)| {
             Some(element.touch(side)? - (side.wheel.position[2] - z))

@@ -12,6 +12,7 @@ use crate::kinematics::creepage::rolling_speed;
 /// One contact frame laid flat: the planar problem whose solution are its patches, but for the shift of the contact line along the track
 /// that a yawed wheel has.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct FlatContact {
     /// Number of the rail, from 1.
     pub rail: i32,

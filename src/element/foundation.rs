@@ -5,6 +5,7 @@
 
 /// What of the foundation is taken into account.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FoundationModel {
     /// Rails do not yield.
     #[default]

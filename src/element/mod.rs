@@ -42,7 +42,7 @@ pub(crate) mod vertical_load;
 mod wear_sums;
 mod wheel_on_rails;
 mod work;
-pub mod work_pairs;
+pub(crate) mod work_pairs;
 mod worn_profiles;
 mod zone_rolling;
 mod zone_surface;

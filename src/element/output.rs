@@ -18,6 +18,7 @@ pub struct Wrench<T = f64> {
 
 /// One loaded zone; forces are those on the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Patch<T = f64> {
     /// Number of the rail, 1 for `rail[1]`; 0 for no patch.
     pub rail: i32,
@@ -65,6 +66,7 @@ pub struct Patch<T = f64> {
 
 /// What a body has lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct BodyWear {
     /// Worn area of the cross section so far [m²].
     pub area: f64,
@@ -76,6 +78,7 @@ pub struct BodyWear {
 
 /// Where the rails of a side are on their foundation, in their frame; pairs are lateral and vertical, down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Deflection<T = f64> {
     /// Deflection from where they rest without a wheel, which the inputs of the rails come on top of [m].
     pub deflection: [T; 2],
@@ -94,6 +97,7 @@ impl From<TrackState> for Deflection {
 
 /// All outputs; one field for each FMU output of design section 3.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Output<T = f64> {
     /// On the wheel, about the wheel marker.
     pub wheel: Wrench<T>,
@@ -128,6 +132,11 @@ pub struct Output<T = f64> {
 }
 
 impl<T: Real> Output<T> {
+    /// The patches that there are, heaviest first; no more than [`REPORTED_PATCHES`] of them.
+    pub fn patches(&self) -> impl Iterator<Item = &Patch<T>> {
+        self.patches.iter().take_while(|patch| patch.rail > 0)
+    }
+
     /// Back to nothing, in place: most of it are patches.
     #[inline]
     pub(crate) fn clear(&mut self) {

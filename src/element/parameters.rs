@@ -24,6 +24,7 @@ pub enum Side {
 
 /// What is given of the vertical motion of the wheel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum VerticalMode {
     /// The height of the wheel; forces follow from the penetration.
     #[default]
@@ -34,6 +35,7 @@ pub enum VerticalMode {
 
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CreepageModel {
     /// Longitudinal creepage from the rolling radius only: no lateral creepage, no spin.
     Kinematic,
@@ -77,6 +79,7 @@ pub struct WheelParameters {
 
 /// What says where a rail stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Placement {
     /// The gauge: its gauge face is half the gauge from the track centre, its highest point in the plane of the rail tops.
     #[default]

@@ -6,6 +6,7 @@ use super::parameters::Side;
 
 /// Something odd about the place in which a wheel starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum StartWarning {
     /// It stands beside all rails, at this y, or is on the other side of the track.
     BesideTheRails {

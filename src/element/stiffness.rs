@@ -6,6 +6,7 @@ use crate::error::ContactError;
 
 /// Changes of the vertical force on the wheel with its height and its vertical velocity, signs turned: both are positive as a rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct VerticalSlopes {
     /// -∂F_z/∂z [N/m].
     pub stiffness: f64,

@@ -20,6 +20,7 @@ const CELLS: [f64; 2] = [16.0, 80.0];
 
 /// What wear has to remember: all of it, profiles follow.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct WearState {
     /// Time since the last update of the profiles [s].
     pub clock: f64,

@@ -2,6 +2,7 @@
 
 /// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Work {
     /// Evaluations asked for.
     pub evaluations: u64,

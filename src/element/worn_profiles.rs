@@ -247,6 +247,7 @@ impl Element {
 
 /// A body that wears.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum WornBody {
     /// The wheel.
     Wheel,

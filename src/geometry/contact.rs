@@ -4,6 +4,7 @@ use crate::math::real::Real;
 
 /// One patch: where wheel and rail touch first and the frame there.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Contact<T = f64> {
     /// Parameter of the contact line [m].
     pub u: T,

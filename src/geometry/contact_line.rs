@@ -72,6 +72,7 @@ struct OnCircle<T> {
 
 /// A point of the contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LinePoint<T = f64> {
     /// Coordinate along the track [m].
     pub x: T,
@@ -349,6 +350,7 @@ fn speed_squared<T: Real>(first: [T; 2]) -> T {
 
 /// A point of the wheel's profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct WheelPoint<T = f64> {
     /// Lateral coordinate on the wheel profile [m].
     pub y: T,

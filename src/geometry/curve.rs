@@ -19,6 +19,7 @@ pub struct Knot<T = f64> {
 
 /// Point and derivatives of a curve with respect to its parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CurvePoint<T = f64> {
     /// Point (y, z) [m].
     pub point: [T; 2],

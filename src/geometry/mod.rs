@@ -2,17 +2,20 @@
 
 mod analytic_profiles;
 pub(crate) mod arc_length;
+#[doc(hidden)]
 pub mod clearance;
-pub mod contact;
+pub(crate) mod contact;
 pub mod contact_line;
+#[doc(hidden)]
 pub mod contact_search;
 pub mod curve;
 pub(crate) mod curve_sections;
 pub(crate) mod line_separation;
-pub mod longitudinal;
+pub(crate) mod longitudinal;
 pub(crate) mod moving_contact;
 pub(crate) mod moving_separation;
 mod nearest_point;
+#[doc(hidden)]
 pub mod placed_rail;
 pub(crate) mod point_noise;
 pub mod profile;
@@ -26,9 +29,10 @@ mod profile_remark;
 mod rail_heads;
 pub(crate) mod rail_outline;
 mod rows;
+#[doc(hidden)]
 pub mod separation;
 pub(crate) mod slices;
-pub mod standard_profiles;
+pub(crate) mod standard_profiles;
 pub(crate) mod varying_rail;
 pub(crate) mod varying_wheel;
 pub(crate) mod waviness;

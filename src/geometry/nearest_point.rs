@@ -10,6 +10,7 @@ const MOST_STEPS: usize = 20;
 
 /// The point of a rail nearest to a given point, and the signed distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Nearest {
     /// Parameter of the rail's curve [m].
     pub s: f64,

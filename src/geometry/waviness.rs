@@ -22,6 +22,7 @@ pub struct Harmonic {
 
 /// Shape of a flat.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FlatShape {
     /// A chord, as sliding leaves it; its two corners are rounded over a tenth of its length.
     #[default]

@@ -11,6 +11,7 @@ use crate::io::named_text::named_text;
 
 /// Of which body a file of deviations is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Deviations {
     /// A rail.
     Rail,

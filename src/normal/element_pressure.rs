@@ -4,6 +4,7 @@ use crate::boundary_element::grid::Grid;
 
 /// Pressure on elements, from which strips were made.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ElementPressure {
     /// The elements; x from the wheel marker, y in the contact frame.
     pub grid: Grid,

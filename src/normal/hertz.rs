@@ -16,6 +16,7 @@ use crate::math::real::Real;
 
 /// The contact ellipse and its load.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Ellipse<T = f64> {
     /// Semi-axis along rolling, a [m].
     pub semi_axis_along: T,

@@ -3,18 +3,18 @@
 //! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical pressure, grouped in
 //! separate loaded zones. Tangential models see nothing else.
 
-pub mod boundary_element;
+pub(crate) mod boundary_element;
 pub mod damping;
 mod element_pressure;
 pub mod hertz;
-pub mod piotrowski_kik;
+pub(crate) mod piotrowski_kik;
 mod problem;
-pub mod rail_elements;
-pub mod shape_correction;
+pub(crate) mod rail_elements;
+pub(crate) mod shape_correction;
 mod solve;
 mod strips;
 pub mod strips_on_grid;
-pub mod uneven;
+pub(crate) mod uneven;
 mod zones;
 
 pub use element_pressure::ElementPressure;

@@ -4,6 +4,7 @@ use crate::math::quadrature::GaussLegendre;
 
 /// Normal contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NormalModel {
     /// An ellipse at each contact point from the curvatures there.
     Hertz,

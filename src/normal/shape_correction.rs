@@ -22,6 +22,7 @@ use crate::math::real::Real;
 
 /// How the corrected ratio follows from that of the interpenetration region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ShapeFit {
     /// The ratio of the semi-axes of the Hertzian ellipse; smooth where length and width are equal.
     #[default]

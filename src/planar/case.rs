@@ -12,6 +12,7 @@ use crate::tangential::{Flexibilities, TangentialModel};
 
 /// How deep the bodies are pressed together.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Indentation {
     /// Given approach δ from f = 0 [m].
     Approach(f64),

@@ -10,15 +10,21 @@ mod pressed_contact;
 pub use case::{Indentation, PlanarCase};
 pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
 
+pub use crate::friction::StripFriction;
+pub use crate::normal::{NormalModel, ShapeFit};
+pub use crate::tangential::fastsim::TractionBound;
+pub use crate::tangential::field::{Adherence, ContactField};
+pub use crate::tangential::flash_temperature::FlashTemperature;
+pub use crate::tangential::friction_law::FrictionLaw;
+pub use crate::tangential::{Flexibilities, TangentialModel};
+
 use crate::error::ContactError;
-use crate::friction::StripFriction;
 use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::normal::strips_on_grid::{GridSolver, LEAST_STRIPS, solve_in_frame};
-use crate::normal::{self, NormalModel, NormalProblem, Strips};
-use crate::tangential::field::ContactField;
+use crate::normal::{self, NormalProblem, Strips};
 use crate::tangential::{Creepage, RollingState, Tangential};
 use case::MOST_APPROACH;
 use line::PlanarLine;

@@ -7,7 +7,7 @@
 //! ellipses tried (moments of load, of area, length to width with the area, greatest length with the area) these have the least error, each
 //! for its purpose: see docs/validation.md.
 
-pub use super::outline::{EquivalentEllipse, Outline};
+pub use super::outline::EquivalentEllipse;
 use super::rigid_slip::RigidSlip;
 use super::tables::tabulated::Tabulated;
 use super::tables::{CreepForceTable, EllipseForce};

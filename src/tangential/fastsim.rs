@@ -24,6 +24,7 @@ use crate::normal::{Strips, Zone};
 
 /// Shape of the traction bound along and across a zone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TractionBound {
     /// Friction times the semi-elliptical pressure.
     #[default]

@@ -23,6 +23,7 @@ pub enum Adherence {
 
 /// Pressure and tractions on the elements of a contact.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ContactField {
     /// The elements; y in the contact frame from the contact point.
     pub grid: Grid,

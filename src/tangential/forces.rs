@@ -6,6 +6,7 @@ use crate::normal::{Strips, Zone};
 
 /// Force of one strip on the wheel, along x and along the strip's tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct StripForce<T = f64> {
     /// Longitudinal force [N].
     pub longitudinal: T,
@@ -30,6 +31,7 @@ impl<T: Real> StripForce<T> {
 
 /// Creep force of one zone on the wheel, in the contact frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CreepForce<T = f64> {
     /// Longitudinal force [N].
     pub longitudinal: T,

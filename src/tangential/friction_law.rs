@@ -37,6 +37,7 @@ use crate::normal::Zone;
 
 /// How friction falls with the sliding speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FallingLaw {
     /// exp(-x) is left of what falls, x = decay · speed.
     #[default]

@@ -1,30 +1,30 @@
 //! Tangential contact: creep forces of loaded zones.
 
-pub mod boundary_element;
+pub(crate) mod boundary_element;
 mod convergence;
 mod creep_number;
 mod ellipse_force;
-pub mod equivalent_ellipse;
-pub mod fastrip;
+pub(crate) mod equivalent_ellipse;
+pub(crate) mod fastrip;
 pub mod fastsim;
-pub mod fastsim_correction;
+pub(crate) mod fastsim_correction;
 pub mod field;
 pub mod flash_temperature;
-pub mod flexibility;
+pub(crate) mod flexibility;
 mod forces;
 pub mod friction_law;
 pub mod kalker_coefficients;
-pub mod linear;
+pub(crate) mod linear;
 mod loaded_zone;
 mod march;
 mod model;
-pub mod neck;
+pub(crate) mod neck;
 mod outline;
 mod own_friction;
 pub mod rigid_slip;
 mod rolling;
 mod solve;
-pub mod strips;
+pub(crate) mod strips;
 pub mod tables;
 mod under_law;
 

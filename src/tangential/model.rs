@@ -2,6 +2,7 @@
 
 /// Tangential contact model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TangentialModel {
     /// No creep force.
     None,
@@ -24,6 +25,7 @@ pub enum TangentialModel {
 
 /// How the three flexibilities of the simplified theory enter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Flexibilities {
     /// One for each creepage.
     Three,

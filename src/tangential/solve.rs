@@ -44,6 +44,7 @@ pub struct Tangential {
 
 /// How the tractions of a zone were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Solved<T = f64> {
     /// Friction limit of the zone as it slips [N].
     pub limit: T,

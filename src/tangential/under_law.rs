@@ -10,6 +10,7 @@ use crate::normal::{Strips, Zone};
 
 /// State and elastic constants of a zone as the laws of friction have them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct UnderLaw<T = f64> {
     /// Its friction is that of the zone as it slips; of strips that have their own the mean over the load.
     pub state: RollingState<T>,

@@ -24,6 +24,7 @@ pub struct ValuesOf<S: Subject> {
 
 /// What goes on between the contact and a host that steps; an element by itself knows nothing of steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Coupling {
     /// Whether all this is computed.
     pub monitor: bool,

@@ -32,6 +32,7 @@ pub enum Kind {
 
 /// A set of choices.
 #[derive(Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Enumeration {
     /// Name of the type.
     pub name: &'static str,
@@ -51,6 +52,7 @@ impl Enumeration {
 
 /// One choice.
 #[derive(Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Item {
     /// Name, as used in text files.
     pub name: &'static str,
@@ -75,6 +77,7 @@ pub enum Value<'a> {
 
 /// What is known about a variable.
 #[derive(Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Variable {
     /// Name, such as `wheel.force.z`.
     pub name: &'static str,
@@ -121,6 +124,7 @@ impl Variable {
 
 /// A unit: what one archive stands for.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Unit {
     /// `modelIdentifier`: name of the archive and of the library in it.
     pub identifier: &'static str,

@@ -16,6 +16,7 @@
 
 /// Wear law.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum WearModel {
     /// No wear.
     #[default]

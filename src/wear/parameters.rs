@@ -5,6 +5,7 @@ use crate::error::ContactError;
 
 /// How the wear of a patch is spread across it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum WearDistribution {
     /// In proportion to the interpenetration function less what is already worn.
     #[default]

@@ -15,6 +15,7 @@ pub const CELL: f64 = 2e-4;
 
 /// What a profile has lost: all that has to be remembered of it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ArcState {
     /// Volume per length of arc that the curve in use has lost, for each cell [m³/m].
     pub total: Vec<f64>,

@@ -6,6 +6,7 @@ use crate::element::output::Wrench;
 
 /// All outputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Output {
     /// Force of all contacts on the wheelset, and their moment about its centre, in the track frame.
     pub wheelset: Wrench,

@@ -8,8 +8,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, FlatContact, Output};
-use wheelrail::planar::{Indentation, PlanarCase, fields};
-use wheelrail::tangential::field::{Adherence, ContactField};
+use wheelrail::planar::{Adherence, ContactField, Indentation, PlanarCase, fields};
 use wheelrail::variables::Values;
 
 use crate::cases::Cases;

@@ -54,6 +54,7 @@ pub const LEAST_STRIPS: usize = 8;
 
 /// Work of one solver since it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Work {
     /// Problems solved.
     pub solved: u64,

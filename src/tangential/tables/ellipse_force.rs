@@ -2,6 +2,7 @@
 
 /// Creep force of an ellipse over μ N (moment over μ N c), on the body whose creepage is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct EllipseForce<T = f64> {
     /// Longitudinal and lateral force and spin moment.
     pub force: [T; 3],

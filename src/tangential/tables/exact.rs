@@ -73,6 +73,7 @@ impl Ellipse {
     }
 
     /// The same with no elasticity: every element slides along its rigid slip.
+    #[cfg(test)]
     #[must_use]
     pub fn sliding_force(&self, creepage: [f64; 3]) -> [f64; 3] {
         let slip = self.slip(creepage);

@@ -17,17 +17,17 @@
 //! come to rest within a tenth.
 
 mod bound;
-pub mod coefficients;
-pub mod direction;
+pub(crate) mod coefficients;
+pub(crate) mod direction;
 mod ellipse_force;
-pub mod exact;
+pub(crate) mod exact;
 pub mod generate;
 pub mod nodes;
 pub mod scales;
 pub mod sliding;
-pub mod splines;
+pub(crate) mod splines;
 mod table;
-pub mod tabulated;
+pub(crate) mod tabulated;
 
 pub use ellipse_force::{EllipseForce, ForceSlopes};
 pub use table::CreepForceTable;

@@ -6,8 +6,7 @@ use std::path::Path;
 use anyhow::Result;
 use plotters::prelude::*;
 use wheelrail::element::FlatContact;
-use wheelrail::planar::PlanarResult;
-use wheelrail::tangential::field::{Adherence, ContactField};
+use wheelrail::planar::{Adherence, ContactField, PlanarResult};
 
 use super::axes::Axes;
 use super::patches::color;

@@ -6,7 +6,7 @@
 use anyhow::{Context, Result, bail};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra_0_34::{DMatrix, DVector, Dyn, Owned};
-use wheelrail::tangential::friction_law::FrictionLaw;
+use wheelrail::planar::FrictionLaw;
 use wheelrail::variables::Values;
 
 use super::points::Points;
