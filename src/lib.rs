@@ -8,7 +8,7 @@
 //! ```
 //! use wheelrail::element::{Element, Input, Output, Parameters};
 //!
-//! // S1002 on 60E1 at 1:40; the starting input is that of a right wheel in the middle of the track.
+//! // S1002 on 60E1 at 1:40; the input to start with is that of a right wheel in the middle.
 //! let mut input = Input::default();
 //! let mut element = Element::new(&Parameters::default(), &input, &[])?;
 //! // A tenth of a millimetre below first touch, rolling forward at 20 m/s.

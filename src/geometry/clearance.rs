@@ -5,15 +5,14 @@
 //! enough to meet the rail lies within a chord of the axle's vertical plane, so that yaw moves it sideways by at most
 //! chord · yaw.
 
+mod cells;
+
 use std::ops::Range;
 
 use crate::geometry::contact_line::WheelPose;
 use crate::geometry::curve::Curve;
+use cells::{CELL, SAMPLE, cell_count, extent, put_least_within, samples};
 
-/// Lateral spacing of the tables [m].
-const CELL: f64 = 5e-4;
-/// Spacing of the samples of both bodies along their curves [m].
-const SAMPLE: f64 = 1e-4;
 /// What a body may reach beyond its samples: bulges of radius 1 mm between them, and rounding [m].
 const MARGIN: f64 = 5e-6;
 /// What a body that varies may reach beyond the corners of a face between two slices and two rows [m].
@@ -357,34 +356,4 @@ impl Clearance {
 /// Least level whose reach is at least `cells`.
 fn level_within(cells: f64) -> Option<usize> {
     (0..LEVELS).find(|&level| f64::from(1 << level) >= cells)
-}
-
-/// Points of a curve with their parameters.
-fn samples(curve: &Curve) -> impl Iterator<Item = ([f64; 2], f64)> {
-    let length = curve.end() - curve.start();
-    let count = (length / SAMPLE).ceil() as usize;
-    (0..=count)
-        .map(move |i| curve.start() + length * i as f64 / count as f64)
-        .map(|s| (curve.at(s).point, s))
-}
-
-/// Least and greatest y and z of the samples.
-fn extent(curve: &Curve) -> [[f64; 2]; 2] {
-    samples(curve).fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |extent, (p, _)| {
-        [0, 1].map(|i| [extent[i][0].min(p[i]), extent[i][1].max(p[i])])
-    })
-}
-
-fn cell_count(left: f64, right: f64) -> usize {
-    ((right - left) / CELL) as usize + 1
-}
-
-/// Fills `least` with the least of each value and its neighbours up to `reach` to either side, where values within less are known already.
-fn put_least_within(values: &[f64], reach: usize, least: &mut Vec<f64>) {
-    least.clear();
-    least.extend((0..values.len()).map(|i| {
-        let before = values[i.saturating_sub(reach)];
-        let after = values[(i + reach).min(values.len() - 1)];
-        values[i].min(before).min(after)
-    }));
 }

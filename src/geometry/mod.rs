@@ -4,7 +4,8 @@ mod analytic_profiles;
 pub(crate) mod arc_length;
 #[doc(hidden)]
 pub mod clearance;
-pub(crate) mod contact;
+#[doc(hidden)]
+pub mod contact;
 pub mod contact_line;
 #[doc(hidden)]
 pub mod contact_search;
@@ -32,7 +33,7 @@ mod rows;
 #[doc(hidden)]
 pub mod separation;
 pub(crate) mod slices;
-pub(crate) mod standard_profiles;
+pub mod standard_profiles;
 pub(crate) mod varying_rail;
 pub(crate) mod varying_wheel;
 pub(crate) mod waviness;

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! so that the linear law is met for small and full sliding for great creepages whatever K is. K is what was tabulated: 13 ellipses of
-//! a/b 0.05 to 20, 11 saturations, 241 directions ([`direction`]), ν = 0.28, interpolated by cubic splines; F_sliding is exact at the
+//! a/b 0.05 to 20, 11 saturations, 241 directions (`direction`), ν = 0.28, interpolated by cubic splines; F_sliding is exact at the
 //! nodes of its own table and without spin ([`sliding`]). Poisson's ratio enters through the coefficients alone. The forces have
 //! continuous derivatives everywhere. Beyond a/b 0.05 to 20 the linear law goes on, K and F_sliding
 //! come to rest within a tenth.
