@@ -1,7 +1,7 @@
 //! What can be wrong with what a caller hands over.
 //!
-//! No contact is a value, not an error; a broken invariant is a `debug_assert!`. Kernels over strips
-//! and elements cannot fail: everything is validated where it enters.
+//! No contact is a value, not an error; a broken invariant is a `debug_assert!`. Kernels over
+//! strips and elements cannot fail: everything is validated where it enters.
 
 use crate::geometry::profile::ProfileError;
 

@@ -1,9 +1,13 @@
-//! Contact of a railway wheel with the rail under it: position and velocity in, contact forces out, patch by patch.
+//! Contact of a railway wheel with the rail under it: position and velocity in, contact forces out,
+//! patch by patch.
 //!
-//! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is asked for, it holds no history: an evaluation finds where the two
-//! profiles overlap, the pressure there (strips that all meet the contact condition, Piotrowski and Kik, or Hertz), the creepages and the tractions (FASTSIM, corrected
-//! by tables), and sums them to forces and moments on wheel and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI units `WheelRail.fmu` and
-//! `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and their limits: `docs/theory.md`.
+//! An [`Element`](element::Element) stands for one wheel and its rail. But for wear, if that is
+//! asked for, it holds no history: an evaluation finds where the two profiles overlap, the pressure
+//! there (strips that all meet the contact condition, Piotrowski and Kik, or Hertz), the creepages
+//! and the tractions (FASTSIM, corrected by tables), and sums them to forces and moments on wheel
+//! and rail. Two of them on one axle are a [`wheelset`]. The same element is inside the FMI units
+//! `WheelRail.fmu` and `WheelSet.fmu` ([`fmi`]) and the command line `wheelrail`. The equations and
+//! their limits: `docs/theory.md`.
 //!
 //! ```
 //! use wheelrail::element::{Element, Input, Output, Parameters};
@@ -24,8 +28,8 @@
 //!
 //! # Frames
 //!
-//! A right wheel on its rail, seen from behind, x away from the reader. The origin of the track frame lies on the track centre
-//! line in the plane of the rail tops.
+//! A right wheel on its rail, seen from behind, x away from the reader. The origin of the track
+//! frame lies on the track centre line in the plane of the rail tops.
 //!
 //! ```text
 //!   track centre line       plane of the running circle
@@ -40,18 +44,24 @@
 //!       z             |   rail          |          x forward, y right, z down
 //! ```
 //!
-//! - Angles are right-handed: R = `R_x`(roll) `R_z`(yaw) `R_y`(pitch). A wheel rolling forward has a negative pitch rate.
-//! - The contact frame is the track frame rolled about x by the contact angle, negative on the right tread, so that x is along
-//!   the track, the lateral axis lies in the contact plane and n points into the rail.
-//! - Creepage is the velocity of the wheel's surface minus that of the rail's, over the reference speed; spin is the relative
-//!   angular velocity about n over that speed.
-//! - Forces and moments are those on the body they are named after; patch forces are those on the wheel.
-//! - A left wheel is computed as the mirror image of a right one; in- and outputs are those of the real left wheel.
-//! - Profiles are those of the right side: y to the field side, z down. Wheel: origin on the running circle.
+//! - Angles are right-handed: R = `R_x`(roll) `R_z`(yaw) `R_y`(pitch). A wheel rolling forward has
+//!   a negative pitch rate.
+//! - The contact frame is the track frame rolled about x by the contact angle, negative on the
+//!   right tread, so that x is along the track, the lateral axis lies in the contact plane and n
+//!   points into the rail.
+//! - Creepage is the velocity of the wheel's surface minus that of the rail's, over the reference
+//!   speed; spin is the relative angular velocity about n over that speed.
+//! - Forces and moments are those on the body they are named after; patch forces are those on the
+//!   wheel.
+//! - A left wheel is computed as the mirror image of a right one; in- and outputs are those of the
+//!   real left wheel.
+//! - Profiles are those of the right side: y to the field side, z down. Wheel: origin on the
+//!   running circle.
 //!
 //! # Units
 //!
-//! SI and radians everywhere but in profile files, on the command line and in figures, which say mm and degrees.
+//! SI and radians everywhere but in profile files, on the command line and in figures, which say mm
+//! and degrees.
 //!
 //! | quantity | unit |
 //! |---|---|
@@ -92,8 +102,8 @@
 //!
 //! # Features
 //!
-//! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by default and bring most of the
-//! dependencies. As a library: `default-features = false`.
+//! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by
+//! default and bring most of the dependencies. As a library: `default-features = false`.
 
 pub mod conicity;
 pub mod element;

@@ -1,4 +1,5 @@
-//! Displacements of all elements under the tractions of all elements: products with an influence by fast Fourier transforms.
+//! Displacements of all elements under the tractions of all elements: products with an influence by
+//! fast Fourier transforms.
 //!
 //! The product is exact (up to rounding): the grid is padded so that nothing wraps around.
 
@@ -86,7 +87,8 @@ impl Convolution {
         Spectrum(self.spectrum.iter().map(|value| value * scale).collect())
     }
 
-    /// Displacements under `tractions` by the influence with spectrum `influence`, into `displacements`.
+    /// Displacements under `tractions` by the influence with spectrum `influence`, into
+    /// `displacements`.
     pub fn apply(&mut self, influence: &Spectrum, tractions: &[f64], displacements: &mut [f64]) {
         self.forward(tractions);
         for (value, factor) in self.spectrum.iter_mut().zip(&influence.0) {

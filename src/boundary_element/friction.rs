@@ -1,12 +1,14 @@
 //! Tractions bounded by friction: block Gauss-Seidel for s = w + B p.
 //!
-//! Find on every element in contact |p| ≤ g with s = 0 where |p| < g, and s = -λ p, λ ≥ 0, where |p| = g; w is the rigid slip, B what
-//! the tractions add to it. Where the symmetric part of B is positive definite this is a strongly monotone variational inequality and
-//! has one solution for every w.
+//! Find on every element in contact |p| ≤ g with s = 0 where |p| < g, and s = -λ p, λ ≥ 0,
+//! where |p| = g; w is the rigid slip, B what the tractions add to it. Where the symmetric part of
+//! B is positive definite this is a strongly monotone variational inequality and has one solution
+//! for every w.
 //!
-//! Elements are visited row by row from the leading edge. One that sticks changes its traction together with those of all sticking
-//! elements behind it, up to the next that slips: in rolling, that is what the particles carry with them. One that slips turns its
-//! traction alone. Both steps are shortened by a damping, which grows when the sweeps do not settle.
+//! Elements are visited row by row from the leading edge. One that sticks changes its traction
+//! together with those of all sticking elements behind it, up to the next that slips: in rolling,
+//! that is what the particles carry with them. One that slips turns its traction alone. Both steps
+//! are shortened by a damping, which grows when the sweeps do not settle.
 
 use super::grid::Grid;
 use super::influence::TangentialInfluence;
@@ -31,8 +33,8 @@ pub struct Tractions {
     pub change: f64,
     /// Whether that is within the tolerance.
     pub converged: bool,
-    /// Largest slip that contradicts the friction law, over the largest rigid slip [-]: all slip where an element adheres, what is not
-    /// opposite to the traction where it slips.
+    /// Largest slip that contradicts the friction law, over the largest rigid slip [-]: all slip
+    /// where an element adheres, what is not opposite to the traction where it slips.
     pub residual: f64,
 }
 
@@ -156,7 +158,8 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
     }
 }
 
-/// Slip of all elements, and the largest that contradicts the friction law over the largest rigid slip.
+/// Slip of all elements, and the largest that contradicts the friction law over the largest rigid
+/// slip.
 fn slips(
     problem: &FrictionProblem<'_>,
     received: &mut Received,
@@ -185,7 +188,8 @@ fn slips(
 /// Share of the bound below which an element of a start sticks [-].
 const STICKING: f64 = 0.999;
 
-/// Damping of steady rolling to begin with [-]: undamped, traction turns in waves through the slip area.
+/// Damping of steady rolling to begin with [-]: undamped, traction turns in waves through the slip
+/// area.
 const ROLLING_DAMPING: f64 = 2.0;
 
 /// What an element receives when it and the m elements behind it change by a unit, for m from 0.
@@ -200,7 +204,8 @@ fn carried_influence(influence: &TangentialInfluence, along: usize) -> Vec<[f64;
         .collect()
 }
 
-/// The traction of magnitude `g` that is opposite to the slip s + D (p_new - p), D the diagonal `stiffness`.
+/// The traction of magnitude `g` that is opposite to the slip s + D (p_new - p), D the diagonal
+/// `stiffness`.
 fn at_the_bound(p: [f64; 2], s: [f64; 2], stiffness: [f64; 2], g: f64) -> [f64; 2] {
     // (D + λ) p_new = D p - s with λ ≥ 0 such that |p_new| = g; 1/|p_new| is almost linear in λ.
     let pull = [stiffness[0] * p[0] - s[0], stiffness[1] * p[1] - s[1]];

@@ -1,7 +1,7 @@
 //! The rectangular elements of a contact plane.
 
-/// A rectangle of equal elements. Element (i, j) is number j · along + i: rows of constant y, in each the leading edge
-/// (greatest x) first.
+/// A rectangle of equal elements. Element (i, j) is number j · along + i: rows of constant y, in
+/// each the leading edge (greatest x) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     /// Elements along rolling.
@@ -19,7 +19,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// `along` by `across` elements that fill the rectangle `x` by `y`, each from its least to its greatest coordinate [m].
+    /// `along` by `across` elements that fill the rectangle `x` by `y`, each from its least to its
+    /// greatest coordinate [m].
     #[must_use]
     pub fn over(x: [f64; 2], y: [f64; 2], along: usize, across: usize) -> Self {
         let (dx, dy) = ((x[1] - x[0]) / along as f64, (y[1] - y[0]) / across as f64);

@@ -1,18 +1,20 @@
 //! Influence of one loaded rectangular element on the displacements at the centres of all others.
 //!
-//! Half-spaces in contact, constant traction on the element, ρ² = x² + y² from the element's centre to the point (Boussinesq and
-//! Cerruti; Johnson, Contact Mechanics, 1985, sections 3.2 and 3.6; closed forms after Love 1929 and Kalker 1990). The
-//! displacement differences wheel minus rail are
+//! Half-spaces in contact, constant traction on the element, ρ² = x² + y² from the element's centre
+//! to the point (Boussinesq and Cerruti; Johnson, Contact Mechanics, 1985, sections 3.2 and 3.6;
+//! closed forms after Love 1929 and Kalker 1990). The displacement differences wheel minus rail are
 //!
 //! ```text
 //! u_n = 1/(π E*) ∬ p_n/ρ
 //! u_x = 1/(π G) ∬ [(1-ν)/ρ + ν x²/ρ³] p_x + [ν x y/ρ³] p_y      u_y likewise, x and y exchanged
 //! ```
 //!
-//! with the combined constants of the two bodies. What normal pressure does to u_x and u_y (and tractions to u_n) where the
-//! bodies are of different materials is left out; it vanishes for like ones.
+//! with the combined constants of the two bodies. What normal pressure does to u_x and u_y (and
+//! tractions to u_n) where the bodies are of different materials is left out; it vanishes for like
+//! ones.
 //!
-//! Antiderivatives in x and y: x²/ρ³ from y asinh(x/|y|), y²/ρ³ from x asinh(y/|x|), 1/ρ from their sum, x y/ρ³ from -ρ.
+//! Antiderivatives in x and y: x²/ρ³ from y asinh(x/|y|), y²/ρ³ from x asinh(y/|x|), 1/ρ from their
+//! sum, x y/ρ³ from -ρ.
 
 use std::f64::consts::PI;
 
@@ -39,7 +41,8 @@ impl Influence {
         Self { along: grid.along, across: grid.across, values }
     }
 
-    /// The value at an element `along` columns behind and `across` rows to the right of the loaded one.
+    /// The value at an element `along` columns behind and `across` rows to the right of the loaded
+    /// one.
     ///
     /// # Panics
     /// If no two elements of the grid are that far apart.
@@ -48,7 +51,8 @@ impl Influence {
         self.row(across)[(along + self.along as isize - 1) as usize]
     }
 
-    /// The values at all offsets along, the farthest ahead first, in the row `across` rows to the right of the loaded element.
+    /// The values at all offsets along, the farthest ahead first, in the row `across` rows to the
+    /// right of the loaded element.
     ///
     /// # Panics
     /// If no two elements of the grid are that far apart.
@@ -84,9 +88,11 @@ impl TangentialInfluence {
         Self::combination(grid, material, &[(0, 1.0)])
     }
 
-    /// Slip of steady rolling by elastic deformation, over the rolling speed [1/Pa]: -∂u/∂x for particles that come from ahead.
+    /// Slip of steady rolling by elastic deformation, over the rolling speed [1/Pa]: -∂u/∂x for
+    /// particles that come from ahead.
     ///
-    /// Second-order difference over half elements, h = dx/2: (3 u(x) - 4 u(x + h) + u(x + 2 h))/(2 h).
+    /// Second-order difference over half elements, h = dx/2: (3 u(x) - 4 u(x + h) + u(x + 2 h))/(2
+    /// h).
     #[must_use]
     pub fn rolling_slip(grid: &Grid, material: &MaterialPair) -> Self {
         let per_step = 2.0 / grid.dx;
@@ -94,7 +100,8 @@ impl TangentialInfluence {
         Self::combination(grid, material, &weights)
     }
 
-    /// Sum of displacements at points a number of half elements ahead of the centres, each with its weight.
+    /// Sum of displacements at points a number of half elements ahead of the centres, each with its
+    /// weight.
     fn combination(grid: &Grid, material: &MaterialPair, weights: &[(isize, f64)]) -> Self {
         let corners = Corners::new(grid);
         let scale = 1.0 / (PI * material.shear_modulus);
@@ -130,7 +137,8 @@ pub fn normal_influence(grid: &Grid, contact_modulus: f64) -> Influence {
     Influence::new(grid, |i, j| scale * corners.squared(2 * i, j).iter().sum::<f64>())
 }
 
-/// Antiderivatives at the corners of elements: corner (k, l) is k dx/2, (l + ½) dy from the centre of the loaded one.
+/// Antiderivatives at the corners of elements: corner (k, l) is k dx/2, (l + ½) dy from the centre
+/// of the loaded one.
 struct Corners {
     across: usize,
     /// Of x²/ρ³, of y²/ρ³, and ρ.
@@ -158,8 +166,8 @@ impl Corners {
         &self.values[k * self.across + l]
     }
 
-    /// ∬ x²/ρ³ and ∬ y²/ρ³ over an element, seen from `halves` half elements and j rows away. Both antiderivatives are odd in
-    /// x and in y.
+    /// ∬ x²/ρ³ and ∬ y²/ρ³ over an element, seen from `halves` half elements and j rows away. Both
+    /// antiderivatives are odd in x and in y.
     fn squared(&self, halves: isize, j: isize) -> [f64; 2] {
         let (k, l) = (halves.unsigned_abs(), j.unsigned_abs());
         let (k0, sign_k) = if k == 0 { (1, -1.0) } else { (k - 1, 1.0) };

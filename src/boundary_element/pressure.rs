@@ -1,12 +1,14 @@
 //! Pressure of two half-spaces pressed together: bound-constrained conjugate gradients.
 //!
-//! Find p ≥ 0 with the deformed distance e = h - δ + A p ≥ 0 and p e = 0 on every element: the minimum of ½ p A p - (δ - h) p over
-//! p ≥ 0. Each iteration is one step of preconditioned conjugate gradients on the elements in contact; pressures that turn negative
-//! leave the contact, elements that overlap join it, and the directions start anew (Polonsky and Keer 1999; Vollebregt 2014,
-//! "The bound-constrained conjugate gradient method for non-negative matrices").
+//! Find p ≥ 0 with the deformed distance e = h - δ + A p ≥ 0 and p e = 0 on every element: the
+//! minimum of ½ p A p - (δ - h) p over p ≥ 0. Each iteration is one step of preconditioned
+//! conjugate gradients on the elements in contact; pressures that turn negative leave the contact,
+//! elements that overlap join it, and the directions start anew (Polonsky and Keer 1999; Vollebregt
+//! 2014, "The bound-constrained conjugate gradient method for non-negative matrices").
 //!
-//! The preconditioner is a stencil of 5 by 5 elements, cut from the inverse of the influence on an endless grid. Its
-//! weights away from the centre are not positive and their sum is not negative, so that it is positive definite.
+//! The preconditioner is a stencil of 5 by 5 elements, cut from the inverse of the influence on an
+//! endless grid. Its weights away from the centre are not positive and their sum is not negative,
+//! so that it is positive definite.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -55,7 +57,8 @@ impl PressureSolver {
         Self { grid, convolution, spectrum, preconditioner, tolerance: TOLERANCE }
     }
 
-    /// The same with another distance left in the contact, over the approach, at which a solution is accepted [-].
+    /// The same with another distance left in the contact, over the approach, at which a solution
+    /// is accepted [-].
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
@@ -67,8 +70,8 @@ impl PressureSolver {
         &self.grid
     }
 
-    /// The pressure at the approach `approach` [m] of bodies with the undeformed distance `separation` [m] at the centres of
-    /// the elements. `start` is a first guess.
+    /// The pressure at the approach `approach` [m] of bodies with the undeformed distance
+    /// `separation` [m] at the centres of the elements. `start` is a first guess.
     pub fn at_approach(
         &mut self,
         separation: &[f64],

@@ -1,9 +1,10 @@
 //! What elements receive from the tractions of all others, row after row with the newest tractions.
 //!
-//! Gauss-Seidel needs the sum for one element after the other, each with the newest tractions, which a transform of the whole grid cannot
-//! give. Rows can: while one is visited the others stay, and what they give to it is one product of spectra along x for each of
-//! them and one transform back. Sums within the row are direct. For M rows of N elements a sweep takes M² N + M N² products instead of
-//! M² N².
+//! Gauss-Seidel needs the sum for one element after the other, each with the newest tractions,
+//! which a transform of the whole grid cannot give. Rows can: while one is visited the others stay,
+//! and what they give to it is one product of spectra along x for each of them and one transform
+//! back. Sums within the row are direct. For M rows of N elements a sweep takes M² N + M N²
+//! products instead of M² N².
 
 use std::sync::Arc;
 
@@ -15,7 +16,8 @@ use super::convolution::fast_length;
 use super::grid::Grid;
 use super::influence::{Influence, TangentialInfluence};
 
-/// Numbers along a row are summed in groups of this many; rows end with zeros up to the next whole group.
+/// Numbers along a row are summed in groups of this many; rows end with zeros up to the next whole
+/// group.
 const GROUP: usize = 4;
 
 /// Tractions in rows that end with zeros, and the stretch of each row that is in contact.
@@ -60,10 +62,12 @@ pub struct Received {
     across: usize,
     /// Frequencies of a row.
     frequencies: usize,
-    /// xx and yy between elements of one row, by the offset of the source from the receiver, from along - 1 ahead of it; then zeros. What
-    /// tractions along x do along y is odd in y and vanishes.
+    /// xx and yy between elements of one row, by the offset of the source from the receiver, from
+    /// along - 1 ahead of it; then zeros. What tractions along x do along y is odd in y and
+    /// vanishes.
     own: [Vec<f64>; 2],
-    /// For every offset across, -(across - 1) first: real and imaginary parts of the spectra of xx, xy and yy.
+    /// For every offset across, -(across - 1) first: real and imaginary parts of the spectra of xx,
+    /// xy and yy.
     influences: Vec<f64>,
     /// Of every row: real and imaginary parts of the spectra of both tractions.
     tractions: Vec<f64>,
@@ -88,7 +92,8 @@ impl Received {
         let frequencies = padded / 2 + 1;
         let scratch = forward.get_scratch_len().max(back.get_scratch_len());
         let own = [&influence.xx, &influence.yy].map(|influence| {
-            // The source ahead has the receiver behind it. A last group may reach beyond the last source.
+            // The source ahead has the receiver behind it. A last group may reach beyond the last
+            // source.
             let mut table: Vec<f64> = influence.row(0).iter().rev().copied().collect();
             table.resize(2 * along - 1 + GROUP, 0.0);
             table
@@ -193,7 +198,8 @@ impl Received {
     }
 }
 
-/// Adds to `sums` (real and imaginary parts for x, then y) the products of the spectra of an influence and of the tractions of a row.
+/// Adds to `sums` (real and imaginary parts for x, then y) the products of the spectra of an
+/// influence and of the tractions of a row.
 #[multiversion(targets("x86_64+avx2+fma", "aarch64+neon"))]
 fn add_products(count: usize, influence: &[f64], tractions: &[f64], sums: &mut [f64]) {
     let part = |of: usize| &influence[of * count..(of + 1) * count];

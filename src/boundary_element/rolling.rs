@@ -1,17 +1,18 @@
 //! Tractions of steady rolling with Coulomb friction.
 //!
-//! A particle that is at x now was at x + h a moment before: the surface of the wheel slips against that of the rail, over the rolling
-//! speed, by (Kalker 1990, section 4.2.2, in the steady state)
+//! A particle that is at x now was at x + h a moment before: the surface of the wheel slips against
+//! that of the rail, over the rolling speed, by (Kalker 1990, section 4.2.2, in the steady state)
 //!
 //! ```text
 //! s = w - ∂u/∂x          w: rigid slip, w_x = ξ - φ y, w_y = η + φ x
 //! |p| ≤ g = μ p_n;   s = 0 where |p| < g;   s = -λ p, λ ≥ 0, where |p| = g
 //! ```
 //!
-//! Kalker takes the difference u(x) - u(x + h) with h of about an element, which is of first order in h. Here it is that of
-//! second order over half elements, (3 u(x) - 4 u(x + h) + u(x + 2 h))/2h, h = dx/2: on 22x22 elements it is twice as close to its own
-//! limit. In both the particle's past alone counts, and the operator stays monotone: its symbol has the real part Â(k) (1 - cos k h) or
-//! Â(k) (1 - cos k h)², so that there is one solution for every creepage.
+//! Kalker takes the difference u(x) - u(x + h) with h of about an element, which is of first order
+//! in h. Here it is that of second order over half elements, (3 u(x) - 4 u(x + h) + u(x + 2 h))/2h,
+//! h = dx/2: on 22x22 elements it is twice as close to its own limit. In both the particle's past
+//! alone counts, and the operator stays monotone: its symbol has the real part Â(k) (1 - cos k h)
+//! or Â(k) (1 - cos k h)², so that there is one solution for every creepage.
 //!
 //! The tractions come from [`super::friction`]; starts come from grids of half the resolution.
 
@@ -25,8 +26,8 @@ const LEAST_NESTED: usize = 24;
 
 /// Tractions of bodies of `material` that roll towards +x.
 ///
-/// `bound` is μ p_n of each element [Pa], `rigid` its rigid slip over the rolling speed, wheel minus rail [-]; the slip of the result is
-/// over the rolling speed, too.
+/// `bound` is μ p_n of each element [Pa], `rigid` its rigid slip over the rolling speed, wheel
+/// minus rail [-]; the slip of the result is over the rolling speed, too.
 #[must_use]
 pub fn steady_rolling(
     grid: &Grid,

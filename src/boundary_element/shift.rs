@@ -1,16 +1,19 @@
 //! A step of tangential loading without rolling.
 //!
-//! The bodies are shifted against each other by w; particles slip by s = w + A (p - p_before), and the same friction law holds as in
-//! rolling (Kalker 1990, section 4.2.1). A is symmetric and positive definite.
+//! The bodies are shifted against each other by w; particles slip by s = w + A (p - p_before), and
+//! the same friction law holds as in rolling (Kalker 1990, section 4.2.1). A is symmetric and
+//! positive definite.
 
 use super::friction::{self, FrictionProblem, TOLERANCE, Tractions};
 use super::grid::Grid;
 use super::influence::TangentialInfluence;
 use crate::material::MaterialPair;
 
-/// Tractions of bodies of `material` after a shift from `before` (traction x, y of each element [Pa]; `None`: none).
+/// Tractions of bodies of `material` after a shift from `before` (traction x, y of each element
+/// [Pa]; `None`: none).
 ///
-/// `bound` is μ p_n of each element [Pa], `shift` that of the wheel against the rail in this step [m]; the slip is that of this step [m].
+/// `bound` is μ p_n of each element [Pa], `shift` that of the wheel against the rail in this step
+/// [m]; the slip is that of this step [m].
 #[must_use]
 pub fn shift(
     grid: &Grid,
@@ -46,5 +49,6 @@ pub fn shift(
     friction::solve(&problem, before)
 }
 
-/// Without particles that carry news along, changes are passed on from element to element and shrink slowly: a finer tolerance.
+/// Without particles that carry news along, changes are passed on from element to element and
+/// shrink slowly: a finer tolerance.
 const SETTLED: f64 = 1e-2;

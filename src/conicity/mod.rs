@@ -1,16 +1,18 @@
 //! Rolling radius difference and equivalent conicity of a wheelset on a track.
 //!
-//! A free wheelset that rolls without slip follows y'' = -Δr(y)/(e r0), e the distance of the contact points, r0 the rolling radius
-//! when centred. With the same wavelength as cones of the angle γe of Klingel (1883), λ = 2π sqrt(e r0/(2 tan γe)), a motion of the
-//! amplitude ŷ between the turning points a and b = a + 2 ŷ has the equivalent conicity
+//! A free wheelset that rolls without slip follows y'' = -Δr(y)/(e r0), e the distance of the
+//! contact points, r0 the rolling radius when centred. With the same wavelength as cones of the
+//! angle γe of Klingel (1883), λ = 2π sqrt(e r0/(2 tan γe)), a motion of the amplitude ŷ between
+//! the turning points a and b = a + 2 ŷ has the equivalent conicity
 //!
 //! ```text
 //! S(y) = ∫ Δr dy,  S(a) = S(b),  Λ = 2 ∫_a^b dy / sqrt(2 (S(b) - S(y))),  tan γe = (2π/Λ)²/2
 //! ```
 //!
-//! in which e and r0 have cancelled. This is the integration of the equation of motion of EN 15302. Δr is taken as straight between its
-//! points. With y = (a + b)/2 + ŷ sin θ the integrand is smooth up to the turning points, so that Gauss-Legendre quadrature between
-//! the points of Δr leaves nothing to be seen.
+//! in which e and r0 have cancelled. This is the integration of the equation of motion of EN 15302.
+//! Δr is taken as straight between its points. With y = (a + b)/2 + ŷ sin θ the integrand is smooth
+//! up to the turning points, so that Gauss-Legendre quadrature between the points of Δr leaves
+//! nothing to be seen.
 
 mod rolling_radius;
 
@@ -21,7 +23,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 
-/// Rolling radius difference over the lateral displacement of a wheelset, straight between its points.
+/// Rolling radius difference over the lateral displacement of a wheelset, straight between its
+/// points.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct RollingRadiusDifference {
@@ -67,10 +70,11 @@ impl RollingRadiusDifference {
         &self.points
     }
 
-    /// Equivalent conicity tan γe of motions of `amplitude` > 0 [m] about the equilibrium nearest to y = 0.
+    /// Equivalent conicity tan γe of motions of `amplitude` > 0 [m] about the equilibrium nearest
+    /// to y = 0.
     ///
-    /// 0 where the wheelset does not swing at that amplitude, because Δr pushes it away from there. Nothing where the turning points
-    /// lie outside the points of Δr, or there is no equilibrium.
+    /// 0 where the wheelset does not swing at that amplitude, because Δr pushes it away from there.
+    /// Nothing where the turning points lie outside the points of Δr, or there is no equilibrium.
     #[must_use]
     pub fn equivalent_conicity(&self, amplitude: f64) -> Option<f64> {
         let left = self.left_turning_point(amplitude)?;

@@ -7,12 +7,14 @@ use crate::error::ContactError;
 use crate::geometry::profile::ProfileRemark;
 use std::path::PathBuf;
 
-/// Depth below first touch at which the contact is looked at: deep enough to be found, too little to move it [m].
+/// Depth below first touch at which the contact is looked at: deep enough to be found, too little
+/// to move it [m].
 const TOUCH: f64 = 1e-10;
 
 /// Two wheels on two rails, rigid: each wheel touches its rail at one point.
 ///
-/// As in EN 15302 the wheelset does not roll when it is displaced: both profiles are shifted as they are.
+/// As in EN 15302 the wheelset does not roll when it is displaced: both profiles are shifted as
+/// they are.
 #[derive(Clone, Debug)]
 pub struct TrackedWheelset {
     /// Right and left.
@@ -28,7 +30,8 @@ pub struct RollingRadii {
     pub displacement: f64,
     /// Rolling radius at the contact point of the right and of the left wheel [m].
     pub radius: [f64; 2],
-    /// Place of the contact point on the profiles of the right and of the left wheel, positive to the field side [m].
+    /// Place of the contact point on the profiles of the right and of the left wheel, positive to
+    /// the field side [m].
     pub wheel_y: [f64; 2],
     /// Place on the profiles of the right and of the left rail, positive to the field side [m].
     pub rail_y: [f64; 2],
@@ -43,8 +46,8 @@ impl RollingRadii {
 }
 
 impl TrackedWheelset {
-    /// A wheelset of two wheels of `parameters`, whose running circles are `running_circles` apart [m]; profiles are looked for in
-    /// the folders as in [`Element::new`].
+    /// A wheelset of two wheels of `parameters`, whose running circles are `running_circles` apart
+    /// [m]; profiles are looked for in the folders as in [`Element::new`].
     ///
     /// # Errors
     /// The parameter or profile at fault, by its FMU name.
@@ -69,14 +72,15 @@ impl TrackedWheelset {
         Ok(Self { wheels: [wheel(Side::Right)?, wheel(Side::Left)?], half_distance })
     }
 
-    /// What was found and mended in the files of the profiles, which both wheels share, with the parameter that names each file.
+    /// What was found and mended in the files of the profiles, which both wheels share, with the
+    /// parameter that names each file.
     #[must_use]
     pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
         self.wheels[0].profile_remarks()
     }
 
-    /// The rolling radii when the wheelset is displaced to the right by `displacement` [m]; nothing where a wheel stands beside its
-    /// rail.
+    /// The rolling radii when the wheelset is displaced to the right by `displacement` [m]; nothing
+    /// where a wheel stands beside its rail.
     pub fn rolling_radii(&mut self, displacement: f64) -> Option<RollingRadii> {
         let mut radii =
             RollingRadii { displacement, radius: [0.0; 2], wheel_y: [0.0; 2], rail_y: [0.0; 2] };
@@ -98,7 +102,8 @@ impl TrackedWheelset {
         Some(radii)
     }
 
-    /// Rolling radii at steps of `step` from `-range` to `range`, or as far as both wheels stand on their rails [m].
+    /// Rolling radii at steps of `step` from `-range` to `range`, or as far as both wheels stand on
+    /// their rails [m].
     pub fn sweep(&mut self, range: f64, step: f64) -> Vec<RollingRadii> {
         let count = (range / step).round() as i32;
         let all = (-count..=count).map(|i| self.rolling_radii(f64::from(i) * step));

@@ -1,7 +1,9 @@
-//! Boundary elements on a wheel and a rail: all overlaps are one problem on the curved surface of the rail.
+//! Boundary elements on a wheel and a rail: all overlaps are one problem on the curved surface of
+//! the rail.
 //!
 //! The elements lie on the arc of the rail, each with its own normal, tangent and rigid slip; see
-//! [`rail_elements`](crate::normal::rail_elements). Loaded zones get their frames from their own resultants.
+//! [`rail_elements`](crate::normal::rail_elements). Loaded zones get their frames from their own
+//! resultants.
 
 use nalgebra::Vector3;
 
@@ -24,9 +26,10 @@ use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
 use crate::tangential::{Convergence, Rolling, TangentialModel, UnderLaw};
 
-/// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and adds the forces to `output`; returns how many zones found no room or
-/// fell back to a simpler model, and nothing where there is no solution. `forces` brings a contact to forces, with its slopes along the track
-/// and the load and penetration that share its stiffness.
+/// Solves for all that the wheel overlaps of `rail` where `search` has found them in contact and
+/// adds the forces to `output`; returns how many zones found no room or fell back to a simpler
+/// model, and nothing where there is no solution. `forces` brings a contact to forces, with its
+/// slopes along the track and the load and penetration that share its stiffness.
 pub fn add<'a>(
     rail: &PlacedRail,
     search: &ContactSearch,
@@ -72,8 +75,9 @@ pub fn add<'a>(
     Some(left_out)
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal along the resultant of its pressures, the origin
-/// where the line of action of that passes through the contact; and the share of [`ContactSetup::resultant_share`].
+/// Moves zone number `index` of the rail to `models.strips`, in a frame of its own: the normal
+/// along the resultant of its pressures, the origin where the line of action of that passes through
+/// the contact; and the share of [`ContactSetup::resultant_share`].
 fn take_zone(
     elements: &RailElements,
     rail: &PlacedRail,
@@ -180,14 +184,15 @@ fn for_each_element<'a>(
 /// How a zone of the rail rolls: its creepage and state, for the tractions of all.
 #[derive(Clone, Copy, Debug)]
 struct ZoneState {
-    /// Creepage at the centroid of the load, friction, damping and speed, under the laws of friction.
+    /// Creepage at the centroid of the load, friction, damping and speed, under the laws of
+    /// friction.
     law: UnderLaw,
     /// Centroid of the load along the track and on the arc [m].
     centre: [f64; 2],
 }
 
-/// Tractions of all zones of a rail together, one for each of `zones`; nothing where there is nothing to compute or no solution was
-/// found. `forces` is of any of the zones.
+/// Tractions of all zones of a rail together, one for each of `zones`; nothing where there is
+/// nothing to compute or no solution was found. `forces` is of any of the zones.
 fn tractions(
     elements: &RailElements,
     forces: &ContactSetup,
@@ -221,7 +226,8 @@ fn tractions(
         let point = element.row.wheel_point(element.x, element.overlap);
         forces.frame.marker + forces.frame.direction(point) + Vector3::x() * element.x
     };
-    // Of the wheel opposite: where a rail rises, the bodies close along the track, which is no slip across.
+    // Of the wheel opposite: where a rail rises, the bodies close along the track, which is no slip
+    // across.
     let axes_of = |element: &Loaded| {
         let [_, y, z] = element.growth;
         let size = y.hypot(z);
@@ -241,7 +247,8 @@ fn tractions(
         bound[element.k] = friction * state.load_factor * elements.pressure[element.k];
         let own = if models.creepage == CreepageModel::Curved {
             let axes = axes_of(&element);
-            // As if the wheel were laid flat along the track, as its contact is: the point of its outline at the place of the element.
+            // As if the wheel were laid flat along the track, as its contact is: the point of its
+            // outline at the place of the element.
             let at = element.row.wheel_point(element.x, element.row.overlap);
             let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
             motion.creepage(at, &axes, state.speed)

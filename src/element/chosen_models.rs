@@ -19,7 +19,8 @@ impl Parameters {
         [wheel, rail]
     }
 
-    /// A planar problem with the models, resolutions and materials of these parameters; see [`PlanarCase`] for the rest.
+    /// A planar problem with the models, resolutions and materials of these parameters; see
+    /// [`PlanarCase`] for the rest.
     #[must_use]
     pub fn planar_case<'a>(
         &self,

@@ -18,8 +18,8 @@ use crate::tangential::Convergence;
 use crate::wear::rcf;
 
 impl<T: ElementNumber> ContactSetup<'_, T> {
-    /// Adds the forces of all zones in `models.strips` to `output` and their patches to `models.patches`; returns how many zones
-    /// fell back to a simpler tangential model.
+    /// Adds the forces of all zones in `models.strips` to `output` and their patches to
+    /// `models.patches`; returns how many zones fell back to a simpler tangential model.
     pub fn add_forces(
         &self,
         separation: &mut T::Separation<'_>,
@@ -65,7 +65,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             let pressing = axes.normal * -normal_force;
             let bearing = match lifting {
                 None => {
-                    // Where the even part of the normal meets the axle, the part that leans does too.
+                    // Where the even part of the normal meets the axle, the part that leans does
+                    // too.
                     let even =
                         position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
                     position + (meeting_axle(&wheel, even, even_axes.normal) - even)
@@ -121,8 +122,9 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     }
 }
 
-/// The place at which the normal force of a patch on an even wheel acts: `position`, moved along x so that the line of action along `normal`
-/// meets the axle of the `wheel`, as every normal of a surface of revolution does.
+/// The place at which the normal force of a patch on an even wheel acts: `position`, moved along x
+/// so that the line of action along `normal` meets the axle of the `wheel`, as every normal of a
+/// surface of revolution does.
 ///
 /// With the axle u through the marker M and (P - M) · (n × u) = 0, n without a part along x,
 ///
@@ -130,9 +132,10 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
 /// x - M_x = u_x ((y - M_y) n_z - (z - M_z) n_y) / (u_y n_z - u_z n_y)
 /// ```
 ///
-/// A wheel that does not yaw has its normals over the axle. Those of a flank lie ahead of it or behind, by r tan(angle) sin(yaw); the
-/// centroid of the load is a little off that, because the normal there is not that of the contact frame. Normals along the axle, as of
-/// a flange back, meet it nowhere and have no moment about it.
+/// A wheel that does not yaw has its normals over the axle. Those of a flank lie ahead of it or
+/// behind, by r tan(angle) sin(yaw); the centroid of the load is a little off that, because the
+/// normal there is not that of the contact frame. Normals along the axle, as of a flange back, meet
+/// it nowhere and have no moment about it.
 fn meeting_axle<T: Real>(
     wheel: &WheelMotion<T>,
     position: Vector3<T>,
@@ -152,8 +155,9 @@ fn meeting_axle<T: Real>(
     position + Vector3::x() * (share * (x - to.x))
 }
 
-/// Sines of the angle between normal and axle below which the normal force acts at the centroid of the load, and from which on where its line
-/// meets the axle: within 1 to 3 degrees the rim of a flange back is only as good as the smoothing over of its two ends.
+/// Sines of the angle between normal and axle below which the normal force acts at the centroid of
+/// the load, and from which on where its line meets the axle: within 1 to 3 degrees the rim of a
+/// flange back is only as good as the smoothing over of its two ends.
 const FACING: [f64; 2] = [0.02, 0.05];
 
 /// Adds a force on a body that acts at `arm` from its marker, and a free moment.

@@ -1,4 +1,5 @@
-//! One contact of the wheel with a rail: its frame and its bodies, how they move there, and its friction.
+//! One contact of the wheel with a rail: its frame and its bodies, how they move there, and its
+//! friction.
 //!
 //! The same for plain numbers and for those with derivatives, whichever normal model solves it.
 
@@ -50,12 +51,14 @@ pub struct ContactSetup<'a, T = f64> {
     pub slopes: [f64; 2],
     /// How its normal motion is damped.
     pub damped: Damped<T>,
-    /// Resultant of the normal loads of its strips over their sum: below one where their normals diverge. Friction is bounded by the loads
-    /// themselves, strip by strip, so that a patch that wraps around the rail holds a little more than μ times its normal force [-].
+    /// Resultant of the normal loads of its strips over their sum: below one where their normals
+    /// diverge. Friction is bounded by the loads themselves, strip by strip, so that a patch that
+    /// wraps around the rail holds a little more than μ times its normal force [-].
     pub resultant_share: T,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub friction: Option<&'a RailFriction>,
-    /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not across its frame.
+    /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not
+    /// across its frame.
     pub is_on_arc: bool,
 }
 
@@ -86,8 +89,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         to[0] * axis[0] + to[1] * axis[1]
     }
 
-    /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along the track from the wheel marker, in
-    /// the track frame.
+    /// Point and tangent of the wheel's surface at parameter `u` of the contact line and `x` along
+    /// the track from the wheel marker, in the track frame.
     pub(super) fn surface(&self, u: T, x: T) -> [Vector3<T>; 2] {
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
@@ -97,14 +100,16 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         [point, tangent / tangent.dot(&tangent).sqrt()]
     }
 
-    /// A point given by its x from the wheel marker and its lateral coordinate and depth in the contact frame.
+    /// A point given by its x from the wheel marker and its lateral coordinate and depth in the
+    /// contact frame.
     pub(super) fn track_point(&self, x: T, y: T, depth: T) -> Vector3<T> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x
     }
 
-    /// The surface of the wheel in `zone` on a rail whose section varies along the track, or of one whose own section varies around.
+    /// The surface of the wheel in `zone` on a rail whose section varies along the track, or of one
+    /// whose own section varies around.
     pub(super) fn met_surface(&self, zone: &Zone<T>, models: &Models<T>) -> ZoneSurface<T> {
         let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line.round());
         let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
@@ -132,7 +137,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         if load > 0.0 { damped / load } else { T::from(0.0) }
     }
 
-    /// Speed at which the bodies close along the normal, without the turning of a round wheel [m/s].
+    /// Speed at which the bodies close along the normal, without the turning of a round wheel
+    /// [m/s].
     fn closing_speed(
         &self,
         motion: &RelativeMotion<T>,
@@ -141,7 +147,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     ) -> T {
         let wheel = &self.input.wheel;
         let load = strips.load();
-        // Uneven bodies may touch in several places at once: their mean closing speed has no jump where the first one changes.
+        // Uneven bodies may touch in several places at once: their mean closing speed has no jump
+        // where the first one changes.
         let along = self.rail.along(self.contact.rail_s);
         let x = if (lifting.is_some() || along.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
@@ -165,7 +172,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }
 
-    /// Gives each of the `strips` a friction of its own, where that is not the same all over the rail.
+    /// Gives each of the `strips` a friction of its own, where that is not the same all over the
+    /// rail.
     pub(super) fn fill_friction(&self, separation: &T::Separation<'_>, strips: &mut Strips<T>) {
         let Some(friction) = self.friction else { return };
         // A Hertzian ellipse can be wider than the wheel.
@@ -177,7 +185,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             let place = if self.is_on_arc {
                 RailPlace::at(&self.rail, self.contact.rail_s + y)
             } else {
-                // A separation remembers its last point; what is found with it later is not to depend on friction.
+                // A separation remembers its last point; what is found with it later is not to
+                // depend on friction.
                 walk.to(y, || separation.clone().rail_parameter(u.within(start, end)))
             };
             friction.at(&place, hand, self.station(x), self.input, &mut last)
@@ -190,7 +199,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         self.input.track_s + self.input.wheel.position[0] + x
     }
 
-    /// Friction at a `place` of the rail and `x` along the track from the wheel marker, where it is not the same all over the rail.
+    /// Friction at a `place` of the rail and `x` along the track from the wheel marker, where it is
+    /// not the same all over the rail.
     #[inline]
     pub(super) fn strip_friction(&self, place: &RailPlace<T>, x: T) -> Option<StripFriction<T>> {
         let hand = self.rail.rail.hand();
@@ -206,7 +216,8 @@ fn wheel_here<T: Real>(input: &Input<T>) -> WheelMotion<T> {
     WheelMotion { position: [T::from(0.0), y, z], ..input.wheel }
 }
 
-/// Motion of the wheel against rail number `k`, from 0, at points with their x from the wheel marker.
+/// Motion of the wheel against rail number `k`, from 0, at points with their x from the wheel
+/// marker.
 pub(super) fn relative_motion<T: Real>(
     input: &Input<T>,
     k: usize,

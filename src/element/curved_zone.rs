@@ -1,16 +1,19 @@
-//! A loaded zone as it lies on the curved surface of the wheel: creepages and tractions of its strips in their own tangent planes.
+//! A loaded zone as it lies on the curved surface of the wheel: creepages and tractions of its
+//! strips in their own tangent planes.
 //!
-//! Source: Piotrowski and Kik 2008, section 4, written for the general motion of both bodies. At the point P of the wheel's surface
-//! under the centre of a strip, with the tangent t and the normal n of the surface there, the relative velocity w of the two bodies
-//! gives the strip's own creepages
+//! Source: Piotrowski and Kik 2008, section 4, written for the general motion of both bodies. At
+//! the point P of the wheel's surface under the centre of a strip, with the tangent t and the
+//! normal n of the surface there, the relative velocity w of the two bodies gives the strip's own
+//! creepages
 //!
 //! ```text
 //! ξ = w_x / V,  η = w · t / V,  φ = (ω - ω_rail) · n / V        w_x = V ξ,  w_t = V (η + φ x) along the strip
 //! ```
 //!
-//! The printed special case is that of a wheel that does not yaw: ξ = 1 - Ω R(η)/V, φ = Ω sin γ/V in the signs used here.
-//! Tractions act along x and t at the place of the strip, so that the power they take from the two bodies is just -∫ traction · slip.
-//! Pressures stay those of the flat normal problem and act along the normal of the contact frame.
+//! The printed special case is that of a wheel that does not yaw: ξ = 1 - Ω R(η)/V, φ = Ω sin γ/V
+//! in the signs used here. Tractions act along x and t at the place of the strip, so that the power
+//! they take from the two bodies is just -∫ traction · slip. Pressures stay those of the flat
+//! normal problem and act along the normal of the contact frame.
 
 use nalgebra::Vector3;
 
@@ -90,9 +93,12 @@ impl<T: Real> CurvedZone<T> {
         self.points.capacity()
     }
 
-    /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted by load.
+    /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted
+    /// by load.
     ///
-    /// `lean` is the tangent of the angle by which the normals of a rail that rises along the track lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact line and an x [m].
+    /// `lean` is the tangent of the angle by which the normals of a rail that rises along the track
+    /// lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact
+    /// line and an x [m].
     pub fn place(
         &mut self,
         zone: &Zone<T>,
@@ -127,9 +133,10 @@ impl<T: Real> CurvedZone<T> {
         }
     }
 
-    /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is nothing to compute.
-    /// `law` is that of the mean creepage. `each` gets the number of each strip, its dissipation over the reference speed [J/m] and
-    /// its area that slips [m²]; a strip may come twice.
+    /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is
+    /// nothing to compute. `law` is that of the mean creepage. `each` gets the number of each
+    /// strip, its dissipation over the reference speed [J/m] and its area that slips [m²]; a strip
+    /// may come twice.
     pub fn tractions(
         &self,
         zone: &Zone<T>,
@@ -164,14 +171,16 @@ impl<T: Real> CurvedZone<T> {
         })?;
         total.convergence = solved.convergence;
         if tangential.is_corrected() {
-            // Parts of the correction against those of FASTSIM in other tangent planes may add up to more than friction can hold.
+            // Parts of the correction against those of FASTSIM in other tangent planes may add up
+            // to more than friction can hold.
             total.force *= (solved.limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
         }
         Some(total)
     }
 }
 
-/// The axes of a strip with the tangent `tangent` across, whose normal leans forward by an angle with the tangent `lean`.
+/// The axes of a strip with the tangent `tangent` across, whose normal leans forward by an angle
+/// with the tangent `lean`.
 fn leaning_axes<T: Real>(tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
     ContactAxes::along_track(tangent, Vector3::x().cross(&tangent)).leaning(lean)
 }

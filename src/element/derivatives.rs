@@ -1,9 +1,10 @@
 //! Derivatives of the outputs by the inputs, exact but for rounding.
 //!
-//! Searches (contacts, edges of zones, the height that carries a load) go by plain numbers as in an evaluation. What they found fulfils
-//! equations, and moves as these tell; all the rest is evaluated once more with dual numbers ([`Dual`]). The derivative belongs to the force
-//! as it is computed, element by element of the tractions. At a kink, such as the end of an adhesion area that passes from one element
-//! to the next, it is that of one side.
+//! Searches (contacts, edges of zones, the height that carries a load) go by plain numbers as in an
+//! evaluation. What they found fulfils equations, and moves as these tell; all the rest is
+//! evaluated once more with dual numbers ([`Dual`]). The derivative belongs to the force as it is
+//! computed, element by element of the tractions. At a kink, such as the end of an adhesion area
+//! that passes from one element to the next, it is that of one side.
 
 use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
 use super::foundation::FoundationModel;
@@ -25,11 +26,12 @@ const HEIGHT: usize = 2;
 const LOAD: usize = 26;
 
 impl Element {
-    /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates of the inputs: with the Jacobian J of the outputs,
-    /// J · direction, as the rates of the outputs in `rates`. Counts and wear have none.
+    /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates
+    /// of the inputs: with the Jacobian J of the outputs, J · direction, as the rates of the
+    /// outputs in `rates`. Counts and wear have none.
     ///
-    /// In load mode the height follows the load, and the rate of `wheel.z` is without effect. The first call allocates. The element is left as
-    /// it was.
+    /// In load mode the height follows the load, and the rate of `wheel.z` is without effect. The
+    /// first call allocates. The element is left as it was.
     ///
     /// ```
     /// use wheelrail::element::{Element, Input, Output, Parameters};
@@ -47,7 +49,8 @@ impl Element {
     /// ```
     ///
     /// # Errors
-    /// The input at fault, by its FMU name, or [`ContactError::NoDerivative`]; `rates` is then as before.
+    /// The input at fault, by its FMU name, or [`ContactError::NoDerivative`]; `rates` is then as
+    /// before.
     pub fn directional_derivative(
         &mut self,
         input: &Input,
@@ -71,11 +74,13 @@ impl Element {
     }
 
     /// All derivatives of the outputs: `columns` gets one entry for each input, in the order of
-    /// [`INPUT_NAMES`](super::input::INPUT_NAMES), with the derivatives by it as the rates of the outputs. Cheaper than as many calls of
+    /// [`INPUT_NAMES`](super::input::INPUT_NAMES), with the derivatives by it as the rates of the
+    /// outputs. Cheaper than as many calls of
     /// [`directional_derivative`](Self::directional_derivative).
     ///
     /// # Errors
-    /// As [`directional_derivative`](Self::directional_derivative); `columns` are then as before or hold a part.
+    /// As [`directional_derivative`](Self::directional_derivative); `columns` are then as before or
+    /// hold a part.
     pub fn jacobian(
         &mut self,
         input: &Input,
@@ -95,8 +100,8 @@ impl Element {
         done
     }
 
-    /// Hands the rates of the lateral and vertical force on the rails of a right wheel in each of the `directions` to `each`, without what the
-    /// foundation gives way; returns the forces.
+    /// Hands the rates of the lateral and vertical force on the rails of a right wheel in each of
+    /// the `directions` to `each`, without what the foundation gives way; returns the forces.
     ///
     /// # Errors
     /// What has no derivative there.
@@ -127,7 +132,8 @@ impl Element {
         })
     }
 
-    /// Sizes the memory for derivatives, where the models have them, so that the first of them allocates nothing.
+    /// Sizes the memory for derivatives, where the models have them, so that the first of them
+    /// allocates nothing.
     pub(crate) fn reserve_derivatives(&mut self) {
         if self.memory.is_none() && self.check_models().is_ok() {
             self.memory = Some(self.derivative_memory());
@@ -202,8 +208,8 @@ impl Element {
         Ok(())
     }
 
-    /// Hands the rates of the outputs of a right wheel in each of the `directions` to `each`: at most N, and where the height follows the
-    /// load or the rails at most N - 1.
+    /// Hands the rates of the outputs of a right wheel in each of the `directions` to `each`: at
+    /// most N, and where the height follows the load or the rails at most N - 1.
     fn follow<const N: usize>(
         &mut self,
         at: &(Input, Height),
@@ -233,7 +239,8 @@ impl Element {
             self.moving_forces(&input, models, output)?;
         }
         for (n, direction) in directions.iter().enumerate() {
-            // The rate of the height, so that the force goes with the load, or the contact stays one point.
+            // The rate of the height, so that the force goes with the load, or the contact stays
+            // one point.
             let down = match (height, deepest) {
                 (Height::Given, _) => 0.0,
                 (Height::Loaded, _) => {
@@ -256,8 +263,10 @@ impl Element {
         Ok(())
     }
 
-    /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor has the station of bodies that are even
-    /// and have the same friction all along the track, nor how a straight rail turns, nor a load where the height is given, nor friction that is told otherwise.
+    /// Whether anything can depend on input number `i`: a rail that is not there has no effect, nor
+    /// has the station of bodies that are even and have the same friction all along the track, nor
+    /// how a straight rail turns, nor a load where the height is given, nor friction that is told
+    /// otherwise.
     fn has_effect(&self, i: usize) -> bool {
         let has = |of: fn(&RailFriction) -> bool| {
             self.rails.iter().flatten().filter_map(|rail| rail.friction.as_ref()).any(of)
@@ -282,7 +291,8 @@ impl Element {
         }
     }
 
-    /// The input of a right side, with rails where they are on their foundation and at the height that carries its load if that is given.
+    /// The input of a right side, with rails where they are on their foundation and at the height
+    /// that carries its load if that is given.
     fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
         let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
         let is_given = self.vertical_mode == VerticalMode::Penetration;

@@ -9,7 +9,8 @@ use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 
 impl Element {
-    /// The contacts for `input` as planar problems, as a right wheel has them; allocates. In load mode the height has to be that found.
+    /// The contacts for `input` as planar problems, as a right wheel has them; allocates. In load
+    /// mode the height has to be that found.
     ///
     /// # Errors
     /// The input at fault, by its FMU name.
@@ -56,7 +57,8 @@ impl Element {
         Ok(())
     }
 
-    /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or zones found no room.
+    /// Sums the forces of all rails for the `input` of a right side; returns how many contacts or
+    /// zones found no room.
     pub(super) fn forces(&mut self, input: &Input, output: &mut Output) -> u64 {
         self.models.turn_of_normals = 0.0;
         output.clear();
@@ -87,8 +89,9 @@ impl Element {
         }
     }
 
-    /// Puts the rails of `input` (right side) where they are on their foundation and the wheel at the height that carries its load, and leaves
-    /// the forces there; returns how many fallbacks that took.
+    /// Puts the rails of `input` (right side) where they are on their foundation and the wheel at
+    /// the height that carries its load, and leaves the forces there; returns how many fallbacks
+    /// that took.
     pub(super) fn respond(&mut self, input: &mut Input, output: &mut Output) -> u64 {
         if self.foundation.model == FoundationModel::Rigid {
             return self.respond_to_rails(input, output);

@@ -9,8 +9,8 @@ use crate::geometry::line_separation::LineSeparation;
 use crate::geometry::separation::Separation;
 use crate::kinematics::creepage::rolling_speed;
 
-/// One contact frame laid flat: the planar problem whose solution are its patches, but for the shift of the contact line along the track
-/// that a yawed wheel has.
+/// One contact frame laid flat: the planar problem whose solution are its patches, but for the
+/// shift of the contact line along the track that a yawed wheel has.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FlatContact {
@@ -22,7 +22,8 @@ pub struct FlatContact {
     pub position: [f64; 2],
     /// Separation f from the contact point: points (y, f), y growing [m].
     pub separation: Vec<[f64; 2]>,
-    /// Radius of the wheel's normal section along x, together with that of a rail that varies along the track [m].
+    /// Radius of the wheel's normal section along x, together with that of a rail that varies along
+    /// the track [m].
     pub radius: f64,
     /// Approach [m].
     pub penetration: f64,
@@ -30,7 +31,8 @@ pub struct FlatContact {
     pub creepage: [f64; 3],
     /// Coefficient of friction at the contact point, without sliding [-].
     pub friction: f64,
-    /// Friction at places y of the separation, where it is not the same all over the rail; else empty.
+    /// Friction at places y of the separation, where it is not the same all over the rail; else
+    /// empty.
     pub friction_across: Vec<(f64, StripFriction)>,
     /// Outline of the wheel near the contact in the track frame, points (y, z) [m].
     pub wheel: Vec<[f64; 2]>,

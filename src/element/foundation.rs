@@ -1,7 +1,9 @@
-//! What the rails of a side rest on: nothing that yields, springs, or springs and dampers under a mass.
+//! What the rails of a side rest on: nothing that yields, springs, or springs and dampers under a
+//! mass.
 //!
-//! All rails of the side are one body on it, which moves sideways and up and down in their frame. Without mass they rest in equilibrium with the
-//! contact forces (`resting_rails`), and those with a mass do so until their first step (`moving_rails`).
+//! All rails of the side are one body on it, which moves sideways and up and down in their frame.
+//! Without mass they rest in equilibrium with the contact forces (`resting_rails`), and those with
+//! a mass do so until their first step (`moving_rails`).
 
 /// What of the foundation is taken into account.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

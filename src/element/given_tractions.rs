@@ -11,7 +11,8 @@ use crate::math::real::Real;
 pub struct GivenTractions<T = f64> {
     /// Creepage, its mean weighted by load.
     pub creepage: Creepage<T>,
-    /// The tractions, their moment about the origin of the track frame at the x of the wheel marker.
+    /// The tractions, their moment about the origin of the track frame at the x of the wheel
+    /// marker.
     pub tractions: Tractions<T>,
     /// Dissipation over the reference speed [J/m] and area that slips [m²] of each strip.
     pub strips: Vec<[T; 2]>,

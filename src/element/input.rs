@@ -13,8 +13,8 @@ const MOST: f64 = 1e100;
 pub struct Input<T = f64> {
     /// The wheel.
     pub wheel: WheelMotion<T>,
-    /// Vertical force of the wheel on all rails together, down, if the load is given and not the height; a wheel with none or a
-    /// negative one is lifted [N].
+    /// Vertical force of the wheel on all rails together, down, if the load is given and not the
+    /// height; a wheel with none or a negative one is lifted [N].
     pub wheel_load: T,
     /// The rails, `rail[1]` first.
     pub rails: [RailMotion<T>; RAILS],
@@ -29,7 +29,8 @@ pub struct Input<T = f64> {
 }
 
 impl Default for Input {
-    /// The nominal position of a right wheel, just lifted, at rest. (The units and the command line start rolling and loaded.)
+    /// The nominal position of a right wheel, just lifted, at rest. (The units and the command line
+    /// start rolling and loaded.)
     fn default() -> Self {
         Self {
             wheel: WheelMotion {
@@ -53,7 +54,8 @@ impl Default for Input {
 }
 
 impl<T: Real> Input<T> {
-    /// The same situation seen in a mirror along the track: a left wheel as a right one and the reverse.
+    /// The same situation seen in a mirror along the track: a left wheel as a right one and the
+    /// reverse.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
         let wheel = &self.wheel;
@@ -176,13 +178,15 @@ pub const INPUT_NAMES: [&str; INPUTS] = [
     "rail[1].pitch_rate", "rail[2].pitch_rate",
 ];
 
-/// Moves all rails of an array of inputs, or of their rates, by `way`; `first` is the place of the component of rail 1.
+/// Moves all rails of an array of inputs, or of their rates, by `way`; `first` is the place of the
+/// component of rail 1.
 pub(super) fn move_all(numbers: &mut [f64; INPUTS], first: usize, way: f64) {
     numbers[first] += way;
     numbers[first + RAIL] += way;
 }
 
-/// Places among the inputs: lateral and vertical coordinate of rail 1, its velocities, and how far behind it rail 2 is.
+/// Places among the inputs: lateral and vertical coordinate of rail 1, its velocities, and how far
+/// behind it rail 2 is.
 pub(super) const PLACES: [usize; 2] = [12, 13];
 pub(super) const VELOCITIES: [usize; 2] = [15, 16];
 const RAIL: usize = 6;
@@ -206,7 +210,8 @@ impl Input {
         self.admitted().map(|_| ())
     }
 
-    /// The input as it is evaluated: numbers beyond [`MOST`] are taken as that, so that no product of them is infinite.
+    /// The input as it is evaluated: numbers beyond [`MOST`] are taken as that, so that no product
+    /// of them is infinite.
     ///
     /// # Errors
     /// As [`check`](Self::check).

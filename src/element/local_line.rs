@@ -1,6 +1,7 @@
 //! Overlap of a wheel's contact line with a rail along the local normals.
 //!
-//! The overlap is the distance of the contact line from the nearest point of the rail, and the coordinate across is the arc along the rail.
+//! The overlap is the distance of the contact line from the nearest point of the rail, and the
+//! coordinate across is the arc along the rail.
 
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::{ContactLine, LinePoint};
@@ -11,8 +12,8 @@ use crate::geometry::varying_rail::{Along, VaryingRail};
 use crate::math::real::Real;
 use crate::normal::strips_on_grid::{Line, LinePlace, NEAR, STATION, walk_across};
 
-/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for the wheel there is no Hertzian
-/// ellipse.
+/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for
+/// the wheel there is no Hertzian ellipse.
 pub(super) const LEAST_CURVATURE_SHARE: f64 = 0.02;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
@@ -22,7 +23,8 @@ const NEAREST: f64 = 1e-8;
 pub(super) struct LocalLine<'a> {
     line: &'a ContactLine<'a>,
     rail: &'a PlacedRail,
-    /// Parameter of the line and of the rail at the last place, and derivative of the one by the other.
+    /// Parameter of the line and of the rail at the last place, and derivative of the one by the
+    /// other.
     near: [f64; 3],
     /// Deepest penetration of all contacts [m].
     depth: f64,
@@ -39,7 +41,8 @@ impl<'a> LocalLine<'a> {
         Self { depth, ..Self::new(line, rail, &search.contacts[0]) }
     }
 
-    /// The point of the wheel at parameter `u` that is nearest to the rail along the track, and the derivative of its (y, z).
+    /// The point of the wheel at parameter `u` that is nearest to the rail along the track, and the
+    /// derivative of its (y, z).
     fn point(&self, u: f64) -> (LinePoint, [f64; 2]) {
         match self.line.deviations() {
             None => self.line.even_with_derivative(u),
@@ -50,14 +53,16 @@ impl<'a> LocalLine<'a> {
         }
     }
 
-    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along it; the place `x` of the contact line on others.
+    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along
+    /// it; the place `x` of the contact line on others.
     fn met(&self, s: f64, x: f64) -> [f64; 2] {
         let Some(varying) = self.rail.variation() else { return [x, 1.0] };
         let Along { ahead, lean, .. } = varying.along(s);
         [x + ahead, 1.0 / lean.hypot(1.0)]
     }
 
-    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail that varies, whose corrugation is bridged as on an even rail [m].
+    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail
+    /// that varies, whose corrugation is bridged as on an even rail [m].
     fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
         let place = self.place(u);
@@ -67,13 +72,15 @@ impl<'a> LocalLine<'a> {
         radius_on_rows(even, &Along { curvature: along.curvature + share * bridged, ..along })
     }
 
-    /// Distance to either side over which waves along the track are bridged by a wheel whose even section has the radius `even`: over the length that a ball of it touches
-    /// along, to the station at which strips meet them [m].
+    /// Distance to either side over which waves along the track are bridged by a wheel whose even
+    /// section has the radius `even`: over the length that a ball of it touches along, to the
+    /// station at which strips meet them [m].
     fn bridge(&self, even: f64) -> f64 {
         STATION * (even * self.depth).sqrt()
     }
 
-    /// Radius of the section along x of wheel and rail together at parameter `u`, with their deviations over the length of the [`bridge`](Self::bridge) [m].
+    /// Radius of the section along x of wheel and rail together at parameter `u`, with their
+    /// deviations over the length of the [`bridge`](Self::bridge) [m].
     #[cold]
     fn uneven_radius(&self, u: f64, deviations: &Longitudinal) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
@@ -84,8 +91,10 @@ impl<'a> LocalLine<'a> {
 }
 
 impl LocalLine<'_> {
-    /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]: where the line crosses the normal of the
-    /// rail, looked for from the parameter `guess`. A little beyond its end the rail goes on as it does before. Nothing where the wheel ends, or a body is bent more than the other one is far.
+    /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]:
+    /// where the line crosses the normal of the rail, looked for from the parameter `guess`. A
+    /// little beyond its end the rail goes on as it does before. Nothing where the wheel ends, or a
+    /// body is bent more than the other one is far.
     pub fn on_normal(&mut self, y: f64, guess: f64) -> Option<(LinePlace, [f64; 2])> {
         let [start, end] = self.line.range();
         let on = self.rail.curve().at(y);
@@ -178,7 +187,8 @@ impl Line for LocalLine<'_> {
     }
 }
 
-/// Radius of the section of wheel and rail together along the rows of a rail that varies, for a wheel whose even section has the radius `even` [m].
+/// Radius of the section of wheel and rail together along the rows of a rail that varies, for a
+/// wheel whose even section has the radius `even` [m].
 pub(super) fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
     // The wheel's circle is as round along the lean as it is along the track.
     let share = even * along.curvature * along.shortening() + 1.0;
@@ -188,7 +198,8 @@ pub(super) fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
 /// Distance along the contact line beyond which a nearest point is looked for anew [m].
 const FAR: f64 = 8e-3;
 
-/// Least rate at which the nearest point moves with the contact line: where bodies end it may stand still.
+/// Least rate at which the nearest point moves with the contact line: where bodies end it may stand
+/// still.
 const LEAST_RATE: f64 = 0.05;
 
 /// Most points tried to find the one on a normal.

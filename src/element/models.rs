@@ -19,7 +19,8 @@ use crate::tangential::Tangential;
 /// Most loaded zones of one contact frame.
 const MOST_ZONES: usize = 8;
 
-/// The chosen models and their scratch memory, shared by the rails of an element; with derivatives where the numbers have them.
+/// The chosen models and their scratch memory, shared by the rails of an element; with derivatives
+/// where the numbers have them.
 #[derive(Clone, Debug)]
 pub struct Models<T = f64> {
     /// Normal contact model.
@@ -34,7 +35,8 @@ pub struct Models<T = f64> {
     pub tangential: Tangential,
     /// How creepage varies over a zone.
     pub creepage: CreepageModel,
-    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved patch.
+    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved
+    /// patch.
     pub curved_zone: CurvedZone<T>,
     /// Floor of the speed that creepages refer to [m/s].
     pub minimum_speed: f64,
@@ -53,11 +55,13 @@ pub struct Models<T = f64> {
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
     pub strip_follower: Option<GridFollower<T>>,
-    /// The outline of a rail that varies along the track, as it moves, where numbers have derivatives.
+    /// The outline of a rail that varies along the track, as it moves, where numbers have
+    /// derivatives.
     pub outline: Option<Box<MovingOutline<T>>>,
     /// Tractions of the zone under way, where they were found together with those of other zones.
     pub given: Option<GivenTractions<T>>,
-    /// Greatest angle between normals of the elements that carry pressure on one rail, where boundary elements were solved on it [rad].
+    /// Greatest angle between normals of the elements that carry pressure on one rail, where
+    /// boundary elements were solved on it [rad].
     pub turn_of_normals: f64,
     /// All loaded zones of the evaluation under way.
     pub patches: FixedVec<Patch<T>>,
@@ -68,15 +72,16 @@ pub struct Models<T = f64> {
 }
 
 impl Models {
-    /// Largest distance left at a node of the strips of the rail under way, or overlap left, over its
-    /// greatest overlap; 0 where strips were not solved [-].
+    /// Largest distance left at a node of the strips of the rail under way, or overlap left, over
+    /// its greatest overlap; 0 where strips were not solved [-].
     #[must_use]
     pub fn normal_residual(&self) -> f64 {
         self.strip_solver.as_ref().map_or(0.0, GridSolver::residual)
     }
 
-    /// The same models with memory for other numbers; without what only plain ones can be: a solver, uneven bodies, wear. `rows` is how many an outline of a rail that
-    /// varies along the track has, if there is one.
+    /// The same models with memory for other numbers; without what only plain ones can be: a
+    /// solver, uneven bodies, wear. `rows` is how many an outline of a rail that varies along the
+    /// track has, if there is one.
     #[must_use]
     pub fn in_other_numbers<T: Real>(&self, rows: Option<usize>) -> Models<T> {
         let strips = |like: &Strips| {

@@ -61,7 +61,8 @@ pub const UNSETTLED: Kink = "the equations of the strips are singular";
 pub const BODY_ENDS: Kink = "wheel or rail ends within a contact, where forces have a kink";
 
 impl RailContact {
-    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without deviations along the track.
+    /// As [`evaluate`](Self::evaluate) with derivatives, for bodies without deviations along the
+    /// track.
     ///
     /// # Errors
     /// What has no derivative; `output` and `models` then hold a part.

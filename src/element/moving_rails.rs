@@ -4,16 +4,17 @@
 //! m d'' = F(t, d, d') - K d - C d'
 //! ```
 //!
-//! A Rosenbrock method of two stages (ROS2: Verwer, Spee, Blom and Hundsdorfer, SIAM Journal on Scientific Computing 20 (1999) 1456) with the exact
-//! derivatives of the contact forces, by the inputs too: second order, and stable whatever the stiffness of contact and pads (L-stable), so that
-//! swings that a step is too long for die out in it.
+//! A Rosenbrock method of two stages (ROS2: Verwer, Spee, Blom and Hundsdorfer, SIAM Journal on
+//! Scientific Computing 20 (1999) 1456) with the exact derivatives of the contact forces, by the
+//! inputs too: second order, and stable whatever the stiffness of contact and pads (L-stable), so
+//! that swings that a step is too long for die out in it.
 //!
 //! ```text
 //! (1 - γhJ) k1 = f(t, u) + γh f_t,   (1 - γhJ) k2 = f(t + h, u + h k1) - 2 k1 - γh f_t,   u' = u + h (3 k1 + k2)/2,   γ = 1 - 1/√2
 //! ```
 //!
-//! Other derivatives, as of models that have none, cost accuracy in stiff motions and no order. The step from k1 alone is one of first order: what
-//! it differs by is the estimated error.
+//! Other derivatives, as of models that have none, cost accuracy in stiff motions and no order. The
+//! step from k1 alone is one of first order: what it differs by is the estimated error.
 
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
@@ -28,7 +29,8 @@ use crate::error::ContactError;
 /// γ of the method, 1 - 1/√2: the smaller one of the two with which it is L-stable.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
-/// Forces on the rails and how they change: by place, by velocity (rows are forces), and with the inputs in time.
+/// Forces on the rails and how they change: by place, by velocity (rows are forces), and with the
+/// inputs in time.
 #[derive(Clone, Copy, Debug, Default)]
 struct Response {
     force: [f64; 2],
@@ -78,8 +80,9 @@ impl Element {
         self.foundation.longest_step
     }
 
-    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`; other rails stay. The
-    /// error of the new deflection is of third order in the duration, estimated in [`TrackState::step_error`].
+    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go
+    /// from `from` straight to `to`; other rails stay. The error of the new deflection is of third
+    /// order in the duration, estimated in [`TrackState::step_error`].
     ///
     /// ```
     /// use wheelrail::element::parameters::{Foundation, FoundationModel};
@@ -99,7 +102,8 @@ impl Element {
     /// ```
     ///
     /// # Errors
-    /// The input at fault, by its FMU name, or a duration that is negative or not finite; the rails are then where they were.
+    /// The input at fault, by its FMU name, or a duration that is negative or not finite; the rails
+    /// are then where they were.
     pub fn move_rails(
         &mut self,
         from: &Input,

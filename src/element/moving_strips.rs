@@ -12,7 +12,8 @@ use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::normal::strips_on_grid::{Line, LinePlace, OverlapLine, Place};
 
-/// Overlap along the local normals of a line that moves: found by plain numbers, and moved from there.
+/// Overlap along the local normals of a line that moves: found by plain numbers, and moved from
+/// there.
 struct MovingLocal<'a, T> {
     line: &'a ContactLine<'a, T>,
     rail: &'a RailOutline<'a, T>,
@@ -60,7 +61,8 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
     }
 }
 
-/// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in `found`; false where the equations have none.
+/// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in
+/// `found`; false where the equations have none.
 pub fn follow<const N: usize>(
     line: &ContactLine<Dual<N>>,
     rail: &RailOutline<Dual<N>>,

@@ -12,12 +12,14 @@ use crate::normal::Zone;
 use crate::normal::piotrowski_kik::Influence;
 use crate::tangential::{CreepNumber, UnderLaw};
 
-/// Numbers with which contacts are brought to forces; deviations along the track and wear are those of plain ones alone.
+/// Numbers with which contacts are brought to forces; deviations along the track and wear are those
+/// of plain ones alone.
 pub trait ElementNumber: CreepNumber + Influence {
     /// The separation of wheel and rail in the frame of a contact.
     type Separation<'a>: RailSeparation<'a, Self> + Clone;
 
-    /// The surface of an uneven wheel with the contact line `line` in `zone`; `contact_u` is the parameter of the line in the contact.
+    /// The surface of an uneven wheel with the contact line `line` in `zone`; `contact_u` is the
+    /// parameter of the line in the contact.
     fn zone_surface(
         _line: &ContactLine<Self>,
         _contact_u: Self,
@@ -28,7 +30,8 @@ pub trait ElementNumber: CreepNumber + Influence {
         ZoneSurface::even()
     }
 
-    /// Records the wear of zone number `index` on rail number `k`, from 0, which rolls as `law` says.
+    /// Records the wear of zone number `index` on rail number `k`, from 0, which rolls as `law`
+    /// says.
     fn record(
         _line: &ContactLine<Self>,
         _k: usize,

@@ -26,7 +26,8 @@ pub struct Patch<T = f64> {
     pub normal_force: T,
     /// Creep force on the wheel along x and along the contact frame's lateral axis [N].
     pub creep_force: [T; 2],
-    /// Moment of the tractions on the wheel about the contact normal, at the patch's position [N m].
+    /// Moment of the tractions on the wheel about the contact normal, at the patch's position
+    /// [N m].
     pub spin_moment: T,
     /// Roll of the contact frame about the track's x axis, negative on the right tread [rad].
     pub contact_angle: T,
@@ -52,13 +53,15 @@ pub struct Patch<T = f64> {
     pub creepage: [T; 3],
     /// Coefficient of friction as slip and heat leave it, the mean over the load, ≥ 0 [-].
     pub friction_coefficient: T,
-    /// Mean rise of temperature over the pressure as if all of the zone slid, where friction depends on it; otherwise 0 [K].
+    /// Mean rise of temperature over the pressure as if all of the zone slid, where friction
+    /// depends on it; otherwise 0 [K].
     pub temperature: T,
     /// Share of the area that slips, 0 to 1 [-].
     pub slip_share: T,
     /// Power turned into heat [W].
     pub frictional_power: T,
-    /// T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks [-].
+    /// T-gamma damage of the rail by one passage, as a share of its life; negative where wear
+    /// outruns cracks [-].
     pub tgamma_damage: T,
     /// Surface fatigue index: above 0 the surface ratchets [-].
     pub surface_fatigue_index: T,
@@ -70,17 +73,20 @@ pub struct Patch<T = f64> {
 pub struct BodyWear {
     /// Worn area of the cross section so far [m²].
     pub area: f64,
-    /// Worn volume so far: of the whole circumference of a wheel, of the distance that a rail stands for [m³].
+    /// Worn volume so far: of the whole circumference of a wheel, of the distance that a rail
+    /// stands for [m³].
     pub volume: f64,
     /// Greatest depth of the profile in use [m].
     pub depth: f64,
 }
 
-/// Where the rails of a side are on their foundation, in their frame; pairs are lateral and vertical, down.
+/// Where the rails of a side are on their foundation, in their frame; pairs are lateral and
+/// vertical, down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Deflection<T = f64> {
-    /// Deflection from where they rest without a wheel, which the inputs of the rails come on top of [m].
+    /// Deflection from where they rest without a wheel, which the inputs of the rails come on top
+    /// of [m].
     pub deflection: [T; 2],
     /// Velocity; 0 for rails without mass [m/s].
     pub velocity: [T; 2],
@@ -105,7 +111,8 @@ pub struct Output<T = f64> {
     pub rails: [Wrench<T>; RAILS],
     /// Height of the wheel marker: the one found if the load is given, else that of the input [m].
     pub wheel_z: T,
-    /// Vertical force that all rails together carry, down: the load, where that is given and the rails can carry it [N].
+    /// Vertical force that all rails together carry, down: the load, where that is given and the
+    /// rails can carry it [N].
     pub load_carried: T,
     /// Where the rails are on their foundation.
     pub foundation: Deflection<T>,
@@ -113,11 +120,13 @@ pub struct Output<T = f64> {
     pub patch_count: i32,
     /// How often a solver fell back to a simpler model since initialisation.
     pub fallback_count: i32,
-    /// Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap, of
-    /// boundary elements, and of strips at their nodes before the last Newton step; 0 for other models [-].
+    /// Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over
+    /// the greatest overlap, of boundary elements, and of strips at their nodes before the last
+    /// Newton step; 0 for other models [-].
     pub normal_residual: T,
-    /// Largest slip of boundary elements that contradicts the friction law, over the largest rigid slip; of tractions on strips, the greatest part of their bound by which
-    /// they do; 0 for other models [-].
+    /// Largest slip of boundary elements that contradicts the friction law, over the largest rigid
+    /// slip; of tractions on strips, the greatest part of their bound by which they do; 0 for other
+    /// models [-].
     pub tangential_residual: T,
     /// Dissipated energy per distance, spin included [J/m].
     pub wear_number: T,
@@ -155,7 +164,8 @@ impl<T: Real> Output<T> {
         *rail_wear = [BodyWear::default(); RAILS];
     }
 
-    /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which have no derivatives, are left out.
+    /// The same in other numbers, each one made by `turn` from the own one; counts and wear, which
+    /// have no derivatives, are left out.
     #[must_use]
     pub fn each<S: Real>(&self, mut turn: impl FnMut(T) -> S) -> Output<S> {
         Output {
@@ -173,7 +183,8 @@ impl<T: Real> Output<T> {
         }
     }
 
-    /// The same result seen in a mirror along the track; profile coordinates stay those of the right side.
+    /// The same result seen in a mirror along the track; profile coordinates stay those of the
+    /// right side.
     #[must_use]
     pub(crate) fn mirrored(&self) -> Self {
         Self {

@@ -81,7 +81,8 @@ pub struct WheelParameters {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Placement {
-    /// The gauge: its gauge face is half the gauge from the track centre, its highest point in the plane of the rail tops.
+    /// The gauge: its gauge face is half the gauge from the track centre, its highest point in the
+    /// plane of the rail tops.
     #[default]
     Gauge,
     /// The position of its marker, the highest point of its inclined head.
@@ -93,7 +94,8 @@ pub enum Placement {
 /// One rail: profile and how it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RailParameters {
-    /// Built-in name or file of the profile; slices or a table of sections where it varies along the track.
+    /// Built-in name or file of the profile; slices or a table of sections where it varies along
+    /// the track.
     pub profile: String,
     /// Whether this rail takes part.
     pub enabled: bool,
@@ -101,12 +103,14 @@ pub struct RailParameters {
     pub inclination: f64,
     /// What says where it stands.
     pub placement: Placement,
-    /// Its place in design position, unless it is placed by gauge: y (negative for a left wheel, as that of the wheel) and z in the
-    /// track frame [m].
+    /// Its place in design position, unless it is placed by gauge: y (negative for a left wheel, as
+    /// that of the wheel) and z in the track frame [m].
     pub position: [f64; 2],
-    /// Distance of the highest point of a roller from its axle, which is across the track at x = 0 of the track frame; 0 for a straight rail [m].
+    /// Distance of the highest point of a roller from its axle, which is across the track at x = 0
+    /// of the track frame; 0 for a straight rail [m].
     pub roller_radius: f64,
-    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on the field side.
+    /// Whether the profile, inclined, is turned left to right: the gauge face of a check rail is on
+    /// the field side.
     pub mirrored: bool,
     /// Corrugation.
     pub corrugation: Corrugation,
@@ -131,8 +135,9 @@ pub struct Parameters {
     pub gauge: f64,
     /// Depth below the rail top at which the gauge is measured, > 0 [m].
     pub gauge_depth: f64,
-    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0 interpolates, and a negative
-    /// number (-1) leaves the choice to the noise of each file's points [m].
+    /// Wavelength at which the smoothing of profiles read from files halves an amplitude; 0
+    /// interpolates, and a negative number (-1) leaves the choice to the noise of each file's
+    /// points [m].
     pub profile_smoothing: f64,
     /// What is given of the vertical motion.
     pub vertical_mode: VerticalMode,
@@ -170,7 +175,8 @@ pub struct Parameters {
     pub friction_profile: String,
     /// Where the tread changes over to the gauge face.
     pub friction_changeover: Changeover,
-    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread where friction is not uniform.
+    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread
+    /// where friction is not uniform.
     pub friction_law: FrictionLaw,
     /// The same of the gauge face, where friction is not uniform.
     pub gauge_face_law: FrictionLaw,

@@ -19,8 +19,9 @@ use crate::geometry::varying_wheel::VaryingWheel;
 use crate::io::{load_profile, load_slices};
 
 impl Element {
-    /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order), checks the
-    /// parameters and sizes all scratch memory. `start` is the input from which `nominal.wheel_z` follows.
+    /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order),
+    /// checks the parameters and sizes all scratch memory. `start` is the input from which
+    /// `nominal.wheel_z` follows.
     ///
     /// # Errors
     /// The parameter or profile at fault, by its FMU name.
@@ -57,7 +58,8 @@ impl Element {
         Self::build(parameters, start, wheel, &rails, &slices, profile_folders)
     }
 
-    /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail that is not there.
+    /// As [`Element::new`], with profiles at hand instead of their names; `None` stands for a rail
+    /// that is not there.
     ///
     /// # Errors
     /// The parameter or profile at fault, by its FMU name.
@@ -93,7 +95,8 @@ impl Element {
         let sections = around.iter().flat_map(|slices| slices.slices()).map(|s| &s.profile);
         for section in sections.chain([wheel]) {
             let [least, greatest] = section.bounds().z;
-            // All of the wheel is on one side of its axle, and none of it further out than twice the nominal radius.
+            // All of the wheel is on one side of its axle, and none of it further out than twice
+            // the nominal radius.
             if radius + least <= 0.1 * radius || greatest > radius {
                 let allowed = "a radius in metres that goes with the heights of the wheel profile";
                 return Err(ContactError::bad_value("wheel.nominal_radius", radius, allowed));

@@ -1,4 +1,5 @@
-//! One wheel over one rail: the pose of the wheel, where the search for contacts looks, and how far the wheel is from first touch.
+//! One wheel over one rail: the pose of the wheel, where the search for contacts looks, and how far
+//! the wheel is from first touch.
 
 use super::input::Input;
 use super::parameters::Parameters;
@@ -25,7 +26,8 @@ pub struct RailContact {
     pub(super) nominal_radius: f64,
     pub(super) rail: PlacedRail,
     clearance: Clearance,
-    /// The same for a rail that varies along the track as it is where the wheel is, for wheels that are inside.
+    /// The same for a rail that varies along the track as it is where the wheel is, for wheels that
+    /// are inside.
     here: Option<Clearance>,
     /// The wheel, if its section varies around.
     pub(super) around: Option<Box<Around>>,
@@ -50,7 +52,8 @@ pub(super) struct Around {
 
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
 const STEEPEST: f64 = 0.05;
-/// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side and to the length of its arc [m].
+/// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side
+/// and to the length of its arc [m].
 const MOST_WIDER: f64 = 0.01;
 const MOST_LONGER: f64 = 0.1;
 /// Most stretches of a contact line that are searched apart from each other.
@@ -116,7 +119,8 @@ impl RailContact {
         self.rail.curve()
     }
 
-    /// The profile of the rail as it was before it was placed, with `curve` in the place of its own if there is one.
+    /// The profile of the rail as it was before it was placed, with `curve` in the place of its own
+    /// if there is one.
     pub fn rail_profile(&self, curve: Option<&Curve>) -> Profile {
         Profile {
             name: self.rail_name.clone(),
@@ -131,8 +135,9 @@ impl RailContact {
         self.rail.profile_point(point)
     }
 
-    /// Puts other curves in the place of those of wheel and placed rail; nothing moves. `rail` fills in that of the rail. Within the room
-    /// of [`reserve_for_wear`](Self::reserve_for_wear) nothing is allocated.
+    /// Puts other curves in the place of those of wheel and placed rail; nothing moves. `rail`
+    /// fills in that of the rail. Within the room of [`reserve_for_wear`](Self::reserve_for_wear)
+    /// nothing is allocated.
     pub fn put_curves<T>(&mut self, wheel: &Curve, rail: impl FnOnce(&mut Curve) -> T) -> T {
         self.wheel.curve.copy_from(wheel);
         let put = self.rail.put_curve(rail);
@@ -141,7 +146,8 @@ impl RailContact {
         put
     }
 
-    /// Makes room for curves of wheel and rail through so many knots, and for what wear may make of their lengths.
+    /// Makes room for curves of wheel and rail through so many knots, and for what wear may make of
+    /// their lengths.
     pub fn reserve_for_wear(&mut self, wheel_knots: usize, rail_knots: usize) {
         self.wheel.curve.reserve(wheel_knots);
         self.rail.reserve(rail_knots);
@@ -149,8 +155,9 @@ impl RailContact {
         self.search.reserve(MOST_LONGER);
     }
 
-    /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no contact is left, by their penetrations
-    /// and angles as they are; nothing where there is no contact [m].
+    /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no
+    /// contact is left, by their penetrations and angles as they are; nothing where there is no
+    /// contact [m].
     pub fn lift(&mut self, k: usize, input: &Input) -> Option<f64> {
         if !self.search_contacts(k, input) {
             return None;
@@ -160,7 +167,8 @@ impl RailContact {
         lifts.reduce(f64::max)
     }
 
-    /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds show that there are none.
+    /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds
+    /// show that there are none.
     pub(super) fn search_contacts(&mut self, k: usize, input: &Input) -> bool {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         if !self.turn_wheel(input, &pose) {
@@ -180,7 +188,8 @@ impl RailContact {
         true
     }
 
-    /// Turns a wheel whose section varies around to the pitch of `input`; false where there is nothing of it.
+    /// Turns a wheel whose section varies around to the pitch of `input`; false where there is
+    /// nothing of it.
     fn turn_wheel(&mut self, input: &Input, pose: &WheelPose) -> bool {
         let Some(around) = &mut self.around else { return true };
         let Around { wheel, clearance } = around.as_mut();
@@ -192,7 +201,8 @@ impl RailContact {
         is_there
     }
 
-    /// Fills `ranges` with the stretches of the contact line that may touch, and places the deviations along the track.
+    /// Fills `ranges` with the stretches of the contact line that may touch, and places the
+    /// deviations along the track.
     fn find_ranges(&mut self, input: &Input, pose: &WheelPose) {
         let mut lowest = *pose;
         lowest.marker[2] += self.highest();
@@ -205,7 +215,8 @@ impl RailContact {
         clearance.ranges(&lowest, &mut self.ranges);
     }
 
-    /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of rail number `k` [m].
+    /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of
+    /// rail number `k` [m].
     pub fn clear_height(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let pose = frame.pose(&input.wheel);
@@ -216,8 +227,8 @@ impl RailContact {
             - highest
     }
 
-    /// A marker height a little above that of first touch for `input` (right side) with rail number `k`, by the bounds of
-    /// [`Clearance`]; infinite where the wheel stands beside the rail [m].
+    /// A marker height a little above that of first touch for `input` (right side) with rail number
+    /// `k`, by the bounds of [`Clearance`]; infinite where the wheel stands beside the rail [m].
     pub fn height_near_touch(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let near = self.clearance.height_near_touch(&frame.pose(&input.wheel));
@@ -230,7 +241,8 @@ impl RailContact {
         of_rail + self.deviations.as_ref().map_or(0.0, Longitudinal::highest)
     }
 
-    /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it is not [m].
+    /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it
+    /// is not [m].
     pub(super) fn depth(&mut self, k: usize, input: &Input) -> f64 {
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         let clearance = match (&mut self.here, &self.around) {
@@ -245,7 +257,8 @@ impl RailContact {
     }
 }
 
-/// The line with deviations along the track, if there are any, and of a wheel that varies around, if it does.
+/// The line with deviations along the track, if there are any, and of a wheel that varies around,
+/// if it does.
 pub(super) fn with<'a>(
     line: ContactLine<'a>,
     deviations: Option<&'a Longitudinal>,

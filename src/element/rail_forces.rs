@@ -1,4 +1,5 @@
-//! From the contacts that the search has found on one rail to forces: normal and tangential models, one contact after the other or all together.
+//! From the contacts that the search has found on one rail to forces: normal and tangential models,
+//! one contact after the other or all together.
 
 use super::boundary_contact;
 use super::contact_setup::{ContactSetup, Damped};
@@ -17,10 +18,12 @@ use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::Separation;
 use crate::normal::{self, NormalModel, NormalProblem};
 
-/// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which on one without a force is [m].
+/// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which
+/// on one without a force is [m].
 const DEEP: f64 = 5e-3;
 
-/// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its underside is as near as its top.
+/// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its
+/// underside is as near as its top.
 const MOST_DEPTH: f64 = 2.5e-2;
 
 impl RailContact {
@@ -59,8 +62,9 @@ impl RailContact {
         contacts.collect()
     }
 
-    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no room or fell back to a
-    /// simpler model. A wheel that is so deep in the rail that the outlines tell no force is one of them, and `sunk` is then how deep it is [m].
+    /// Adds the forces of rail number `k` to `output`; returns how many contacts or zones found no
+    /// room or fell back to a simpler model. A wheel that is so deep in the rail that the outlines
+    /// tell no force is one of them, and `sunk` is then how deep it is [m].
     pub fn evaluate(
         &mut self,
         k: usize,
@@ -95,7 +99,8 @@ impl RailContact {
         left_out + fallbacks
     }
 
-    /// Adds the forces of the contacts found; returns how many zones found no room or fell back to a simpler model.
+    /// Adds the forces of the contacts found; returns how many zones found no room or fell back to
+    /// a simpler model.
     fn add_forces(
         &mut self,
         k: usize,
@@ -204,7 +209,8 @@ impl RailContact {
     }
 }
 
-/// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose even section has `radius` [m].
+/// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose
+/// even section has `radius` [m].
 fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;

@@ -45,8 +45,8 @@ impl<T: Real> RailFrame<T> {
         }
     }
 
-    /// Motion of the `wheel` against the rail with `motion`, both with their x from the wheel marker, which is `x` ahead of the origin of the track: the axle
-    /// of a roller crosses that.
+    /// Motion of the `wheel` against the rail with `motion`, both with their x from the wheel
+    /// marker, which is `x` ahead of the origin of the track: the axle of a roller crosses that.
     pub fn relative_motion(
         &self,
         wheel: &WheelMotion<T>,

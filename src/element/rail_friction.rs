@@ -15,14 +15,17 @@ use crate::math::real::Real;
 /// Friction over the surface of one rail.
 #[derive(Clone, Debug)]
 pub struct RailFriction {
-    /// The table, and what its argument across the rail is: the direction of the rail's tangent, or the parameter of its curve, growing from its gauge face. Without
-    /// it both regions have the coefficients of the input.
+    /// The table, and what its argument across the rail is: the direction of the rail's tangent, or
+    /// the parameter of its curve, growing from its gauge face. Without it both regions have the
+    /// coefficients of the input.
     coefficient: Option<(Across, FrictionTables)>,
-    /// Share of the gauge face over the direction of the rail's tangent, where the two regions are not alike.
+    /// Share of the gauge face over the direction of the rail's tangent, where the two regions are
+    /// not alike.
     gauge_face_share: Option<Table>,
 }
 
-/// Where the tables were looked up last: strips lie beside each other. Without influence on what is found.
+/// Where the tables were looked up last: strips lie beside each other. Without influence on what is
+/// found.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LastPlace {
     coefficient: usize,
@@ -30,8 +33,8 @@ pub struct LastPlace {
 }
 
 impl RailFriction {
-    /// That of rail number `k`, from 0, where `parameters` put it; nothing where friction is the same all over it. Files are looked for in
-    /// `folders`.
+    /// That of rail number `k`, from 0, where `parameters` put it; nothing where friction is the
+    /// same all over it. Files are looked for in `folders`.
     ///
     /// # Errors
     /// A file that cannot be used.
@@ -70,7 +73,8 @@ impl RailFriction {
         self.coefficient.is_none()
     }
 
-    /// Friction at a `place` of a rail of that `hand` and at `station` along the track [m]; `last` is where it was asked for last.
+    /// Friction at a `place` of a rail of that `hand` and at `station` along the track [m]; `last`
+    /// is where it was asked for last.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn at<T: Real>(
@@ -103,7 +107,8 @@ impl RailFriction {
 /// Last Newton step towards the highest point [m].
 const NEAREST: f64 = 1e-12;
 
-/// Puts the places of `profile`, arcs from the highest point of `rail`, on the parameter of its curve.
+/// Puts the places of `profile`, arcs from the highest point of `rail`, on the parameter of its
+/// curve.
 fn on_curve(profile: &mut FrictionProfile, rail: &PlacedRail) {
     // The marker is the highest point.
     let top = rail.nearest([0.0; 2], rail.coarse_nearest([0.0; 2]), NEAREST).s;

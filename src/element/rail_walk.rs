@@ -21,10 +21,11 @@ impl<T: Real> RailPlace<T> {
     }
 }
 
-/// Longest last step of Newton's method [m]. It is off by its square over twice the radius: 0.4 nm on a gauge corner of 13 mm, which turns by 3e-8 rad there.
+/// Longest last step of Newton's method [m]. It is off by its square over twice the radius: 0.4 nm
+/// on a gauge corner of 13 mm, which turns by 3e-8 rad there.
 const NEAR: f64 = 3e-6;
-/// Cosine of the angle to the frame beyond which a rail has turned away: 81 degrees, steeper than any flange. Closer to a right angle a step of Newton's method
-/// goes too far.
+/// Cosine of the angle to the frame beyond which a rail has turned away: 81 degrees, steeper than
+/// any flange. Closer to a right angle a step of Newton's method goes too far.
 const LEAST_COSINE: f64 = 0.15;
 
 /// The last place of a walk.
@@ -32,7 +33,8 @@ const LEAST_COSINE: f64 = 0.15;
 struct Last<T> {
     y: T,
     s: T,
-    /// One over the derivative of y by s, not a number where the rail has turned away, and the second derivative.
+    /// One over the derivative of y by s, not a number where the rail has turned away, and the
+    /// second derivative.
     steepness: T,
     bend: T,
 }
@@ -52,8 +54,9 @@ impl<'a, T: Real> RailWalk<'a, T> {
         Self { rail, contact, last: Last::at(&contact, T::from(0.0), contact.rail_s, &on) }
     }
 
-    /// The place opposite to the lateral coordinate `y` of the frame [m]. From the last one it takes a step of Newton's method; where that is
-    /// far, the parameter of the curve is that of `search` [m].
+    /// The place opposite to the lateral coordinate `y` of the frame [m]. From the last one it
+    /// takes a step of Newton's method; where that is far, the parameter of the curve is that of
+    /// `search` [m].
     pub fn to(&mut self, y: T, search: impl FnOnce() -> T) -> RailPlace<T> {
         self.step(y).unwrap_or_else(|| {
             let s = search();

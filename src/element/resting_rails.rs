@@ -6,11 +6,13 @@
 //! K d = F(d),   K = diag(k_y, k_z)
 //! ```
 //!
-//! Under a wheel of given height it is found by Newton's method with the exact derivatives of F, each step shortened until the correction that
-//! follows it is the smaller one (natural monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is much smaller
-//! Broyden's correction of the derivatives serves for the next step; under a given load, which says
-//! how far the rails sink, by bracketed secants for the lateral deflection alone. Where a normal model jumps past the equilibrium the forces are
-//! those beside the jump, and a fallback.
+//! Under a wheel of given height it is found by Newton's method with the exact derivatives of F,
+//! each step shortened until the correction that follows it is the smaller one (natural
+//! monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is
+//! much smaller Broyden's correction of the derivatives serves for the next step; under a given
+//! load, which says how far the rails sink, by bracketed secants for the lateral deflection alone.
+//! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
+//! fallback.
 
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
@@ -24,13 +26,15 @@ use crate::math::root::outward;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.
 const MOST_STEPS: usize = 40;
-/// A matrix serves for one more step, with Broyden's correction, where the correction that followed a step was this share of it or less.
+/// A matrix serves for one more step, with Broyden's correction, where the correction that followed
+/// a step was this share of it or less.
 const KEPT: f64 = 0.1;
 /// Shortest share of a step.
 const SHORTEST: f64 = 1.0 / 1024.0;
 /// Deflections are found to this [m]: 1e-9 of a small wheel load on a stiff contact.
 const RESOLUTION: f64 = 1e-14;
-/// Correction left from which on the equilibrium counts as missed [m]: a thousandth of what wheel and rail overlap.
+/// Correction left from which on the equilibrium counts as missed [m]: a thousandth of what wheel
+/// and rail overlap.
 const MISSED: f64 = 1e-7;
 /// Under a given load, longest first way aside, and greatest one that is looked for [m].
 const FIRST_WAY: f64 = 1e-3;
@@ -49,8 +53,8 @@ impl Element {
         (state, fallbacks + u64::from(left.abs() > MISSED))
     }
 
-    /// Puts the rails of `input`, which are `given`, at a deflection; how much farther the springs would let them go under the forces there, and the
-    /// fallbacks.
+    /// Puts the rails of `input`, which are `given`, at a deflection; how much farther the springs
+    /// would let them go under the forces there, and the fallbacks.
     fn try_deflection(
         &mut self,
         given: &Input,
@@ -65,7 +69,8 @@ impl Element {
         ([0, 1].map(|i| [-y, -z][i] / stiffness[i] - deflection[i]), fallbacks)
     }
 
-    /// Deflection under a wheel of given height, what is left of the way to it [m], and the fallbacks.
+    /// Deflection under a wheel of given height, what is left of the way to it [m], and the
+    /// fallbacks.
     fn rest_under_height(
         &mut self,
         input: &mut Input,
@@ -118,8 +123,9 @@ impl Element {
         (deflection, left, fallbacks)
     }
 
-    /// The same under a given load, which alone says how far the rails sink: what is left is one equation for the lateral deflection, which on a
-    /// flange has more than one solution. That on the way out from none is taken.
+    /// The same under a given load, which alone says how far the rails sink: what is left is one
+    /// equation for the lateral deflection, which on a flange has more than one solution. That on
+    /// the way out from none is taken.
     fn rest_under_load(&mut self, input: &mut Input, output: &mut Output) -> ([f64; 2], f64, u64) {
         let given = *input;
         let sunk = given.wheel_load.max(0.0) / self.foundation.stiffness[1];
@@ -135,7 +141,8 @@ impl Element {
         ([y, sunk], left, fallbacks)
     }
 
-    /// Deflection to begin with under a wheel of given height: rails that only sink, under a contact as stiff as contacts are.
+    /// Deflection to begin with under a wheel of given height: rails that only sink, under a
+    /// contact as stiff as contacts are.
     fn first_guess(&self, given: &Input) -> [f64; 2] {
         let stiffness = self.foundation.stiffness[1];
         let overlap = given.wheel.position[2] - self.height_near_touch(given);
@@ -160,7 +167,8 @@ impl Element {
         [0, 1].map(|i| [0, 1].map(|j| f64::from(u8::from(i == j)) - slopes[i][j] / stiffness[i]))
     }
 
-    /// Derivatives of the lateral and vertical force on the rails (rows) by their place, exact where there are such.
+    /// Derivatives of the lateral and vertical force on the rails (rows) by their place, exact
+    /// where there are such.
     fn rail_slopes(&mut self, at: &Input) -> [[f64; 2]; 2] {
         let is_loaded = self.vertical_mode == VerticalMode::Load;
         // A wheel under a given load follows the height of its rails.
@@ -202,7 +210,8 @@ impl Element {
         }
     }
 
-    /// Ways of the rails in each of the `directions` that the inputs take at `at`, which are put into these.
+    /// Ways of the rails in each of the `directions` that the inputs take at `at`, which are put
+    /// into these.
     ///
     /// # Errors
     /// What has no derivative there.
@@ -230,7 +239,8 @@ impl Element {
     }
 }
 
-/// The `matrix` with which a whole `step` left the residual `rest`, so that it would have told it (Broyden 1965).
+/// The `matrix` with which a whole `step` left the residual `rest`, so that it would have told it
+/// (Broyden 1965).
 fn corrected(matrix: [[f64; 2]; 2], rest: [f64; 2], step: [f64; 2]) -> [[f64; 2]; 2] {
     let square = step[0] * step[0] + step[1] * step[1];
     [0, 1].map(|i| [0, 1].map(|j| matrix[i][j] - rest[i] * step[j] / square))

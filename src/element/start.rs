@@ -1,4 +1,5 @@
-//! The place in which a wheel starts: the height at which it first touches its rails, and whether anything is odd about it.
+//! The place in which a wheel starts: the height at which it first touches its rails, and whether
+//! anything is odd about it.
 
 use super::input::Input;
 use super::output::Output;
@@ -7,17 +8,21 @@ use super::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::wheel_on_rails::Element;
 
-/// Height above first touch from which on a wheel counts as far from its rails [m]: more than any bounce.
+/// Height above first touch from which on a wheel counts as far from its rails [m]: more than any
+/// bounce.
 const FAR_ABOVE: f64 = 0.01;
-/// Depth below first touch from which on a wheel counts as inside its rails [m]: it would press with a hundred times its load.
+/// Depth below first touch from which on a wheel counts as inside its rails [m]: it would press
+/// with a hundred times its load.
 const INSIDE: f64 = 2e-3;
-/// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries the wheel is no hindrance [rad].
+/// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries
+/// the wheel is no hindrance [rad].
 const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].
 const DESCENT_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MOST_DESCENT_STEPS: usize = 750;
-/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known to.
+/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known
+/// to.
 const LOOK_BESIDE: f64 = 1.0 / 256.0;
 /// Every so many trials the middle is taken, should the guesses be none.
 const BISECT_EVERY: usize = 4;
@@ -25,8 +30,9 @@ const BISECT_EVERY: usize = 4;
 const MOST_TRIALS: usize = BISECT_EVERY * 45;
 
 impl Element {
-    /// Takes `start` as the place in which the wheel starts: [`nominal_wheel_z`](Self::nominal_wheel_z) and
-    /// [`start_warning`](Self::start_warning) are then those of it.
+    /// Takes `start` as the place in which the wheel starts:
+    /// [`nominal_wheel_z`](Self::nominal_wheel_z) and [`start_warning`](Self::start_warning) are
+    /// then those of it.
     pub fn set_start(&mut self, start: &Input) {
         let touching = self.touch(start);
         self.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
@@ -84,26 +90,28 @@ impl Element {
         from_the_side.map(|contact| contact.penetration).max_by(f64::total_cmp)
     }
 
-    /// The marker height at which the first contact appears when the wheel comes down from above, at the y, roll and
-    /// yaw of `start`; its own height where it stands beside the rails [m].
+    /// The marker height at which the first contact appears when the wheel comes down from above,
+    /// at the y, roll and yaw of `start`; its own height where it stands beside the rails [m].
     pub fn touching_height(&mut self, start: &Input) -> f64 {
         self.touch(start).unwrap_or(start.wheel.position[2])
     }
 
-    /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the rails.
+    /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the
+    /// rails.
     pub fn touch(&mut self, start: &Input) -> Option<f64> {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
         self.first_touch(&input)
     }
 
-    /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where the wheel stands beside the rails.
+    /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where
+    /// the wheel stands beside the rails.
     pub(super) fn first_touch(&mut self, input: &Input) -> Option<f64> {
         first_touch(&mut self.rails, input)
     }
 }
 
-/// The marker height at which a wheel coming down from above first touches one of the first `rails`, for the input of a right side; nothing
-/// where it stands beside them [m].
+/// The marker height at which a wheel coming down from above first touches one of the first
+/// `rails`, for the input of a right side; nothing where it stands beside them [m].
 fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> {
     let highest = (rails.iter().enumerate())
         .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
@@ -118,7 +126,8 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> 
             .filter_map(|(k, rail)| rail.as_mut()?.lift(k, &at))
             .reduce(f64::max)
     };
-    // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is lost in rounding.
+    // A counted descent ends, whatever the numbers: no rail, or a start so far away that a step is
+    // lost in rounding.
     let height = |step: usize| highest + step as f64 * DESCENT_STEP;
     let (step, mut to_lift) =
         (1..=MOST_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;

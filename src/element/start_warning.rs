@@ -1,4 +1,5 @@
-//! What is odd about the place in which a wheel starts: nothing that is refused, but a host should hear of it before it wonders at the forces.
+//! What is odd about the place in which a wheel starts: nothing that is refused, but a host should
+//! hear of it before it wonders at the forces.
 
 use std::fmt;
 
@@ -76,7 +77,8 @@ impl StartWarning {
     }
 }
 
-/// The words for a wheel that is `depth` [m] below the top of its rail, as [`Element::sunk`](crate::element::Element::sunk) has it; `prefix` as in
+/// The words for a wheel that is `depth` [m] below the top of its rail, as
+/// [`Element::sunk`](crate::element::Element::sunk) has it; `prefix` as in
 /// [`StartWarning::message`].
 #[must_use]
 pub fn sunk_message(depth: f64, prefix: &str) -> impl fmt::Display {

@@ -4,7 +4,8 @@ use super::parameters::VerticalMode;
 use super::{Element, Input, Output};
 use crate::error::ContactError;
 
-/// Changes of the vertical force on the wheel with its height and its vertical velocity, signs turned: both are positive as a rule.
+/// Changes of the vertical force on the wheel with its height and its vertical velocity, signs
+/// turned: both are positive as a rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct VerticalSlopes {
@@ -14,12 +15,14 @@ pub struct VerticalSlopes {
     pub damping: f64,
 }
 
-/// Distances over which differences are taken where there are no derivatives: of height [m] and of velocity [m/s].
+/// Distances over which differences are taken where there are no derivatives: of height [m] and of
+/// velocity [m/s].
 const STEPS: [f64; 2] = [1e-8, 1e-4];
 
 impl Element {
-    /// Stiffness and damping at the height of `input`, also where a load is given, though without the normal damping that goes with a given
-    /// height: exact derivatives, or central differences with the models that have none. All is left as it was; the first call allocates.
+    /// Stiffness and damping at the height of `input`, also where a load is given, though without
+    /// the normal damping that goes with a given height: exact derivatives, or central differences
+    /// with the models that have none. All is left as it was; the first call allocates.
     ///
     /// # Errors
     /// The input at fault, by its FMU name.

@@ -1,8 +1,9 @@
 //! The strip model on a wheel and a rail: all places where they overlap are one problem.
 //!
-//! The overlap is taken along the local normal, the distance of the contact line from the nearest point of the rail, and the
-//! coordinate across is the arc along the rail. No contact frame is chosen beforehand, so that nothing changes over when another
-//! place becomes the deepest, or when overlaps join or part. Each loaded zone then gets its frame from its own load.
+//! The overlap is taken along the local normal, the distance of the contact line from the nearest
+//! point of the rail, and the coordinate across is the arc along the rail. No contact frame is
+//! chosen beforehand, so that nothing changes over when another place becomes the deepest, or when
+//! overlaps join or part. Each loaded zone then gets its frame from its own load.
 
 use super::contact_setup::{ContactSetup, Damped};
 use super::local_line::LocalLine;
@@ -20,8 +21,8 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::separation::Probe;
 use crate::normal::strips_on_grid::{Line, LinePlace};
 
-/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel, normals of a gauge corner have crossed, and the strips of a
-/// virtual penetration carry on.
+/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
+/// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
 pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
 
 /// Solves for all zones of one rail into `models.rail_strips`; returns how many found no room.
@@ -52,7 +53,8 @@ pub fn solve(
         .map_or(0, |solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
 }
 
-/// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how many zones found no room or fell back to a simpler model.
+/// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how
+/// many zones found no room or fell back to a simpler model.
 pub fn add<'a>(
     search: &ContactSearch,
     probes: &mut Vec<Probe>,
@@ -96,8 +98,8 @@ fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
     [models.rail_strips.load(), deepest]
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its own: through the centroid of its load, its
-/// normal along the resultant.
+/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// own: through the centroid of its load, its normal along the resultant.
 fn take_zone(
     line: &ContactLine,
     rail: &PlacedRail,

@@ -10,10 +10,12 @@ use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
 use crate::normal::damping;
 
-/// Least pressure with damping over that without: strips that part keep a trace, by which their zone has a normal.
+/// Least pressure with damping over that without: strips that part keep a trace, by which their
+/// zone has a normal.
 const LEAST_FACTOR: f64 = f64::EPSILON;
 
-/// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on which strips are taken together as a zone.
+/// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on
+/// which strips are taken together as a zone.
 pub struct StripDamping<'a, T: Real = f64> {
     /// How wheel and rail move against each other.
     pub motion: &'a RelativeMotion<T>,
@@ -21,9 +23,11 @@ pub struct StripDamping<'a, T: Real = f64> {
     pub frame: &'a RailFrame<T>,
     /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
     pub whole: [T; 2],
-    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and by turning [m/s].
+    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and
+    /// by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
-    /// The outline of the rail, on which a wheel climbs where that varies along the track, and its forward speed [m/s].
+    /// The outline of the rail, on which a wheel climbs where that varies along the track, and its
+    /// forward speed [m/s].
     pub rail: RailOutline<'a, T>,
     pub forward: T,
     /// The contact line of a wheel whose section varies around.
@@ -31,7 +35,9 @@ pub struct StripDamping<'a, T: Real = f64> {
 }
 
 impl<T: Real> StripDamping<'_, T> {
-    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail with parameter u of the contact line: its point, unit tangent and overlap across.
+    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference
+    /// stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail with
+    /// parameter u of the contact line: its point, unit tangent and overlap across.
     pub fn factor(
         &self,
         coefficient: f64,

@@ -24,7 +24,8 @@ pub trait Subject: Clone + Debug {
     /// What stands before the names of variables of each element.
     const PREFIXES: &'static [&'static str];
 
-    /// Loads the profiles, which are looked for in `profile_folders`, checks the parameters and sizes all scratch memory.
+    /// Loads the profiles, which are looked for in `profile_folders`, checks the parameters and
+    /// sizes all scratch memory.
     ///
     /// # Errors
     /// The parameter or profile at fault, by its name.
@@ -58,7 +59,8 @@ pub trait Subject: Clone + Debug {
         duration: f64,
     ) -> Result<(), ContactError>;
 
-    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`; other rails stay.
+    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go
+    /// from `from` straight to `to`; other rails stay.
     ///
     /// # Errors
     /// The input at fault, by its name, or a bad duration; the rails are then where they were.
@@ -69,7 +71,8 @@ pub trait Subject: Clone + Debug {
         duration: f64,
     ) -> Result<(), ContactError>;
 
-    /// The derivative of the outputs in the direction `direction` of the inputs, as rates; all is left as it was.
+    /// The derivative of the outputs in the direction `direction` of the inputs, as rates; all is
+    /// left as it was.
     ///
     /// # Errors
     /// The input at fault, by its name, or why there is none; `rates` is then as before.
@@ -98,7 +101,8 @@ pub trait Subject: Clone + Debug {
     /// Forces on all bodies beside the velocities at which they do work.
     fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
 
-    /// The input of element number `k` where it was evaluated: with the height, and for a wheelset the roll, that `output` has found.
+    /// The input of element number `k` where it was evaluated: with the height, and for a wheelset
+    /// the roll, that `output` has found.
     fn input_of_element(&self, k: usize, input: &Self::Input, output: &Self::Output) -> Input;
 
     /// Puts the counts of the elements as they are into `output`.

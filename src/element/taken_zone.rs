@@ -1,4 +1,5 @@
-//! A zone of a whole rail in a frame of its own: through the centroid of its load, its normal along the resultant.
+//! A zone of a whole rail in a frame of its own: through the centroid of its load, its normal along
+//! the resultant.
 
 use super::models::Models;
 use super::strip_damping::StripDamping;
@@ -16,7 +17,8 @@ pub struct TakenZone<T = f64> {
     pub resultant_share: T,
 }
 
-/// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if there is one.
+/// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if
+/// there is one.
 pub(super) fn deepest_within<'a, T: Real>(
     search: &'a ContactSearch,
     u: &[T],
@@ -26,8 +28,9 @@ pub(super) fn deepest_within<'a, T: Real>(
     inside.max_by(|a, b| a.penetration.total_cmp(&b.penetration))
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its own, with derivatives where the numbers have them; `place` gives point, unit tangent and overlap at a parameter of the line and
-/// a coordinate across.
+/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// own, with derivatives where the numbers have them; `place` gives point, unit tangent and overlap
+/// at a parameter of the line and a coordinate across.
 pub(super) fn zone_in_frame<T: Real>(
     index: usize,
     damping: &StripDamping<T>,

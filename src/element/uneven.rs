@@ -30,7 +30,8 @@ pub struct OutOfRound {
     pub order: usize,
     /// Phase of the wave at the point that is lowest at pitch 0 [rad].
     pub phase: f64,
-    /// File with the columns `angle_deg` and `radius_mm`, the deviation of the radius; empty for none.
+    /// File with the columns `angle_deg` and `radius_mm`, the deviation of the radius; empty for
+    /// none.
     pub file: String,
 }
 
@@ -45,7 +46,8 @@ impl Default for OutOfRound {
 pub struct WheelFlat {
     /// Length along the running circle, 0 for none [m].
     pub length: f64,
-    /// Place of its middle: the angle by which the wheel has to roll forward from pitch 0 until it stands on it [rad].
+    /// Place of its middle: the angle by which the wheel has to roll forward from pitch 0 until it
+    /// stands on it [rad].
     pub angle: f64,
     /// Greatest depth of a worn flat, 0 for L²/(16 R); that of a fresh one is L²/(8 R) [m].
     pub depth: f64,

@@ -1,8 +1,10 @@
 //! Given load: the height of the wheel at which the rails carry it.
 //!
-//! The load is the vertical force on all rails together, z in the track frame, of everything that acts: normal forces and what creep
-//! forces on inclined contacts add to them or take away. The force on the wheel is then the load, reversed, whatever the contact
-//! angle. There is no normal damping: a given load is that of a wheel at rest on its rails. What is defined beyond the ordinary:
+//! The load is the vertical force on all rails together, z in the track frame, of everything that
+//! acts: normal forces and what creep forces on inclined contacts add to them or take away. The
+//! force on the wheel is then the load, reversed, whatever the contact angle. There is no normal
+//! damping: a given load is that of a wheel at rest on its rails. What is defined beyond the
+//! ordinary:
 //!
 //! | situation | height | force | fallback |
 //! |---|---|---|---|
@@ -12,9 +14,10 @@
 //! | the force jumps past the load to at most twice of it, as Piotrowski-Kik's does where contacts merge | the jump's | that on the carrying side | yes |
 //! | the force jumps further, as where the wheel comes down inside the side of a rail | the jump's | that on the other side | yes |
 //!
-//! Going down from where nothing touches in steps that double up to 2 mm, the first height that carries the load ends the bracket; the root in it is
-//! found by guesses from force ~ penetration^(3/2) and then by bracketed secants in force^(2/3), which is nearly straight. Both are
-//! counted: no input makes them fail or go on for ever.
+//! Going down from where nothing touches in steps that double up to 2 mm, the first height that
+//! carries the load ends the bracket; the root in it is found by guesses from force ~
+//! penetration^(3/2) and then by bracketed secants in force^(2/3), which is nearly straight. Both
+//! are counted: no input makes them fail or go on for ever.
 
 use super::input::Input;
 use super::output::Output;
@@ -27,15 +30,18 @@ const FIRST_STEP: [f64; 2] = [1e-5, 5e-4];
 const LONGEST_STEP: f64 = 2e-3;
 /// Load over penetration^(3/2) of a wheel on a rail, for the first step [N/m^1.5].
 const STIFFNESS: f64 = 7e10;
-/// Steps down, 40 mm, after which no more load is looked for, and steps up where the bounds were wrong.
+/// Steps down, 40 mm, after which no more load is looked for, and steps up where the bounds were
+/// wrong.
 const MOST_STEPS: usize = 27;
 /// Guesses from the power law before the bracketed search.
 const GUESSES: usize = 4;
 /// Difference from the load, as a share of it, that ends the search.
 const ACCURACY: f64 = 1e-11;
-/// Difference from the load from which on it counts as not carried: share of the load and force [N].
+/// Difference from the load from which on it counts as not carried: share of the load and force
+/// [N].
 const MISSED: [f64; 2] = [1e-6, 1e-3];
-/// Greatest force at a jump, over the load: those of models are less than half of the force, beyond it the geometry jumps.
+/// Greatest force at a jump, over the load: those of models are less than half of the force, beyond
+/// it the geometry jumps.
 const MOST_FORCE: f64 = 2.0;
 
 /// Whether rails that carry `carried` carry the `load` of a wheel [N]; a lifted wheel has none.
@@ -61,8 +67,8 @@ struct Search<'a> {
 }
 
 impl Element {
-    /// Puts the wheel of `input` (right side) at the height at which the rails carry its load and leaves the forces there; returns
-    /// how many fallbacks that took.
+    /// Puts the wheel of `input` (right side) at the height at which the rails carry its load and
+    /// leaves the forces there; returns how many fallbacks that took.
     pub(super) fn carry_load(&mut self, input: &mut Input, output: &mut Output) -> u64 {
         let load = input.wheel_load;
         let own_height = input.wheel.position[2];
@@ -82,7 +88,8 @@ impl Element {
         u64::from(load > 0.0)
     }
 
-    /// A height of the marker a little above first touch with any rail; infinite beside all of them [m].
+    /// A height of the marker a little above first touch with any rail; infinite beside all of them
+    /// [m].
     pub(super) fn height_near_touch(&self, input: &Input) -> f64 {
         (self.rails.iter().enumerate())
             .filter_map(|(k, rail)| Some(rail.as_ref()?.height_near_touch(k, input)))
@@ -91,7 +98,8 @@ impl Element {
 }
 
 impl Search<'_> {
-    /// Searches from the height `clear`; returns the number of fallbacks, or nothing where no rail carries anything.
+    /// Searches from the height `clear`; returns the number of fallbacks, or nothing where no rail
+    /// carries anything.
     fn run(&mut self, clear: f64) -> Option<u64> {
         let mut ends = self.bracket(clear);
         if ends[0].force < self.load && ends[1].force >= self.load {
@@ -118,8 +126,8 @@ impl Search<'_> {
         (trial.force - self.load).abs() <= ACCURACY * self.load
     }
 
-    /// The last height on the way down that does not carry the load, and the first one that does; where none does, that of the
-    /// greatest force.
+    /// The last height on the way down that does not carry the load, and the first one that does;
+    /// where none does, that of the greatest force.
     fn bracket(&mut self, clear: f64) -> [Trial; 2] {
         let mut step = (self.load / STIFFNESS).powf(2.0 / 3.0).clamp(FIRST_STEP[0], FIRST_STEP[1]);
         let mut above = self.at(clear);
@@ -146,7 +154,8 @@ impl Search<'_> {
         [above, best]
     }
 
-    /// The heights next to that of the load between one that does not carry it and one that does; the second one carries it.
+    /// The heights next to that of the load between one that does not carry it and one that does;
+    /// the second one carries it.
     fn refine(&mut self, [mut above, mut below]: [Trial; 2]) -> [Trial; 2] {
         if self.is_met(below) {
             return [above, below];
@@ -181,8 +190,8 @@ impl Search<'_> {
         [above, below]
     }
 
-    /// The height at which the contact of the heaviest patch would carry the whole load if force grew as penetration^(3/2), after
-    /// an evaluation at `trial`.
+    /// The height at which the contact of the heaviest patch would carry the whole load if force
+    /// grew as penetration^(3/2), after an evaluation at `trial`.
     fn power_law_height(&self, trial: Trial) -> Option<f64> {
         let patches = self.element.models.patches.iter();
         let patch = patches.max_by(|a, b| a.normal_force.total_cmp(&b.normal_force))?;

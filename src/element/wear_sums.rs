@@ -1,4 +1,5 @@
-//! Wear of the wheel and the rails of one element: what a patch wears off goes into the sums along the profiles.
+//! Wear of the wheel and the rails of one element: what a patch wears off goes into the sums along
+//! the profiles.
 
 use super::output::BodyWear;
 use super::parameters::{RAILS, WearDistribution, WearModel, WearParameters};
@@ -15,7 +16,8 @@ use crate::wear::{ArcState, StripLoad, WornArc};
 
 /// Most nodes at which the interpenetration of a patch is sampled.
 const MOST_NODES: usize = 512;
-/// Least and greatest number of cells across a patch; in between they are as wide as those of the sums.
+/// Least and greatest number of cells across a patch; in between they are as wide as those of the
+/// sums.
 const CELLS: [f64; 2] = [16.0, 80.0];
 
 /// What wear has to remember: all of it, profiles follow.
@@ -64,15 +66,18 @@ pub struct WearSums {
     pub rails: [Option<WornArc>; RAILS],
     /// The curve of the wheel in use, from which its contacts take it over.
     pub wheel_curve: Curve,
-    /// Time for which the evaluation under way stands, times the acceleration factor [s]; 0 where it is none of a step.
+    /// Time for which the evaluation under way stands, times the acceleration factor [s]; 0 where
+    /// it is none of a step.
     duration: f64,
-    /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of each strip.
+    /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of
+    /// each strip.
     first: usize,
     dissipation: FixedVec<f64>,
     slip_area: FixedVec<f64>,
     /// Volume rate of wheel and rail in each strip [m³/s].
     rates: FixedVec<[f64; 2]>,
-    /// Nodes across the zone: parameter of the contact line and of the rail in use, interpenetration and worn depth [m].
+    /// Nodes across the zone: parameter of the contact line and of the rail in use,
+    /// interpenetration and worn depth [m].
     nodes: FixedVec<[f64; 2]>,
     interpenetration: FixedVec<f64>,
     worn: FixedVec<f64>,
@@ -143,7 +148,8 @@ impl WearSums {
         self.slip_area[i] += slip_area;
     }
 
-    /// Adds the wear of zone number `index` of `strips`, whose strips were added before, on rail `k` to the sums.
+    /// Adds the wear of zone number `index` of `strips`, whose strips were added before, on rail
+    /// `k` to the sums.
     pub fn record(
         &mut self,
         k: usize,
@@ -184,7 +190,8 @@ impl WearSums {
         }
     }
 
-    /// Fills `rates` with the volume rates of the strips; returns those of the zone, of wheel and rail [m³/s].
+    /// Fills `rates` with the volume rates of the strips; returns those of the zone, of wheel and
+    /// rail [m³/s].
     fn rates(&mut self, zone: &Zone, strips: &Strips, state: &ZoneWear) -> [f64; 2] {
         let WearParameters { model, wheel, rail, .. } = self.parameters;
         let UnderLaw { state: rolling, factors, .. } = &state.law;
@@ -219,8 +226,8 @@ impl WearSums {
         total
     }
 
-    /// Samples interpenetration and worn depth across a zone and as far beyond as wear may have widened it, within `limits`, and
-    /// spreads its wear; false where that leads to nothing.
+    /// Samples interpenetration and worn depth across a zone and as far beyond as wear may have
+    /// widened it, within `limits`, and spreads its wear; false where that leads to nothing.
     #[allow(clippy::too_many_arguments)] // a zone, its place and its neighbours
     fn sample(
         &mut self,
@@ -333,7 +340,8 @@ impl WearSums {
 
 /// Parameters of the contact line at the edges of a zone [m].
 ///
-/// Strips are as wide as a rule of quadrature has it, so that their mean place is the middle of the zone.
+/// Strips are as wide as a rule of quadrature has it, so that their mean place is the middle of the
+/// zone.
 fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
     let range = zone.first..zone.first + zone.count;
     let (mut width, mut middle) = (0.0, 0.0);
@@ -356,7 +364,8 @@ fn edges(zone: &Zone, strips: &Strips) -> [f64; 2] {
     ]
 }
 
-/// Interpenetration function within a zone as its strips have it, g = `half_length²`/(2 R), asked for at growing places.
+/// Interpenetration function within a zone as its strips have it, g = `half_length²`/(2 R), asked
+/// for at growing places.
 struct EllipseShape<'a> {
     strips: &'a Strips,
     zone: &'a Zone,

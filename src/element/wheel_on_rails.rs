@@ -12,8 +12,8 @@ use crate::geometry::profile::ProfileRemark;
 
 /// A wheel and the rails under it, ready to be evaluated.
 ///
-/// The result of an evaluation depends on its input alone, not on earlier ones; with rails that have a mass also on where [`Element::move_rails`] has
-/// brought them.
+/// The result of an evaluation depends on its input alone, not on earlier ones; with rails that
+/// have a mass also on where [`Element::move_rails`] has brought them.
 #[derive(Clone, Debug)]
 pub struct Element {
     pub(super) side: Side,
@@ -21,8 +21,9 @@ pub struct Element {
     pub(super) foundation: Foundation,
     /// Where rails with a mass are, from their first step on.
     pub(super) track: Option<TrackState>,
-    /// The last input under which rails without mass rested at a given height, where that was, and what was left of the way to it: asked for
-    /// derivatives at an input, they are not to be sought again.
+    /// The last input under which rails without mass rested at a given height, where that was, and
+    /// what was left of the way to it: asked for derivatives at an input, they are not to be sought
+    /// again.
     pub(super) rested: Option<(Input, [f64; 2], f64)>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
@@ -31,7 +32,8 @@ pub struct Element {
     pub(super) start_warning: Option<StartWarning>,
     pub(super) fallbacks: u64,
     pub(super) work: Work,
-    /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force [m].
+    /// How deep the wheel of the last evaluation was in a rail, where that was too deep for a force
+    /// [m].
     pub(super) sunk: Option<f64>,
     /// What was found and mended in the files of the profiles, with the parameter that names each.
     pub(super) remarks: Vec<(String, ProfileRemark)>,
@@ -40,21 +42,23 @@ pub struct Element {
 }
 
 impl Element {
-    /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches; its starting height where
-    /// it stands beside the rails [m].
+    /// Height of the wheel marker at which the wheel at its starting y, roll and yaw just touches;
+    /// its starting height where it stands beside the rails [m].
     #[must_use]
     pub fn nominal_wheel_z(&self) -> f64 {
         self.nominal_wheel_z
     }
 
-    /// What was found and mended in the files of the profiles, with the parameter that names each file.
+    /// What was found and mended in the files of the profiles, with the parameter that names each
+    /// file.
     #[must_use]
     pub fn profile_remarks(&self) -> &[(String, ProfileRemark)] {
         &self.remarks
     }
 
-    /// Greatest angle between the normals within the contact of one rail at the last evaluation [rad]; 0 but for boundary elements, which are the only ones that
-    /// lie on the curved surface each by itself.
+    /// Greatest angle between the normals within the contact of one rail at the last evaluation
+    /// [rad]; 0 but for boundary elements, which are the only ones that lie on the curved surface
+    /// each by itself.
     #[must_use]
     pub fn turn_of_normals(&self) -> f64 {
         self.models.turn_of_normals
@@ -74,8 +78,9 @@ impl Element {
         self.fallbacks
     }
 
-    /// How deep the wheel of the last evaluation was below the top of a rail, where that was too deep for the outlines to tell a force: the
-    /// rail then carries nothing, which is no lifted wheel [m].
+    /// How deep the wheel of the last evaluation was below the top of a rail, where that was too
+    /// deep for the outlines to tell a force: the rail then carries nothing, which is no lifted
+    /// wheel [m].
     #[must_use]
     pub fn sunk(&self) -> Option<f64> {
         self.sunk

@@ -1,6 +1,7 @@
 //! Counts of the work that evaluations take.
 
-/// Work done and skipped since the element was made; tests assert it and benchmarks show what it saves.
+/// Work done and skipped since the element was made; tests assert it and benchmarks show what it
+/// saves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Work {

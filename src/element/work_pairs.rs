@@ -3,8 +3,9 @@
 use super::input::{RailMotion, WheelMotion};
 use super::output::Wrench;
 
-/// A component of a force [N] and its velocity [m/s], or of a moment [N m] and its angular velocity [rad/s], in each pair. Zeros
-/// where there are fewer: a wheelset on two rails on each side has all.
+/// A component of a force [N] and its velocity [m/s], or of a moment [N m] and its angular velocity
+/// [rad/s], in each pair. Zeros where there are fewer: a wheelset on two rails on each side has
+/// all.
 pub type WorkPairs = [[f64; 2]; MOST_PAIRS];
 
 const OF_BODY: usize = 6;
@@ -12,7 +13,8 @@ const OF_RAIL: usize = 3;
 /// A body and four rails.
 pub const MOST_PAIRS: usize = OF_BODY + 4 * OF_RAIL;
 
-/// The pairs of a wheel or a wheelset with its force about its own marker, and of the rails under it.
+/// The pairs of a wheel or a wheelset with its force about its own marker, and of the rails under
+/// it.
 pub fn work_pairs<'a>(
     body: (&WheelMotion, &Wrench),
     rails: impl Iterator<Item = (&'a RailMotion, &'a Wrench)>,
@@ -35,8 +37,9 @@ pub fn work_pairs<'a>(
     pairs
 }
 
-/// Energy that forces held over a step of `duration` [s] have put into the bodies beyond what the mean of the forces at both ends would
-/// have, both at the mean of the velocities; the greatest number where it is beyond all numbers [J].
+/// Energy that forces held over a step of `duration` [s] have put into the bodies beyond what the
+/// mean of the forces at both ends would have, both at the mean of the velocities; the greatest
+/// number where it is beyond all numbers [J].
 ///
 /// ```text
 /// R = ½ h Σ (F_0 - F_1) (v_0 + v_1)/2

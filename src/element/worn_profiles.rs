@@ -1,7 +1,7 @@
 //! Profiles that wear while the element is in use.
 //!
-//! [`Element::evaluate`] never wears anything off: whoever knows that time has passed says so with [`Element::advance`]. New profiles
-//! come at the ends of intervals, see [`crate::wear::update`].
+//! [`Element::evaluate`] never wears anything off: whoever knows that time has passed says so with
+//! [`Element::advance`]. New profiles come at the ends of intervals, see [`crate::wear::update`].
 
 use super::parameters::{RAILS, Side, VerticalMode};
 use super::wear_sums::WearState;
@@ -11,12 +11,13 @@ use crate::geometry::curve::Curve;
 use crate::geometry::profile::Profile;
 
 impl Element {
-    /// Evaluates the forces and wears off what their patches wear off in a time of `duration` ≥ 0 [s]; where an interval between
-    /// updates ends with it, the profiles are updated and the forces evaluated anew, on the new ones. Without a wear law it is
-    /// [`evaluate`](Self::evaluate).
+    /// Evaluates the forces and wears off what their patches wear off in a time of `duration` ≥ 0
+    /// [s]; where an interval between updates ends with it, the profiles are updated and the forces
+    /// evaluated anew, on the new ones. Without a wear law it is [`evaluate`](Self::evaluate).
     ///
     /// # Errors
-    /// The input at fault, by its FMU name, or a duration that is negative or not finite; nothing is worn off then.
+    /// The input at fault, by its FMU name, or a duration that is negative or not finite; nothing
+    /// is worn off then.
     pub fn advance(
         &mut self,
         input: &Input,
@@ -40,7 +41,8 @@ impl Element {
         self.evaluate(input, output)
     }
 
-    /// As [`advance`](Self::advance), without updates: [`update_profiles`](Self::update_profiles) makes them.
+    /// As [`advance`](Self::advance), without updates: [`update_profiles`](Self::update_profiles)
+    /// makes them.
     ///
     /// # Errors
     /// The input at fault, by its FMU name; nothing is worn off then.
@@ -99,8 +101,8 @@ impl Element {
         }
     }
 
-    /// Makes new profiles of what was worn off so far. Where a profile is worn through, which counts as a fallback, the rest of the
-    /// wear there is not taken off.
+    /// Makes new profiles of what was worn off so far. Where a profile is worn through, which
+    /// counts as a fallback, the rest of the wear there is not taken off.
     pub fn update_profiles(&mut self) {
         if let Some(wear) = &mut self.models.wear {
             wear.wheel.take_pending();
@@ -153,8 +155,8 @@ impl Element {
         }
     }
 
-    /// Goes back to an earlier [`wear_state`](Self::wear_state) of an element with the same parameters and profiles; whether `state` is
-    /// one. Profiles are made anew only if they differ.
+    /// Goes back to an earlier [`wear_state`](Self::wear_state) of an element with the same
+    /// parameters and profiles; whether `state` is one. Profiles are made anew only if they differ.
     pub fn set_wear_state(&mut self, state: &WearState) -> bool {
         let Some(wear) = &mut self.models.wear else { return false };
         let fits = wear.wheel.fits(&state.wheel)
@@ -181,10 +183,12 @@ impl Element {
         true
     }
 
-    /// Adds what the wheel of another element has lost since its last update to this one's: for one wheel that runs in several
-    /// simulations at once. Both update their profiles afterwards, and the other one gets this one's in the same way before.
+    /// Adds what the wheel of another element has lost since its last update to this one's: for one
+    /// wheel that runs in several simulations at once. Both update their profiles afterwards, and
+    /// the other one gets this one's in the same way before.
     ///
-    /// `wear` is the other's [`wear_state`](Self::wear_state); false, with nothing changed, where the wheels are not the same.
+    /// `wear` is the other's [`wear_state`](Self::wear_state); false, with nothing changed, where
+    /// the wheels are not the same.
     pub fn share_wheel_wear(&mut self, wear: &WearState) -> bool {
         let Some(own) = &mut self.models.wear else { return false };
         let fits = own.wheel.fits(&wear.wheel);
@@ -207,8 +211,8 @@ impl Element {
         Some(profile)
     }
 
-    /// The profile of rail number `k`, from 0, as [`worn_wheel`](Self::worn_wheel); in the frame of its profile, neither inclined nor
-    /// mirrored.
+    /// The profile of rail number `k`, from 0, as [`worn_wheel`](Self::worn_wheel); in the frame of
+    /// its profile, neither inclined nor mirrored.
     #[must_use]
     pub fn worn_rail(&self, k: usize) -> Option<Profile> {
         let contact = self.rails.get(k)?.as_ref()?;
@@ -220,8 +224,8 @@ impl Element {
         Some(contact.rail_profile(curve.as_ref()))
     }
 
-    /// Wear depth over the lateral coordinate of the unworn profile [m]: of the wheel, or of rail number `k` from 0; as the profile in
-    /// use has it.
+    /// Wear depth over the lateral coordinate of the unworn profile [m]: of the wheel, or of rail
+    /// number `k` from 0; as the profile in use has it.
     #[must_use]
     pub fn wear_depth(&self, body: WornBody) -> Vec<[f64; 2]> {
         let Some(wear) = &self.models.wear else { return Vec::new() };

@@ -60,7 +60,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         }
     }
 
-    /// How the first zone in `models.strips` rolls on bodies without deviations, with its flat creepage.
+    /// How the first zone in `models.strips` rolls on bodies without deviations, with its flat
+    /// creepage.
     pub(super) fn rolling_state(&self, models: &Models<T>) -> RollingState<T> {
         let motion = self.motion();
         let load_factor = self.load_factor(&motion, None, models);
@@ -95,7 +96,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         }
     }
 
-    /// How a zone rolls under the laws of friction, and its tractions on the wheel where there are any.
+    /// How a zone rolls under the laws of friction, and its tractions on the wheel where there are
+    /// any.
     pub(super) fn tractions(
         &self,
         motion: &RelativeMotion<T>,

@@ -7,13 +7,16 @@ use crate::normal::{Strips, Zone};
 /// Where the surface of an uneven wheel lies in a zone, and how it leans.
 #[derive(Clone, Copy, Debug)]
 pub struct ZoneSurface<T = f64> {
-    /// How much deeper along the normal than the even contact line the wheel is at the centroid of the load [m].
+    /// How much deeper along the normal than the even contact line the wheel is at the centroid of
+    /// the load [m].
     pub depth: T,
     /// Deviation of the radius there [m].
     pub radius: T,
-    /// Tangent of the angle by which the normal of the patch leans forward, against the track's x axis [-].
+    /// Tangent of the angle by which the normal of the patch leans forward, against the track's x
+    /// axis [-].
     pub lean: T,
-    /// How far the centroid of the load is ahead of the contact line of a round wheel, where the rail varies along the track or the wheel around [m].
+    /// How far the centroid of the load is ahead of the contact line of a round wheel, where the
+    /// rail varies along the track or the wheel around [m].
     pub ahead: T,
 }
 
@@ -25,16 +28,18 @@ impl<T: Real> ZoneSurface<T> {
         Self { depth: zero, radius: zero, lean: zero, ahead: zero }
     }
 
-    /// The surface of a wheel whose section varies around at the centroid of load of `zone`: its normals do not lean, and act where they are. `centre` as of [`new`](Self::new),
-    /// of the round wheel in its place.
+    /// The surface of a wheel whose section varies around at the centroid of load of `zone`: its
+    /// normals do not lean, and act where they are. `centre` as of [`new`](Self::new), of the round
+    /// wheel in its place.
     #[must_use]
     pub fn beside_round(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> Self {
         Self { ahead: ahead(zone, strips, centre), ..Self::even() }
     }
 
-    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead of the contact line or behind: it leans as the
-    /// circle of the `radius` does there, so that the normal force has no moment about the axle. `share` is the component of a unit of
-    /// height along the normal, `centre` as of [`new`](Self::new).
+    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead
+    /// of the contact line or behind: it leans as the circle of the `radius` does there, so that
+    /// the normal force has no moment about the axle. `share` is the component of a unit of height
+    /// along the normal, `centre` as of [`new`](Self::new).
     #[must_use]
     pub fn met(
         share: T,
@@ -52,12 +57,13 @@ impl<T: Real> ZoneSurface<T> {
 }
 
 impl ZoneSurface {
-    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to which the strip with a parameter
-    /// belongs [m].
+    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to
+    /// which the strip with a parameter belongs [m].
     ///
-    /// The normal force follows the rail's surface where the rail alone could push along the track: on an even rail it has no part
-    /// along x, and on a round wheel it has no moment about the axle. Both are exact for frictionless bodies. A round wheel
-    /// on a corrugated rail leans as its own radius at the centroid does.
+    /// The normal force follows the rail's surface where the rail alone could push along the track:
+    /// on an even rail it has no part along x, and on a round wheel it has no moment about the
+    /// axle. Both are exact for frictionless bodies. A round wheel on a corrugated rail leans as
+    /// its own radius at the centroid does.
     #[must_use]
     pub fn new(
         lifting: &Lifting,
@@ -74,7 +80,8 @@ impl ZoneSurface {
     }
 }
 
-/// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the parameter of a strip [m].
+/// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the
+/// parameter of a strip [m].
 fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
     // Strips of a yawed wheel each have their own place on the line.
     let zero = T::from(0.0);
@@ -87,8 +94,9 @@ fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -
     if load > 0.0 { ahead / load } else { zero }
 }
 
-/// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on and turns on over their
-/// deviations: with the forward `velocity` [m/s] and the `pitch_rate` [rad/s] of a wheel of `nominal_radius` [m].
+/// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on
+/// and turns on over their deviations: with the forward `velocity` [m/s] and the `pitch_rate`
+/// [rad/s] of a wheel of `nominal_radius` [m].
 #[must_use]
 pub fn closing_speed<T: Real>(
     lifting: &Lifting,

@@ -1,4 +1,5 @@
-//! Variables of an instance by their references: read, with what they depend on brought up to date, and set.
+//! Variables of an instance by their references: read, with what they depend on brought up to date,
+//! and set.
 
 use std::ffi::{CString, c_char};
 
@@ -42,7 +43,8 @@ impl<S: Described> Instance<S> {
         Ok(status)
     }
 
-    /// An integer or an enumeration; in continuous-time mode one that belongs to events is that of the last one.
+    /// An integer or an enumeration; in continuous-time mode one that belongs to events is that of
+    /// the last one.
     pub(super) fn integer_at(&self, place: ValueReference) -> i32 {
         let held = self.held.value(place).filter(|_| self.state == State::ContinuousTime);
         held.or_else(|| S::integer(&self.values, place as usize)).unwrap_or_default()
@@ -113,7 +115,8 @@ impl<S: Described> Instance<S> {
     /// Checks references and types, and brings up to date what they depend on.
     ///
     /// # Errors
-    /// An output before there is anything that could be evaluated; what is at fault with a reference or with the parameters.
+    /// An output before there is anything that could be evaluated; what is at fault with a
+    /// reference or with the parameters.
     pub(super) fn prepare_to_read(
         &mut self,
         references: impl Iterator<Item = ValueReference>,

@@ -10,7 +10,8 @@ use crate::fmi::types::{Status, Text};
 /// An array of the host as a slice; count 0 accepts null.
 ///
 /// # Safety
-/// FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an argument array holds as many elements as its count says and stays for the call.
+/// FMI 2.0, 2.1.7, and FMI 3.0, 2.2.6: an argument array holds as many elements as its count says
+/// and stays for the call.
 pub unsafe fn array<'a, T>(
     name: &'static str,
     start: *const T,

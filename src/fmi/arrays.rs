@@ -1,7 +1,8 @@
-//! Variables as FMI 3.0 has them: patches as arrays, time and event indicator as variables of their own.
+//! Variables as FMI 3.0 has them: patches as arrays, time and event indicator as variables of their
+//! own.
 //!
-//! A variable has the reference of FMI 2.0, an array that of its first element. Time comes after all variables of the table, and the event
-//! indicator after time.
+//! A variable has the reference of FMI 2.0, an array that of its first element. Time comes after
+//! all variables of the table, and the event indicator after time.
 
 use std::ffi::c_char;
 
@@ -97,7 +98,8 @@ impl WholeNumber {
 }
 
 impl<S: Described> Instance<S> {
-    /// Checks that the references are of variables of a type, and that they have as many elements as there are values.
+    /// Checks that the references are of variables of a type, and that they have as many elements
+    /// as there are values.
     fn survey(
         &self,
         references: &[ValueReference],
@@ -272,7 +274,8 @@ impl<S: Described> Instance<S> {
     }
 
     /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, element by element, as
-    /// [`directional_derivative`](Self::directional_derivative) does. The event indicator moves in steps: its derivative is 0 in between.
+    /// [`directional_derivative`](Self::directional_derivative) does. The event indicator moves in
+    /// steps: its derivative is 0 in between.
     ///
     /// # Errors
     /// As there.

@@ -1,4 +1,5 @@
-//! What functions do that both interfaces have with the same arguments; `call` says which of them was called.
+//! What functions do that both interfaces have with the same arguments; `call` says which of them
+//! was called.
 #![allow(unsafe_code)]
 
 use std::ffi::c_char;
@@ -115,7 +116,8 @@ pub unsafe fn serialized_size(
     })
 }
 
-/// Writes a state into at least as many bytes as [`serialized_size`] asks for; `least` says so in words.
+/// Writes a state into at least as many bytes as [`serialized_size`] asks for; `least` says so in
+/// words.
 ///
 /// # Safety
 /// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `target` holds `size` bytes.
@@ -139,7 +141,8 @@ pub unsafe fn serialize(
 /// Reads a state of any instance of this unit, in this process or another.
 ///
 /// # Safety
-/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `bytes` holds `size` bytes, `state` points to a state pointer.
+/// FMI 2.0, 2.1.8, and FMI 3.0, 2.2.10: `bytes` holds `size` bytes, `state` points to a state
+/// pointer.
 pub unsafe fn deserialize(
     call: Call,
     component: Component,
@@ -172,7 +175,8 @@ pub fn set_time(call: Call, component: Component, time: f64) -> Status {
     })
 }
 
-/// Accepts `count` continuous states, or what goes with them: there are none. The argument that holds the count is named first.
+/// Accepts `count` continuous states, or what goes with them: there are none. The argument that
+/// holds the count is named first.
 pub fn no_states(
     call: Call,
     component: Component,
@@ -189,8 +193,8 @@ pub fn no_states(
     })
 }
 
-/// Gives the event indicator: negative where outputs that are whole numbers are others than at the last event. The argument that holds the
-/// count is named first.
+/// Gives the event indicator: negative where outputs that are whole numbers are others than at the
+/// last event. The argument that holds the count is named first.
 ///
 /// # Safety
 /// FMI 2.0, 3.2.2, and FMI 3.0, 3.3: `indicators` holds `count` elements.

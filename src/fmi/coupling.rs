@@ -1,4 +1,5 @@
-//! The beginning of a step, from which its energy residual follows; stiffness and damping of the contact.
+//! The beginning of a step, from which its energy residual follows; stiffness and damping of the
+//! contact.
 
 use crate::element::subject::Subject;
 use crate::element::work_pairs::WorkPairs;

@@ -7,8 +7,9 @@ use super::types::ValueReference;
 use crate::error::ContactError;
 use crate::variables::{Described, Value, ValuesOf, Variable, admits};
 
-/// Half of the distance over which a difference is taken, over the nominal size of what is varied: 100 nm of a height of 0.1 mm leave
-/// 1e-6 of the curvature of a force, and a thousandfold of its rounding.
+/// Half of the distance over which a difference is taken, over the nominal size of what is varied:
+/// 100 nm of a height of 0.1 mm leave 1e-6 of the curvature of a force, and a thousandfold of its
+/// rounding.
 const SHARE: f64 = 1e-3;
 /// The least that half is of the value itself, so that it is not lost in rounding.
 const LEAST_SHARE: f64 = 1e-10;
@@ -64,8 +65,9 @@ impl<S: Described> Beside<S> {
         }
     }
 
-    /// Evaluates both sides of `known`, whose place they were taken over from; what is between them. At the end of its range, or where one
-    /// side cannot be evaluated, the value itself is in its place. The counts of `element` stay.
+    /// Evaluates both sides of `known`, whose place they were taken over from; what is between
+    /// them. At the end of its range, or where one side cannot be evaluated, the value itself is in
+    /// its place. The counts of `element` stay.
     ///
     /// # Errors
     /// What is at fault with the values themselves.

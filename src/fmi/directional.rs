@@ -1,4 +1,5 @@
-//! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0, 2.1.9; FMI 3.0, 2.2.11).
+//! Directional derivatives of outputs by inputs, and at initialization by parameters (FMI 2.0,
+//! 2.1.9; FMI 3.0, 2.2.11).
 
 use super::differences::{DerivativeScratch, Wanted};
 use super::error::FmiError;
@@ -23,13 +24,16 @@ struct Asked {
 }
 
 impl<S: Described + Subject> Instance<S> {
-    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, at the values as they are; nothing else changes.
+    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, at the values as they are; nothing
+    /// else changes.
     ///
-    /// Exact where the element has exact derivatives, of outputs by inputs with real-time models and bodies without deviations along the track; central
-    /// differences for all else. Nothing is allocated after initialization.
+    /// Exact where the element has exact derivatives, of outputs by inputs with real-time models
+    /// and bodies without deviations along the track; central differences for all else. Nothing is
+    /// allocated after initialization.
     ///
     /// # Errors
-    /// The variable at fault by name; `sensitivity` is then as before. Or why the values beside those that are set cannot be evaluated.
+    /// The variable at fault by name; `sensitivity` is then as before. Or why the values beside
+    /// those that are set cannot be evaluated.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[ValueReference],
@@ -119,7 +123,8 @@ impl<S: Described + Subject> Instance<S> {
         Ok(())
     }
 
-    /// Puts the exact derivatives by the inputs among the knowns into `rates`; whether there are any.
+    /// Puts the exact derivatives by the inputs among the knowns into `rates`; whether there are
+    /// any.
     fn exact_rates(
         &mut self,
         knowns: &[ValueReference],

@@ -50,7 +50,8 @@ impl<S: Described> Instance<S> {
         Ok(self.warnings(fallbacks, logger))
     }
 
-    /// A warning if there are more fallbacks than `before`: a load that is not carried, or a simpler model.
+    /// A warning if there are more fallbacks than `before`: a load that is not carried, or a
+    /// simpler model.
     pub(super) fn warnings(&mut self, before: i32, logger: &Logger) -> Status {
         let count = S::fallback_count(&self.values.output);
         let missed = self.report_loads(logger) + self.report_sunk(logger);
@@ -66,7 +67,8 @@ impl<S: Described> Instance<S> {
         Status::Warning
     }
 
-    /// The number of wheels that are too deep in their rails for a force; the first time they are told.
+    /// The number of wheels that are too deep in their rails for a force; the first time they are
+    /// told.
     fn report_sunk(&mut self, logger: &Logger) -> i32 {
         let elements = self.element.iter().flat_map(Subject::elements);
         let mut sunk = 0;

@@ -1,8 +1,9 @@
 //! Events of model exchange: outputs that are whole numbers change at events alone.
 //!
-//! Between events the host gets what they were at the last one. The event indicator changes its sign where they are others: a
-//! contact begins or ends, a patch appears, parts, joins another or becomes heavier than it. There the host stops, enters event mode and
-//! goes on with the new numbers.
+//! Between events the host gets what they were at the last one. The event indicator changes its
+//! sign where they are others: a contact begins or ends, a patch appears, parts, joins another or
+//! becomes heavier than it. There the host stops, enters event mode and goes on with the new
+//! numbers.
 
 use super::error::FmiError;
 use super::held::discrete;
@@ -25,7 +26,8 @@ impl<S: Described> Instance<S> {
         Ok(status)
     }
 
-    /// Puts the event indicator into `out`, which is that of the argument `name` of as many elements.
+    /// Puts the event indicator into `out`, which is that of the argument `name` of as many
+    /// elements.
     ///
     /// # Errors
     /// Another number of elements than there are indicators; what is at fault with the inputs.

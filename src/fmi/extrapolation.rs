@@ -8,7 +8,8 @@ use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, check}
 /// Highest derivative that is taken.
 pub const ORDERS: usize = 3;
 
-/// Time derivatives of inputs at the beginning of the next step, in the order in which they were first set.
+/// Time derivatives of inputs at the beginning of the next step, in the order in which they were
+/// first set.
 ///
 /// ```text
 /// u(t + h) = u + h d1 + h²/2 d2 + h³/6 d3
@@ -71,7 +72,8 @@ impl Extrapolation {
         Ok(())
     }
 
-    /// Moves the inputs on by a step [s]; refused, with nothing changed, where one leaves its range. Whether any moved.
+    /// Moves the inputs on by a step [s]; refused, with nothing changed, where one leaves its
+    /// range. Whether any moved.
     pub fn apply<S: Described>(
         &self,
         step: f64,

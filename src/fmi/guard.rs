@@ -64,8 +64,8 @@ pub(super) use calls;
 
 /// Runs a call on the instance of a handle.
 ///
-/// A handle that is none gives an error without a message, and so does a call made from within the logger: it could call again, and
-/// so on. An instance that is busy in another thread is told.
+/// A handle that is none gives an error without a message, and so does a call made from within the
+/// logger: it could call again, and so on. An instance that is busy in another thread is told.
 #[inline]
 pub fn guard(
     component: Component,
@@ -142,7 +142,8 @@ pub fn instantiate(request: Request, logger: Logger) -> Component {
     .unwrap_or(null_mut())
 }
 
-/// Of which unit the instance is, what it is for, and where profiles are looked for: in the resources, then in the working directory.
+/// Of which unit the instance is, what it is for, and where profiles are looked for: in the
+/// resources, then in the working directory.
 fn examine(
     request: Request,
     logger: &Logger,

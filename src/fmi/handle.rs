@@ -1,7 +1,7 @@
 //! The table of instances.
 //!
-//! What the host holds as `fmi2Component` is a key of this table. It is never dereferenced, so that null, freed and
-//! forged ones are found out.
+//! What the host holds as `fmi2Component` is a key of this table. It is never dereferenced, so that
+//! null, freed and forged ones are found out.
 
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 

@@ -1,5 +1,5 @@
-//! A wheel or a wheelset with its variables and its place in the life cycle: what it holds. What is done with it stands in the files that
-//! import this one.
+//! A wheel or a wheelset with its variables and its place in the life cycle: what it holds. What is
+//! done with it stands in the files that import this one.
 
 use std::ffi::CString;
 use std::path::PathBuf;

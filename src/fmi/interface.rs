@@ -1,4 +1,5 @@
-//! The version of the standard through which a host talks to an instance, where messages have to know it.
+//! The version of the standard through which a host talks to an instance, where messages have to
+//! know it.
 
 use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;

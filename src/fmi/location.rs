@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 /// The folder that a `file:` URI in any of its forms, or a plain absolute path, names.
 ///
-/// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or without
-/// a slash at the end, percent-encoded or not. `None` for anything else.
+/// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or
+/// without a slash at the end, percent-encoded or not. `None` for anything else.
 pub fn of_uri(uri: &str) -> Option<PathBuf> {
     let has_scheme = uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"));
     let path = if has_scheme {

@@ -59,7 +59,8 @@ pub struct Logger {
 impl Logger {
     /// A logger for the host's callback function.
     ///
-    /// FMI 3.0, 2.3.1, wants silence where messages are not turned on; FMI 2.0 leaves it open, and errors and warnings come in any case.
+    /// FMI 3.0, 2.3.1, wants silence where messages are not turned on; FMI 2.0 leaves it open, and
+    /// errors and warnings come in any case.
     pub fn new(
         callback: Option<Box<dyn Callback>>,
         interface: Interface,
@@ -86,8 +87,8 @@ impl Logger {
 
     /// Turns categories on or off as `fmi2SetDebugLogging` and `fmi3SetDebugLogging` ask.
     ///
-    /// On with names: those, with what comes in any case. Off with names: exactly those no more. Without
-    /// names: all, or only what comes in any case.
+    /// On with names: those, with what comes in any case. Off with names: exactly those no more.
+    /// Without names: all, or only what comes in any case.
     pub fn set_categories(&self, on: bool, names: &[&str]) -> Result<(), FmiError> {
         let mut named = 0;
         for name in names {
@@ -112,7 +113,8 @@ impl Logger {
     /// Passes a message on if its category is enabled; only one longer than any warning allocates.
     pub fn log(&self, status: Status, category: Category, message: Arguments) {
         if self.takes(category) {
-            // Of one instance there is no other message under way in this thread: a call from within the logger finds the instance busy.
+            // Of one instance there is no other message under way in this thread: a call from
+            // within the logger finds the instance busy.
             let mut text = self.text.lock().unwrap_or_else(PoisonError::into_inner);
             self.pass_on(&mut text, status, category, message);
         }
@@ -124,8 +126,8 @@ impl Logger {
         self.pass_on(&mut text, Status::Error, Category::Error, message);
     }
 
-    /// The same as [`log`](Self::log) from a call that finds the instance busy: nothing if that is with a message, perhaps that of which this one is a
-    /// consequence, and so on.
+    /// The same as [`log`](Self::log) from a call that finds the instance busy: nothing if that is
+    /// with a message, perhaps that of which this one is a consequence, and so on.
     pub fn log_unless_logging(&self, status: Status, category: Category, message: Arguments) {
         let mut text = match self.text.try_lock() {
             Ok(text) => text,
@@ -153,8 +155,8 @@ fn category_names() -> Vec<CString> {
     LOG_CATEGORIES.iter().map(|(name, _)| CString::new(*name).unwrap_or_default()).collect()
 }
 
-/// Writes a text without nulls, and where that is wanted as a format of C without arguments that stands for it: hosts that do not
-/// read variable arguments pass it on as it is.
+/// Writes a text without nulls, and where that is wanted as a format of C without arguments that
+/// stands for it: hosts that do not read variable arguments pass it on as it is.
 struct Escaped<'a> {
     text: &'a mut Vec<u8>,
     doubles_percents: bool,

@@ -1,7 +1,9 @@
-//! Wheel and wheelset behind the C interfaces of FMI 2.0 and FMI 3.0 for co-simulation and model exchange.
+//! Wheel and wheelset behind the C interfaces of FMI 2.0 and FMI 3.0 for co-simulation and model
+//! exchange.
 //!
-//! One library serves all units, `WheelRail.fmu` and `WheelSet.fmu`, `WheelRail3.fmu` and `WheelSet3.fmu`: the GUID or instantiation
-//! token of an instance says which variables it has, the function that makes it through which interface.
+//! One library serves all units, `WheelRail.fmu` and `WheelSet.fmu`, `WheelRail3.fmu` and
+//! `WheelSet3.fmu`: the GUID or instantiation token of an instance says which variables it has, the
+//! function that makes it through which interface.
 //!
 //! ```text
 //! v2, v3     the exported functions of each interface: raw pointers in, one guarded call each
@@ -34,13 +36,15 @@
 //! types      the types that both interfaces have
 //! ```
 //!
-//! The contact is quasi-static: outputs follow from the inputs set last, so that they are evaluated when
-//! they are first read after a set, and a step only moves the time. A host may therefore read
-//! forces for inputs it has just set, and repeat or take back a step, with or without a saved state.
+//! The contact is quasi-static: outputs follow from the inputs set last, so that they are evaluated
+//! when they are first read after a set, and a step only moves the time. A host may therefore read
+//! forces for inputs it has just set, and repeat or take back a step, with or without a saved
+//! state.
 //!
-//! What FMI leaves open is decided so: a call that is refused changes nothing and the instance goes on;
-//! a panic closes the instance. Through FMI 2.0 errors and warnings are logged whether or not `loggingOn` was given,
-//! unless `fmi2SetDebugLogging` turns off their categories by name; FMI 3.0 wants silence without it.
+//! What FMI leaves open is decided so: a call that is refused changes nothing and the instance goes
+//! on; a panic closes the instance. Through FMI 2.0 errors and warnings are logged whether or not
+//! `loggingOn` was given, unless `fmi2SetDebugLogging` turns off their categories by name; FMI 3.0
+//! wants silence without it.
 
 mod access;
 mod any_instance;

@@ -1,4 +1,5 @@
-//! What `coupling.monitor` asks for: the energy residual of steps, stiffness and damping of the contact.
+//! What `coupling.monitor` asks for: the energy residual of steps, stiffness and damping of the
+//! contact.
 
 use super::coupling::{LastStep, slopes};
 use super::error::FmiError;
@@ -15,7 +16,8 @@ impl<S: Described> Instance<S> {
         Ok((status, S::work_pairs(&self.values.input, &self.values.output)))
     }
 
-    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with these `pairs`.
+    /// Takes over the energy residual of the step that ends where one of `duration` [s] begins with
+    /// these `pairs`.
     pub(super) fn watch(&mut self, duration: f64, pairs: &WorkPairs) {
         let residual = |last: &LastStep| energy_residual(&last.pairs, pairs, last.duration);
         self.values.coupling.energy_residual = self.last_step.as_ref().map_or(0.0, residual);

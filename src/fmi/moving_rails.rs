@@ -10,7 +10,8 @@ use crate::element::{Element, TrackState};
 use crate::error::ContactError;
 use crate::variables::Described;
 
-/// Most parts of one step: longer ones are made then, which the method survives and tells as an error.
+/// Most parts of one step: longer ones are made then, which the method survives and tells as an
+/// error.
 const MOST_PARTS: f64 = 1000.0;
 
 impl<S: Described> Instance<S> {
@@ -35,7 +36,8 @@ impl<S: Described> Instance<S> {
         self.element.iter().flat_map(Subject::elements).any(Element::has_moving_rails)
     }
 
-    /// Moves inputs and rails on over a step [s]; refused, with nothing changed, where an input leaves its range.
+    /// Moves inputs and rails on over a step [s]; refused, with nothing changed, where an input
+    /// leaves its range.
     pub(super) fn move_rails(&mut self, step: f64) -> Result<(), FmiError> {
         let Some(element) = &mut self.element else { return Ok(()) };
         let longest = element.elements().iter().map(Element::longest_step);

@@ -28,7 +28,8 @@ impl<S: Described> Instance<S> {
         saved
     }
 
-    /// Keeps a state that was read from bytes, in place of that of `key` unless it is null; gives its key.
+    /// Keeps a state that was read from bytes, in place of that of `key` unless it is null; gives
+    /// its key.
     pub fn put(&mut self, key: Key, snapshot: Snapshot<S>) -> Result<Key, FmiError> {
         if snapshot.purpose != self.purpose {
             let (from, own) = match self.purpose {
@@ -50,7 +51,8 @@ impl<S: Described> Instance<S> {
         self.snapshots.get(key).ok_or(UNKNOWN)
     }
 
-    /// Goes back to the state of a key; refused, with nothing changed, if the profiles of its parameters cannot be had any more.
+    /// Goes back to the state of a key; refused, with nothing changed, if the profiles of its
+    /// parameters cannot be had any more.
     pub fn load(&mut self, key: Key) -> Result<(), FmiError> {
         let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
         let loaded = snapshots.get(key).ok_or(UNKNOWN).and_then(|saved| self.restore(saved));
@@ -157,7 +159,8 @@ impl<S: Described> Instance<S> {
     }
 }
 
-/// Takes the wear of elements back to that of a saved state; refused where their profiles are not those of the state.
+/// Takes the wear of elements back to that of a saved state; refused where their profiles are not
+/// those of the state.
 fn wear_as_saved(elements: &mut [Element], saved: &[Memory]) -> Result<(), FmiError> {
     for (element, memory) in elements.iter_mut().zip(saved) {
         if memory.wear.as_ref().is_some_and(|wear| !element.set_wear_state(wear)) {

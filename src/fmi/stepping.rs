@@ -41,8 +41,8 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
-    /// Makes the element from the parameters; if one of them is at fault, the mode is not left. What is odd about the place in which
-    /// a wheel starts is a warning.
+    /// Makes the element from the parameters; if one of them is at fault, the mode is not left.
+    /// What is odd about the place in which a wheel starts is a warning.
     pub fn exit_initialization(&mut self, logger: &Logger) -> Result<Status, FmiError> {
         self.check_worn_files()?;
         self.prepare_element(true)?;
@@ -63,7 +63,8 @@ impl<S: Described> Instance<S> {
         Ok(status)
     }
 
-    /// Tells the host what was found in the files of the profiles: what was mended as warnings, the rest as events.
+    /// Tells the host what was found in the files of the profiles: what was mended as warnings, the
+    /// rest as events.
     fn tell_profiles(&self, logger: &Logger) {
         let Some(element) = &self.element else { return };
         for (prefix, element) in S::PREFIXES.iter().zip(element.elements()) {
@@ -80,8 +81,8 @@ impl<S: Described> Instance<S> {
 
     /// Moves the time, and inputs with time derivatives; forces depend on the inputs alone.
     ///
-    /// A host that counts in floating point may start its last step just before the stop time and end
-    /// after it; a step that starts beyond it by more than a thousandth of the step is refused.
+    /// A host that counts in floating point may start its last step just before the stop time and
+    /// end after it; a step that starts beyond it by more than a thousandth of the step is refused.
     pub fn step(&mut self, time: f64, step: f64, logger: &Logger) -> Result<Status, FmiError> {
         if !time.is_finite() {
             return Err(bad_argument("currentCommunicationPoint", time, "a finite number"));
@@ -118,7 +119,8 @@ impl<S: Described> Instance<S> {
         }))
     }
 
-    /// Wears off what the contacts of the inputs wear off in a step, and evaluates the outputs with it.
+    /// Wears off what the contacts of the inputs wear off in a step, and evaluates the outputs with
+    /// it.
     fn wear_off(&mut self, step: f64, logger: &Logger) -> Result<Status, FmiError> {
         let Some(element) = &mut self.element else { return Ok(Status::Ok) };
         let fallbacks = S::fallback_count(&self.values.output);

@@ -12,7 +12,8 @@ use crate::geometry::profile::ProfileKind;
 use crate::io::{can_be_written, profile_file, save_profile};
 use crate::variables::{Described, shortened};
 
-/// Names of the parameters of one wheel that name a file for a rail, and of those that name the profile it starts with.
+/// Names of the parameters of one wheel that name a file for a rail, and of those that name the
+/// profile it starts with.
 const RAIL_FILES: [(&str, &str); 2] =
     [("wear.rail[1].file", "rail[1].profile"), ("wear.rail[2].file", "rail[2].profile")];
 
@@ -20,8 +21,8 @@ const RAIL_FILES: [(&str, &str); 2] =
 type Named<F> = (String, F);
 
 impl<S: Described> Instance<S> {
-    /// Asks the system whether the files of worn profiles can be written, and sees to it that each has a name of its own, other than
-    /// those of the profiles that are read.
+    /// Asks the system whether the files of worn profiles can be written, and sees to it that each
+    /// has a name of its own, other than those of the profiles that are read.
     pub(super) fn check_worn_files(&self) -> Result<(), FmiError> {
         if self.purpose == Purpose::ModelExchange {
             return Ok(());
@@ -45,7 +46,8 @@ impl<S: Described> Instance<S> {
         Ok(())
     }
 
-    /// Parameters and files: of worn profiles that the run is to write, and of profiles that it has read.
+    /// Parameters and files: of worn profiles that the run is to write, and of profiles that it has
+    /// read.
     fn worn_files(&self) -> (Vec<Named<String>>, Vec<Named<PathBuf>>) {
         let (mut written, mut read) = (Vec::new(), Vec::new());
         let all = S::parameters_of_elements(&self.values.parameters);
@@ -91,7 +93,8 @@ impl<S: Described> Instance<S> {
     }
 }
 
-/// A path by which a file is known, whatever links and dots lead to it and whether or not it exists.
+/// A path by which a file is known, whatever links and dots lead to it and whether or not it
+/// exists.
 fn identity(path: &Path) -> PathBuf {
     let of_folder = || {
         let folder = path.parent()?;

@@ -5,7 +5,8 @@ use super::table::Table;
 /// Where the tread changes over to the gauge face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changeover {
-    /// Inclination of the rail's surface in the middle of it, negative towards the gauge face [rad].
+    /// Inclination of the rail's surface in the middle of it, negative towards the gauge face
+    /// [rad].
     pub inclination: f64,
     /// Difference of inclination from one end to the other, > 0 [rad].
     pub width: f64,
@@ -19,7 +20,8 @@ impl Default for Changeover {
 }
 
 impl Changeover {
-    /// Share of the gauge face over the direction z/(|y| + |z|) of the rail's tangent, 1 towards the gauge face [-].
+    /// Share of the gauge face over the direction z/(|y| + |z|) of the rail's tangent, 1 towards
+    /// the gauge face [-].
     #[must_use]
     pub(crate) fn gauge_face_share(&self) -> Table {
         let half = 0.5 * self.width;

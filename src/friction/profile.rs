@@ -12,7 +12,8 @@ pub enum Across {
     Place,
 }
 
-/// Friction across a rail at one station: linear between the points, constant beyond the outermost ones.
+/// Friction across a rail at one station: linear between the points, constant beyond the outermost
+/// ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Station along the track [m].
@@ -21,7 +22,8 @@ pub struct Section {
     pub points: Vec<[f64; 2]>,
 }
 
-/// Friction over the surface of a rail: linear between its stations, constant beyond the first and the last.
+/// Friction over the surface of a rail: linear between its stations, constant beyond the first and
+/// the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrictionProfile {
     /// What tells a place across the rail.
@@ -38,7 +40,8 @@ pub struct FrictionTables {
 }
 
 impl FrictionProfile {
-    /// As it is looked up; its arguments across the rail are places, or directions of tangents where the profile is one of inclinations.
+    /// As it is looked up; its arguments across the rail are places, or directions of tangents
+    /// where the profile is one of inclinations.
     #[must_use]
     pub fn tables(&self) -> FrictionTables {
         let table = match self.across {
@@ -51,7 +54,8 @@ impl FrictionProfile {
 }
 
 impl FrictionTables {
-    /// Coefficient of friction at the argument `across` the rail and `station` along the track [m, -]; `last` as in [`Table::at`].
+    /// Coefficient of friction at the argument `across` the rail and `station` along the track
+    /// [m, -]; `last` as in [`Table::at`].
     #[allow(clippy::inline_always)]
     #[inline(always)]
     #[must_use]

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::math::real::Real;
 
-/// Direction of a tangent (y, z) as a number that grows with its inclination and takes no angle: z/(|y| + |z|) where it points to the field side, from -2 to 2
-/// all the way round [-].
+/// Direction of a tangent (y, z) as a number that grows with its inclination and takes no angle:
+/// z/(|y| + |z|) where it points to the field side, from -2 to 2 all the way round [-].
 #[inline]
 #[must_use]
 pub fn direction<T: Real>([y, z]: [T; 2]) -> T {
@@ -16,7 +16,8 @@ pub fn direction<T: Real>([y, z]: [T; 2]) -> T {
     -share + if z >= 0.0 { 2.0 } else { -2.0 }
 }
 
-/// That of a tangent with the `inclination` [rad], which is taken as at most half a turn, and its derivative by the inclination.
+/// That of a tangent with the `inclination` [rad], which is taken as at most half a turn, and its
+/// derivative by the inclination.
 fn direction_of(inclination: f64) -> [f64; 2] {
     let (sine, cosine) = inclination.sin_cos();
     let sum = sine.abs() + cosine.abs();
@@ -48,14 +49,16 @@ pub struct Table {
     pieces: Vec<Piece>,
 }
 
-/// Longest piece over which a line over the inclination is a cubic over the direction: to 3e-7 rad [rad].
+/// Longest piece over which a line over the inclination is a cubic over the direction: to 3e-7 rad
+/// [rad].
 const TURN: f64 = 0.04;
 /// What a place may be off in the inclination by that [rad].
 #[cfg(test)]
 pub(crate) const OFF: f64 = 3e-7;
 
 impl Table {
-    /// Linear between `points` of place and value, of which there is at least one and whose places grow.
+    /// Linear between `points` of place and value, of which there is at least one and whose places
+    /// grow.
     #[must_use]
     pub fn over_place(points: &[[f64; 2]]) -> Self {
         let mut table = Self::constant(points[0][1]);
@@ -66,8 +69,9 @@ impl Table {
         table.end(points[points.len() - 1])
     }
 
-    /// Linear over the inclination between `points` of inclination [rad] and value, of which there is at least one and whose inclinations grow; its
-    /// argument is the [`direction`] of the tangent.
+    /// Linear over the inclination between `points` of inclination [rad] and value, of which there
+    /// is at least one and whose inclinations grow; its argument is the [`direction`] of the
+    /// tangent.
     #[must_use]
     pub fn over_inclination(points: &[[f64; 2]]) -> Self {
         let mut table = Self::constant(points[0][1]);
@@ -102,7 +106,8 @@ impl Table {
         self.pieces.push(Piece { start, next: f64::NAN, origin: start, coefficients });
     }
 
-    /// What begins with `value` and grows with the inclination by `rate`, between the inclinations `from` and `to` [rad].
+    /// What begins with `value` and grows with the inclination by `rate`, between the inclinations
+    /// `from` and `to` [rad].
     fn add_cubic(&mut self, [from, to]: [f64; 2], rate: f64, value: f64) {
         let [[start, first], [end, last]] = [from, to].map(direction_of);
         let length = end - start;
@@ -125,7 +130,8 @@ impl Table {
         self
     }
 
-    /// The value at `x` [-]. `last`, the number of the piece that was looked up last, is where the search begins, and becomes that of this one.
+    /// The value at `x` [-]. `last`, the number of the piece that was looked up last, is where the
+    /// search begins, and becomes that of this one.
     // Inside the loop over strips: a call would cost as much as the look-up.
     #[allow(clippy::inline_always)]
     #[inline(always)]
@@ -179,7 +185,8 @@ mod tests {
                 let found = turned.at(direction(tangent), &mut last[1]);
                 worst = worst.max((found - linear(&points, x)).abs());
             }
-            // The steepest line has a slope of 0.75 to the inclination, but for the step within 1e-6 rad.
+            // The steepest line has a slope of 0.75 to the inclination, but for the step within
+            // 1e-6 rad.
             assert!(worst < OFF, "{worst:e}");
         }
     }

@@ -1,9 +1,9 @@
 //! Bounds that tell which stretches of a wheel can touch a rail, without a contact search.
 //!
-//! Both bodies are kept as tables over lateral cells: the height of the rail's top and the lowest points of a straight, upright
-//! wheel. Roll and yaw enter by how far they can move points of the wheel sideways and down: a point of the wheel low
-//! enough to meet the rail lies within a chord of the axle's vertical plane, so that yaw moves it sideways by at most
-//! chord · yaw.
+//! Both bodies are kept as tables over lateral cells: the height of the rail's top and the lowest
+//! points of a straight, upright wheel. Roll and yaw enter by how far they can move points of the
+//! wheel sideways and down: a point of the wheel low enough to meet the rail lies within a chord of
+//! the axle's vertical plane, so that yaw moves it sideways by at most chord · yaw.
 
 mod cells;
 
@@ -15,14 +15,16 @@ use cells::{CELL, SAMPLE, cell_count, extent, put_least_within, samples};
 
 /// What a body may reach beyond its samples: bulges of radius 1 mm between them, and rounding [m].
 const MARGIN: f64 = 5e-6;
-/// What a body that varies may reach beyond the corners of a face between two slices and two rows [m].
+/// What a body that varies may reach beyond the corners of a face between two slices and two rows
+/// [m].
 const BULGE: f64 = 5e-4;
-/// Heights of the rail are kept as the least over 2^level cells to either side, for levels below this one: 128 mm.
+/// Heights of the rail are kept as the least over 2^level cells to either side, for levels below
+/// this one: 128 mm.
 const LEVELS: usize = 9;
 /// Cells of the wheel that are looked at together before any of them is looked at alone.
 const BLOCK: usize = 16;
-/// How wide the rail has to be to either side of a place of a wheel that counts as inside, and the spacing of such places, in places and cells:
-/// 8 mm in all.
+/// How wide the rail has to be to either side of a place of a wheel that counts as inside, and the
+/// spacing of such places, in places and cells: 8 mm in all.
 const SURROUNDING: isize = 2;
 const SPACING: isize = 4;
 /// Cells beyond either end of the rail that any level can reach.
@@ -65,7 +67,8 @@ struct OppositeCells<'a> {
     offset: isize,
     /// Highest place of the rail that each cell of the wheel can reach, by cells of the rail [m].
     tops: &'a [f64],
-    /// The same for a whole block of cells, by that in its middle; empty where the angles are too large [m].
+    /// The same for a whole block of cells, by that in its middle; empty where the angles are too
+    /// large [m].
     block_tops: &'a [f64],
 }
 
@@ -117,7 +120,8 @@ impl Clearance {
         self.put_wheel(wheel);
     }
 
-    /// Makes those of the wheel anew for another profile; allocates nothing within the room that they have.
+    /// Makes those of the wheel anew for another profile; allocates nothing within the room that
+    /// they have.
     pub fn put_wheel(&mut self, wheel: &Curve) {
         let [[wheel_left, wheel_right], [wheel_top, wheel_low]] = extent(wheel);
         let cells = cell_count(wheel_left, wheel_right);
@@ -142,8 +146,9 @@ impl Clearance {
         self.chord = (2.0 * (self.nominal_radius + wheel_low) * reach).sqrt();
     }
 
-    /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y, z) of each: no wheel above them touches it anywhere.
-    /// Returns how far it then reaches beyond its sides [m].
+    /// Raises the rail to all of the `faces` of one that varies along the track, by the corners (y,
+    /// z) of each: no wheel above them touches it anywhere. Returns how far it then reaches beyond
+    /// its sides [m].
     pub fn raise(&mut self, faces: impl Iterator<Item = [[f64; 2]; 4]> + Clone) -> f64 {
         let across = |face: &[[f64; 2]; 4]| {
             let y = face.map(|corner| corner[0]);
@@ -179,8 +184,9 @@ impl Clearance {
         (before + after) as f64 * CELL
     }
 
-    /// Lowers the wheel to all of the `sides` of outlines of one that varies around, by the ends (y, z) of each: no rail below them is touched at any angle.
-    /// Returns how far it then reaches beyond the sides that it had [m].
+    /// Lowers the wheel to all of the `sides` of outlines of one that varies around, by the ends
+    /// (y, z) of each: no rail below them is touched at any angle. Returns how far it then reaches
+    /// beyond the sides that it had [m].
     pub fn lower(&mut self, sides: impl Iterator<Item = [[f64; 2]; 2]> + Clone) -> f64 {
         let across = |[a, b]: [[f64; 2]; 2]| [a[0].min(b[0]), a[0].max(b[0])];
         let first = self.wheel_start;
@@ -231,14 +237,15 @@ impl Clearance {
         self.block_lows.reserve(cells.div_ceil(BLOCK));
     }
 
-    /// Marker z above which (smaller z) no wheel with this roll [rad] touches, wherever it stands [m].
+    /// Marker z above which (smaller z) no wheel with this roll [rad] touches, wherever it stands
+    /// [m].
     #[must_use]
     pub fn clear_height(&self, roll: f64) -> f64 {
         self.rail_top - self.wheel_low - self.nominal_radius - self.drop(roll)
     }
 
-    /// Marker z above which no cell of the wheel touches at the place and attitude of `pose`, whose own z counts only where the rail
-    /// rolls; infinite beside the rail [m].
+    /// Marker z above which no cell of the wheel touches at the place and attitude of `pose`, whose
+    /// own z counts only where the rail rolls; infinite beside the rail [m].
     #[must_use]
     pub fn height_near_touch(&self, pose: &WheelPose) -> f64 {
         let Some(opposite) = self.opposite_cells(pose) else {
@@ -250,8 +257,9 @@ impl Clearance {
         least - self.nominal_radius - self.drop(pose.roll)
     }
 
-    /// Fills `ranges` with the stretches of the contact line, as ranges of its parameter, that may touch the rail when the wheel
-    /// stands at `pose`: none for a lifted wheel, everything where the angles are too large for a bound.
+    /// Fills `ranges` with the stretches of the contact line, as ranges of its parameter, that may
+    /// touch the rail when the wheel stands at `pose`: none for a lifted wheel, everything where
+    /// the angles are too large for a bound.
     pub fn ranges(&self, pose: &WheelPose, ranges: &mut Vec<[f64; 2]>) {
         ranges.clear();
         let Some(opposite) = self.opposite_cells(pose) else {
@@ -290,8 +298,9 @@ impl Clearance {
         ranges.extend(open);
     }
 
-    /// How deep the wheel at `pose` lies below the top of the rail where the rail is wide around it, whatever the outlines look like
-    /// below [m]; nothing where it does not. Roll and yaw count as none: it is a measure of wheels that are inside.
+    /// How deep the wheel at `pose` lies below the top of the rail where the rail is wide around
+    /// it, whatever the outlines look like below [m]; nothing where it does not. Roll and yaw count
+    /// as none: it is a measure of wheels that are inside.
     #[must_use]
     pub fn sunk(&self, pose: &WheelPose) -> Option<f64> {
         let y = pose.marker[1] - self.nominal_radius * pose.roll.sin();
@@ -313,7 +322,8 @@ impl Clearance {
         (0..self.lows.len()).step_by(SPACING as usize).filter_map(depth).max_by(f64::total_cmp)
     }
 
-    /// Whether no cell of a block of the wheel can touch, by the lowest of them and the highest place of the rail that any can reach.
+    /// Whether no cell of a block of the wheel can touch, by the lowest of them and the highest
+    /// place of the rail that any can reach.
     #[inline]
     fn block_is_clear(&self, block: usize, low: f64, opposite: &OppositeCells) -> bool {
         let middle = (block * BLOCK + BLOCK / 2) as isize + opposite.offset;
@@ -321,8 +331,9 @@ impl Clearance {
         top.is_some_and(|top| self.block_lows[block] + low < *top)
     }
 
-    /// The cells of the wheel that the rail reaches at `pose`, and the tops of the rail opposite to them as far as roll and yaw can
-    /// move points sideways; nothing where the angles are too large for a bound.
+    /// The cells of the wheel that the rail reaches at `pose`, and the tops of the rail opposite to
+    /// them as far as roll and yaw can move points sideways; nothing where the angles are too large
+    /// for a bound.
     fn opposite_cells(&self, pose: &WheelPose) -> Option<OppositeCells<'_>> {
         let WheelPose { marker, roll, yaw } = *pose;
         let [extent_y, extent_z] = self.wheel_extent;

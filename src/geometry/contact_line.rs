@@ -1,17 +1,20 @@
-//! The contact line of a yawed and rolled wheel: what of it a rail that is a cylinder along x can touch.
+//! The contact line of a yawed and rolled wheel: what of it a rail that is a cylinder along x can
+//! touch.
 //!
-//! The wheel is the surface of revolution X(s, α) = M + y_w(s) u + r(s) n(α) about the axle direction u through the marker
-//! M, with n(α) the radial direction. A cylinder along x can only be touched where the normal of the wheel has no component
-//! along x. The normal is y_w' n - r' u, so that with n = e1 sin α + e2 cos α (e1 the projection of x on the plane of the
-//! rolling circles, e2 perpendicular to x in that plane, down)
+//! The wheel is the surface of revolution X(s, α) = M + y_w(s) u + r(s) n(α) about the axle
+//! direction u through the marker M, with n(α) the radial direction. A cylinder along x can only be
+//! touched where the normal of the wheel has no component along x. The normal is y_w' n - r' u, so
+//! that with n = e1 sin α + e2 cos α (e1 the projection of x on the plane of the rolling circles,
+//! e2 perpendicular to x in that plane, down)
 //!
 //! ```text
 //! sin α = r' u_x / (y_w' c),  c = sqrt(1 - u_x²)
 //! ```
 //!
-//! This is the outline of the wheel as seen along the rail (Piotrowski and Kik 2008, figure 16). Its points lie ahead of or
-//! behind the axle by r tan(contact angle) sin(yaw), which the lowest points of the rolling circles would miss. A face steeper
-//! than 87 degrees, a flange back, touches with its rim: see `contact_line::rim`.
+//! This is the outline of the wheel as seen along the rail (Piotrowski and Kik 2008, figure 16).
+//! Its points lie ahead of or behind the axle by r tan(contact angle) sin(yaw), which the lowest
+//! points of the rolling circles would miss. A face steeper than 87 degrees, a flange back, touches
+//! with its rim: see `contact_line::rim`.
 
 mod around;
 mod lifted;
@@ -24,14 +27,16 @@ use crate::geometry::varying_wheel::VaryingWheel;
 pub use crate::geometry::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
-/// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of by slope.
+/// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of
+/// by slope.
 const LEAST_SLOPE_COSINE: f64 = 0.05;
 /// Largest |sin α|: contact never comes near the height of the axle.
 const MOST_SINE: f64 = 0.9;
-/// Half length of the profile over which its curvature is averaged where it bends the section along x of a yawed wheel: profiles
-/// jump in curvature, and the force must not [m].
+/// Half length of the profile over which its curvature is averaged where it bends the section along
+/// x of a yawed wheel: profiles jump in curvature, and the force must not [m].
 const CURVATURE_REACH: f64 = 2e-3;
-/// Least curvature of the section along x over that of the straight wheel: in a flange root at large yaw the outline folds.
+/// Least curvature of the section along x over that of the straight wheel: in a flange root at
+/// large yaw the outline folds.
 const LEAST_SECTION_SHARE: f64 = 0.1;
 
 /// The contact line of a wheel in a given pose.
@@ -52,7 +57,8 @@ pub struct ContactLine<'a, T = f64> {
     down: [T; 2],
     /// Deviations of wheel and rail along the track, where there are any.
     deviations: Option<&'a Longitudinal>,
-    /// The wheel whose section varies around, of which the profile is that of the round wheel that takes its place.
+    /// The wheel whose section varies around, of which the profile is that of the round wheel that
+    /// takes its place.
     around: Option<&'a VaryingWheel>,
 }
 
@@ -83,7 +89,8 @@ pub struct LinePoint<T = f64> {
 }
 
 impl<'a, T: Real> ContactLine<'a, T> {
-    /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its running circle [m].
+    /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its
+    /// running circle [m].
     #[must_use]
     pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose<T>) -> Self {
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
@@ -129,7 +136,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         self.met(s, point)
     }
 
-    /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations along the track.
+    /// The point at parameter `s` [m] and the derivative of its (y, z), both without deviations
+    /// along the track.
     #[inline]
     #[must_use]
     pub fn even_with_derivative(&self, s: T) -> (LinePoint<T>, [T; 2]) {
@@ -147,7 +155,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         self.profile
     }
 
-    /// The point that belongs to the profile point `p`, which is on no rim, and the derivative of its (y, z).
+    /// The point that belongs to the profile point `p`, which is on no rim, and the derivative of
+    /// its (y, z).
     // Inside each instruction set or not at all: a call would not be vectorised.
     #[allow(clippy::inline_always)]
     #[inline(always)]
@@ -201,7 +210,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
                 self.marker[1] + p.point[0] * uy + on.radius * on.radial[0],
                 self.marker[2] + p.point[0] * uz + on.radius * on.radial[1],
             ],
-            // The normal y_w' n - r' u, turned by a quarter; as long as the profile's derivative, which is close to one.
+            // The normal y_w' n - r' u, turned by a quarter; as long as the profile's derivative,
+            // which is close to one.
             tangent: [
                 p.first[0] * on.radial[1] - p.first[1] * uz,
                 p.first[1] * uy - p.first[0] * on.radial[0],
@@ -209,14 +219,16 @@ impl<'a, T: Real> ContactLine<'a, T> {
         }
     }
 
-    /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the normal section along x [m].
+    /// Profile point of parameter `s`: lateral coordinate, rolling radius and the radius R of the
+    /// normal section along x [m].
     ///
     /// ```text
     /// 1/R = cos γ cos α c²/r + κ (u_x/cos γ)²/cos α
     /// ```
     ///
-    /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point ahead of the axle is one of
-    /// another circle of a yawed wheel. On a straight wheel R = r/cos γ.
+    /// with γ the slope of the profile and κ its curvature: beside its place on the circle, a point
+    /// ahead of the axle is one of another circle of a yawed wheel. On a straight wheel R = r/cos
+    /// γ.
     #[must_use]
     pub fn wheel_point(&self, s: T) -> WheelPoint<T> {
         let p = self.profile.at(s);
@@ -244,7 +256,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         }
     }
 
-    /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side; positive where it bulges [1/m].
+    /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side;
+    /// positive where it bulges [1/m].
     fn mean_curvature(&self, s: T) -> T {
         let [start, end] = self.range();
         let (from, to) =
@@ -260,7 +273,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         -self.profile.at(s).curvature()
     }
 
-    /// Whether the wheel does not yaw, and would not if it yawed a little: derivatives by yaw are those of a line that leads.
+    /// Whether the wheel does not yaw, and would not if it yawed a little: derivatives by yaw are
+    /// those of a line that leads.
     #[inline]
     fn is_straight(&self) -> bool {
         !T::HAS_SLOPES && self.lead == 0.0
@@ -286,8 +300,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
 }
 
 impl<'a> ContactLine<'a> {
-    /// The line of the same wheel where wheel and rail are not even along the track: every point is as much lower as the two bodies
-    /// are nearer to each other by their deviations.
+    /// The line of the same wheel where wheel and rail are not even along the track: every point is
+    /// as much lower as the two bodies are nearer to each other by their deviations.
     #[must_use]
     pub fn with_deviations(self, deviations: &'a Longitudinal) -> Self {
         Self { deviations: Some(deviations), ..self }
@@ -320,8 +334,9 @@ impl<'a> ContactLine<'a> {
         }
     }
 
-    /// What the profile at `p` contributes to the length of the line per parameter beyond one, times
-    /// [`stretch_per_factor`](Self::stretch_per_factor): a yawed outline runs fast where the profile is steep and curved [1/m].
+    /// What the profile at `p` contributes to the length of the line per parameter beyond one,
+    /// times [`stretch_per_factor`](Self::stretch_per_factor): a yawed outline runs fast where the
+    /// profile is steep and curved [1/m].
     #[must_use]
     pub fn stretch_factor(p: &CurvePoint) -> f64 {
         if p.first[0] <= LEAST_SLOPE_COSINE {
@@ -332,7 +347,8 @@ impl<'a> ContactLine<'a> {
         turning * (1.0 + slope.abs())
     }
 
-    /// Bound of the length of (y, z) of the line per parameter beyond one, over [`stretch_factor`](Self::stretch_factor) [m].
+    /// Bound of the length of (y, z) of the line per parameter beyond one, over
+    /// [`stretch_factor`](Self::stretch_factor) [m].
     #[must_use]
     pub fn stretch_per_factor(&self) -> f64 {
         let least_cosine = (1.0 - MOST_SINE * MOST_SINE).sqrt();

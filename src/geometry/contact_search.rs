@@ -1,12 +1,15 @@
-//! All contact points and penetrated intervals of a wheel's contact line and a rail, on tread and flange together.
+//! All contact points and penetrated intervals of a wheel's contact line and a rail, on tread and
+//! flange together.
 //!
-//! The signed distance d(u) of the points of the contact line from the rail is followed along the line. Its derivative is the
-//! sine of the angle between the two lines, so that local minima are where the tangents are parallel. Where d > 0 the curvature
-//! of both bodies bounds how soon d can vanish: the step takes that bound, and intervals that cannot touch are passed over.
+//! The signed distance d(u) of the points of the contact line from the rail is followed along the
+//! line. Its derivative is the sine of the angle between the two lines, so that local minima are
+//! where the tangents are parallel. Where d > 0 the curvature of both bodies bounds how soon d can
+//! vanish: the step takes that bound, and intervals that cannot touch are passed over.
 //!
-//! An interval with d < 0 is one patch with one contact frame at its deepest minimum, whatever loaded zones it has; where the
-//! normals at two neighbouring minima differ by more than 30 degrees, as tread and flange do, it is split at the ridge in
-//! between, because no common tangent plane makes sense.
+//! An interval with d < 0 is one patch with one contact frame at its deepest minimum, whatever
+//! loaded zones it has; where the normals at two neighbouring minima differ by more than 30
+//! degrees, as tread and flange do, it is split at the ridge in between, because no common tangent
+//! plane makes sense.
 
 mod interval;
 mod sample;
@@ -27,20 +30,21 @@ use wheel_bounds::{BIN, WheelBounds};
 pub const MOST_CONTACTS: usize = 16;
 /// Most probes of one wheel on one rail.
 pub const MOST_PROBES: usize = 2048;
-/// Depth from which on the nearest point of the rail is looked for all around it [m]: wheels that are loaded stay far above, and gauge corners are
-/// rounded by twice as much.
+/// Depth from which on the nearest point of the rail is looked for all around it [m]: wheels that
+/// are loaded stay far above, and gauge corners are rounded by twice as much.
 const DEEP: f64 = 5e-3;
-/// Distance along the rail over which its nearest point moves within one step only where it goes over to another side [m].
+/// Distance along the rail over which its nearest point moves within one step only where it goes
+/// over to another side [m].
 const OTHER_SIDE: f64 = 1e-2;
-/// Last Newton step towards a nearest point while searching, and where a minimum is pinned down; what is then left is about its
-/// square times a curvature [m].
+/// Last Newton step towards a nearest point while searching, and where a minimum is pinned down;
+/// what is then left is about its square times a curvature [m].
 const COARSE: f64 = 3e-5;
 const FINE: f64 = 1e-9;
-/// Bracket within which a minimum is interpolated [m]: on a flank against a rail edge of 13 mm each nanometre would turn the frame, and
-/// the force with it, by 1e-7.
+/// Bracket within which a minimum is interpolated [m]: on a flank against a rail edge of 13 mm each
+/// nanometre would turn the frame, and the force with it, by 1e-7.
 const EXTREMUM_BRACKET: f64 = 1e-11;
-/// Last step of interpolation towards a minimum or maximum [m], and most of them; three are the rule. They get shorter so fast that the last one
-/// leaves nothing but rounding.
+/// Last step of interpolation towards a minimum or maximum [m], and most of them; three are the
+/// rule. They get shorter so fast that the last one leaves nothing but rounding.
 const EXTREMUM_STEP: f64 = 1e-10;
 const MOST_INTERPOLATIONS: usize = 6;
 
@@ -75,7 +79,8 @@ impl ContactSearch {
         search
     }
 
-    /// Becomes a new search for wheels with another profile; allocates nothing within the room that there is.
+    /// Becomes a new search for wheels with another profile; allocates nothing within the room that
+    /// there is.
     pub fn put_wheel(&mut self, wheel: &Curve) {
         self.follow_wheel(wheel);
         self.interval.clear();
@@ -84,7 +89,8 @@ impl ContactSearch {
         (self.evaluations, self.left_out) = (0, 0);
     }
 
-    /// Goes on with another profile, as that of a wheel whose section varies; allocates nothing within the room that there is.
+    /// Goes on with another profile, as that of a wheel whose section varies; allocates nothing
+    /// within the room that there is.
     pub fn follow_wheel(&mut self, wheel: &Curve) {
         self.bounds.follow(wheel);
     }
@@ -94,8 +100,9 @@ impl ContactSearch {
         self.bounds.reserve(longer);
     }
 
-    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the given stretches of the line, which are in
-    /// growing u and apart; `[line.range()]` stands for all of it.
+    /// Fills `contacts` and `probes` for a wheel in the pose of `line` on `rail`, from the given
+    /// stretches of the line, which are in growing u and apart; `[line.range()]` stands for all of
+    /// it.
     pub fn search(&mut self, line: &ContactLine, rail: &PlacedRail, ranges: &[[f64; 2]]) {
         self.contacts.clear();
         self.probes.clear();
@@ -196,7 +203,8 @@ impl ContactSearch {
         }
         if dips || (from.slope > 0.0 && to.slope < 0.0) {
             let extremum = self.extremum(line, rail, from, to);
-            // Where the nearest point goes over to another side of the rail the depth has an edge, but nothing touches there.
+            // Where the nearest point goes over to another side of the rail the depth has an edge,
+            // but nothing touches there.
             let goes_over = (to.rail_s - from.rail_s).abs() > OTHER_SIDE;
             let kind = match (dips, goes_over) {
                 (true, true) => Kind::Step,
@@ -299,7 +307,8 @@ impl ContactSearch {
         });
     }
 
-    /// Replaces the estimates at the local minima and maxima of the probes by the separation in the contact frame.
+    /// Replaces the estimates at the local minima and maxima of the probes by the separation in the
+    /// contact frame.
     pub fn refine_probes(&mut self, contact: &Contact, separation: &mut impl Separation) {
         let probes = &mut self.probes[contact.probes[0]..contact.probes[1]];
         for i in 0..probes.len() {

@@ -1,8 +1,9 @@
 //! A plane curve of cubic pieces, as which every wheel and rail profile is evaluated.
 //!
 //! Each piece is the cubic Hermite interpolant of the points and tangents at its two knots, so that
-//! a cubic spline (values and first derivatives at the knots) is carried over exactly. The parameter is
-//! close to arc length, which makes steep flanks and vertical faces as good as the tread.
+//! a cubic spline (values and first derivatives at the knots) is carried over exactly. The
+//! parameter is close to arc length, which makes steep flanks and vertical faces as good as the
+//! tread.
 
 use crate::math::real::Real;
 
@@ -30,8 +31,8 @@ pub struct CurvePoint<T = f64> {
 }
 
 impl<T: Real> CurvePoint<T> {
-    /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z, as a rail head does seen along
-    /// growing y [1/m].
+    /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z,
+    /// as a rail head does seen along growing y [1/m].
     #[must_use]
     pub fn curvature(&self) -> T {
         let speed = self.first[0].hypot(self.first[1]);
@@ -43,7 +44,8 @@ impl<T: Real> CurvePoint<T> {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     start: f64,
-    /// Where the next piece starts; not a number for the last one, so that no parameter is beyond it.
+    /// Where the next piece starts; not a number for the last one, so that no parameter is beyond
+    /// it.
     next: f64,
     coefficients: [[f64; 2]; 4],
 }
@@ -101,7 +103,8 @@ impl Curve {
         bins.clear();
         let mut first = 0;
         bins.extend((0..=count).map(|bin| {
-            // A bin holds what is rounded to its number; a little more makes up for rounding errors.
+            // A bin holds what is rounded to its number; a little more makes up for rounding
+            // errors.
             let s = start + (bin as f64 - 0.51) / bins_per_length;
             while first + 1 < pieces.len() && pieces[first + 1].start <= s {
                 first += 1;
@@ -185,8 +188,8 @@ impl Curve {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn piece_at(&self, s: f64) -> &Piece {
-        // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s, not a number included,
-        // into a valid index.
+        // Adding 2^52 leaves the rounded number in the low bits; maximum and minimum turn any s,
+        // not a number included, into a valid index.
         let bin = ((s - self.start) * self.bins_per_length).max(0.0);
         let bin = if bin < self.last_bin { bin } else { self.last_bin };
         let bin = (bin + 4_503_599_627_370_496.0).to_bits() as u32;
@@ -215,7 +218,8 @@ fn cubic<T: Real>(u: T, [c0, c1, c2, c3]: &[[f64; 2]; 4]) -> CurvePoint<T> {
     CurvePoint { point, first, second }
 }
 
-/// The pieces of several parameters, by columns: a loop over them is compiled to vector instructions.
+/// The pieces of several parameters, by columns: a loop over them is compiled to vector
+/// instructions.
 pub(super) struct PieceLanes<const N: usize> {
     start: [f64; N],
     coefficients: [[[f64; N]; 2]; 4],

@@ -1,7 +1,8 @@
 //! The separation of a wheel's contact line and a rail in the frame of a contact.
 //!
-//! The distance of the two lines along the normal of the frame, measured from the point of first touch: for a point of the
-//! contact line the opposite point of the rail has the same lateral coordinate.
+//! The distance of the two lines along the normal of the frame, measured from the point of first
+//! touch: for a point of the contact line the opposite point of the rail has the same lateral
+//! coordinate.
 
 mod lanes;
 
@@ -18,10 +19,11 @@ pub struct LineSeparation<'a> {
     line: &'a ContactLine<'a>,
     rail: &'a PlacedRail,
     contact: Contact,
-    /// Radius of the wheel's circles and the share of a lift along the normal, where there are deviations along the track.
+    /// Radius of the wheel's circles and the share of a lift along the normal, where there are
+    /// deviations along the track.
     lifting: Option<Lifting<'a>>,
-    /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the one by the other: the next
-    /// point is near.
+    /// Parameter of the rail and lateral coordinate of the last point, and the derivative of the
+    /// one by the other: the next point is near.
     near: [f64; 3],
 }
 
@@ -30,7 +32,8 @@ pub struct LineSeparation<'a> {
 pub struct Lifting<'a> {
     /// The deviations of both bodies.
     pub deviations: &'a Longitudinal,
-    /// Radius r of the circles that the wheel shows the rail, so that r/share is that of the normal section [m].
+    /// Radius r of the circles that the wheel shows the rail, so that r/share is that of the normal
+    /// section [m].
     pub radius: f64,
     /// Component along the normal of a unit of lift, the cosine of the contact angle [-].
     pub share: f64,
@@ -41,7 +44,8 @@ pub trait RailSeparation<'a, T: Real>: FrameSeparation<T> {
     /// How the bodies deviate along the track from even ones.
     fn lifting(&self) -> Option<Lifting<'a>>;
 
-    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact point where there is none [m].
+    /// Parameter of the rail's curve opposite to parameter `u` of the line; that of the contact
+    /// point where there is none [m].
     fn rail_parameter(&mut self, u: T) -> T;
 }
 
@@ -76,12 +80,13 @@ impl<'a> LineSeparation<'a> {
         self.line.even_at(u).x
     }
 
-    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, the rail's coordinate along the normal and its
-    /// derivative by `y`; nothing where the rail ends or turns away before.
+    /// Parameter of the rail opposite to lateral coordinate `y` of the frame, the rail's coordinate
+    /// along the normal and its derivative by `y`; nothing where the rail ends or turns away
+    /// before.
     fn opposite(&mut self, y: f64) -> Option<[f64; 3]> {
         let [near_s, near_y, rate] = self.near;
-        // From the last point it takes a step or two. Only the way from the contact point tells that there is none, so that the
-        // result does not depend on the point before.
+        // From the last point it takes a step or two. Only the way from the contact point tells
+        // that there is none, so that the result does not depend on the point before.
         self.opposite_from(near_s + rate * (y - near_y), y)
             .or_else(|| self.opposite_from(self.contact.rail_s, y))
     }
@@ -128,7 +133,8 @@ impl<'a> LineSeparation<'a> {
         None
     }
 
-    /// The separation without deviations along the track and its derivative by the parameter of the line [m, -].
+    /// The separation without deviations along the track and its derivative by the parameter of the
+    /// line [m, -].
     #[inline]
     fn even_with_rate(&mut self, u: f64) -> (SeparationPoint, f64) {
         let (at, derivative) = self.line.even_with_derivative(u);

@@ -1,15 +1,17 @@
-//! Wheel and rail along the track where one of them is not even: how far the wheel is lifted by it, and where it overlaps.
+//! Wheel and rail along the track where one of them is not even: how far the wheel is lifted by it,
+//! and where it overlaps.
 //!
-//! With e(x) the sum of the deviations of both surfaces at the place x (larger bodies are positive) and the radius r of the
-//! wheel, the distance of the surfaces below a point x_l of the contact line is that of the even bodies plus
+//! With e(x) the sum of the deviations of both surfaces at the place x (larger bodies are positive)
+//! and the radius r of the wheel, the distance of the surfaces below a point x_l of the contact
+//! line is that of the even bodies plus
 //!
 //! ```text
 //! Q(x) = (x - x_l)²/(2 r) - e(x)
 //! ```
 //!
-//! First touch is at the least Q, wherever that is: the even bodies come nearer to each other by the lift M = -min Q. As a function
-//! of x_l the lift is the path of a wheel that rolls over the deviations, continuous, with kinks where the wheel stands on two
-//! points at once.
+//! First touch is at the least Q, wherever that is: the even bodies come nearer to each other by
+//! the lift M = -min Q. As a function of x_l the lift is the path of a wheel that rolls over the
+//! deviations, continuous, with kinks where the wheel stands on two points at once.
 
 mod lift;
 mod stretches;
@@ -48,8 +50,8 @@ pub struct Longitudinal {
 }
 
 impl Longitudinal {
-    /// The deviations of a wheel, over the arc of its running circle with `nominal_radius` [m], and of a rail; nothing where both
-    /// are even.
+    /// The deviations of a wheel, over the arc of its running circle with `nominal_radius` [m], and
+    /// of a rail; nothing where both are even.
     #[must_use]
     pub fn new(wheel: Waviness, rail: Waviness, nominal_radius: f64) -> Option<Self> {
         if wheel.is_empty() && rail.is_empty() {
@@ -98,8 +100,8 @@ impl Longitudinal {
         self.spacing
     }
 
-    /// Takes the samples for a wheel marker at `station` [m] and a wheel turned by `pitch` [rad], for points of the contact line
-    /// up to `ahead` from the marker [m].
+    /// Takes the samples for a wheel marker at `station` [m] and a wheel turned by `pitch` [rad],
+    /// for points of the contact line up to `ahead` from the marker [m].
     pub fn place(&mut self, station: f64, pitch: f64, ahead: f64) {
         self.station = station;
         self.turn = -pitch * self.nominal_radius;
@@ -127,7 +129,8 @@ impl Longitudinal {
         sum
     }
 
-    /// Deviation of the wheel at `x`: radius beyond that of the round wheel [m], and its slope along the circle [-].
+    /// Deviation of the wheel at `x`: radius beyond that of the round wheel [m], and its slope
+    /// along the circle [-].
     #[must_use]
     pub fn wheel_deviation(&self, x: f64) -> [f64; 2] {
         if self.wheel.is_empty() {
@@ -144,7 +147,8 @@ impl Longitudinal {
         [rail, self.wheel_deviation(x)[1]]
     }
 
-    /// Curvature of Q about `x`, from its rise over the distance `reach` to either side; that at `x` itself if `reach` is nothing [1/m].
+    /// Curvature of Q about `x`, from its rise over the distance `reach` to either side; that at
+    /// `x` itself if `reach` is nothing [1/m].
     #[must_use]
     pub fn mean_curvature(&self, radius: f64, x: f64, reach: f64) -> f64 {
         let even = 1.0 / radius;
@@ -201,7 +205,8 @@ impl Longitudinal {
         0.5 * (1.0 / radius + self.curvature) * self.spacing * self.spacing
     }
 
-    /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m], and the [`slopes`](Self::slopes) there.
+    /// sqrt(2 r (level - Q)) at `x`, the root of the overlap by which pressure goes [m], and the
+    /// [`slopes`](Self::slopes) there.
     #[inline]
     #[must_use]
     pub fn depth_root(&self, centre: f64, radius: f64, level: f64, x: f64) -> (f64, [f64; 2]) {

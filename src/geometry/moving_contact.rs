@@ -1,7 +1,8 @@
 //! Contacts that a search has found, as they move with the pose of wheel and rail.
 //!
-//! The search goes by plain numbers. What it finds fulfils equations, whose derivatives give those of what was found (implicit functions): with
-//! P(u) on the contact line and its tangent t(u), Q(s) on the rail,
+//! The search goes by plain numbers. What it finds fulfils equations, whose derivatives give those
+//! of what was found (implicit functions): with P(u) on the contact line and its tangent t(u), Q(s)
+//! on the rail,
 //!
 //! ```text
 //! (P(u) - Q(s)) · Q'(s) = 0,   t(u) × Q'(s) = 0
@@ -14,7 +15,8 @@ use crate::geometry::rail_outline::RailOutline;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 
-/// Sine of the angle between the two lines up to which a place counts as one where they are parallel: a search leaves 1e-9.
+/// Sine of the angle between the two lines up to which a place counts as one where they are
+/// parallel: a search leaves 1e-9.
 const PARALLEL: f64 = 1e-6;
 
 /// The two equations of a place where the lines are parallel and face each other.
@@ -25,8 +27,8 @@ fn equations<T: Real>(line: &ContactLine<T>, on: &CurvePoint<T>, u: T) -> [T; 2]
     [along(to), at.tangent[0] * on.first[1] - at.tangent[1] * on.first[0]]
 }
 
-/// Parameters `u` of the line and `s` of the rail at which the two are parallel, as they move with `line`; nothing where they are not
-/// parallel or stay so to first order.
+/// Parameters `u` of the line and `s` of the rail at which the two are parallel, as they move with
+/// `line`; nothing where they are not parallel or stay so to first order.
 pub fn moving_place<T: Real>(
     line: &ContactLine<T>,
     rail: &RailOutline<T>,
@@ -50,7 +52,8 @@ pub fn moving_place<T: Real>(
 }
 
 impl Contact {
-    /// The contact as it moves with `line`; nothing where it is no place of parallel lines, which it is not where a body ends in it.
+    /// The contact as it moves with `line`; nothing where it is no place of parallel lines, which
+    /// it is not where a body ends in it.
     #[must_use]
     pub fn moving<T: Real>(
         &self,

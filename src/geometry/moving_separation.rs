@@ -20,7 +20,8 @@ pub struct MovingSeparation<'a, T> {
 }
 
 impl<'a, T: Real> MovingSeparation<'a, T> {
-    /// The separation of the moving `line`, whose values are those of `values`, in the frame of `contact`.
+    /// The separation of the moving `line`, whose values are those of `values`, in the frame of
+    /// `contact`.
     #[must_use]
     pub fn new(
         values: LineSeparation<'a>,
@@ -38,12 +39,14 @@ impl<'a, T: Real> MovingSeparation<'a, T> {
         [to[0] * tangent[0] + to[1] * tangent[1], to[0] * normal[0] + to[1] * normal[1]]
     }
 
-    /// Where the bodies are nearest along the track, for a point of the line at `x` opposite to the parameter `s` of the rail.
+    /// Where the bodies are nearest along the track, for a point of the line at `x` opposite to the
+    /// parameter `s` of the rail.
     fn met(&self, x: T, s: T) -> T {
         self.rail.along(s).map_or(x, |along| x + along.ahead)
     }
 
-    /// The parameter of the rail with the value `s` whose point lies at `y` across, as it moves; its depth and its slope in the frame.
+    /// The parameter of the rail with the value `s` whose point lies at `y` across, as it moves;
+    /// its depth and its slope in the frame.
     fn opposite(&self, s: f64, y: T) -> [T; 3] {
         let on = self.rail.at(T::from(s));
         let (tangent, normal) = (self.contact.tangent, self.contact.normal());
@@ -120,7 +123,8 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
     }
 }
 
-/// Difference of the separation from the level, over the level, up to which a place is an edge and not the end of a body.
+/// Difference of the separation from the level, over the level, up to which a place is an edge and
+/// not the end of a body.
 const EDGE_SHARE: f64 = 1e-6;
 /// Last Newton step towards a nearest point [m].
 const NEAREST: f64 = 1e-9;

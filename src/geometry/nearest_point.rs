@@ -20,13 +20,15 @@ pub struct Nearest {
     pub tangent: [f64; 2],
     /// The point (y, z) [m].
     pub point: [f64; 2],
-    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 + curvature · distance) [-].
+    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 +
+    /// curvature · distance) [-].
     pub ratio: f64,
     /// Whether the rail's curve ends there, so that nothing lies opposite.
     pub beyond_end: bool,
 }
 
-/// Points (y, z) of a curve at equal steps of the parameter [m]: where a search without a neighbour begins.
+/// Points (y, z) of a curve at equal steps of the parameter [m]: where a search without a neighbour
+/// begins.
 #[derive(Clone, Debug)]
 pub(super) struct CoarsePoints(Vec<[f64; 2]>);
 
@@ -42,7 +44,8 @@ impl CoarsePoints {
         self.0.extend(coarse_points(curve));
     }
 
-    /// A parameter of `curve`, which they are of, near its point nearest to `point`, for a search without a neighbour.
+    /// A parameter of `curve`, which they are of, near its point nearest to `point`, for a search
+    /// without a neighbour.
     pub fn nearest(&self, curve: &Curve, point: [f64; 2]) -> f64 {
         let mut best = (f64::INFINITY, 0);
         for (i, p) in self.0.iter().enumerate() {
@@ -57,7 +60,8 @@ impl CoarsePoints {
     }
 }
 
-/// The point of the `curve` of a rail nearest to `point` [m], found from the parameter `guess` near it, to within `tolerance` [m].
+/// The point of the `curve` of a rail nearest to `point` [m], found from the parameter `guess` near
+/// it, to within `tolerance` [m].
 #[inline]
 pub(super) fn nearest(curve: &Curve, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {
     let mut s = curve.within(guess);
@@ -69,7 +73,8 @@ pub(super) fn nearest(curve: &Curve, point: [f64; 2], guess: f64, tolerance: f64
         let along = to[0] * p.first[0] + to[1] * p.first[1];
         let speed = p.first[0] * p.first[0] + p.first[1] * p.first[1];
         let bending = to[0] * p.second[0] + to[1] * p.second[1];
-        // Beyond the centre of curvature the distance has no minimum to go to: go on as on a straight line.
+        // Beyond the centre of curvature the distance has no minimum to go to: go on as on a
+        // straight line.
         let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
         let stiffness = 1.0 / slope;
         ratio = speed * stiffness;

@@ -34,9 +34,9 @@ pub struct PlacedRail {
 pub struct GaugeFaceMissing;
 
 impl PlacedRail {
-    /// Places the right rail with profile `curve`: leaned by `inclination` (the tangent, 1:40 is 0.025) towards the
-    /// track centre, then `mirrored` left to right where asked for, highest point at z = 0, gauge face `gauge_depth` below it at
-    /// y = `gauge`/2 [m].
+    /// Places the right rail with profile `curve`: leaned by `inclination` (the tangent, 1:40 is
+    /// 0.025) towards the track centre, then `mirrored` left to right where asked for, highest
+    /// point at z = 0, gauge face `gauge_depth` below it at y = `gauge`/2 [m].
     ///
     /// # Errors
     /// When the profile has no gauge face at that depth.
@@ -52,8 +52,9 @@ impl PlacedRail {
         Ok(Self { marker: [0.5 * gauge - gauge_face, 0.0], ..rail })
     }
 
-    /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail towards the track centre, then
-    /// `mirrored` left to right where asked for, so that its highest point lies at `marker` (y, z) of the track frame [m].
+    /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail
+    /// towards the track centre, then `mirrored` left to right where asked for, so that its highest
+    /// point lies at `marker` (y, z) of the track frame [m].
     #[must_use]
     pub fn at_marker(curve: &Curve, inclination: f64, marker: [f64; 2], mirrored: bool) -> Self {
         // Towards the track centre is a negative turn about x for a right rail.
@@ -73,7 +74,8 @@ impl PlacedRail {
             knot.point = [knot.point[0] - top[0], knot.point[1] - top[1]];
         }
         if mirrored {
-            // The parameter changes its sign with y, so that the curve still runs to the field side.
+            // The parameter changes its sign with y, so that the curve still runs to the field
+            // side.
             knots.reverse();
             for Knot { s, point, tangent } in &mut knots {
                 (*s, *point, *tangent) = (-*s, [-point[0], point[1]], [tangent[0], -tangent[1]]);
@@ -94,8 +96,9 @@ impl PlacedRail {
         }
     }
 
-    /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is inclined, at `origin` (y, z) [m]: for profiles
-    /// that stand where they are in a frame of their own, and for those without a highest point of the head.
+    /// As [`at_marker`](Self::at_marker), with the origin of the profile, about which it is
+    /// inclined, at `origin` (y, z) [m]: for profiles that stand where they are in a frame of their
+    /// own, and for those without a highest point of the head.
     #[must_use]
     pub fn at_origin(curve: &Curve, inclination: f64, origin: [f64; 2], mirrored: bool) -> Self {
         let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
@@ -115,7 +118,8 @@ impl PlacedRail {
         &self.curve
     }
 
-    /// Puts another curve in the place of the rail's, in the frame of the marker; the marker stays where it is.
+    /// Puts another curve in the place of the rail's, in the frame of the marker; the marker stays
+    /// where it is.
     ///
     /// `put` fills it in; allocates nothing itself.
     pub fn put_curve<T>(&mut self, put: impl FnOnce(&mut Curve) -> T) -> T {
@@ -152,7 +156,8 @@ impl PlacedRail {
         Curve::through(&backwards.collect::<Vec<Knot>>())
     }
 
-    /// Point on the rail profile as given, before inclination, of a `point` in the frame of the marker [m].
+    /// Point on the rail profile as given, before inclination, of a `point` in the frame of the
+    /// marker [m].
     #[must_use]
     pub fn profile_point(&self, point: [f64; 2]) -> [f64; 2] {
         self.unturned([self.hand * point[0] + self.top[0], point[1] + self.top[1]])
@@ -179,8 +184,9 @@ impl PlacedRail {
         [self.hand * (y * cosine - z * sine), y * sine + z * cosine]
     }
 
-    /// The rail whose section varies as `slices` say, which stands as that of their first one does, with its `corrugation` over the station on top, under wheels with
-    /// the profile `wheel` and the radius `nominal_radius` [m].
+    /// The rail whose section varies as `slices` say, which stands as that of their first one does,
+    /// with its `corrugation` over the station on top, under wheels with the profile `wheel` and
+    /// the radius `nominal_radius` [m].
     #[must_use]
     pub fn varying(
         self,
@@ -192,8 +198,8 @@ impl PlacedRail {
         self.of_slices(slices, wheel, nominal_radius, 0.0, corrugation)
     }
 
-    /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame `radius` [m] below the marker, under wheels as in
-    /// [`varying`](Self::varying).
+    /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame
+    /// `radius` [m] below the marker, under wheels as in [`varying`](Self::varying).
     #[must_use]
     pub fn on_roller(
         self,
@@ -250,14 +256,15 @@ impl PlacedRail {
         self.varying.is_some() && self.roller_radius() == 0.0
     }
 
-    /// Station of a wheel at `x` of a track whose origin is at `origin`; a roller stays where the track frame is [m].
+    /// Station of a wheel at `x` of a track whose origin is at `origin`; a roller stays where the
+    /// track frame is [m].
     #[must_use]
     pub fn station<T: Real>(&self, origin: T, x: T) -> T {
         if self.roller_radius() > 0.0 { x } else { origin + x }
     }
 
-    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above `station` [m], meets it; nothing for others. False where
-    /// there is no rail within reach.
+    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above
+    /// `station` [m], meets it; nothing for others. False where there is no rail within reach.
     pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64) -> bool {
         let Self { curve, coarse, varying, .. } = self;
         let Some(varying) = varying else { return true };
@@ -266,7 +273,8 @@ impl PlacedRail {
         is_there
     }
 
-    /// Lateral coordinate on the rail profile as given, before inclination, of a `point` in the frame of the marker [m].
+    /// Lateral coordinate on the rail profile as given, before inclination, of a `point` in the
+    /// frame of the marker [m].
     #[must_use]
     pub fn profile_y_of<T: Real>(&self, [y, z]: [T; 2]) -> T {
         let [sine, cosine] = self.inclination;
@@ -285,7 +293,8 @@ impl PlacedRail {
         self.coarse.nearest(&self.curve, point)
     }
 
-    /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to within `tolerance` [m].
+    /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to
+    /// within `tolerance` [m].
     #[inline]
     #[must_use]
     pub fn nearest(&self, point: [f64; 2], guess: f64, tolerance: f64) -> Nearest {

@@ -1,29 +1,32 @@
 //! Noise of the points of a profile, and the smoothing that it needs.
 //!
-//! **Noise.** The difference of fifth order of six neighbours, taken across the profile for the distances that the points have and scaled
-//! to the variance of one point, is next to nothing on a line, an arc or any smooth curve; noise passes whole. Where the
-//! curvature jumps a few differences are large, which a median does not see. What is left of the shape grows at least with the
-//! square of the distance of the points, noise does not: with every second point
+//! **Noise.** The difference of fifth order of six neighbours, taken across the profile for the
+//! distances that the points have and scaled to the variance of one point, is next to nothing on a
+//! line, an arc or any smooth curve; noise passes whole. Where the curvature jumps a few
+//! differences are large, which a median does not see. What is left of the shape grows at least
+//! with the square of the distance of the points, noise does not: with every second point
 //!
 //! ```text
 //! r₁² = σ² + S²,   r₂² ≥ σ² + 16 S²      σ² = max(0, (16 r₁² - r₂²) / 15),    r = 1.4826 median |difference|
 //! ```
 //!
-//! so that points too far apart to show noise have none. This is done for three overlapping halves of the points, and the noisiest counts:
-//! noise along z leaves no trace on vertical sides. Points rounded so coarsely that they stand on stairs have differences of zero and of about a
-//! step; for those the root mean square of all differences within one step of the digits takes the place of the median.
-//! Waviness longer than a few points is shape to this estimate.
+//! so that points too far apart to show noise have none. This is done for three overlapping halves
+//! of the points, and the noisiest counts: noise along z leaves no trace on vertical sides. Points
+//! rounded so coarsely that they stand on stairs have differences of zero and of about a step; for
+//! those the root mean square of all differences within one step of the digits takes the place of
+//! the median. Waviness longer than a few points is shape to this estimate.
 //!
-//! **Smoothing.** White noise σ at distances h leaves this in the curvature of a smoothing spline that halves a wave of length L,
-//! and this in that of the spline through the points:
+//! **Smoothing.** White noise σ at distances h leaves this in the curvature of a smoothing spline
+//! that halves a wave of length L, and this in that of the spline through the points:
 //!
 //! ```text
 //! κ = 0.2973 σ √h / q^2.5,   q = L / 2π          κ = 6 σ / h²
 //! ```
 //!
-//! Pressure on a half-space follows the slope: noise errs it by E*/2 · 0.2973 σ √h / q^1.5, and rounding off a jump Δκ of
-//! curvature by up to E*/2 · 0.187 Δκ q. Their sum is least where the noise of the curvature is 0.12 Δκ: 1.1 1/m at the jump of 9.2 1/m
-//! from 300 to 80 mm on a rail head, hence the bound of 1 1/m. The wavelength is the shortest that keeps it wherever points are
+//! Pressure on a half-space follows the slope: noise errs it by E*/2 · 0.2973 σ √h / q^1.5, and
+//! rounding off a jump Δκ of curvature by up to E*/2 · 0.187 Δκ q. Their sum is least where the
+//! noise of the curvature is 0.12 Δκ: 1.1 1/m at the jump of 9.2 1/m from 300 to 80 mm on a rail
+//! head, hence the bound of 1 1/m. The wavelength is the shortest that keeps it wherever points are
 //! so close that the spline through them does not: none for exact points.
 
 use std::f64::consts::TAU;
@@ -32,7 +35,8 @@ use std::ops::RangeInclusive;
 /// As a smoothing wavelength: chosen from the noise of the points.
 pub const AUTOMATIC_SMOOTHING: f64 = -1.0;
 
-/// Admitted wavelengths: negative ones are automatic, and beyond 0.05 m nothing of a flange is left [m].
+/// Admitted wavelengths: negative ones are automatic, and beyond 0.05 m nothing of a flange is left
+/// [m].
 pub(crate) const ADMITTED_SMOOTHING: RangeInclusive<f64> = AUTOMATIC_SMOOTHING..=0.05;
 
 /// The same in words.
@@ -54,7 +58,8 @@ const SHAPE_GROWTH: f64 = 16.0;
 
 /// Standard deviation of the noise of points in order along a profile [m].
 ///
-/// `step`: distance of two numbers that differ in their last digit [m]; 0 where there are too many digits to tell.
+/// `step`: distance of two numbers that differ in their last digit [m]; 0 where there are too many
+/// digits to tell.
 #[must_use]
 pub(crate) fn noise(points: &[[f64; 2]], step: f64) -> f64 {
     let (near, far) = (differences(points, 1), differences(points, 2));
@@ -76,8 +81,8 @@ pub(crate) fn noise(points: &[[f64; 2]], step: f64) -> f64 {
     apart_from_shape.max(of_rounding)
 }
 
-/// Shortest wavelength that keeps the noise of the curvature at its bound, for points at distances `spacing` with `noise` [m]; 0 where the
-/// curve through the points does.
+/// Shortest wavelength that keeps the noise of the curvature at its bound, for points at distances
+/// `spacing` with `noise` [m]; 0 where the curve through the points does.
 #[must_use]
 pub(crate) fn chosen_wavelength(spacing: impl Iterator<Item = f64>, noise: f64) -> f64 {
     let closest = (6.0 * noise / CURVATURE_NOISE).sqrt();
@@ -88,8 +93,8 @@ pub(crate) fn chosen_wavelength(spacing: impl Iterator<Item = f64>, noise: f64) 
 /// Noise left in the curvature, times q^2.5 over σ √h: root of ∫ x⁴/(1 + x⁴)² dx / 2π.
 const CURVATURE_PASSED: f64 = 0.2973;
 
-/// Distance of two numbers that differ in the last digit that nine of ten of the coordinates have, in their unit; 0 where there are more than
-/// ten decimals.
+/// Distance of two numbers that differ in the last digit that nine of ten of the coordinates have,
+/// in their unit; 0 where there are more than ten decimals.
 #[must_use]
 pub(crate) fn last_digit(coordinates: &[f64]) -> f64 {
     let has = |decimals: i32| {
@@ -100,7 +105,8 @@ pub(crate) fn last_digit(coordinates: &[f64]) -> f64 {
     (0..=10).find(|&decimals| has(decimals)).map_or(0.0, |decimals| 10f64.powi(-decimals))
 }
 
-/// Differences of every `stride`-th of neighbouring points across the profile, scaled to the variance of one point [m].
+/// Differences of every `stride`-th of neighbouring points across the profile, scaled to the
+/// variance of one point [m].
 fn differences(points: &[[f64; 2]], stride: usize) -> Vec<f64> {
     let reach = ORDER * stride;
     (0..points.len().saturating_sub(reach))

@@ -61,7 +61,8 @@ pub(crate) struct Mirror {
     pub what: &'static str,
 }
 
-/// What is to be mirrored so that z points down, and on a wheel the flange is at negative y; refused is a wheel on which y = 0 is not.
+/// What is to be mirrored so that z points down, and on a wheel the flange is at negative y;
+/// refused is a wheel on which y = 0 is not.
 ///
 /// The points run from the flange (gauge) to the field side.
 pub(crate) fn orientation(

@@ -2,12 +2,14 @@
 //!
 //! What is mended stands in the profile's remarks.
 //!
-//! **Unit.** Points that have the size of a profile only if they are metres instead of millimetres, or the other way round, are read so.
+//! **Unit.** Points that have the size of a profile only if they are metres instead of millimetres,
+//! or the other way round, are read so.
 //!
 //! **Order and side.** Points are reversed if they run from the field side to the flange (gauge)
-//! side. A wheel whose flange goes up or is on the field side is mirrored, and so is a rail whose head lies below its sides, unless its
-//! format says which way z points. Of a `MiniProf` rail the gauge side is the one that goes deeper. Points at which the profile doubles back are
-//! left out if they are few.
+//! side. A wheel whose flange goes up or is on the field side is mirrored, and so is a rail whose
+//! head lies below its sides, unless its format says which way z points. Of a `MiniProf` rail the
+//! gauge side is the one that goes deeper. Points at which the profile doubles back are left out if
+//! they are few.
 //!
 //! **Origin.** A wheel whose points all have y > -5 mm is measured from its flange back, as
 //! `MiniProf` does and some SIMPACK files do: its running circle is 70 mm from y = 0, and z is
@@ -21,8 +23,8 @@
 //! points. L = 0 passes through every point. Lines and arcs stay where they are; a step Δκ of the
 //! curvature is spread over about L and the profile moves there by 0.16 Δκ (L/2π)². With L = 2 mm
 //! that is 1.3 µm on S1002 (flank to flange root, Δκ = 77 1/m), 1.0 µm at the gauge corner of 60E1
-//! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head. Unless it is given, L follows from the noise of the points
-//! ([`point_noise`](crate::geometry::point_noise)).
+//! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head. Unless it is given, L follows
+//! from the noise of the points ([`point_noise`](crate::geometry::point_noise)).
 
 use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::point_noise::{LONGEST_CHOSEN, chosen_wavelength, noise};
@@ -42,7 +44,8 @@ const RUNNING_CIRCLE: f64 = 0.070;
 const FLANGE_BACK_TOLERANCE: f64 = -0.005;
 
 impl ProfilePoints {
-    /// The profile through the points, smoothed at `wavelength` [m], or as their noise asks if that is negative.
+    /// The profile through the points, smoothed at `wavelength` [m], or as their noise asks if that
+    /// is negative.
     pub(crate) fn into_profile(
         mut self,
         kind: ProfileKind,

@@ -56,10 +56,11 @@ fn reverses(triple: &[FilePoint]) -> bool {
     u[0] * v[0] + u[1] * v[1] < COSINE_OF_REVERSAL * lengths
 }
 
-/// Lines of the points without which the rest does not double back; none where that takes too many of them.
+/// Lines of the points without which the rest does not double back; none where that takes too many
+/// of them.
 ///
-/// At a reversal one of two points is astray: the one at which the direction turns, or the next. Left out is the one without
-/// which the points about it turn least.
+/// At a reversal one of two points is astray: the one at which the direction turns, or the next.
+/// Left out is the one without which the points about it turn least.
 pub(crate) fn strays(points: &[FilePoint], wavelength: f64) -> Vec<usize> {
     let mut left = thin(points, reversal_step(wavelength));
     let most = ((STRAY_SHARE * left.len() as f64) as usize).max(1);

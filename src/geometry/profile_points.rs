@@ -29,13 +29,15 @@ pub(crate) struct ProfilePoints {
     pub file: String,
     /// The points in the order of the file.
     pub points: Vec<FilePoint>,
-    /// Distance of two numbers that differ in their last digit [m]; 0 where there are too many digits to tell.
+    /// Distance of two numbers that differ in their last digit [m]; 0 where there are too many
+    /// digits to tell.
     pub last_digit: f64,
     /// Whether the file says in which unit it is.
     pub unit_is_stated: bool,
     /// Whether the format or the file says which way z points.
     pub direction_is_stated: bool,
-    /// Whether a rail is as an instrument sees it: its gauge side the one that goes deeper, its origin to be at its highest point.
+    /// Whether a rail is as an instrument sees it: its gauge side the one that goes deeper, its
+    /// origin to be at its highest point.
     pub is_measured_rail: bool,
     /// Wavelength of the smoothing that the file itself asks for [m].
     pub smoothing: Option<f64>,

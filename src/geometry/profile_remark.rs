@@ -4,7 +4,8 @@ use std::fmt;
 
 use crate::geometry::point_noise::CURVATURE_NOISE;
 
-/// Something that whoever gave the file should know. Coordinates in messages are in millimetres, as in the files.
+/// Something that whoever gave the file should know. Coordinates in messages are in millimetres, as
+/// in the files.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ProfileRemark {

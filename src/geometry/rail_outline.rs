@@ -5,7 +5,8 @@ use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::varying_rail::{Along, MovingOutline};
 use crate::math::real::Real;
 
-/// The outline of a rail: its section, or where that varies along the track what the wheel that passed last meets.
+/// The outline of a rail: its section, or where that varies along the track what the wheel that
+/// passed last meets.
 #[derive(Clone, Copy, Debug)]
 pub struct RailOutline<'a, T = f64> {
     /// The rail.
@@ -59,8 +60,9 @@ impl<'a, T: Real> RailOutline<'a, T> {
         self.rail.profile_y_of(self.at(s).point)
     }
 
-    /// Radius of relative curvature along the track at parameter `s`, for a wheel whose even section has `radius`, but not less than of a curvature of `least` over that of
-    /// the wheel [m].
+    /// Radius of relative curvature along the track at parameter `s`, for a wheel whose even
+    /// section has `radius`, but not less than of a curvature of `least` over that of the wheel
+    /// [m].
     #[must_use]
     pub fn radius_along(&self, radius: T, s: T, least: f64) -> T {
         let Some(along) = self.along(s) else { return radius };

@@ -9,10 +9,11 @@ pub struct SeparationPoint<T = f64> {
     pub y: T,
     /// Derivative of `y` with respect to the parameter of the line, > 0 [-].
     pub dy: T,
-    /// Separation of the two lines less that at the contact point; infinite where no normal meets both [m].
+    /// Separation of the two lines less that at the contact point; infinite where no normal meets
+    /// both [m].
     pub f: T,
-    /// Coordinate of the contact line along the track, from the wheel marker; where bodies are not even, of the place at which they
-    /// are nearest [m].
+    /// Coordinate of the contact line along the track, from the wheel marker; where bodies are not
+    /// even, of the place at which they are nearest [m].
     pub x: T,
 }
 
@@ -35,14 +36,16 @@ pub trait Separation {
         None
     }
 
-    /// As [`at`](Self::at), with the derivative of the separation by `u` [-]; by a difference over 0.2 µm unless there is a better way.
+    /// As [`at`](Self::at), with the derivative of the separation by `u` [-]; by a difference over
+    /// 0.2 µm unless there is a better way.
     fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
         let step = 1e-7;
         let (before, after) = (self.at(u - step).f, self.at(u + step).f);
         (self.at(u), (after - before) / (2.0 * step))
     }
 
-    /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
+    /// Coordinate of the contact line along the track at parameter `u`, as in
+    /// [`SeparationPoint::x`] [m].
     fn along(&mut self, u: f64) -> f64 {
         self.at(u).x
     }
@@ -50,7 +53,8 @@ pub trait Separation {
 
 /// The separation as what is found on it needs it: with derivatives, where the numbers have them.
 ///
-/// Searches go by values. What they find moves with pose and level, and has the derivatives of that movement.
+/// Searches go by values. What they find moves with pose and level, and has the derivatives of that
+/// movement.
 pub trait FrameSeparation<T: Real> {
     /// The separation at parameter `u` [m].
     fn point(&mut self, u: T) -> SeparationPoint<T>;
@@ -62,13 +66,15 @@ pub trait FrameSeparation<T: Real> {
         }
     }
 
-    /// Coordinate of the contact line along the track at parameter `u`, as in [`SeparationPoint::x`] [m].
+    /// Coordinate of the contact line along the track at parameter `u`, as in
+    /// [`SeparationPoint::x`] [m].
     fn centre_at(&mut self, u: T) -> T;
 
     /// Value of the separation at parameter `u` [m].
     fn value(&mut self, u: f64) -> f64;
 
-    /// Value of the separation at parameter `u` and of its derivative by it, where that comes with it [m, -].
+    /// Value of the separation at parameter `u` and of its derivative by it, where that comes with
+    /// it [m, -].
     fn value_with_rate(&mut self, u: f64) -> Option<[f64; 2]>;
 
     /// The parameter at which the separation is `level`, found at the value `u` [m].

@@ -1,25 +1,30 @@
-//! A rail whose section varies along the track, as the wheel above it meets it: the outline of all its sections.
+//! A rail whose section varies along the track, as the wheel above it meets it: the outline of all
+//! its sections.
 //!
-//! The section at x from the axle is met by a part of the wheel that stands higher than its lowest points, by
+//! The section at x from the axle is met by a part of the wheel that stands higher than its lowest
+//! points, by
 //!
 //! ```text
 //! D(x) = sqrt((x - x_l)² + z²) - z
 //! ```
 //!
-//! for a point of the rail at the height z below the axle, with x_l the place of the contact line, which is zero where the wheel does not yaw. Moved down
-//! by that, every section can be compared with the even contact line. What the wheel can touch is the envelope of all sections that are moved so:
-//! on each row v of the surface P the x at which
+//! for a point of the rail at the height z below the axle, with x_l the place of the contact line,
+//! which is zero where the wheel does not yaw. Moved down by that, every section can be compared
+//! with the even contact line. What the wheel can touch is the envelope of all sections that are
+//! moved so: on each row v of the surface P the x at which
 //!
 //! ```text
 //! n · F_x = 0,   F(x, v) = P + D e
 //! ```
 //!
-//! with e the direction down in the plane of the rolling circles and n the normal of the wheel opposite. Along the row the bodies are nearest there, and
-//! where they touch their normals have the same part along x, so that the place is the one of a search in three dimensions. Where the surface is
-//! the same all along the track it is x_l, and the envelope is the section. Strips of the contact lie along the rows: a rail whose edge runs off
-//! sideways turns its patch with it.
+//! with e the direction down in the plane of the rolling circles and n the normal of the wheel
+//! opposite. Along the row the bodies are nearest there, and where they touch their normals have
+//! the same part along x, so that the place is the one of a search in three dimensions. Where the
+//! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
+//! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
 //!
-//! A roller is such a rail: its rows are circles about an axle across the track. Corrugation is part of the surface, so that the wheel meets its crests.
+//! A roller is such a rail: its rows are circles about an axle across the track. Corrugation is
+//! part of the surface, so that the wheel meets its crests.
 
 mod bounds;
 mod over;
@@ -64,9 +69,11 @@ pub struct VaryingRail {
 }
 
 impl VaryingRail {
-    /// The rail of `slices`, whose points and directions `point` and `direction` put where it stands, turned left to right if `turned`, under wheels with the
-    /// profile `wheel` and the radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes around a roller whose axle is at station 0, and
-    /// they end where a wheel leaves that. `corrugation` is the height of the rail over the station on top of that of the slices.
+    /// The rail of `slices`, whose points and directions `point` and `direction` put where it
+    /// stands, turned left to right if `turned`, under wheels with the profile `wheel` and the
+    /// radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes
+    /// around a roller whose axle is at station 0, and they end where a wheel leaves that.
+    /// `corrugation` is the height of the rail over the station on top of that of the slices.
     #[must_use]
     #[allow(clippy::too_many_arguments)] // a surface, its place and the wheel on it
     pub fn new(
@@ -92,7 +99,8 @@ impl VaryingRail {
         }
     }
 
-    /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may touch it [m].
+    /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may
+    /// touch it [m].
     #[must_use]
     pub fn range_of_roller(radius: f64) -> [f64; 2] {
         [-MOST_OF_ROLLER * radius, MOST_OF_ROLLER * radius]
@@ -115,8 +123,9 @@ impl VaryingRail {
         self.surface.faces()
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into `curve`; allocates nothing within the room that it has. False where
-    /// there is no rail within reach.
+    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into
+    /// `curve`; allocates nothing within the room that it has. False where there is no rail within
+    /// reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
@@ -134,7 +143,8 @@ impl VaryingRail {
         is_there
     }
 
-    /// Lays the envelope that [`pass`](Self::pass) has laid last into `outline`, as it moves with the wheel of `line` at `pose` above `station` [m].
+    /// Lays the envelope that [`pass`](Self::pass) has laid last into `outline`, as it moves with
+    /// the wheel of `line` at `pose` above `station` [m].
     pub fn move_with<T: Real>(
         &self,
         line: &ContactLine<T>,
@@ -205,8 +215,9 @@ impl VaryingRail {
         self.surface.corrugation.bounds().range[1]
     }
 
-    /// How much more curved corrugation is at the place `x` from the marker of the wheel that passed last than over the distance `reach` to either side of
-    /// it, positive where it bulges more [1/m].
+    /// How much more curved corrugation is at the place `x` from the marker of the wheel that
+    /// passed last than over the distance `reach` to either side of it, positive where it bulges
+    /// more [1/m].
     #[must_use]
     pub fn bridged(&self, x: f64, reach: f64) -> f64 {
         let waves = &self.surface.corrugation;
@@ -252,7 +263,8 @@ impl<T: Real> MovingOutline<T> {
     }
 }
 
-/// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it counts as near [m].
+/// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it
+/// counts as near [m].
 fn below(bound: &Bound, wheel: &WheelTable, over: &Over) -> f64 {
     let [left, right] = bound.y.map(|y| over.seen_from_marker([y, bound.top]));
     let across = [left, right].map(|[y, z]| y * over.right[0] + z * over.right[1]);

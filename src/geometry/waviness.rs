@@ -1,5 +1,5 @@
-//! Deviation of a surface from its design along one coordinate: corrugation of a rail over its station, out-of-roundness and
-//! flats of a wheel over the arc of its running circle.
+//! Deviation of a surface from its design along one coordinate: corrugation of a rail over its
+//! station, out-of-roundness and flats of a wheel over the arc of its running circle.
 //!
 //! Positive values make the body larger: a rail higher, a wheel's radius greater.
 
@@ -72,7 +72,8 @@ impl Flat {
         [value, sign * slope, curvature]
     }
 
-    /// The chord at the distance `t` ≥ 0 from its middle: slope k t, taken to zero over the corner by a smooth step.
+    /// The chord at the distance `t` ≥ 0 from its middle: slope k t, taken to zero over the corner
+    /// by a smooth step.
     fn chord(&self, t: f64) -> [f64; 3] {
         let corner = 2.0 * CORNER_SHARE * self.length;
         let start = 0.5 * self.length - 0.5 * corner;
@@ -181,8 +182,9 @@ impl Waviness {
         self.flat = Some(flat);
     }
 
-    /// Adds a curve through the points (coordinate, value) [m], at least four, the coordinates growing and, of a wheel, within one
-    /// period. Twice differentiable. A rail goes on level beyond its ends.
+    /// Adds a curve through the points (coordinate, value) [m], at least four, the coordinates
+    /// growing and, of a wheel, within one period. Twice differentiable. A rail goes on level
+    /// beyond its ends.
     pub fn set_table(&mut self, points: &[[f64; 2]]) {
         let around: Vec<[f64; 2]> = match self.period {
             // The neighbours on either side stand for the rest of the wheel.
@@ -211,7 +213,8 @@ impl Waviness {
                 curvature = curvature.max(p.second[1].abs());
             }
         }
-        // A cubic piece leaves the range of its samples by little; the length of a wave with that height and curvature.
+        // A cubic piece leaves the range of its samples by little; the length of a wave with that
+        // height and curvature.
         let margin = 0.05 * (high - low);
         let wave = TAU * (0.5 * (high - low) / curvature.max(1e-12)).sqrt();
         let spacing = least_step.max(wave / SAMPLES_PER_WAVE);

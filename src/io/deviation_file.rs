@@ -1,7 +1,8 @@
 //! Deviations of a rail over its station or of a wheel over its angle, as two columns of text.
 //!
-//! Rail: `station_m`, `height_mm` up positive. Wheel: `angle_deg`, `radius_mm` the deviation of the radius; the angle by which
-//! the wheel has to roll forward from pitch 0 until it stands there, less than a revolution from first to last.
+//! Rail: `station_m`, `height_mm` up positive. Wheel: `angle_deg`, `radius_mm` the deviation of the
+//! radius; the angle by which the wheel has to roll forward from pitch 0 until it stands there,
+//! less than a revolution from first to last.
 
 use std::path::PathBuf;
 
@@ -25,8 +26,9 @@ pub enum Deviations {
 /// Steepest deviations that are admitted [-].
 const MOST_SLOPE: f64 = 0.3;
 
-/// The points (coordinate, deviation) of the file that the parameter `parameter` names [m]: an absolute path or one that is looked
-/// for in `folders`; of a wheel the coordinate is the arc of its running circle.
+/// The points (coordinate, deviation) of the file that the parameter `parameter` names [m]: an
+/// absolute path or one that is looked for in `folders`; of a wheel the coordinate is the arc of
+/// its running circle.
 ///
 /// # Errors
 /// The parameter, the file and what is wrong with it, with its line.

@@ -1,10 +1,12 @@
 //! Rows of a file of deviations: a coordinate that grows, and what a body deviates there.
 //!
-//! Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment; one line of headings may stand first.
+//! Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is a
+//! comment; one line of headings may stand first.
 
 use crate::io::table::{lines, numbers};
 
-/// What the rows of a file of deviations have to be; the first column is the coordinate, the others are deviations in millimetres.
+/// What the rows of a file of deviations have to be; the first column is the coordinate, the others
+/// are deviations in millimetres.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DeviationRows<const COLUMNS: usize> {
     /// The columns, in words: "the two columns station_m height_mm".

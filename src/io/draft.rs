@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-/// A file under way. Dropped before it is finished it leaves nothing behind, and what had its name stays.
+/// A file under way. Dropped before it is finished it leaves nothing behind, and what had its name
+/// stays.
 #[derive(Debug)]
 pub struct Draft {
     /// The name that was asked for.
@@ -106,7 +107,8 @@ impl Draft {
     }
 }
 
-/// Writes the file `path` as a whole: what had that name before stays until the new one is complete.
+/// Writes the file `path` as a whole: what had that name before stays until the new one is
+/// complete.
 ///
 /// # Errors
 /// If it cannot be written; what had that name stays then.
@@ -116,7 +118,8 @@ pub fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     draft.finish()
 }
 
-/// A file beside `path` that is removed when it is dropped; if the program is killed it stays, under a name that tells what it is.
+/// A file beside `path` that is removed when it is dropped; if the program is killed it stays,
+/// under a name that tells what it is.
 fn beside(path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let mut prefix = path.file_name().unwrap_or_default().to_owned();

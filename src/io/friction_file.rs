@@ -1,9 +1,11 @@
 //! Friction over the surface of rails and along the track, as a table in text.
 //!
-//! The first line names the columns, of which only those that are needed are there: `rail` (1 or 2; without it the table is that of both),
-//! `station_m`, `inclination_deg` of the surface or `place_mm`, the arc from the highest point of the head, both negative towards the gauge
-//! face, and `friction`. The rows of a rail stand in growing stations, those of a station in growing places. Columns are separated by
-//! blanks, tabs, commas or semicolons; what follows `#` or `!` is a comment.
+//! The first line names the columns, of which only those that are needed are there: `rail` (1 or 2;
+//! without it the table is that of both), `station_m`, `inclination_deg` of the surface or
+//! `place_mm`, the arc from the highest point of the head, both negative towards the gauge face,
+//! and `friction`. The rows of a rail stand in growing stations, those of a station in growing
+//! places. Columns are separated by blanks, tabs, commas or semicolons; what follows `#` or `!` is
+//! a comment.
 
 use std::path::PathBuf;
 
@@ -18,8 +20,8 @@ const MOST_FRICTION: f64 = 10.0;
 const MOST_INCLINATION: f64 = 180.0;
 const MOST_PLACE: f64 = 1000.0;
 
-/// Friction of rail number `rail`, from 1, in the file that the parameter `parameter` names: an absolute path or one that is looked for in
-/// `folders`.
+/// Friction of rail number `rail`, from 1, in the file that the parameter `parameter` names: an
+/// absolute path or one that is looked for in `folders`.
 ///
 /// # Errors
 /// The parameter, the file and what is wrong with it, with its line.

@@ -1,7 +1,7 @@
 //! Irregularities of both rails of a track over the station, as five columns of text.
 //!
-//! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the rails from their design lines, y to the
-//! right and z down.
+//! `station_m`, then the deviations `right_y_mm`, `right_z_mm`, `left_y_mm` and `left_z_mm` of the
+//! rails from their design lines, y to the right and z down.
 
 use std::path::PathBuf;
 
@@ -16,8 +16,9 @@ const ROWS: DeviationRows<5> = DeviationRows {
     most_slope: 0.1,
 };
 
-/// The points of the file that the parameter `parameter` names: an absolute path or one that is looked for in `folders`. Of each of the four deviations the pairs of
-/// station and deviation [m], in the order of the columns.
+/// The points of the file that the parameter `parameter` names: an absolute path or one that is
+/// looked for in `folders`. Of each of the four deviations the pairs of station and deviation [m],
+/// in the order of the columns.
 ///
 /// # Errors
 /// The parameter, the file and what is wrong with it, with its line.

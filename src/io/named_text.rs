@@ -7,7 +7,8 @@ use crate::error::ContactError;
 /// Largest file that is read [bytes].
 const LARGEST_FILE: u64 = 64 << 20;
 
-/// The text of the file that the parameter `parameter` names `name`: an absolute path or one that is looked for in `folders`.
+/// The text of the file that the parameter `parameter` names `name`: an absolute path or one that
+/// is looked for in `folders`.
 ///
 /// # Errors
 /// The parameter, the file and what is wrong with it.

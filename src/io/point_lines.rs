@@ -41,7 +41,8 @@ impl<'a> PointLines<'a> {
         Self { file, pick, columns, expected, points: Vec::new(), passed_over: Vec::new() }
     }
 
-    /// Takes a line: a point, a comment, nothing, or before the first point a line of words or of a single number.
+    /// Takes a line: a point, a comment, nothing, or before the first point a line of words or of a
+    /// single number.
     pub(crate) fn read(&mut self, line: Line<'a>) -> Result<(), ProfileError> {
         let line = Line { text: parted(line.text).0, ..line };
         if line.text.is_empty() {
@@ -75,7 +76,8 @@ impl<'a> PointLines<'a> {
     }
 }
 
-/// Words, or a count: a line with a number in its first column and more behind it is a point, good or bad.
+/// Words, or a count: a line with a number in its first column and more behind it is a point, good
+/// or bad.
 fn is_no_point(text: &str) -> bool {
     let first = text.split([' ', '\t', ',', ';']).find(|c| !c.is_empty());
     match numbers(text) {

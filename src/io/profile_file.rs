@@ -20,10 +20,10 @@ const LARGEST_FILE: u64 = 64 << 20;
 /// * `name`: a built-in name ([`built_in_names`]), an absolute path, or a relative one, which is
 ///   looked for in `folders` in their order.
 /// * `smoothing` [m], 0 to 0.05: wavelength at which a wave along the profile keeps half its
-///   amplitude; a negative number (-1, the start value of the parameter) leaves it to the noise of the points, 0 passes through
-///   every point. Only profiles from files are smoothed. What 4 mm do: a wave of 2 mm keeps 6 %, one of 8 mm 94 %; lines and arcs
-///   stay; where the curvature steps by Δκ the profile moves by 0.16 Δκ (L/2π)², on S1002 0.3 µm on the tread and 6 µm on
-///   the flange.
+///   amplitude; a negative number (-1, the start value of the parameter) leaves it to the noise of
+///   the points, 0 passes through every point. Only profiles from files are smoothed. What 4 mm do:
+///   a wave of 2 mm keeps 6 %, one of 8 mm 94 %; lines and arcs stay; where the curvature steps by
+///   Δκ the profile moves by 0.16 Δκ (L/2π)², on S1002 0.3 µm on the tread and 6 µm on the flange.
 ///
 /// What was found in the file and mended stands in [`Profile::remarks`].
 ///
@@ -52,8 +52,8 @@ pub fn load_profile(
     profile.map_err(|problem| ContactError::Profile { name: parameter.into(), problem })
 }
 
-/// Writes a profile as a file of two columns that [`load_profile`] reads back as it is: no smoothing is applied to it.
-/// What had that name before stays until the new one is complete.
+/// Writes a profile as a file of two columns that [`load_profile`] reads back as it is: no
+/// smoothing is applied to it. What had that name before stays until the new one is complete.
 ///
 /// * `parameter`: FMU name of the parameter that names the file, for messages.
 ///
@@ -78,7 +78,8 @@ fn unwritable(parameter: &str, path: &Path, error: &std::io::Error) -> ContactEr
     ContactError::Profile { name: parameter.into(), problem }
 }
 
-/// The file that `name` stands for in [`load_profile`], unless it is the name of a built-in profile or there is no such file.
+/// The file that `name` stands for in [`load_profile`], unless it is the name of a built-in profile
+/// or there is no such file.
 pub(crate) fn profile_file(name: &str, kind: ProfileKind, folders: &[PathBuf]) -> Option<PathBuf> {
     match built_in(name, kind) {
         Ok(None) => find(name, kind, folders).ok(),

@@ -1,4 +1,5 @@
-//! A table of sections: `station_m,profile`, of a wheel `angle_deg,profile`, and a line for each section.
+//! A table of sections: `station_m,profile`, of a wheel `angle_deg,profile`, and a line for each
+//! section.
 
 use super::slice_list::{Entry, Listed, MOST_SLICES, Places};
 use super::slice_tokens::COMMENT;

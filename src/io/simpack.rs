@@ -1,8 +1,8 @@
 //! SIMPACK profile files (.prw wheel, .prr rail).
 //!
 //! `key = value` entries in the blocks `header` and `spline`, and points between `point.begin` and
-//! `point.end`; what follows `!` outside quotes is a comment, among the points also what follows `#`, `%` or `"`. The entries are applied in the order
-//! of their numbers in the files:
+//! `point.end`; what follows `!` outside quotes is a comment, among the points also what follows
+//! `#`, `%` or `"`. The entries are applied in the order of their numbers in the files:
 //!
 //! 1. `point.dist.min`: a point closer to the one before is dropped
 //! 2. `shift.y`, `shift.z`: added
@@ -15,7 +15,8 @@
 //!
 //! `type` in the header (0 rail, 1 wheel) must be that of the body. `approx.smooth` and the weights
 //! of a third column are not used: smoothing is set by its wavelength. The frame is ours: y to the
-//! field side and z down for the right side. So a rail that is lower in its middle than at its sides is a groove and stays one.
+//! field side and z down for the right side. So a rail that is lower in its middle than at its
+//! sides is a groove and stays one.
 
 use crate::geometry::point_noise::last_digit;
 use crate::geometry::profile::{ProfileError, ProfileKind};

@@ -86,7 +86,8 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// The first token of a line and what is behind it; nothing at a comment, or at a word, from which on there are words.
+/// The first token of a line and what is behind it; nothing at a comment, or at a word, from which
+/// on there are words.
 fn token(text: &str) -> Option<(Token, &str)> {
     let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
     let first = text.chars().next()?;

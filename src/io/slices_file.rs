@@ -1,6 +1,8 @@
-//! Rails whose section varies along the track and wheels whose section varies around: files of slices (.slcs, .slcw) and tables of sections.
+//! Rails whose section varies along the track and wheels whose section varies around: files of
+//! slices (.slcs, .slcw) and tables of sections.
 //!
-//! A file of slices holds numbers and names in a fixed order, several on a line, `%` before a comment:
+//! A file of slices holds numbers and names in a fixed order, several on a line, `%` before a
+//! comment:
 //!
 //! ```text
 //! U_OFFSET  U_SCALE           place [mm] = U_SCALE (U_OFFSET + U_SLC)
@@ -14,7 +16,9 @@
 //!
 //! That of a wheel has TH for U, and angles in rad in the place of places in mm.
 //!
-//! A table of sections has the heading `station_m,profile`, of a wheel `angle_deg,profile`, and a line for each section. Names of profiles are built-in ones or files, relative to the folder of the file.
+//! A table of sections has the heading `station_m,profile`, of a wheel `angle_deg,profile`, and a
+//! line for each section. Names of profiles are built-in ones or files, relative to the folder of
+//! the file.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -30,10 +34,12 @@ use crate::geometry::standard_profiles::built_in;
 
 /// Most features of a slice.
 const MOST_FEATURES: usize = 1000;
-/// Distance up to which the place in a line of features is that of its slice, over the least distance of slices.
+/// Distance up to which the place in a line of features is that of its slice, over the least
+/// distance of slices.
 const SAME: f64 = 0.5;
 
-/// The slices that a parameter names, or nothing where it names no file of slices and no table of sections.
+/// The slices that a parameter names, or nothing where it names no file of slices and no table of
+/// sections.
 ///
 /// * `parameter`, `name`, `kind`, `smoothing`, `folders`: as of [`load_profile`]
 ///
@@ -74,7 +80,8 @@ pub fn load_slices(
     let own_folders = [folder];
     let mut known: HashMap<String, Profile> = HashMap::new();
     let mut slices = Vec::with_capacity(listed.entries.len());
-    // A section without a mark whether it stands upright is judged by its own shape, which does not tell for one with a groove.
+    // A section without a mark whether it stands upright is judged by its own shape, which does not
+    // tell for one with a groove.
     let mut turned: Option<(String, bool)> = None;
     for Entry { line, place, name, features } in listed.entries {
         if !known.contains_key(&name) {

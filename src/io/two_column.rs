@@ -123,7 +123,8 @@ impl Stated {
 const SMOOTHING: &str = "smoothing_mm";
 const MIRROR_Z: &str = "mirror_z";
 
-/// The text of a file with the points of a profile, dense enough that the curve between them follows.
+/// The text of a file with the points of a profile, dense enough that the curve between them
+/// follows.
 pub(crate) fn text(profile: &Profile) -> String {
     let curve = &profile.curve;
     let mut text = format!(

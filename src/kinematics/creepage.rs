@@ -17,7 +17,8 @@ pub struct Creepage<T = f64> {
 }
 
 impl<T: Real> Creepage<T> {
-    /// Whether all three vanish, so that there is nothing to compute; never where they have derivatives.
+    /// Whether all three vanish, so that there is nothing to compute; never where they have
+    /// derivatives.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         !T::HAS_SLOPES
@@ -25,13 +26,13 @@ impl<T: Real> Creepage<T> {
     }
 }
 
-/// Creepages, and spins in 1/m, beyond this are taken as this: the wheel slides far below it already, and squares of
-/// larger ones would overflow.
+/// Creepages, and spins in 1/m, beyond this are taken as this: the wheel slides far below it
+/// already, and squares of larger ones would overflow.
 const MOST_CREEPAGE: f64 = 1e6;
 
-/// The longitudinal creepage of a wheel with forward velocity `velocity` [m/s] and `pitch_rate` [rad/s] from its rolling radius [m]
-/// alone: (v_x + ω r)/V. Yaw, the turning of the wheel about other axes and the motion of the rail do not enter; there is no
-/// lateral creepage and no spin.
+/// The longitudinal creepage of a wheel with forward velocity `velocity` [m/s] and `pitch_rate`
+/// [rad/s] from its rolling radius [m] alone: (v_x + ω r)/V. Yaw, the turning of the wheel about
+/// other axes and the motion of the rail do not enter; there is no lateral creepage and no spin.
 #[must_use]
 pub fn kinematic_creepage<T: Real>(
     velocity: T,
@@ -53,12 +54,13 @@ pub fn bounded<T: Real>(creepage: T) -> T {
 pub struct RollingSpeed<T = f64> {
     /// V = max((|v_x| + |ω| r)/2, floor) > 0 [m/s].
     pub reference: T,
-    /// 1 when the contact moves forward over both bodies, 0 when backward, in between where they disagree [-].
+    /// 1 when the contact moves forward over both bodies, 0 when backward, in between where they
+    /// disagree [-].
     pub forward_share: T,
 }
 
-/// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative when rolling forward)
-/// [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
+/// The reference speed of a wheel with forward velocity `velocity` [m/s], `pitch_rate` (negative
+/// when rolling forward) [rad/s] and rolling radius [m]; `floor` > 0 keeps it finite at standstill.
 #[must_use]
 pub fn rolling_speed<T: Real>(
     velocity: T,
@@ -91,7 +93,8 @@ impl<T: Real> ContactAxes<T> {
         Self { longitudinal: Vector3::x(), lateral, normal }
     }
 
-    /// The same axes turned about the lateral one, so that the normal leans forward by an angle with that tangent.
+    /// The same axes turned about the lateral one, so that the normal leans forward by an angle
+    /// with that tangent.
     #[must_use]
     pub fn leaning(self, tangent: T) -> Self {
         if tangent == 0.0 {
@@ -144,13 +147,15 @@ impl<T: Real> RelativeMotion<T> {
         }
     }
 
-    /// The same on a roller that turns by `rotation` [rad/s] about an axle through the point `axle` [m].
+    /// The same on a roller that turns by `rotation` [rad/s] about an axle through the point `axle`
+    /// [m].
     #[must_use]
     pub fn on_roller(self, axle: Vector3<T>, rotation: Vector3<T>) -> Self {
         Self { roller_axle: axle, roller_rotation: rotation, ..self }
     }
 
-    /// Forward velocity of the surface of a roller at `point` by its turning; 0 on a straight rail [m/s].
+    /// Forward velocity of the surface of a roller at `point` by its turning; 0 on a straight rail
+    /// [m/s].
     #[must_use]
     pub fn roller_speed(&self, point: Vector3<T>) -> T {
         self.roller_rotation.cross(&(point - self.roller_axle)).x
@@ -176,16 +181,16 @@ impl<T: Real> RelativeMotion<T> {
         }
     }
 
-    /// Velocity at which the undeformed bodies close at `point`: without the turning about their axles, which moves no
-    /// surface, as wheel and roller are round [m/s].
+    /// Velocity at which the undeformed bodies close at `point`: without the turning about their
+    /// axles, which moves no surface, as wheel and roller are round [m/s].
     #[must_use]
     pub fn closing_velocity(&self, point: Vector3<T>) -> Vector3<T> {
         self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
             - self.rail_velocity_at(point)
     }
 
-    /// Velocity at which a wheel that is not round closes by its turning about its axle where it is met `ahead` [m] of a round one with the same normal, whose turning
-    /// closes nothing [m/s].
+    /// Velocity at which a wheel that is not round closes by its turning about its axle where it is
+    /// met `ahead` [m] of a round one with the same normal, whose turning closes nothing [m/s].
     #[must_use]
     pub fn turning_velocity(&self, ahead: T) -> Vector3<T> {
         (self.wheel_rotation - self.attitude_rotation).cross(&(Vector3::x() * ahead))

@@ -36,6 +36,7 @@ pub struct RailMotion<T = f64> {
     pub vz: T,
     /// Rate of the roll angle [rad/s].
     pub roll_rate: T,
-    /// Rate at which a roller turns about its axle, negative when its top goes forward; of a roller alone [rad/s].
+    /// Rate at which a roller turns about its axle, negative when its top goes forward; of a roller
+    /// alone [rad/s].
     pub pitch_rate: T,
 }

@@ -18,7 +18,8 @@ impl<T: Real> WheelMotion<T> {
         Vector3::new(-sin_yaw, cos_roll * cos_yaw, sin_roll * cos_yaw)
     }
 
-    /// Angular velocity in the track frame but for the pitch rate, which moves no point of the axle [rad/s].
+    /// Angular velocity in the track frame but for the pitch rate, which moves no point of the axle
+    /// [rad/s].
     ///
     /// ```text
     /// ω - pitch_rate u = roll_rate e_x + yaw_rate e_z'
@@ -36,7 +37,8 @@ impl<T: Real> WheelMotion<T> {
         self.turning() + self.axle() * self.pitch_rate
     }
 
-    /// Motion of the point of the axle `along` [m] to the right of this one; attitude and rates are those of all the body.
+    /// Motion of the point of the axle `along` [m] to the right of this one; attitude and rates are
+    /// those of all the body.
     ///
     /// ```text
     /// X' = X + along u,   V' = V + ω × along u
@@ -49,7 +51,8 @@ impl<T: Real> WheelMotion<T> {
         Self { position: position.into(), velocity: velocity.into(), ..*self }
     }
 
-    /// The same with an angular velocity `more` [rad/s] added, in the frame of this motion: its rates take it up.
+    /// The same with an angular velocity `more` [rad/s] added, in the frame of this motion: its
+    /// rates take it up.
     ///
     /// ```text
     /// R_x(roll)^T more = (Δroll_rate - Δpitch_rate sin yaw, Δpitch_rate cos yaw, Δyaw_rate)
@@ -67,7 +70,8 @@ impl<T: Real> WheelMotion<T> {
         }
     }
 
-    /// Attitude and rates in a frame with the `axes` (columns, in this frame); position and velocity stay as they are.
+    /// Attitude and rates in a frame with the `axes` (columns, in this frame); position and
+    /// velocity stay as they are.
     ///
     /// ```text
     /// axes^T R_x(roll) R_z(yaw) R_y(pitch) = R_x(roll') R_z(yaw') R_y(pitch')

@@ -1,7 +1,9 @@
-//! Uniform cubic B-splines: twice differentiable interpolation on a regular grid in any number of dimensions.
+//! Uniform cubic B-splines: twice differentiable interpolation on a regular grid in any number of
+//! dimensions.
 //!
-//! On knots at 0, 1, 2, … the spline is Σ c_k β(u - k). The coefficients of a grid come from one-dimensional interpolation along one
-//! axis after the other; c_{-1} and c_n lie outside the values.
+//! On knots at 0, 1, 2, … the spline is Σ c_k β(u - k). The coefficients of a grid come from
+//! one-dimensional interpolation along one axis after the other; c_{-1} and c_n lie outside the
+//! values.
 
 /// Weights of c_{k-1} to c_{k+2} at `fraction` of the way from knot k to k + 1.
 #[must_use]
@@ -22,7 +24,8 @@ pub fn weight_slopes(fraction: f64) -> [f64; 4] {
     [-0.5 * r * r, t * (1.5 * t - 2.0), r * (2.0 - 1.5 * r), 0.5 * t * t]
 }
 
-/// Knot before `u` and the fraction of the way to the next one, for coefficients of `cells` ≥ 1 intervals.
+/// Knot before `u` and the fraction of the way to the next one, for coefficients of `cells` ≥ 1
+/// intervals.
 #[must_use]
 pub fn locate(u: f64, cells: usize) -> (usize, f64) {
     // A value that is not a number counts as 0.
@@ -30,14 +33,16 @@ pub fn locate(u: f64, cells: usize) -> (usize, f64) {
     (cell, u - cell as f64)
 }
 
-/// Coefficients c_{-1} to c_n of the spline through n ≥ 4 `values`; the slopes at both ends are those of cubics through the last four.
+/// Coefficients c_{-1} to c_n of the spline through n ≥ 4 `values`; the slopes at both ends are
+/// those of cubics through the last four.
 #[must_use]
 pub fn coefficients(values: &[f64]) -> Vec<f64> {
     let n = values.len();
     let end_slope = |f: [f64; 4]| (-11.0 * f[0] + 18.0 * f[1] - 9.0 * f[2] + 2.0 * f[3]) / 6.0;
     let left = end_slope([values[0], values[1], values[2], values[3]]);
     let right = -end_slope([values[n - 1], values[n - 2], values[n - 3], values[n - 4]]);
-    // (c_{k-1} + 4 c_k + c_{k+1})/6 = f_k, (c_1 - c_{-1})/2 and (c_n - c_{n-2})/2 the slopes; the matrix is diagonally dominant.
+    // (c_{k-1} + 4 c_k + c_{k+1})/6 = f_k, (c_1 - c_{-1})/2 and (c_n - c_{n-2})/2 the slopes; the
+    // matrix is diagonally dominant.
     let mut right_side: Vec<f64> = values.iter().map(|f| 6.0 * f).collect();
     right_side[0] += 2.0 * left;
     right_side[n - 1] -= 2.0 * right;

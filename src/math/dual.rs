@@ -1,7 +1,9 @@
-//! Dual numbers: a value and its derivatives in some directions, carried through every operation by the chain rule.
+//! Dual numbers: a value and its derivatives in some directions, carried through every operation by
+//! the chain rule.
 //!
-//! Written out here for two reasons: an array of slopes without an option around it becomes vector instructions, and a root of nothing
-//! has no slopes instead of some that are not numbers, so that what does not count (a strip without length) does no harm.
+//! Written out here for two reasons: an array of slopes without an option around it becomes vector
+//! instructions, and a root of nothing has no slopes instead of some that are not numbers, so that
+//! what does not count (a strip without length) does no harm.
 
 mod arithmetic;
 

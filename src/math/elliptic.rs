@@ -23,8 +23,8 @@ pub fn complete<T: Real>(complement: T) -> Complete<T> {
     debug_assert!(complement > 0.0 && complement <= 1.0);
     let m = -complement + 1.0;
     let (mut a, mut g) = (T::from(1.0), complement.sqrt());
-    // E = K (1 - sum), sum = Σ 2^(n-1) c_n², c_0² = m; the terms after the first are kept apart for the
-    // difference m - sum.
+    // E = K (1 - sum), sum = Σ 2^(n-1) c_n², c_0² = m; the terms after the first are kept apart for
+    // the difference m - sum.
     let (mut tail, mut power) = (T::from(0.0), 1.0);
     // Quadratic convergence: six steps reach rounding down to complements of 1e-30.
     for _ in 0..8 {
@@ -50,8 +50,8 @@ pub fn complete<T: Real>(complement: T) -> Complete<T> {
 
 /// K(m) - E(m) = regular - ln(1 - m) · logarithmic, split at its logarithmic singularity at m = 1.
 ///
-/// Returns (regular, logarithmic) of the polynomial approximation of Hastings (Abramowitz and Stegun 17.3.34
-/// and 17.3.36), absolute error below 4e-8 for 0 ≤ m ≤ 1; `complement` is 1 - m.
+/// Returns (regular, logarithmic) of the polynomial approximation of Hastings (Abramowitz and
+/// Stegun 17.3.34 and 17.3.36), absolute error below 4e-8 for 0 ≤ m ≤ 1; `complement` is 1 - m.
 #[inline]
 #[must_use]
 pub fn first_minus_second_split<T: Real>(complement: T) -> (T, T) {

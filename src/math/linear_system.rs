@@ -2,8 +2,8 @@
 
 use multiversion::multiversion;
 
-/// Solves A x = b by Gaussian elimination with partial pivoting; `matrix` holds A by rows of length `stride` ≥ n, n the length of
-/// `right`. A is destroyed, `right` becomes x.
+/// Solves A x = b by Gaussian elimination with partial pivoting; `matrix` holds A by rows of length
+/// `stride` ≥ n, n the length of `right`. A is destroyed, `right` becomes x.
 ///
 /// Returns false, with `right` unusable, where A is singular to working precision.
 #[must_use]
@@ -50,7 +50,8 @@ pub fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) -> bool {
     right.iter().all(|x| x.is_finite())
 }
 
-/// A matrix in two triangular factors, with its rows in the order of their pivots, for many right sides.
+/// A matrix in two triangular factors, with its rows in the order of their pivots, for many right
+/// sides.
 #[derive(Clone, Debug, Default)]
 pub struct Factors {
     rows: Vec<f64>,

@@ -1,7 +1,7 @@
 //! A natural logarithm that vectorises.
 //!
-//! The one of the standard library is a call for each number; this one is plain arithmetic, so that a loop over
-//! strips is compiled to vector instructions.
+//! The one of the standard library is a call for each number; this one is plain arithmetic, so that
+//! a loop over strips is compiled to vector instructions.
 
 /// Bits of 2^52: an integer put into its low bits makes a float that much larger.
 const INTEGER: u64 = 0x4330_0000_0000_0000;

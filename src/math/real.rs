@@ -10,8 +10,8 @@ use super::logarithm;
 
 /// A real number, or one with its derivatives ([`Dual`](super::dual::Dual)).
 ///
-/// Comparisons look at the value alone: where a formula has branches, derivatives are those of the branch that the value takes. For `f64`
-/// every method is the one of the standard library.
+/// Comparisons look at the value alone: where a formula has branches, derivatives are those of the
+/// branch that the value takes. For `f64` every method is the one of the standard library.
 pub trait Real:
     Copy
     + Debug
@@ -45,7 +45,8 @@ pub trait Real:
     #[must_use]
     fn value(self) -> f64;
 
-    /// The number `value` with the derivatives of `rates`: what a search has found, and how it moves.
+    /// The number `value` with the derivatives of `rates`: what a search has found, and how it
+    /// moves.
     #[must_use]
     fn moving(value: f64, rates: Self) -> Self;
 

@@ -2,10 +2,11 @@
 
 /// The root of `f` between `a` and `b`, where it has values of opposite sign `fa` and `fb`.
 ///
-/// Secant steps with the Anderson-Björck change of the retained end: about 1.7 correct digits more per digit and
-/// evaluation for a smooth function, never outside the bracket, and with bisection whenever five steps
-/// have not brought it to two fifths. Stops when the bracket is narrower than `tolerance`, when `f` vanishes, or after
-/// `MOST_STEPS`, so that it returns a point of the bracket for any function.
+/// Secant steps with the Anderson-Björck change of the retained end: about 1.7 correct digits more
+/// per digit and evaluation for a smooth function, never outside the bracket, and with bisection
+/// whenever five steps have not brought it to two fifths. Stops when the bracket is narrower than
+/// `tolerance`, when `f` vanishes, or after `MOST_STEPS`, so that it returns a point of the bracket
+/// for any function.
 #[inline]
 pub fn bracketed(
     (mut a, mut fa): (f64, f64),
@@ -15,7 +16,8 @@ pub fn bracketed(
 ) -> f64 {
     debug_assert!(fa * fb <= 0.0 || !(fa * fb).is_finite());
     let mut wide = (b - a).abs();
-    // The value at `a` as the secant uses it, reduced when `a` is retained; `fa` stays the true one.
+    // The value at `a` as the secant uses it, reduced when `a` is retained; `fa` stays the true
+    // one.
     let mut reduced = fa;
     // `b` is always the latest point.
     for step in 1..=MOST_STEPS {
@@ -49,13 +51,15 @@ pub fn bracketed(
         }
         (b, fb) = (x, fx);
     }
-    // Inside the last bracket the function is straight: one more secant step costs nothing and removes the jitter of its ends.
+    // Inside the last bracket the function is straight: one more secant step costs nothing and
+    // removes the jitter of its ends.
     let x = (a * fb - b * fa) / (fb - fa);
     if (x >= a && x <= b) || (x >= b && x <= a) { x } else { b }
 }
 
-/// The root of `f` next to 0 on the side of `first`, and the value there, which is the last one that was asked for; `level` is the value at 0. It is
-/// looked for in steps that grow fourfold from `first` to `most`; where the sign does not change until then, the better end.
+/// The root of `f` next to 0 on the side of `first`, and the value there, which is the last one
+/// that was asked for; `level` is the value at 0. It is looked for in steps that grow fourfold from
+/// `first` to `most`; where the sign does not change until then, the better end.
 pub fn outward(
     level: f64,
     first: f64,
@@ -84,8 +88,9 @@ pub fn outward(
 /// Steps after which [`bracketed`] returns what it has: its bisections alone gain fifteen digits.
 const MOST_STEPS: usize = 260;
 
-/// The step from the point `last` to the root of a smooth function by inverse quadratic interpolation through its values (x, f) at `last` and
-/// two points before; not finite where two values are equal but not zero.
+/// The step from the point `last` to the root of a smooth function by inverse quadratic
+/// interpolation through its values (x, f) at `last` and two points before; not finite where two
+/// values are equal but not zero.
 #[inline]
 #[must_use]
 pub fn interpolated_step([a, b]: [(f64, f64); 2], last: (f64, f64)) -> f64 {

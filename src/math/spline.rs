@@ -36,7 +36,8 @@ pub fn interpolating_slopes(knots: &[f64], values: &[f64], ends: [SplineEnd; 2])
     slopes
 }
 
-/// As [`interpolating_slopes`], into `slopes` and with the scratch `rows`: allocates nothing within the room that they have.
+/// As [`interpolating_slopes`], into `slopes` and with the scratch `rows`: allocates nothing within
+/// the room that they have.
 ///
 /// # Panics
 /// As there.

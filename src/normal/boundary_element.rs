@@ -1,11 +1,14 @@
 //! The half-space solution on rectangular elements as a normal contact model.
 //!
-//! The undeformed distance is f(y) + (x - x_c(y))²/(2R), x_c the contact line of a yawed wheel. A solution on a coarse grid over all that
-//! the undeformed bodies overlap tells where the contact is; the grid of the solution has the asked numbers of elements over the extent of
-//! all zones together, and one more on each side. Rows of elements become strips with the row's own load, edges and centroid.
+//! The undeformed distance is f(y) + (x - x_c(y))²/(2R), x_c the contact line of a yawed wheel. A
+//! solution on a coarse grid over all that the undeformed bodies overlap tells where the contact
+//! is; the grid of the solution has the asked numbers of elements over the extent of all zones
+//! together, and one more on each side. Rows of elements become strips with the row's own load,
+//! edges and centroid.
 //!
-//! The edge of a row lies between the centre of its last loaded element and that of the next: as pressure vanishes like the square root
-//! of the distance from it, it is where p² of the last two elements extrapolates to zero.
+//! The edge of a row lies between the centre of its last loaded element and that of the next: as
+//! pressure vanishes like the square root of the distance from it, it is where p² of the last two
+//! elements extrapolates to zero.
 
 use super::element_pressure::ElementPressure;
 use super::{NormalProblem, Strips, Zone};
@@ -22,7 +25,8 @@ const MARGIN: f64 = 1.0;
 /// How often the grid grows when the contact reaches its border.
 const MOST_GROWTHS: usize = 4;
 
-/// Fills the empty `strips` with the loaded zones of `problem` on `elements` along and across the extent of them all.
+/// Fills the empty `strips` with the loaded zones of `problem` on `elements` along and across the
+/// extent of them all.
 ///
 /// Returns the number of zones that found no room, or nothing where the iteration did not converge.
 pub fn solve(
@@ -140,7 +144,8 @@ fn solve_on(
 /// A distance, over the approach, that never closes.
 const BEYOND: f64 = 1e3;
 
-/// Parameter and separation of the contact line at lateral coordinate `y`, sought from the parameter `u`.
+/// Parameter and separation of the contact line at lateral coordinate `y`, sought from the
+/// parameter `u`.
 fn opposite(separation: &mut impl Separation, y: f64, mut u: f64) -> (f64, SeparationPoint) {
     let mut at = separation.at(u);
     for _ in 0..MOST_STEPS {
@@ -176,12 +181,14 @@ fn row_edges(grid: &Grid, pressure: &[f64], j: usize) -> Option<[f64; 2]> {
     ])
 }
 
-/// Steps beyond the place of `edge` at which the line through `inner`, one step further inside, and `edge` vanishes: 0 to 1.
+/// Steps beyond the place of `edge` at which the line through `inner`, one step further inside, and
+/// `edge` vanishes: 0 to 1.
 fn beyond(edge: f64, inner: f64) -> f64 {
     if inner > edge { (edge / (inner - edge)).min(1.0) } else { 1.0 }
 }
 
-/// Left and right edge of the loaded rows `first` to `last`: the load of a row vanishes like the distance from the edge.
+/// Left and right edge of the loaded rows `first` to `last`: the load of a row vanishes like the
+/// distance from the edge.
 fn lateral_edges(grid: &Grid, loads: &[f64], first: usize, last: usize) -> [f64; 2] {
     if first == last {
         return [grid.y(first) - 0.5 * grid.dy, grid.y(first) + 0.5 * grid.dy];
@@ -209,7 +216,8 @@ fn extent(grid: &Grid, pressure: &[f64]) -> Option<[[f64; 2]; 2]> {
     Some([x, lateral_edges(grid, &loads, first, last)])
 }
 
-/// The extent grown where the contact reaches the border of the grid, unless that is already beyond all overlap.
+/// The extent grown where the contact reaches the border of the grid, unless that is already beyond
+/// all overlap.
 fn touched_borders(
     grid: &Grid,
     pressure: &[f64],
@@ -240,8 +248,8 @@ fn touched_borders(
 /// Growth of a border that the contact reaches, as a share of the extent [-].
 const GROWTH: f64 = 0.1;
 
-/// Turns the rows of `field`, with the parameters `u` of the contact line, into strips and zones; returns the number of zones that found no
-/// room.
+/// Turns the rows of `field`, with the parameters `u` of the contact line, into strips and zones;
+/// returns the number of zones that found no room.
 pub(super) fn fill_rows(strips: &mut Strips, field: ElementPressure, u: &[f64]) -> usize {
     let ElementPressure { grid, pressure, mut strip_of_row, iterations } = field;
     let loads = row_loads(&grid, &pressure);

@@ -1,7 +1,7 @@
 //! Hertzian contact: an ellipse from the curvatures at the contact point.
 //!
-//! With the undeformed distance A x² + B y², λ = max(A, B)/min(A, B), κ = major over minor semi-axis and m = 1 - 1/κ²
-//! (Johnson, Contact Mechanics, 1985, section 4.2):
+//! With the undeformed distance A x² + B y², λ = max(A, B)/min(A, B), κ = major over minor
+//! semi-axis and m = 1 - 1/κ² (Johnson, Contact Mechanics, 1985, section 4.2):
 //!
 //! ```text
 //! λ = (κ² E - K)/(K - E),  major² = κ² E δ / (K (A + B)),  N = 2 π E* δ major / (3 K),  p0 = 3 N/(2 π a b)
@@ -28,8 +28,8 @@ pub struct Ellipse<T = f64> {
     pub max_pressure: T,
 }
 
-/// The ellipse for the approach δ > 0 [m] of bodies with undeformed distance `along` x² + `across` y², both > 0 [1/m],
-/// and the contact modulus E* [Pa].
+/// The ellipse for the approach δ > 0 [m] of bodies with undeformed distance `along` x² + `across`
+/// y², both > 0 [1/m], and the contact modulus E* [Pa].
 #[must_use]
 pub fn ellipse<T: Real>(along: T, across: T, approach: T, contact_modulus: f64) -> Ellipse<T> {
     let (axis_ratio, integrals) = axis_ratio(along.max(across) / along.min(across));
@@ -43,10 +43,11 @@ pub fn ellipse<T: Real>(along: T, across: T, approach: T, contact_modulus: f64) 
     Ellipse { semi_axis_along, semi_axis_across, load, max_pressure }
 }
 
-/// Ratio κ ≥ 1 of the semi-axes for the ratio λ ≥ 1 of the curvatures, with the elliptic integrals of m = 1 - 1/κ².
+/// Ratio κ ≥ 1 of the semi-axes for the ratio λ ≥ 1 of the curvatures, with the elliptic integrals
+/// of m = 1 - 1/κ².
 ///
-/// Starts from the rational fit of Antoine, Visa, Sauvey and Abba (2006), 5e-6 off up to λ = 1e4, and corrects it by Newton
-/// steps in the logarithms.
+/// Starts from the rational fit of Antoine, Visa, Sauvey and Abba (2006), 5e-6 off up to λ = 1e4,
+/// and corrects it by Newton steps in the logarithms.
 pub(super) fn axis_ratio<T: Real>(curvature_ratio: T) -> (T, Complete<T>) {
     let moving = curvature_ratio.ln();
     let log_lambda = moving.value();
@@ -90,8 +91,8 @@ fn log_curvature_ratio(log_kappa: f64, c: &Complete) -> (f64, f64) {
     ((upper / (complement * lower)).ln(), slope)
 }
 
-/// Least curvature across over that along which is taken as it stands: flatter or conformal pairs have no Hertzian
-/// ellipse and are treated as this flat.
+/// Least curvature across over that along which is taken as it stands: flatter or conformal pairs
+/// have no Hertzian ellipse and are treated as this flat.
 const LEAST_CURVATURE_RATIO: f64 = 1e-3;
 
 /// Fills `strips` with the ellipse at the contact point.
@@ -112,7 +113,8 @@ pub fn solve<T: Real>(
         strips.x.push(at.x);
         strips.half_length.push(found.semi_axis_along * chord);
         strips.pressure.push(found.max_pressure * chord);
-        // The contact line straight on from its contact point: the ellipse does not know more of it.
+        // The contact line straight on from its contact point: the ellipse does not know more of
+        // it.
         strips.u.push(problem.contact_u + found.semi_axis_across * *node / at.dy);
     }
     strips.zones.push(Zone {

@@ -1,7 +1,8 @@
-//! Normal contact: from the separation of wheel and rail to loaded zones of strips with their pressure.
+//! Normal contact: from the separation of wheel and rail to loaded zones of strips with their
+//! pressure.
 //!
-//! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical pressure, grouped in
-//! separate loaded zones. Tangential models see nothing else.
+//! Every model fills the same [`Strips`]: strips along rolling, each with a semi-elliptical
+//! pressure, grouped in separate loaded zones. Tangential models see nothing else.
 
 pub(crate) mod boundary_element;
 pub mod damping;

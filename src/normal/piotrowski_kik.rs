@@ -1,7 +1,8 @@
 //! Contact area from virtual penetration, semi-elliptical pressure along rolling.
 //!
-//! Source: Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48, sections 2.2 and 2.3. With the separation
-//! f(y) from the contact point, the approach δ and the radius R of the normal section along x
+//! Source: Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48, sections 2.2 and 2.3. With
+//! the separation f(y) from the contact point, the approach δ and the radius R of the normal
+//! section along x
 //!
 //! ```text
 //! g(y) = max(0, δ0 - f(y)), δ0 = ε δ            x_l(y) = sqrt(2 R g(y))                       (7), (8)
@@ -11,10 +12,12 @@
 //! I2 = ∬ sqrt((x_l² - x²) / (x² + y²)) dx dy = ∫ 2 s (K(m) - E(m)) dy, s² = x_l² + y², m = x_l²/s²
 //! ```
 //!
-//! **The integral I2.** Its integrand has a logarithmic singularity at y = 0. The strips are the nodes of a Gauss-Legendre rule in the parameter u of
-//! the contact line, and what that rule makes of the same singularity in u, for which there is a closed form, is taken off: the two meet
-//! at the contact point u_c, and away from it the sum stays one over strips, whatever the outline does there. So it holds where the
-//! outline of a yawed wheel folds, y(u) turns back and widths do not add up to a distance of edges. As each strip gives at least
+//! **The integral I2.** Its integrand has a logarithmic singularity at y = 0. The strips are the
+//! nodes of a Gauss-Legendre rule in the parameter u of the contact line, and what that rule makes
+//! of the same singularity in u, for which there is a closed form, is taken off: the two meet at
+//! the contact point u_c, and away from it the sum stays one over strips, whatever the outline does
+//! there. So it holds where the outline of a yawed wheel folds, y(u) turns back and widths do not
+//! add up to a distance of edges. As each strip gives at least
 //!
 //! ```text
 //! ∫ sqrt((x_l² - x²)/(x² + y²)) dx ≥ π x_l²/(2 s)   and hence   N ≤ π E* δ max(s)
@@ -22,9 +25,10 @@
 //!
 //! the sum is not let below that where an outline is kinked between two strips.
 //!
-//! All zones with g > 0 belong to one half-space and to the one contact point at which the displacement meets the
-//! approach. For the influence on that point strips are taken as centred above it, also on a yawed wheel. With a
-//! [`ShapeFit`] the area gets the ratio of length to width of a Hertzian ellipse before its pressure is found.
+//! All zones with g > 0 belong to one half-space and to the one contact point at which the
+//! displacement meets the approach. For the influence on that point strips are taken as centred
+//! above it, also on a yawed wheel. With a [`ShapeFit`] the area gets the ratio of length to width
+//! of a Hertzian ellipse before its pressure is found.
 
 use multiversion::multiversion;
 
@@ -37,8 +41,8 @@ use crate::math::elliptic::first_minus_second_split;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 
-/// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape` corrects the shape of the
-/// contact area where it is given.
+/// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape`
+/// corrects the shape of the contact area where it is given.
 ///
 /// Returns the number of zones that found no room in `strips` (they are left out of the load).
 pub fn solve<T: Influence>(
@@ -84,7 +88,8 @@ pub fn solve<T: Influence>(
             strips.y.extend(points.iter().map(|at| at.y));
             strips.x.extend(points.iter().map(|at| at.x));
         }
-        // The strips straddle the deepest place: its depth is exact where the separation was probed.
+        // The strips straddle the deepest place: its depth is exact where the separation was
+        // probed.
         let inside = probes.iter().filter(|p| edge.left < p.u && edge.right > p.u);
         if let Some(lowest) = inside.min_by(|a, b| a.f.total_cmp(&b.f))
             && depth - lowest.f > deepest
@@ -105,7 +110,8 @@ pub fn solve<T: Influence>(
         longest *= shape_correction::apply(fit, longest * 2.0, problem.rule, separation, strips);
     }
     let [sum, least] = T::influence(&strips.half_length, &strips.y, &strips.width, longest);
-    // The singularity is -L ln(y²) dy; a correction of the shape leaves the product of its length and width.
+    // The singularity is -L ln(y²) dy; a correction of the shape leaves the product of its length
+    // and width.
     let displacement_integral = (sum + uncorrected * contact_dy * logarithm_error).max(least);
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
@@ -127,7 +133,8 @@ pub fn solve<T: Influence>(
     left_out
 }
 
-/// Sum over strips of width times the integrand of I2, 2 s (K - E), and of the least that it can be.
+/// Sum over strips of width times the integrand of I2, 2 s (K - E), and of the least that it can
+/// be.
 ///
 /// The order of the sums is fixed by [`LANES`].
 // Inside each instruction set or not at all: a call would not be vectorised.
@@ -166,7 +173,8 @@ fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) ->
     sums.map(|lanes| lanes.iter().copied().sum())
 }
 
-/// What the rule makes of ∫ ln((u - u_c)²) du over a zone, less the integral; nodes are no nearer to u_c than `least` [m].
+/// What the rule makes of ∫ ln((u - u_c)²) du over a zone, less the integral; nodes are no nearer
+/// to u_c than `least` [m].
 // As above.
 #[allow(clippy::inline_always)]
 #[inline(always)]
@@ -233,7 +241,8 @@ impl Influence for f64 {
     }
 }
 
-/// Compiled for several instruction sets, the widest one chosen at run time; all of them give the same bits.
+/// Compiled for several instruction sets, the widest one chosen at run time; all of them give the
+/// same bits.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
 fn fast_influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {
     influence(half_lengths, ys, widths, longest)
@@ -251,5 +260,6 @@ const POINTS: usize = 32;
 /// Strips whose influence is summed at once.
 const LANES: usize = 8;
 
-/// Distance of a strip from the contact point, over the longest strip, below which it counts as this: both logarithms stay finite [-].
+/// Distance of a strip from the contact point, over the longest strip, below which it counts as
+/// this: both logarithms stay finite [-].
 pub(super) const LEAST_DISTANCE: f64 = 1e-12;

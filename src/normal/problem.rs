@@ -10,9 +10,11 @@ pub enum NormalModel {
     Hertz,
     /// Virtual penetration, semi-elliptical strips (Piotrowski and Kik 2008).
     PiotrowskiKik,
-    /// The same with the ratio of length to width of the contact area corrected (section 2.4 there).
+    /// The same with the ratio of length to width of the contact area corrected (section 2.4
+    /// there).
     PiotrowskiKikCorrected,
-    /// The contact condition on every strip, coupled through the half-space, all overlaps of a rail in one problem: see [`strips_on_grid`](super::strips_on_grid).
+    /// The contact condition on every strip, coupled through the half-space, all overlaps of a rail
+    /// in one problem: see [`strips_on_grid`](super::strips_on_grid).
     #[default]
     Strips,
     /// The half-space solution on rectangular elements: slow, for checking the others.

@@ -1,18 +1,20 @@
 //! Correction of the shape of the contact area: ratio of length to width as of a Hertzian ellipse.
 //!
-//! Source: Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48, section 2.4. Virtual penetration of a Hertzian pair
-//! gives an area of ratio L/W = sqrt(B/A) of the curvatures, the ellipse has another one. With the length L and the width W
-//! of the interpenetration region
+//! Source: Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48, section 2.4. Virtual
+//! penetration of a Hertzian pair gives an area of ratio L/W = sqrt(B/A) of the curvatures, the
+//! ellipse has another one. With the length L and the width W of the interpenetration region
 //!
 //! ```text
 //! Lc/Wc = β(L/W),  Lc Wc = L W                                   (14), (15), (16)
 //! y' = y Wc/W about the contact point,  Rc = Lc²/(8 δ0)          (17), (18)
 //! ```
 //!
-//! **Several zones.** L is the length at the contact point and W the sum of the widths of all zones: what the gaps between
-//! them take away is not contact. The loaded parts are stretched, outwards from the contact point, and the gaps keep their
-//! width. A zone that appears begins with no width and two zones that merge keep their sum, so that the correction, and the
-//! force, is continuous there; with the distance of the outermost edges for W, or with a ratio for each zone, it would jump.
+//! **Several zones.** L is the length at the contact point and W the sum of the widths of all
+//! zones: what the gaps between them take away is not contact. The loaded parts are stretched,
+//! outwards from the contact point, and the gaps keep their width. A zone that appears begins with
+//! no width and two zones that merge keep their sum, so that the correction, and the force, is
+//! continuous there; with the distance of the outermost edges for W, or with a ratio for each zone,
+//! it would jump.
 
 use super::hertz::axis_ratio;
 use super::{Strips, Zone};
@@ -27,7 +29,8 @@ pub enum ShapeFit {
     /// The ratio of the semi-axes of the Hertzian ellipse; smooth where length and width are equal.
     #[default]
     Hertz,
-    /// The paper's fit, up to 5 % off Hertz for slender areas; where length and width are equal the ratio jumps by 0.6 %.
+    /// The paper's fit, up to 5 % off Hertz for slender areas; where length and width are equal the
+    /// ratio jumps by 0.6 %.
     Paper,
 }
 
@@ -35,7 +38,8 @@ pub enum ShapeFit {
 const RATIOS: [f64; 2] = [1e-3, 1e3];
 
 impl ShapeFit {
-    /// Corrected ratio β of length to width from the `ratio` L/W > 0 of the interpenetration region [-].
+    /// Corrected ratio β of length to width from the `ratio` L/W > 0 of the interpenetration region
+    /// [-].
     #[must_use]
     pub fn corrected_ratio<T: Real>(self, ratio: T) -> T {
         let ratio = ratio.within(RATIOS[0], RATIOS[1]);
@@ -53,8 +57,8 @@ impl ShapeFit {
     }
 }
 
-/// Corrects the zones of `strips`, whose pressures are not yet scaled, from the length L of the interpenetration region [m];
-/// returns Lc/L.
+/// Corrects the zones of `strips`, whose pressures are not yet scaled, from the length L of the
+/// interpenetration region [m]; returns Lc/L.
 pub fn apply<T: Real>(
     fit: ShapeFit,
     length: T,
@@ -91,7 +95,8 @@ pub fn apply<T: Real>(
     shortening
 }
 
-/// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are reached along the tangent.
+/// Left and right edge of a zone [m]: from the outermost strips, a few micrometres away, they are
+/// reached along the tangent.
 fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [T; 2] {
     let last = zone.count - 1;
     [(0, -1.0), (last, 1.0)].map(|(i, end)| {
@@ -100,10 +105,12 @@ fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [
     })
 }
 
-/// Least derivative of y along the line that is believed in: zones some nanometres wide have no better one than rounding.
+/// Least derivative of y along the line that is believed in: zones some nanometres wide have no
+/// better one than rounding.
 const LEAST_SLOPE: f64 = 0.1;
 
-/// Moves the strips of a zone from y to y + (`stretch` - 1)(y + `offset`) and shortens them as much as they get wider.
+/// Moves the strips of a zone from y to y + (`stretch` - 1)(y + `offset`) and shortens them as much
+/// as they get wider.
 fn stretch_zone<T: Real>(
     index: usize,
     stretch: T,

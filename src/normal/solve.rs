@@ -6,11 +6,11 @@ use super::strips::Strips;
 use super::{boundary_element, hertz, piotrowski_kik};
 use crate::geometry::separation::{FrameSeparation, Probe, Separation};
 
-/// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is ε of Piotrowski and Kik,
-/// `shape_fit` the ratio that their corrected contact area gets.
+/// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is
+/// ε of Piotrowski and Kik, `shape_fit` the ratio that their corrected contact area gets.
 ///
-/// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room, or 1 where a solution did not converge and
-/// the simpler model took its place.
+/// `probes` bracket the zones: see [`Probe`]. Returns the number of zones that found no room, or 1
+/// where a solution did not converge and the simpler model took its place.
 pub fn solve(
     model: NormalModel,
     virtual_penetration: f64,
@@ -32,7 +32,8 @@ pub fn solve(
     )
 }
 
-/// As [`solve`], with derivatives where the numbers have them, by Hertz or Piotrowski and Kik, to whom the others fall back.
+/// As [`solve`], with derivatives where the numbers have them, by Hertz or Piotrowski and Kik, to
+/// whom the others fall back.
 pub fn solve_in_frame<T: piotrowski_kik::Influence>(
     model: NormalModel,
     virtual_penetration: f64,

@@ -1,4 +1,5 @@
-//! Strips along rolling with their pressure, in loaded zones: what normal models fill and tangential models see.
+//! Strips along rolling with their pressure, in loaded zones: what normal models fill and
+//! tangential models see.
 
 use super::element_pressure::ElementPressure;
 use crate::friction::StripFriction;
@@ -16,7 +17,8 @@ pub struct Zone<T = f64> {
     pub load: T,
     /// Greatest pressure [Pa].
     pub max_pressure: T,
-    /// Length of the longest strip [m]; strips of a yawed wheel are shifted against each other besides.
+    /// Length of the longest strip [m]; strips of a yawed wheel are shifted against each other
+    /// besides.
     pub length: T,
     /// Extent across [m].
     pub width: T,
@@ -49,7 +51,8 @@ pub struct Strips<T = f64> {
     pub pressure: FixedVec<T>,
     /// Parameter of the contact line [m].
     pub u: FixedVec<T>,
-    /// Coefficient of friction, where strips have their own: filled in once the strips are there; empty for one coefficient.
+    /// Coefficient of friction, where strips have their own: filled in once the strips are there;
+    /// empty for one coefficient.
     pub friction: FixedVec<StripFriction<T>>,
     /// The elements that the strips were made from, if the normal model has them.
     pub elements: Option<Box<ElementPressure>>,

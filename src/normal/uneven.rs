@@ -1,8 +1,11 @@
-//! Piotrowski and Kik's model where wheel or rail are not even along the track: corrugation, out-of-round wheels, flats.
+//! Piotrowski and Kik's model where wheel or rail are not even along the track: corrugation,
+//! out-of-round wheels, flats.
 //!
-//! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a corrugated rail without further
-//! equations; these are theirs with the overlap g(x, y) of the real surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
-//! [`longitudinal`](crate::geometry::longitudinal), f(y) the separation less that by the lift, and c the cosine of the contact angle
+//! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a
+//! corrugated rail without further equations; these are theirs with the overlap g(x, y) of the real
+//! surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
+//! [`longitudinal`](crate::geometry::longitudinal), f(y) the separation less that by the lift, and
+//! c the cosine of the contact angle
 //!
 //! ```text
 //! g(x, y) = δ0 - f(y) - c (Q(x) - min Q),   p(x, y) = (p0 / sqrt(δ0)) sqrt(g(x, y)) where g > 0
@@ -10,8 +13,9 @@
 //! ```
 //!
 //! with x_0 the place of first touch. Where the bodies are even this is the model of
-//! [`piotrowski_kik`](super::piotrowski_kik). Where g > 0 on several stretches of a strip, each is a strip of its own,
-//! semi-elliptical with the load that the root of g gives it. Strips whose stretches meet along x form a zone.
+//! [`piotrowski_kik`](super::piotrowski_kik). Where g > 0 on several stretches of a strip, each is
+//! a strip of its own, semi-elliptical with the load that the root of g gives it. Strips whose
+//! stretches meet along x form a zone.
 
 use std::f64::consts::PI;
 
@@ -50,7 +54,8 @@ struct Stretch {
 /// Scratch memory and the quadrature along strips.
 #[derive(Clone, Debug)]
 pub struct UnevenStrips {
-    /// Slopes of rail and wheel along the track, averaged by the pressure of the contact solved last [-].
+    /// Slopes of rail and wheel along the track, averaged by the pressure of the contact solved
+    /// last [-].
     pub slopes: [f64; 2],
     stretches: FixedVec<Stretch>,
     /// Nodes sin θ and weights cos θ dθ over a quarter turn, for functions that end like a root.
@@ -83,11 +88,12 @@ impl UnevenStrips {
     ) -> usize {
         let depth = virtual_penetration * problem.approach;
         let longest = (2.0 * lifting.radius / lifting.share * depth).sqrt();
-        // From the place of the contact line; that of a yawed wheel is another one for every strip, for which it is made up as in the
-        // model of even bodies.
+        // From the place of the contact line; that of a yawed wheel is another one for every strip,
+        // for which it is made up as in the model of even bodies.
         let contact = separation.at(problem.contact_u);
         let first_touch = contact.x - separation.centre(problem.contact_u);
-        // A lift is along the height and not along the normal: the place of y = 0 is beside that of first touch.
+        // A lift is along the height and not along the normal: the place of y = 0 is beside that of
+        // first touch.
         let middle_u = problem.contact_u - contact.y / contact.dy;
         let mut left_out = 0;
         // Sums over all zones: of sqrt(2 R g), and of the same over the distance from first touch.
@@ -103,7 +109,8 @@ impl UnevenStrips {
                 let u = middle + half * node;
                 let at = separation.at(u);
                 let width = half * weight * at.dy;
-                // From the outermost strips, a few micrometres away, the edges are reached along the tangent.
+                // From the outermost strips, a few micrometres away, the edges are reached along
+                // the tangent.
                 if strip == 0 {
                     ends[0] = at.y + (edge.left - u) * at.dy;
                 }
@@ -160,7 +167,8 @@ impl UnevenStrips {
         let (mut left_out, mut count) = (0, 0);
         let Self { stretches, quarter, .. } = self;
         overlap.stretches(|start, end| {
-            // Steep circles of the flange back may overlap over less than the last digit of x: no load.
+            // Steep circles of the flange back may overlap over less than the last digit of x: no
+            // load.
             if end <= start {
                 return;
             }
@@ -196,7 +204,8 @@ impl UnevenStrips {
                     stretch.peak = stretch.peak.max(root);
                     let along = x - first_touch;
                     let distance = (along * along + y_squared).sqrt();
-                    // Near the place of first touch the half ellipse of the same height is taken out and added in closed form.
+                    // Near the place of first touch the half ellipse of the same height is taken
+                    // out and added in closed form.
                     let cosine = (1.0 - sine * sine).max(0.0).sqrt();
                     let ellipse = if inside { middle * cosine } else { 0.0 };
                     influence += weight * side * (root - ellipse) / distance.max(1e-12);
@@ -215,7 +224,8 @@ impl UnevenStrips {
         left_out
     }
 
-    /// Turns the stretches of neighbouring strips into zones: those that meet along x belong together.
+    /// Turns the stretches of neighbouring strips into zones: those that meet along x belong
+    /// together.
     fn add_zones(
         &mut self,
         ends: [f64; 2],
@@ -300,7 +310,8 @@ struct Across {
 struct Sums {
     load: f64,
     displacement: f64,
-    /// The least that the displacement can be: of the same over the greatest distance from first touch.
+    /// The least that the displacement can be: of the same over the greatest distance from first
+    /// touch.
     least: f64,
     /// Of the slopes of rail and wheel, weighted as the load.
     slopes: [f64; 2],
@@ -317,7 +328,8 @@ struct Overlap<'a> {
 }
 
 impl<'a> Overlap<'a> {
-    /// The overlap with greatest value `depth`, at the place `deepest`, over a place `centre` of the contact line.
+    /// The overlap with greatest value `depth`, at the place `deepest`, over a place `centre` of
+    /// the contact line.
     fn new(lifting: &'a Lifting<'a>, centre: f64, depth: f64, deepest: f64) -> Self {
         let least = lifting.deviations.distance(centre, lifting.radius, deepest);
         let level = depth.max(0.0) / lifting.share + least;
@@ -329,7 +341,8 @@ impl<'a> Overlap<'a> {
         deviations.stretches(self.centre, radius, self.level, found);
     }
 
-    /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the circles; and the slopes of rail and wheel.
+    /// sqrt(2 R g) at `x`: R = r/c, and the overlap along the normal is c times that of the
+    /// circles; and the slopes of rail and wheel.
     fn root(&self, x: f64) -> (f64, [f64; 2]) {
         let Lifting { deviations, radius, .. } = *self.lifting;
         deviations.depth_root(self.centre, radius, self.level, x)

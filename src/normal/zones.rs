@@ -13,11 +13,13 @@ pub struct Edge<T = f64> {
     pub right: T,
 }
 
-/// Calls `found` for every interval with f < `level`, in growing u; at the ends of the probes it is cut off.
+/// Calls `found` for every interval with f < `level`, in growing u; at the ends of the probes it is
+/// cut off.
 ///
-/// A probe below the level starts or carries on a zone; the edge lies between it and its neighbour above the
-/// level and is found as a root, so that it is a smooth function of the level and of the geometry. Every local minimum
-/// and maximum is a probe with an exact value, so that no zone and no gap is missed.
+/// A probe below the level starts or carries on a zone; the edge lies between it and its neighbour
+/// above the level and is found as a root, so that it is a smooth function of the level and of the
+/// geometry. Every local minimum and maximum is a probe with an exact value, so that no zone and no
+/// gap is missed.
 pub fn for_each_zone<T: Real, S: FrameSeparation<T>>(
     separation: &mut S,
     probes: &[Probe],
@@ -49,18 +51,20 @@ pub fn for_each_zone<T: Real, S: FrameSeparation<T>>(
     }
 }
 
-/// Walks from a probe inside a zone to the first one outside and returns the root in between; the last probe
-/// where all are inside, and nothing where the first is not inside itself.
+/// Walks from a probe inside a zone to the first one outside and returns the root in between; the
+/// last probe where all are inside, and nothing where the first is not inside itself.
 fn edge<'a, T: Real>(
     separation: &mut impl FrameSeparation<T>,
     probes: impl Iterator<Item = &'a Probe>,
     level: f64,
 ) -> Option<f64> {
-    // The root of a separation is close to linear, as a separation is close to a parabola: a secant finds it at once.
+    // The root of a separation is close to linear, as a separation is close to a parabola: a secant
+    // finds it at once.
     let height = |f: f64| f.max(0.0).sqrt() - level.sqrt();
     let mut inside: Option<(f64, f64)> = None;
     for probe in probes {
-        // The estimates are good to a few percent: only close to the level the separation itself decides.
+        // The estimates are good to a few percent: only close to the level the separation itself
+        // decides.
         let f = if (probe.f - level).abs() > ESTIMATE_MARGIN * level {
             probe.f
         } else {
@@ -71,15 +75,17 @@ fn edge<'a, T: Real>(
             continue;
         }
         let inside = inside?;
-        // f may be infinite where no normal meets both lines: a large finite value bisects just as well.
+        // f may be infinite where no normal meets both lines: a large finite value bisects just as
+        // well.
         let outside = (probe.u, height(f).min(1.0));
         return Some(root(separation, inside, outside, height));
     }
     inside.map(|(u, _)| u)
 }
 
-/// The place between `inside` and `outside` at which the `height` of the separation vanishes: by Newton steps where it comes with its
-/// derivative, as long as they stay between what is known, else in a bracket.
+/// The place between `inside` and `outside` at which the `height` of the separation vanishes: by
+/// Newton steps where it comes with its derivative, as long as they stay between what is known,
+/// else in a bracket.
 fn root<T: Real>(
     separation: &mut impl FrameSeparation<T>,
     mut inside: (f64, f64),
@@ -112,15 +118,17 @@ fn root<T: Real>(
     bracketed(inside, outside, EDGE_BRACKET, |u| height(separation.value(u)).min(1.0))
 }
 
-/// Distance from the level, as a share of it, from which an estimated separation is on the side it seems to be on.
+/// Distance from the level, as a share of it, from which an estimated separation is on the side it
+/// seems to be on.
 const ESTIMATE_MARGIN: f64 = 0.3;
 
 /// Newton steps towards an edge; two are the rule.
 const MOST_NEWTON_STEPS: usize = 6;
 
-/// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where the separation has a kink, what is left is a part
-/// of the last step.
+/// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where
+/// the separation has a kink, what is left is a part of the last step.
 const LAST_STEP: f64 = 1e-9;
 const EDGE_LEFT_OVER: f64 = 1e-15;
-/// Bracket within which an edge is interpolated: what is left is its square times a curvature over a slope [m].
+/// Bracket within which an edge is interpolated: what is left is its square times a curvature over
+/// a slope [m].
 const EDGE_BRACKET: f64 = 1e-7;

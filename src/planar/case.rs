@@ -29,11 +29,13 @@ pub struct PlanarCase<'a> {
     pub radius: f64,
     /// Approach or load.
     pub indentation: Indentation,
-    /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation; beyond 1e6 they count as 1e6.
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the origin of the separation; beyond
+    /// 1e6 they count as 1e6.
     pub creepage: [f64; 3],
     /// Coefficient of friction, ≥ 0; without effect where there is friction across [-].
     pub friction: f64,
-    /// Friction at places y, which grow: linear in between, constant beyond; empty for one coefficient [m].
+    /// Friction at places y, which grow: linear in between, constant beyond; empty for one
+    /// coefficient [m].
     pub friction_across: &'a [(f64, StripFriction)],
     /// Material of the wheel.
     pub wheel_material: Material,
@@ -59,7 +61,8 @@ pub struct PlanarCase<'a> {
     pub bound: TractionBound,
     /// How the flexibilities enter.
     pub flexibilities: Flexibilities,
-    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread where there is friction across.
+    /// How friction falls with sliding, and the initial slope on contaminated rails; of the tread
+    /// where there is friction across.
     pub friction_law: FrictionLaw,
     /// The same of the gauge face.
     pub gauge_face_law: FrictionLaw,

@@ -1,7 +1,8 @@
-//! Planar contact problems: a separation of profiles and a wheel radius instead of a placed wheel and rail.
+//! Planar contact problems: a separation of profiles and a wheel radius instead of a placed wheel
+//! and rail.
 //!
-//! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the wheel against
-//! the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
+//! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the
+//! wheel against the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
 
 mod case;
 mod line;
@@ -69,8 +70,9 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
     Ok(result)
 }
 
-/// Pressure and tractions element by element on the wheel, one field for each zone, or for all of them where the normal model has boundary
-/// elements; y from the origin of the separation. See [`ContactField`].
+/// Pressure and tractions element by element on the wheel, one field for each zone, or for all of
+/// them where the normal model has boundary elements; y from the origin of the separation. See
+/// [`ContactField`].
 ///
 /// # Errors
 /// As [`solve`].
@@ -162,7 +164,8 @@ fn friction_at(case: &PlanarCase, y: f64) -> Option<StripFriction> {
 /// Bracket of the approach of boundary elements under a given load [m].
 const ELEMENT_APPROACH: f64 = 1e-11;
 
-/// The approach from first touch, to `found` [m], at which `press` gives `load`; where the load jumps past it, the place of the jump.
+/// The approach from first touch, to `found` [m], at which `press` gives `load`; where the load
+/// jumps past it, the place of the jump.
 fn approach_for(
     load: f64,
     found: f64,

@@ -1,4 +1,5 @@
-//! Bodies that stay pressed together while they roll at one creepage after the other: adhesion and what it depends on.
+//! Bodies that stay pressed together while they roll at one creepage after the other: adhesion and
+//! what it depends on.
 
 use super::{PlanarCase, Pressed, press_together, tangential_of};
 use crate::error::ContactError;
@@ -11,7 +12,8 @@ use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
 use crate::tangential::{RollingState, Tangential, TangentialModel, UnderLaw};
 
-/// What the derivatives of adhesion are by: friction, then share and decay of its fall, then initial slope, share and decay of the reduction.
+/// What the derivatives of adhesion are by: friction, then share and decay of its fall, then
+/// initial slope, share and decay of the reduction.
 pub const LAW_PARAMETERS: usize = 6;
 type Number = Dual<LAW_PARAMETERS>;
 
@@ -32,7 +34,8 @@ impl PressedContact {
     /// The bodies of `case`, whose creepage, friction and law are those of each call later.
     ///
     /// # Errors
-    /// A value that is not admitted; [`ContactError::NoDerivative`] with boundary elements for the tractions.
+    /// A value that is not admitted; [`ContactError::NoDerivative`] with boundary elements for the
+    /// tractions.
     pub fn new(case: &PlanarCase) -> Result<Self, ContactError> {
         if case.tangential_model == TangentialModel::BoundaryElement {
             let name = Some("tangential.model = boundary_element");
@@ -52,8 +55,9 @@ impl PressedContact {
         })
     }
 
-    /// Creep force over normal force for a `creepage` (longitudinal, lateral [-], spin [1/m]) at a rolling `speed` [m/s], and its derivatives by
-    /// `friction` and the parameters of `law`, in the order of [`LAW_PARAMETERS`].
+    /// Creep force over normal force for a `creepage` (longitudinal, lateral [-], spin [1/m]) at a
+    /// rolling `speed` [m/s], and its derivatives by `friction` and the parameters of `law`, in the
+    /// order of [`LAW_PARAMETERS`].
     #[must_use]
     pub fn adhesion(
         &self,

@@ -1,9 +1,9 @@
 //! Steady rolling on boundary elements as a tangential contact model.
 //!
-//! Where the pressure is that of boundary elements, the tractions of all zones of the contact are solved together on the same elements; the
-//! zones beside the one asked for move with the creepage of that one. The pressure of other models is put on a grid over the zone: along a
-//! strip the mean over each element, across interpolated between strips, and
-//! scaled to the load of the zone.
+//! Where the pressure is that of boundary elements, the tractions of all zones of the contact are
+//! solved together on the same elements; the zones beside the one asked for move with the creepage
+//! of that one. The pressure of other models is put on a grid over the zone: along a strip the mean
+//! over each element, across interpolated between strips, and scaled to the load of the zone.
 //!
 //! Backward rolling is the mirror image along x.
 
@@ -149,7 +149,8 @@ impl LoadedElements {
         self.rows.iter().map(|row| row.as_ref().map(Row::nearest))
     }
 
-    /// Hands the force of each row of `zone` on the wheel to `each`, shared by the strips between which the row lies as their creepage is.
+    /// Hands the force of each row of `zone` on the wheel to `each`, shared by the strips between
+    /// which the row lies as their creepage is.
     pub fn strip_forces(
         &self,
         zone: &Zone,

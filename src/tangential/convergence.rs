@@ -4,10 +4,12 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Convergence {
-    /// Whether the chosen model did not converge: FASTSIM took the place of boundary elements; strips keep their last step, within the bound.
+    /// Whether the chosen model did not converge: FASTSIM took the place of boundary elements;
+    /// strips keep their last step, within the bound.
     pub fell_back: bool,
-    /// Greatest part of the bound that tractions on strips are away from the law of friction; of boundary elements the largest slip that contradicts it, over the largest
-    /// rigid slip; 0 for other models [-].
+    /// Greatest part of the bound that tractions on strips are away from the law of friction; of
+    /// boundary elements the largest slip that contradicts it, over the largest rigid slip; 0 for
+    /// other models [-].
     pub residual: f64,
 }
 

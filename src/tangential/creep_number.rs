@@ -10,7 +10,8 @@ use super::{fastrip, fastsim, tables};
 use crate::math::dual::Dual;
 use crate::normal::{Strips, Zone};
 
-/// Numbers with which tangential problems are solved; the half-space solution on elements is one of plain numbers alone.
+/// Numbers with which tangential problems are solved; the half-space solution on elements is one of
+/// plain numbers alone.
 pub trait CreepNumber:
     fastsim::Marching + fastrip::Marching + tables::tabulated::Tabulated
 {
@@ -20,7 +21,8 @@ pub trait CreepNumber:
         None
     }
 
-    /// Solves on strips and hands the force of each strip to `each`; nothing where there is no solution.
+    /// Solves on strips and hands the force of each strip to `each`; nothing where there is no
+    /// solution.
     fn on_strips(
         solver: &mut TractionStrips,
         loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
@@ -28,7 +30,8 @@ pub trait CreepNumber:
         each: impl FnMut(usize, StripForce<Self>),
     ) -> Option<Settled>;
 
-    /// Solves on the elements and hands the force of each strip to `each`; false where no solution was found.
+    /// Solves on the elements and hands the force of each strip to `each`; false where no solution
+    /// was found.
     #[must_use]
     fn on_elements(
         _: &LoadedElements,

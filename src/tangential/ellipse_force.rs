@@ -1,4 +1,5 @@
-//! Forces that a zone gets from the ellipse that stands for it: those of the table, and the correction of FASTSIM.
+//! Forces that a zone gets from the ellipse that stands for it: those of the table, and the
+//! correction of FASTSIM.
 
 use super::equivalent_ellipse::{LoadedPart, RollingEllipse};
 use super::neck::{Lobes, Side};
@@ -7,9 +8,11 @@ use super::tables::CreepForceTable;
 use super::{CreepForce, CreepNumber, LoadedZone, Rolling, RollingState, StripForce, Tangential};
 
 impl Tangential {
-    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its `lobes` where it has a neck, to `each`, strip by strip in
-    /// proportion to the load; where FASTSIM marches through the zone, what corrects the forces `marched` of the same parts, which holds the sum to the friction
-    /// limit. `state.creepage` is the mean creepage. Nothing without friction or without a table.
+    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its
+    /// `lobes` where it has a neck, to `each`, strip by strip in proportion to the load; where
+    /// FASTSIM marches through the zone, what corrects the forces `marched` of the same parts,
+    /// which holds the sum to the friction limit. `state.creepage` is the mean creepage. Nothing
+    /// without friction or without a table.
     pub(super) fn ellipse_force<T: CreepNumber>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
@@ -49,8 +52,8 @@ impl Tangential {
         Some(())
     }
 
-    /// Adds `weight` times the tabulated force of one part, about its centroid; where FASTSIM marches through the zone, less
-    /// what FASTSIM has on the ellipse of the part.
+    /// Adds `weight` times the tabulated force of one part, about its centroid; where FASTSIM
+    /// marches through the zone, less what FASTSIM has on the ellipse of the part.
     fn add_part<T: CreepNumber>(
         &self,
         total: &mut CreepForce<T>,

@@ -1,11 +1,12 @@
 //! The ellipse that stands for a zone, or for a lobe of it.
 //!
-//! In the table of creep forces it is centred at the centroid of the load and has the second moments of the load; for the flexibilities of
-//! marches it has those of the outline.
+//! In the table of creep forces it is centred at the centroid of the load and has the second
+//! moments of the load; for the flexibilities of marches it has those of the outline.
 //!
-//! That strips of a yawed wheel are shifted against each other along rolling is left out: particles cross each of them alone. Of the
-//! ellipses tried (moments of load, of area, length to width with the area, greatest length with the area) these have the least error, each
-//! for its purpose: see docs/validation.md.
+//! That strips of a yawed wheel are shifted against each other along rolling is left out: particles
+//! cross each of them alone. Of the ellipses tried (moments of load, of area, length to width with
+//! the area, greatest length with the area) these have the least error, each for its purpose: see
+//! docs/validation.md.
 
 pub use super::outline::EquivalentEllipse;
 use super::rigid_slip::RigidSlip;
@@ -48,7 +49,8 @@ impl<T: Real> LoadedPart<T> {
         Self { share: one, ellipse, creepage, friction: one }
     }
 
-    /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no load.
+    /// The part of which strips at y belong to `member(y)`, 0 to 1; nothing where it carries no
+    /// load.
     #[must_use]
     pub fn of(
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
@@ -114,7 +116,8 @@ pub struct RollingEllipse<'a, T = f64> {
 }
 
 impl<T: Tabulated> RollingEllipse<'_, T> {
-    /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a share slips [m²].
+    /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a
+    /// share slips [m²].
     #[must_use]
     pub fn tabulated_force(&self, table: &CreepForceTable, area: T) -> CreepForce<T> {
         let &Self { ellipse, material, creepage, rolling, limit } = self;

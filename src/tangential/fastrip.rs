@@ -1,9 +1,11 @@
-//! FaStrip: magnitude of the tractions from strip theory, their direction where they slip from FASTSIM.
+//! FaStrip: magnitude of the tractions from strip theory, their direction where they slip from
+//! FASTSIM.
 //!
-//! Source: Sichani, Enblom and Berg (2016), in the form it has in CONTACT; on patches of any outline each strip has the
-//! amplitude of its own pressure. With t = x/a_j along rolling, q the pressure at the centre of the strip, a the semi-axis of
-//! the equivalent ellipse, and A, B, C the growth of tractions along the strip ([`Growth`]), which hold creepages and Kalker's
-//! coefficients together, the normalised slip of a strip is
+//! Source: Sichani, Enblom and Berg (2016), in the form it has in CONTACT; on patches of any
+//! outline each strip has the amplitude of its own pressure. With t = x/a_j along rolling, q the
+//! pressure at the centre of the strip, a the semi-axis of the equivalent ellipse, and A, B, C the
+//! growth of tractions along the strip ([`Growth`]), which hold creepages and Kalker's coefficients
+//! together, the normalised slip of a strip is
 //!
 //! ```text
 //! ξ = -k A,  η = -k B,  k = 16 (1-ν) a_j / (3 π² μ q),      φ = -3 a a_j C / (8 μ q)
@@ -17,13 +19,13 @@
 //! S = sqrt(1 - t²),  S_a = sqrt((1-d)² - (t-d)²)
 //! ```
 //!
-//! and slips behind, where the traction is μ p in the direction that FASTSIM gives it. Where strip theory
-//! exceeds μ p, which spin can make it do, it is cut back to it. It has no solution for |φ| ≥ 1, where spin alone makes the strip
-//! slip: from 0.85 to 0.98 it is faded into FASTSIM.
+//! and slips behind, where the traction is μ p in the direction that FASTSIM gives it. Where strip
+//! theory exceeds μ p, which spin can make it do, it is cut back to it. It has no solution for |φ|
+//! ≥ 1, where spin alone makes the strip slip: from 0.85 to 0.98 it is faded into FASTSIM.
 //!
-//! Departure from the source: FASTSIM marches with the elliptic bound and, if asked for, blended flexibilities. With a parabola
-//! and three flexibilities the error on 300 Hertzian ellipses is 2.0 % of the friction limit in the mean, 8 % at 95 %; so it is
-//! 1.2 and 3.7 %.
+//! Departure from the source: FASTSIM marches with the elliptic bound and, if asked for, blended
+//! flexibilities. With a parabola and three flexibilities the error on 300 Hertzian ellipses is 2.0
+//! % of the friction limit in the mean, 8 % at 95 %; so it is 1.2 and 3.7 %.
 
 use std::f64::consts::PI;
 
@@ -88,9 +90,11 @@ impl Fastrip {
         Self { elements: (0..elements).map(element).collect() }
     }
 
-    /// Hands the force of each strip of `loaded`, whose friction is above 0, on the wheel to `each`.
+    /// Hands the force of each strip of `loaded`, whose friction is above 0, on the wheel to
+    /// `each`.
     ///
-    /// Strip theory has the three flexibilities of `flexibility`, the march of FASTSIM those of `marching`.
+    /// Strip theory has the three flexibilities of `flexibility`, the march of FASTSIM those of
+    /// `marching`.
     pub fn strip_forces<T: Marching>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
@@ -175,7 +179,8 @@ struct StripTheory<T> {
 }
 
 impl<T: Real> StripTheory<T> {
-    /// In terms of the zone: `slip_length` over the semi-axis a of the ellipse. `twist` is a C along rolling, `per_bound` a_j/(μ q).
+    /// In terms of the zone: `slip_length` over the semi-axis a of the ellipse. `twist` is a C
+    /// along rolling, `per_bound` a_j/(μ q).
     fn new(growth: &Growth<T>, twist: T, per_bound: T, poisson_ratio: f64) -> Self {
         let k = per_bound * (16.0 * (1.0 - poisson_ratio) / (3.0 * PI * PI));
         let (xi, eta) = (-k * growth.longitudinal, -k * growth.lateral);
@@ -271,8 +276,8 @@ impl Marching for f64 {
     }
 }
 
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
-/// so that all of them give the same bits.
+/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
+/// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn fast_march(
     march: &March<f64>,
@@ -282,8 +287,9 @@ fn fast_march(
     march_strips(march, elements, step)
 }
 
-/// Marches the strips of all lanes at once; `step` is the length of an element. Gives the tractions of FASTSIM, and those of
-/// FaStrip less the closed form of [`StripTheory::adhesion`]: where the strip slips, and what is cut off where it adheres.
+/// Marches the strips of all lanes at once; `step` is the length of an element. Gives the tractions
+/// of FASTSIM, and those of FaStrip less the closed form of [`StripTheory::adhesion`]: where the
+/// strip slips, and what is cut off where it adheres.
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]

@@ -1,8 +1,8 @@
 //! FASTSIM on the true patch: Kalker's march through each strip from its leading edge.
 //!
-//! Source: Kalker, Vehicle System Dynamics 11 (1982) 1-13, with three flexibilities; applied to patches of any outline by
-//! Piotrowski and Kik (2008), section 3. With s the distance from the leading edge of a strip and the rigid slip referred
-//! to the centroid of load of the zone
+//! Source: Kalker, Vehicle System Dynamics 11 (1982) 1-13, with three flexibilities; applied to
+//! patches of any outline by Piotrowski and Kik (2008), section 3. With s the distance from the
+//! leading edge of a strip and the rigid slip referred to the centroid of load of the zone
 //!
 //! ```text
 //! dp_x/ds = -(ξ/L1 - y φ/L3),  dp_y/ds = -(η/L2 + x φ/L3),  |p| ≤ bound(x, y)
@@ -10,8 +10,9 @@
 //!
 //! or with a rigid slip of each strip of its own ([`RigidSlip`]).
 //!
-//! Each strip has its own elements of equal length, so that the result does not depend on a grid that the patch slides
-//! over. The bound of an element is its mean over the element: full sliding gives the friction limit to rounding.
+//! Each strip has its own elements of equal length, so that the result does not depend on a grid
+//! that the patch slides over. The bound of an element is its mean over the element: full sliding
+//! gives the friction limit to rounding.
 
 use multiversion::multiversion;
 
@@ -41,9 +42,11 @@ type Lanes<T> = [T; LANES];
 #[derive(Clone, Debug)]
 pub struct Fastsim {
     bound: TractionBound,
-    /// Mean over each element of the bound of a strip, in units of its greatest value; leading edge first.
+    /// Mean over each element of the bound of a strip, in units of its greatest value; leading edge
+    /// first.
     profile: Vec<f64>,
-    /// Normalised abscissa of each element's middle, 1 at the leading edge, and of the middle of the step to it.
+    /// Normalised abscissa of each element's middle, 1 at the leading edge, and of the middle of
+    /// the step to it.
     abscissae: Vec<[f64; 2]>,
 }
 
@@ -127,8 +130,8 @@ impl Fastsim {
 }
 
 impl Fastsim {
-    /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading edge first, and whether it slips; as in
-    /// [`strip_forces`](Self::strip_forces).
+    /// Traction on the wheel of each element of strip `j` of a zone that rolls forward, leading
+    /// edge first, and whether it slips; as in [`strip_forces`](Self::strip_forces).
     #[must_use]
     pub fn tractions(
         &self,
@@ -244,7 +247,8 @@ impl Marching for f64 {
 }
 
 impl<const N: usize> Marching for Dual<N> {
-    /// All that a strip depends on are four numbers, so that four derivatives do for any number of directions.
+    /// All that a strip depends on are four numbers, so that four derivatives do for any number of
+    /// directions.
     fn march(march: &March<Self>, _: usize, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
         let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
         let values = March {
@@ -280,8 +284,8 @@ impl<const N: usize> Marching for Dual<N> {
 
 /// Marches the strips of the first `lanes` lanes at once.
 ///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered,
-/// so that all of them give the same bits.
+/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
+/// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_strips(
     march: &March<f64>,
@@ -331,7 +335,8 @@ fn march_lanes<const N: usize>(
     }
 }
 
-/// As [`march_strips`], with the derivatives of the sums x, y and y times abscissa by the four numbers of each lane, in their order.
+/// As [`march_strips`], with the derivatives of the sums x, y and y times abscissa by the four
+/// numbers of each lane, in their order.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_with_slopes(
     march: &March<f64>,
@@ -360,7 +365,8 @@ fn march_with_slopes(
             let scale = ratio.min(1.0);
             let slips = if scale < 1.0 { 1.0 } else { 0.0 };
             (tx[lane], ty[lane], scales[lane]) = (trial_x, trial_y, scale);
-            // Of the scale by bound and by the square of the magnitude; nothing where the element adheres.
+            // Of the scale by bound and by the square of the magnitude; nothing where the element
+            // adheres.
             per_size[lane] = if scale < 1.0 { 1.0 / magnitude } else { 0.0 };
             per_square[lane] = if scale < 1.0 { -ratio / square } else { 0.0 };
             px[lane] = trial_x * scale;

@@ -1,7 +1,8 @@
 //! What FASTSIM is wrong by on an ellipse, to be taken off its force on a zone that is like it.
 //!
-//! FASTSIM marches over the ellipse of the zone with the bound, the resolution along and the way of blending flexibilities that it has on the
-//! zone itself. The strips of all ellipses are those of one circle, stretched.
+//! FASTSIM marches over the ellipse of the zone with the bound, the resolution along and the way of
+//! blending flexibilities that it has on the zone itself. The strips of all ellipses are those of
+//! one circle, stretched.
 
 use super::equivalent_ellipse::{EquivalentEllipse, RollingEllipse};
 use super::fastsim::{Fastsim, Marching};

@@ -38,9 +38,10 @@ pub struct ContactField {
 }
 
 impl Tangential {
-    /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where the normal model has boundary
-    /// elements. FASTSIM, strips and boundary elements have tractions to show, the tables and corrected FASTSIM those of FASTSIM without correction,
-    /// other models pressure alone.
+    /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
+    /// the normal model has boundary elements. FASTSIM, strips and boundary elements have tractions
+    /// to show, the tables and corrected FASTSIM those of FASTSIM without correction, other models
+    /// pressure alone.
     #[must_use]
     pub fn field(
         &self,

@@ -1,16 +1,18 @@
 //! Friction that falls with the temperature of the patch.
 //!
-//! What slides is a source of heat, μ p s for each area, that passes fast over both bodies, which share it alike. Strip by strip, along rolling, with the
-//! distance u from the leading edge in units of the half length a and the pressure q sqrt(u (2 - u)) (Ertz and Knothe, Wear 253 (2002) 498-508; the heat
-//! does not spread ahead or sideways in the time of the passage)
+//! What slides is a source of heat, μ p s for each area, that passes fast over both bodies, which
+//! share it alike. Strip by strip, along rolling, with the distance u from the leading edge in
+//! units of the half length a and the pressure q sqrt(u (2 - u)) (Ertz and Knothe, Wear 253 (2002)
+//! 498-508; the heat does not spread ahead or sideways in the time of the passage)
 //!
 //! ```text
 //! ϑ(u) = μ q s sqrt(a) J(u)/(2 β sqrt(π V)),   J(u) = ∫ sqrt(v (2 - v))/sqrt(u - v) dv from 0 to u,   β = sqrt(λ c)
 //! ```
 //!
-//! λ the conductivity, c the heat capacity for each volume. Its greatest value is 1.235 μ q s sqrt(a/V)/(2 β), where J is greatest; what friction falls
-//! with is its mean over the pressure of the strips, with J = 1.572. s is the sliding speed of the laws of slip, one number for each zone. Friction falls
-//! linearly from the rise ϑ₁ on over Δϑ, to the share σ:
+//! λ the conductivity, c the heat capacity for each volume. Its greatest value is 1.235 μ q s
+//! sqrt(a/V)/(2 β), where J is greatest; what friction falls with is its mean over the pressure of
+//! the strips, with J = 1.572. s is the sliding speed of the laws of slip, one number for each
+//! zone. Friction falls linearly from the rise ϑ₁ on over Δϑ, to the share σ:
 //!
 //! ```text
 //! μ = μ₀ h,   h = 1 - (1 - σ) (ϑ - ϑ₁)/Δϑ within σ and 1
@@ -57,7 +59,8 @@ impl FlashTemperature {
         self.share < 1.0
     }
 
-    /// Mean rise of temperature over the pressure of `zone` in `state`, for a coefficient of friction of one [K].
+    /// Mean rise of temperature over the pressure of `zone` in `state`, for a coefficient of
+    /// friction of one [K].
     #[must_use]
     pub fn rise<T: Real>(&self, zone: &Zone<T>, strips: &Strips<T>, state: &RollingState<T>) -> T {
         let speed = sliding_speed(zone, state);
@@ -75,7 +78,8 @@ impl FlashTemperature {
         state.load_factor * speed * (sum / load) * MEAN / (state.speed.sqrt() * spread)
     }
 
-    /// Friction over that of a cold patch, h, for a cold coefficient of `friction` and the `rise` of one [-].
+    /// Friction over that of a cold patch, h, for a cold coefficient of `friction` and the `rise`
+    /// of one [-].
     #[must_use]
     pub fn factor<T: Real>(&self, friction: T, rise: T) -> T {
         let slope = (1.0 - self.share) / self.range;

@@ -1,15 +1,17 @@
 //! Flexibilities of the simplified theory for a loaded zone of any outline.
 //!
-//! The zone is given the ellipse with the second moments of its outline, a² = 4 <x²> and b² = 4 <y²>. The creep forces
-//! that full adhesion gives on the true zone (Piotrowski and Kik 2008, eqs 21 and 22) are set equal to those of
-//! Kalker's linear theory on the ellipse, creepage by creepage:
+//! The zone is given the ellipse with the second moments of its outline, a² = 4 <x²> and b² = 4
+//! <y²>. The creep forces that full adhesion gives on the true zone (Piotrowski and Kik 2008, eqs
+//! 21 and 22) are set equal to those of Kalker's linear theory on the ellipse, creepage by
+//! creepage:
 //!
 //! ```text
 //! L1 = 2 ∫ x_l² dy / (G c² c11),  L2 = 2 ∫ x_l² dy / (G c² c22),  L3 = (2/3) ∫ x_l³ dy / (G c³ c23),  c² = a b
 //! ```
 //!
-//! The paper's ellipse has the length to width ratio and the area of the zone. One long strip, or a wide shoulder that carries little, changes
-//! that ratio at will; it changes moments no more than it matters, and those of two zones go over into those of one with two lobes.
+//! The paper's ellipse has the length to width ratio and the area of the zone. One long strip, or a
+//! wide shoulder that carries little, changes that ratio at will; it changes moments no more than
+//! it matters, and those of two zones go over into those of one with two lobes.
 
 use std::f64::consts::PI;
 
@@ -36,7 +38,8 @@ pub struct ZoneFlexibility<T = f64> {
 }
 
 impl<T: Real> ZoneFlexibility<T> {
-    /// The three flexibilities of `zone`, each strip of which counts as far as `member(y)`, 0 to 1; nothing where that has no area.
+    /// The three flexibilities of `zone`, each strip of which counts as far as `member(y)`, 0 to 1;
+    /// nothing where that has no area.
     #[must_use]
     pub fn new(
         zone: &Zone<T>,
@@ -71,9 +74,11 @@ impl<T: Real> ZoneFlexibility<T> {
         }
     }
 
-    /// The flexibilities blended towards a common one as the creepage grows to three times that of linear saturation.
+    /// The flexibilities blended towards a common one as the creepage grows to three times that of
+    /// linear saturation.
     ///
-    /// Source: Vollebregt and Voltr, Vehicle System Dynamics 61 (2023) 309-317. `friction_limit` is μ N > 0 [N].
+    /// Source: Vollebregt and Voltr, Vehicle System Dynamics 61 (2023) 309-317. `friction_limit` is
+    /// μ N > 0 [N].
     #[must_use]
     pub fn blended(&self, creepage: &Creepage<T>, friction_limit: T) -> Self {
         let a = self.semi_axis_along;

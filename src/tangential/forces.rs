@@ -81,7 +81,8 @@ impl<T: Real> CreepForce<T> {
         }
     }
 
-    /// Hands this force, of the part of a zone to which strips at y belong by `member(y)`, 0 to 1, to `each` in parts that go with the load of the strips.
+    /// Hands this force, of the part of a zone to which strips at y belong by `member(y)`, 0 to 1,
+    /// to `each` in parts that go with the load of the strips.
     pub(super) fn spread_by_load(
         &self,
         zone: &Zone<T>,

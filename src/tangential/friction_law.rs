@@ -1,7 +1,9 @@
-//! Friction that falls with the sliding speed, and creep forces that grow more slowly on contaminated rails.
+//! Friction that falls with the sliding speed, and creep forces that grow more slowly on
+//! contaminated rails.
 //!
-//! Falling friction, with the sliding speed s of the rigid slip, its root mean square over the pressure of
-//! an ellipse of the zone's length L and width W, so that spin counts too (the sources have no spin in it):
+//! Falling friction, with the sliding speed s of the rigid slip, its root mean square over the
+//! pressure of an ellipse of the zone's length L and width W, so that spin counts too (the sources
+//! have no spin in it):
 //!
 //! ```text
 //! μ = μ₀ ((1 - A) f(B s) + A),      s² = V² (ξ² + η² + φ² (L² + W²)/20)
@@ -13,19 +15,21 @@
 //!
 //! All begin with the slope -μ₀ (1 - A) B.
 //!
-//! Reduced initial slope (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013) 1653-1671), here of all models: a layer between the
-//! bodies makes them seem softer in shear, G k for G,
+//! Reduced initial slope (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013) 1653-1671),
+//! here of all models: a layer between the bodies makes them seem softer in shear, G k for G,
 //!
 //! ```text
 //! k = k₀ (α + (1 - α)/(1 + β ε)),      ε = G π a b k₀ c11 sqrt(ξ² + η²)/(4 μ N)
 //! ```
 //!
-//! with the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for η where that is greater; spin is left out.
+//! with the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for
+//! η where that is greater; spin is left out.
 //!
 //! Kalker's reduction is α = 1: the slope is k₀ times that of clean bodies, whatever the creepage.
 //!
-//! Both are one number for each zone and law; a strip between tread and gauge face has a share of each. A = 1 or B = 0 is constant friction,
-//! k₀ = α = 1 clean rails, and neither costs anything then.
+//! Both are one number for each zone and law; a strip between tread and gauge face has a share of
+//! each. A = 1 or B = 0 is constant friction, k₀ = α = 1 clean rails, and neither costs anything
+//! then.
 
 use std::f64::consts::PI;
 
@@ -115,7 +119,8 @@ impl<P: Real> FrictionLaw<P> {
         left * (-share + 1.0) + share
     }
 
-    /// Shear modulus over that of clean bodies for `zone` in `state`, whose friction is that of its slip [-].
+    /// Shear modulus over that of clean bodies for `zone` in `state`, whose friction is that of its
+    /// slip [-].
     #[must_use]
     pub fn reduced<T: Real>(
         &self,

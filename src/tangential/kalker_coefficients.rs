@@ -4,10 +4,11 @@
 //! Fx = -G c² c11 ξ,  Fy = -G c² (c22 η + c c23 φ),  Mz = -G c³ (c32 η + c c33 φ),  c = sqrt(a b), c32 = -c23
 //! ```
 //!
-//! Instead of Kalker's printed table a polynomial of ln c in t = ln(a/b) and ν, fitted to coefficients computed from
-//! first principles (Galin polynomials of degree 16 to 20) for 0 ≤ ν ≤ 0.5 and 0.05 ≤ a/b ≤ 20; greatest error
-//! 0.21, 0.13, 0.48, 1.4 % of c11, c22, c23, c33 (0.10, 0.08, 0.18, 0.19 % at ν = 0.28). Beyond, it is carried smoothly into the asymptotes
-//! of the strip and of the slender ellipse (Kalker 1990, table E.3).
+//! Instead of Kalker's printed table a polynomial of ln c in t = ln(a/b) and ν, fitted to
+//! coefficients computed from first principles (Galin polynomials of degree 16 to 20) for 0 ≤ ν ≤
+//! 0.5 and 0.05 ≤ a/b ≤ 20; greatest error 0.21, 0.13, 0.48, 1.4 % of c11, c22, c23, c33 (0.10,
+//! 0.08, 0.18, 0.19 % at ν = 0.28). Beyond, it is carried smoothly into the asymptotes of the strip
+//! and of the slender ellipse (Kalker 1990, table E.3).
 
 use std::f64::consts::PI;
 
@@ -90,7 +91,8 @@ fn wide(t: f64, nu: f64) -> [[f64; 2]; 4] {
     ]
 }
 
-/// b/a = g → 0. Logarithms with their derivatives by t = -ln g. For c33 the value where the fit ends: it falls by 5 % up to a/b = 33.
+/// b/a = g → 0. Logarithms with their derivatives by t = -ln g. For c33 the value where the fit
+/// ends: it falls by 5 % up to a/b = 33.
 fn slender(t: f64, nu: f64) -> [[f64; 2]; 4] {
     let log = 16f64.ln() + 2.0 * t;
     let rest = 3.0 - 4f64.ln();

@@ -1,9 +1,10 @@
 //! Linear theory on the true patch: full adhesion, no bound.
 //!
-//! Piotrowski and Kik 2008, eqs 19 to 22, integrated over the strips with one flexibility for each creepage. It is what FASTSIM
-//! gives as friction goes to infinity. **There is no saturation**: the force grows with the creepage without end, whatever the
-//! coefficient of friction is. It is for stability analyses around small creepages and for checks, not for wheels that
-//! slip: with half the linear force at the friction limit it is a fifth too large already.
+//! Piotrowski and Kik 2008, eqs 19 to 22, integrated over the strips with one flexibility for each
+//! creepage. It is what FASTSIM gives as friction goes to infinity. **There is no saturation**: the
+//! force grows with the creepage without end, whatever the coefficient of friction is. It is for
+//! stability analyses around small creepages and for checks, not for wheels that slip: with half
+//! the linear force at the friction limit it is a fifth too large already.
 //!
 //! With t along x from the centre of a strip of half length a, forward rolling
 //!

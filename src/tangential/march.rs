@@ -32,8 +32,8 @@ impl<T: Real> MarchedPart<T> {
 }
 
 impl Tangential {
-    /// The marches of which the force of `loaded`, whose friction limit is `limit` [N], is made up: one, or those of the whole and of
-    /// its lobes.
+    /// The marches of which the force of `loaded`, whose friction limit is `limit` [N], is made up:
+    /// one, or those of the whole and of its lobes.
     pub(super) fn marched_parts<T: CreepNumber>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
@@ -68,7 +68,8 @@ impl Tangential {
         [whole, lobe(Side::Left, left), lobe(Side::Right, right)]
     }
 
-    /// Hands the number of each of the `parts` and the force of each strip of `loaded` in it to `each`, which adds them up: a strip may come twice.
+    /// Hands the number of each of the `parts` and the force of each strip of `loaded` in it to
+    /// `each`, which adds them up: a strip may come twice.
     pub(super) fn march<T: CreepNumber>(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,

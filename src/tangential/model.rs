@@ -12,7 +12,8 @@ pub enum TangentialModel {
     Fastsim,
     /// Strip theory where the strips adhere, directions of FASTSIM where they slip.
     Fastrip,
-    /// The force of the ellipse with the same moments of load, from a table of boundary element solutions; no tractions.
+    /// The force of the ellipse with the same moments of load, from a table of boundary element
+    /// solutions; no tractions.
     Tables,
     /// FASTSIM on the true patch, its force corrected by what it is wrong by on that ellipse.
     #[default]

@@ -1,16 +1,17 @@
 //! Zones with a neck: two lobes that are about to part, or have just joined.
 //!
-//! One ellipse for the whole and one for each lobe are different forces, so that a step from the one to the other would be a jump where zones
-//! join. Instead a zone with a neck is mixed of both, by how deep the neck is: with q the load per width and d the least of its shares in
-//! the lower of the greatest q on either side,
+//! One ellipse for the whole and one for each lobe are different forces, so that a step from the
+//! one to the other would be a jump where zones join. Instead a zone with a neck is mixed of both,
+//! by how deep the neck is: with q the load per width and d the least of its shares in the lower of
+//! the greatest q on either side,
 //!
 //! ```text
 //! F = (1 - w) F_whole + w (F_left + F_right),      w = 1 at d = 0, where zones join, 0 from d = 1/2 on
 //! d = min_j q_j/min(max_{k≤j} q_k, max_{k≥j} q_k)
 //! ```
 //!
-//! That holds for ellipses from the table and for marches through the strips alike: each lobe has flexibilities of its own, and its own
-//! mean creepage that two of them refer to.
+//! That holds for ellipses from the table and for marches through the strips alike: each lobe has
+//! flexibilities of its own, and its own mean creepage that two of them refer to.
 //!
 //! All of it is a continuous function of the strips.
 
@@ -45,7 +46,8 @@ pub enum Side {
     Right,
 }
 
-/// The rigid slip of a zone, for one of its lobes: what acts through the flexibilities L1 and L2 is the mean of the lobe.
+/// The rigid slip of a zone, for one of its lobes: what acts through the flexibilities L1 and L2 is
+/// the mean of the lobe.
 #[derive(Clone, Copy, Debug)]
 pub struct LobeSlip<'a, S, T = f64> {
     /// Slip of the zone.
@@ -121,8 +123,8 @@ impl<T: Real> Neck<T> {
             }
         });
         let (least, Some(at)) = deepest else { return None };
-        // Where it is: the strips between peaks, the more the less they carry; where zones join that
-        // strip alone which carries nothing. Ways from there, so that it is not rounded then.
+        // Where it is: the strips between peaks, the more the less they carry; where zones join
+        // that strip alone which carries nothing. Ways from there, so that it is not rounded then.
         let at = ys[at];
         let [mut sum, mut first, mut second] = [T::from(0.0); 3];
         for_each_depth(count, peak, load, |j, depth| {
@@ -161,8 +163,8 @@ impl<T: Real> Neck<T> {
     }
 }
 
-/// Hands to `each` those of `count` strips that carry less than some on either side, with their loads
-/// over the lower of the greatest on either side; `peak` carries most of all.
+/// Hands to `each` those of `count` strips that carry less than some on either side, with their
+/// loads over the lower of the greatest on either side; `peak` carries most of all.
 fn for_each_depth<T: Real>(
     count: usize,
     peak: usize,

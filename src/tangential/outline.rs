@@ -1,9 +1,11 @@
-//! The outline of a zone, or of a lobe of it, and the ellipse with its second moments or those of the load.
+//! The outline of a zone, or of a lobe of it, and the ellipse with its second moments or those of
+//! the load.
 
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
-/// Semi-axes of an ellipse with the second moments of a zone, or of a part of it. For a Hertzian pressure these are
+/// Semi-axes of an ellipse with the second moments of a zone, or of a part of it. For a Hertzian
+/// pressure these are
 ///
 /// ```text
 /// of the load:     <x²> = a²/5,  <y²> = b²/5,  and of a semi-ellipse of half length x_l <x²> = x_l²/4
@@ -21,13 +23,14 @@ pub struct EquivalentEllipse<T = f64> {
 const MOST_RATIO: f64 = 1e6;
 
 impl<T: Real> EquivalentEllipse<T> {
-    /// From the means of x_l², of y² about the centroid and of the square of the strips' width over the load [m²].
+    /// From the means of x_l², of y² about the centroid and of the square of the strips' width over
+    /// the load [m²].
     pub(super) fn of_load(along: T, across: T, within: T) -> Self {
         Self::of_moments(along * 1.25, across * 5.0, within * 5.0)
     }
 
-    /// From a², b² and, with the factor of b², the mean square of the width of strips [m²], which counts where a single strip has no moment of
-    /// its own.
+    /// From a², b² and, with the factor of b², the mean square of the width of strips [m²], which
+    /// counts where a single strip has no moment of its own.
     fn of_moments(along: T, across: T, within: T) -> Self {
         let along = along.sqrt();
         let across = across.max(within / 12.0).sqrt();
@@ -53,7 +56,8 @@ pub struct Outline<T = f64> {
 }
 
 impl<T: Real> Outline<T> {
-    /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no area.
+    /// That of the strips of `zone`, each as far as `member(y)`, 0 to 1; nothing where that has no
+    /// area.
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>, member: impl Fn(T) -> T) -> Option<Self> {
         let [mut area, mut squares, mut cubes] = [T::from(0.0); 3];

@@ -4,8 +4,8 @@ use crate::friction::StripFriction;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
-/// Mean over the load of `zone` of what its strips have; nothing where the strips have no friction of their own. What is the same
-/// in all strips is the mean to the last bit.
+/// Mean over the load of `zone` of what its strips have; nothing where the strips have no friction
+/// of their own. What is the same in all strips is the mean to the last bit.
 pub fn mean<T: Real>(
     zone: &Zone<T>,
     strips: &Strips<T>,

@@ -5,7 +5,8 @@ use super::flexibility::ZoneFlexibility;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
-/// How fast the traction on the wheel grows along one strip, by the distance s from its leading edge, as long as it adheres:
+/// How fast the traction on the wheel grows along one strip, by the distance s from its leading
+/// edge, as long as it adheres:
 ///
 /// ```text
 /// dp_x/ds = -longitudinal,  dp_y/ds = -(lateral + twist · t),  t along x from the strip's centre
@@ -21,8 +22,8 @@ pub struct Growth<T = f64> {
 }
 
 impl<T: Real> Growth<T> {
-    /// Of a strip with the creepage `own` at its centre in a zone with the mean creepage `mean`: what it deviates by acts through L3, as
-    /// spin does.
+    /// Of a strip with the creepage `own` at its centre in a zone with the mean creepage `mean`:
+    /// what it deviates by acts through L3, as spin does.
     #[inline]
     #[must_use]
     pub fn of_strip(
@@ -42,18 +43,20 @@ impl<T: Real> Growth<T> {
 
 /// Rigid slip over the reference speed on all strips of a zone.
 pub trait RigidSlip<T = f64> {
-    /// The creepage of the zone as a whole: its longitudinal and lateral part act through the flexibilities L1 and L2, what
-    /// the strips deviate from it and spin through L3.
+    /// The creepage of the zone as a whole: its longitudinal and lateral part act through the
+    /// flexibilities L1 and L2, what the strips deviate from it and spin through L3.
     fn mean(&self) -> Creepage<T>;
 
     /// Growth of the traction on strip `j`.
     fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T>;
 
-    /// Creepage at the centre of strip `j`, that of the zone carried on where it belongs to another one.
+    /// Creepage at the centre of strip `j`, that of the zone carried on where it belongs to another
+    /// one.
     fn creepage(&self, j: usize) -> Creepage<T>;
 }
 
-/// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η + φ x.
+/// One triple of creepages at the centroid of the load for the whole zone: w_x = ξ - φ y, w_y = η +
+/// φ x.
 #[derive(Clone, Copy, Debug)]
 pub struct FlatSlip<'a, T = f64> {
     /// The zone.

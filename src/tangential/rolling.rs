@@ -28,13 +28,15 @@ impl Rolling {
 pub struct RollingState<T = f64> {
     /// Creepage at the centroid of load of the zone.
     pub creepage: Creepage<T>,
-    /// 1 when rolling forward, 0 when backward; see [`rolling_speed`](crate::kinematics::creepage::rolling_speed) [-].
+    /// 1 when rolling forward, 0 when backward; see
+    /// [`rolling_speed`](crate::kinematics::creepage::rolling_speed) [-].
     pub forward_share: T,
     /// Coefficient of friction, ≥ 0; without effect where strips have their own [-].
     pub friction: T,
     /// Normal force with damping over that without, ≥ 0 [-].
     pub load_factor: T,
-    /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed alone.
+    /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed
+    /// alone.
     pub speed: T,
 }
 

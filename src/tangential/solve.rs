@@ -53,8 +53,8 @@ pub struct Solved<T = f64> {
 }
 
 impl Tangential {
-    /// A model with `elements_along` ≥ 1 elements along each strip, or boundary elements on a grid of `elements` along and across a
-    /// zone whose pressure is not yet on one.
+    /// A model with `elements_along` ≥ 1 elements along each strip, or boundary elements on a grid
+    /// of `elements` along and across a zone whose pressure is not yet on one.
     #[must_use]
     pub fn new(
         model: TangentialModel,
@@ -80,7 +80,8 @@ impl Tangential {
         }
     }
 
-    /// The same with `points` along each strip of the strip model, 4 to 15, in zones of up to `strips` strips; larger ones allocate.
+    /// The same with `points` along each strip of the strip model, 4 to 15, in zones of up to
+    /// `strips` strips; larger ones allocate.
     #[must_use]
     pub fn with_points(self, points: usize, strips: usize) -> Self {
         let is_strips = self.model == TangentialModel::Strips;
@@ -130,8 +131,8 @@ impl Tangential {
         UnderLaw::of(self.laws.as_ref(), heat, zone, strips, material, state)
     }
 
-    /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing where there is nothing to
-    /// compute: no model, no friction, no load or no creepage.
+    /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing
+    /// where there is nothing to compute: no model, no friction, no load or no creepage.
     #[must_use]
     pub fn creep_force<T: CreepNumber>(
         &self,
@@ -144,8 +145,9 @@ impl Tangential {
         self.creep_force_under(zone, strips, &law, |_, _| {})
     }
 
-    /// As [`creep_force`](Self::creep_force), of a zone with the friction and the elastic constants of `law`, which is that of [`under_law`](Self::under_law); `each` gets the number of each strip and the
-    /// force on it, as from [`strip_forces`](Self::strip_forces).
+    /// As [`creep_force`](Self::creep_force), of a zone with the friction and the elastic constants
+    /// of `law`, which is that of [`under_law`](Self::under_law); `each` gets the number of each
+    /// strip and the force on it, as from [`strip_forces`](Self::strip_forces).
     #[must_use]
     #[inline]
     pub fn creep_force_under<T: CreepNumber>(
@@ -166,11 +168,13 @@ impl Tangential {
         Some(CreepForce { convergence: solved.convergence, ..total })
     }
 
-    /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`, which adds them up: a strip may
-    /// come twice. Nothing where there was nothing to compute. `law` is that of the mean creepage of `slip`.
+    /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`,
+    /// which adds them up: a strip may come twice. Nothing where there was nothing to compute.
+    /// `law` is that of the mean creepage of `slip`.
     ///
-    /// Between forward and backward rolling, which only the floor of the reference speed and wheels that spin against
-    /// their motion leave room for, the forces of both directions are mixed, so that the force has no jump.
+    /// Between forward and backward rolling, which only the floor of the reference speed and wheels
+    /// that spin against their motion leave room for, the forces of both directions are mixed, so
+    /// that the force has no jump.
     pub fn strip_forces<T: CreepNumber>(
         &self,
         zone: &Zone<T>,

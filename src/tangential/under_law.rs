@@ -1,4 +1,5 @@
-//! A zone under the laws of friction: what slip and heat make of its coefficients, and slip of the stiffness of the bodies.
+//! A zone under the laws of friction: what slip and heat make of its coefficients, and slip of the
+//! stiffness of the bodies.
 
 use super::flash_temperature::FlashTemperature;
 use super::friction_law::FrictionLaw;
@@ -12,13 +13,15 @@ use crate::normal::{Strips, Zone};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct UnderLaw<T = f64> {
-    /// Its friction is that of the zone as it slips; of strips that have their own the mean over the load.
+    /// Its friction is that of the zone as it slips; of strips that have their own the mean over
+    /// the load.
     pub state: RollingState<T>,
     /// As soft in shear as what lies between the bodies makes them seem.
     pub material: MaterialPair<T>,
     /// By what slip and heat change the coefficients of tread and gauge face [-].
     pub factors: [T; 2],
-    /// Mean rise of temperature over the pressure as if all of the zone slid, where friction depends on it; otherwise 0 [K].
+    /// Mean rise of temperature over the pressure as if all of the zone slid, where friction
+    /// depends on it; otherwise 0 [K].
     pub temperature: T,
 }
 
@@ -29,13 +32,15 @@ fn of_both<P: Real, T: Real>(
     of: impl Fn(&FrictionLaw<P>) -> T,
 ) -> [T; 2] {
     let first = of(&laws[0]);
-    // Without strips of the gauge face there is one law, and laws that are alike are evaluated once.
+    // Without strips of the gauge face there is one law, and laws that are alike are evaluated
+    // once.
     let has_two = !strips.friction.is_empty() && laws[1] != laws[0];
     [first, if has_two { of(&laws[1]) } else { first }]
 }
 
 impl<T: Real> UnderLaw<T> {
-    /// `zone` of `strips` in `state` under the `laws` of tread and gauge face and with the friction that `heat` leaves, where there are any.
+    /// `zone` of `strips` in `state` under the `laws` of tread and gauge face and with the friction
+    /// that `heat` leaves, where there are any.
     #[must_use]
     pub fn of<P: Real + Into<T>>(
         laws: Option<&[FrictionLaw<P>; 2]>,

@@ -1,8 +1,10 @@
-//! The variables of wheel and wheelset by name: what the FMI interface and the command line have in common.
+//! The variables of wheel and wheelset by name: what the FMI interface and the command line have in
+//! common.
 //!
-//! `modelDescription/variables.toml` is the only declaration of what a wheel has, and `wheelset.toml` beside it says what of that a
-//! wheelset has on each side and what only once. From them come the tables [`WHEEL`] and [`WHEELSET`], the typed access of
-//! [`ValuesOf`], the GUIDs and the model descriptions of the FMUs, so that they cannot disagree.
+//! `modelDescription/variables.toml` is the only declaration of what a wheel has, and
+//! `wheelset.toml` beside it says what of that a wheelset has on each side and what only once. From
+//! them come the tables [`WHEEL`] and [`WHEELSET`], the typed access of [`ValuesOf`], the GUIDs and
+//! the model descriptions of the FMUs, so that they cannot disagree.
 
 mod spelling;
 mod table;
@@ -120,7 +122,8 @@ mod tests {
         }
     }
 
-    /// Messages of the elements name variables of a wheel; those of a wheelset must be ones that it has.
+    /// Messages of the elements name variables of a wheel; those of a wheelset must be ones that it
+    /// has.
     #[test]
     fn a_wheelset_has_on_each_side_or_once_what_a_wheel_has() {
         // What a wheelset has in its own way: the motion of its centre, two sides.

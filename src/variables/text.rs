@@ -30,7 +30,8 @@ impl<S: Described> ValuesOf<S> {
         }
     }
 
-    /// The value of a variable as text that [`ValuesOf::set_from_text`] reads back to the same bits.
+    /// The value of a variable as text that [`ValuesOf::set_from_text`] reads back to the same
+    /// bits.
     #[must_use]
     pub fn text_of(&self, variable: &Variable) -> String {
         let mut text = String::new();

@@ -22,7 +22,8 @@ pub struct ValuesOf<S: Subject> {
     pub coupling: Coupling,
 }
 
-/// What goes on between the contact and a host that steps; an element by itself knows nothing of steps.
+/// What goes on between the contact and a host that steps; an element by itself knows nothing of
+/// steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Coupling {
@@ -32,7 +33,8 @@ pub struct Coupling {
     pub stiffness: [f64; 2],
     /// Vertical damping of the contact of each wheel [N s/m].
     pub damping: [f64; 2],
-    /// Energy that forces held over the step before the last one have put into the bodies beyond the mean of those at both ends [J].
+    /// Energy that forces held over the step before the last one have put into the bodies beyond
+    /// the mean of those at both ends [J].
     pub energy_residual: f64,
 }
 
@@ -46,7 +48,8 @@ impl<S: Subject> PartialEq for ValuesOf<S> {
     }
 }
 
-/// A subject whose variables are declared; the functions, generated from the declaration, read and write the field behind a variable.
+/// A subject whose variables are declared; the functions, generated from the declaration, read and
+/// write the field behind a variable.
 ///
 /// A reference of another type gives `None` or changes nothing: callers check the type first.
 pub trait Described: Subject {
@@ -144,8 +147,8 @@ impl<S: Described> ValuesOf<S> {
     }
 }
 
-/// Checks that a variable can be set to a value: an input or a parameter, of that type, finite and in
-/// its range, or an item of its enumeration.
+/// Checks that a variable can be set to a value: an input or a parameter, of that type, finite and
+/// in its range, or an item of its enumeration.
 ///
 /// # Errors
 /// Variable, value and what is admitted.
@@ -218,7 +221,8 @@ mod tests {
     use crate::variables::{Causality, Values, WHEELSET, WheelsetValues, find};
     use crate::wheelset::Wheelset;
 
-    /// Parameters are the same; inputs start rolling and loaded, where those of the Rust types are at rest and just lifted.
+    /// Parameters are the same; inputs start rolling and loaded, where those of the Rust types are
+    /// at rest and just lifted.
     fn start_values_are_defaults<S: Described>(rolling: fn(&mut S::Input)) {
         let values = ValuesOf::<S>::default();
         assert_eq!(values.parameters, S::Parameters::default());

@@ -109,8 +109,8 @@ pub struct Variable {
     pub allowed: &'static str,
     /// Name of the array of FMI 3.0 of which it is an element.
     pub array: Option<&'static str>,
-    /// Of the variable of FMI 3.0 with this reference the places of its elements: itself alone, or all of the array that it begins; none
-    /// within an array.
+    /// Of the variable of FMI 3.0 with this reference the places of its elements: itself alone, or
+    /// all of the array that it begins; none within an array.
     pub elements: &'static [u32],
 }
 

@@ -3,7 +3,8 @@
 /// Of which body a profile is, and over what the wear of its section is spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Body {
-    /// A wheel: over the circumference at each place of its profile. Material is where z is smaller.
+    /// A wheel: over the circumference at each place of its profile. Material is where z is
+    /// smaller.
     Wheel {
         /// Radius of the running circle [m].
         nominal_radius: f64,

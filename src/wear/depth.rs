@@ -18,14 +18,16 @@ const FARTHEST: f64 = 0.02;
 pub struct DepthPoint {
     /// Point (y, z) of the unworn profile [m].
     pub point: [f64; 2],
-    /// Distance of the worn profile along the inward normal there; negative where there is more material [m].
+    /// Distance of the worn profile along the inward normal there; negative where there is more
+    /// material [m].
     pub depth: f64,
     /// Length of the unworn profile that the place stands for [m].
     pub length: f64,
 }
 
-/// Wear depth of `worn` against `unworn`, profiles of the same body in the same frame, along the unworn one from the flange (gauge
-/// side) to the field side; places opposite to which the worn one has ended are left out.
+/// Wear depth of `worn` against `unworn`, profiles of the same body in the same frame, along the
+/// unworn one from the flange (gauge side) to the field side; places opposite to which the worn one
+/// has ended are left out.
 #[must_use]
 pub fn wear_depth(unworn: &Profile, worn: &Profile) -> Vec<DepthPoint> {
     let (base, other) = (&unworn.curve, &worn.curve);

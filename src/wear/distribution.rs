@@ -1,19 +1,23 @@
-//! How the wear of a patch is spread across it: in proportion to the interpenetration function, less what is already worn.
+//! How the wear of a patch is spread across it: in proportion to the interpenetration function,
+//! less what is already worn.
 //!
-//! Source: Piotrowski and Kik 2008, section 6. With g(y) the interpenetration function of the profiles as they were last updated and
-//! w(y) the depth that both bodies have lost since then, the wear of a step goes where
+//! Source: Piotrowski and Kik 2008, section 6. With g(y) the interpenetration function of the
+//! profiles as they were last updated and w(y) the depth that both bodies have lost since then, the
+//! wear of a step goes where
 //!
 //! ```text
 //! g'(y) = max(0, g(y) - w(y) + c),   ∫ g' dy = ∫ max(0, g) dy
 //! ```
 //!
-//! Outside the patch g is negative, minus the separation there, so that the region widens as it wears. The constant area, and with it
-//! the load that the same penetration carries, fixes c.
+//! Outside the patch g is negative, minus the separation there, so that the region widens as it
+//! wears. The constant area, and with it the load that the same penetration carries, fixes c.
 
-/// Fills `shares`, one for each cell between two neighbouring nodes, with the part of a patch's wear that falls into it; the
-/// parts sum to one. False, with nothing to be used in `shares`, where the interpenetration has no area.
+/// Fills `shares`, one for each cell between two neighbouring nodes, with the part of a patch's
+/// wear that falls into it; the parts sum to one. False, with nothing to be used in `shares`, where
+/// the interpenetration has no area.
 ///
-/// `interpenetration` g [m] and `worn` w ≥ 0 [m] at the nodes, which are equally spaced and at least two.
+/// `interpenetration` g [m] and `worn` w ≥ 0 [m] at the nodes, which are equally spaced and at
+/// least two.
 pub fn spread(interpenetration: &[f64], worn: &[f64], shares: &mut Vec<f64>) -> bool {
     debug_assert!(interpenetration.len() == worn.len() && worn.len() >= 2);
     let area = |shift: f64, is_worn: bool| {
@@ -26,7 +30,8 @@ pub fn spread(interpenetration: &[f64], worn: &[f64], shares: &mut Vec<f64>) -> 
     if wanted <= 0.0 {
         return false;
     }
-    // The area is convex in c and no smaller than wanted where c makes up for all wear: Newton comes down from there.
+    // The area is convex in c and no smaller than wanted where c makes up for all wear: Newton
+    // comes down from there.
     let mut shift = worn.iter().copied().fold(0.0, f64::max);
     for _ in 0..MOST_STEPS {
         let [found, length] = area(shift, true);
@@ -53,7 +58,8 @@ const MOST_STEPS: usize = 40;
 /// Excess of the area that ends them, as a share.
 const ACCURACY: f64 = 1e-12;
 
-/// Area of the positive part of a straight line from `a` to `b` over a length of one, and the length where it is positive.
+/// Area of the positive part of a straight line from `a` to `b` over a length of one, and the
+/// length where it is positive.
 fn positive_part(a: f64, b: f64) -> [f64; 2] {
     match (a > 0.0, b > 0.0) {
         (true, true) => [0.5 * (a + b), 1.0],

@@ -8,11 +8,12 @@
 //! | Zobory | strip | mass flux = k times the frictional power density, k = 7e-10 kg/J below 4 W/mm² and 21e-10 above |
 //! | Archard, KTH map (Jendel) | strip | volume = k N s/H where the surfaces slip; k by pressure and sliding speed |
 //!
-//! All are experimental: neither equations nor coefficients are checked against the papers they are ascribed to (docs/theory.md,
-//! section 14). What is checked: their dimension, and whether their branches meet. USFD:
-//! 5.3 · 10.4 = 55.1, and 55.0 at both ends of the plateau, up to 0.2 %. British Rail: 25 at 100 N, but a jump from 25 to 84 at 200 N.
-//! Zobory and the KTH map jump by construction. Jumps concern the wear rate alone; no force follows from it at once.
-//! Every coefficient can be given.
+//! All are experimental: neither equations nor coefficients are checked against the papers they are
+//! ascribed to (docs/theory.md, section 14). What is checked: their dimension, and whether their
+//! branches meet. USFD: 5.3 · 10.4 = 55.1, and 55.0 at both ends of the plateau, up to 0.2 %.
+//! British Rail: 25 at 100 N, but a jump from 25 to 84 at 200 N. Zobory and the KTH map jump by
+//! construction. Jumps concern the wear rate alone; no force follows from it at once. Every
+//! coefficient can be given.
 
 /// Wear law.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,14 +65,16 @@ pub struct Usfd {
     pub severe: f64,
     /// Growth of that with T-gamma per area in the catastrophic regime, ≥ 0 [kg/J].
     pub catastrophic: f64,
-    /// T-gamma per area at which the severe and the catastrophic regime begin, ≥ 0 and growing [N/m²].
+    /// T-gamma per area at which the severe and the catastrophic regime begin, ≥ 0 and growing
+    /// [N/m²].
     pub limits: [f64; 2],
 }
 
 /// Coefficients of the British Rail law; `area` is that of the wheel's cross section per distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BritishRail {
-    /// Area times diameter per distance and T-gamma in the mild regime, ≥ 0 [m³/J]; 1 mm² mm/(km N) is 1e-12 m³/J.
+    /// Area times diameter per distance and T-gamma in the mild regime, ≥ 0 [m³/J]; 1 mm² mm/(km N)
+    /// is 1e-12 m³/J.
     pub mild: f64,
     /// Area times diameter per distance on the plateau, ≥ 0 [m²]; 1 mm² mm/km is 1e-12 m².
     pub severe: f64,
@@ -178,8 +181,8 @@ pub struct StripLoad {
 }
 
 impl LawCoefficients {
-    /// Volume that one body loses in a strip per time [m³/s]; nothing for the British Rail law, which is one of whole
-    /// patches.
+    /// Volume that one body loses in a strip per time [m³/s]; nothing for the British Rail law,
+    /// which is one of whole patches.
     #[must_use]
     pub fn strip_rate(&self, model: WearModel, strip: &StripLoad) -> f64 {
         if strip.power <= 0.0 || strip.area <= 0.0 {
@@ -203,11 +206,12 @@ impl LawCoefficients {
         }
     }
 
-    /// Volume that one body loses in a patch per time by the British Rail law [m³/s]; a rail loses by it as much as the wheel, for
-    /// which alone it was found.
+    /// Volume that one body loses in a patch per time by the British Rail law [m³/s]; a rail loses
+    /// by it as much as the wheel, for which alone it was found.
     ///
-    /// `wear_number` is T-gamma [N], `speed` the reference speed [m/s]. The diameter cancels: what the section loses is spread over
-    /// the circumference, volume per distance = area per distance · π D.
+    /// `wear_number` is T-gamma [N], `speed` the reference speed [m/s]. The diameter cancels: what
+    /// the section loses is spread over the circumference, volume per distance = area per distance
+    /// · π D.
     #[must_use]
     pub fn british_rail_rate(&self, wear_number: f64, speed: f64) -> f64 {
         std::f64::consts::PI * self.british_rail.area_times_diameter(wear_number) * speed
@@ -245,9 +249,10 @@ impl BritishRail {
 impl Archard {
     /// Volume per time [m³/s]: (1/H) ∫ k p v over the part that slips.
     ///
-    /// Where the surfaces slip the traction is friction times pressure, so that ∫ p v is the frictional power over the coefficient
-    /// of friction; the speed is the mean one of the strip, weighted by pressure. The limit of the pressure is taken point by
-    /// point along the semi-ellipse, so that the rate grows with the pressure without a jump.
+    /// Where the surfaces slip the traction is friction times pressure, so that ∫ p v is the
+    /// frictional power over the coefficient of friction; the speed is the mean one of the strip,
+    /// weighted by pressure. The limit of the pressure is taken point by point along the
+    /// semi-ellipse, so that the rate grows with the pressure without a jump.
     fn rate(&self, strip: &StripLoad) -> f64 {
         let end = 2.0 * strip.slip_share.clamp(0.0, 1.0) - 1.0;
         let load = std::f64::consts::FRAC_PI_4 * strip.pressure * strip.area;

@@ -1,8 +1,8 @@
 //! Wear of wheel and rail alongside the dynamics, and numbers for rolling contact fatigue.
 //!
-//! Source: Piotrowski and Kik 2008, section 6. At every step of time a law turns what happens in each patch into a volume of
-//! material per time; it is spread over the patch and summed up on fixed grids along both profiles; at the end of an interval the
-//! sums become new profiles.
+//! Source: Piotrowski and Kik 2008, section 6. At every step of time a law turns what happens in
+//! each patch into a volume of material per time; it is spread over the patch and summed up on
+//! fixed grids along both profiles; at the end of an interval the sums become new profiles.
 //!
 //! | quantity | unit |
 //! |---|---|
@@ -12,9 +12,10 @@
 //! | worn area of the cross section | m² |
 //! | wear depth, along the inward normal of the unworn profile | m |
 //!
-//! `laws` has the laws, `distribution` how the wear of a patch is spread, `worn_arc` the sums along a profile, `update` the new profile
-//! (`smoothing` of the sums, `section` of the unworn body), [`depth`] the depth between two profiles at hand, `rcf` the fatigue numbers. What
-//! belongs to a wheel on its rails is in `element`.
+//! `laws` has the laws, `distribution` how the wear of a patch is spread, `worn_arc` the sums along
+//! a profile, `update` the new profile (`smoothing` of the sums, `section` of the unworn body),
+//! [`depth`] the depth between two profiles at hand, `rcf` the fatigue numbers. What belongs to a
+//! wheel on its rails is in `element`.
 
 mod body;
 pub mod depth;

@@ -10,7 +10,8 @@ pub enum WearDistribution {
     /// In proportion to the interpenetration function less what is already worn.
     #[default]
     Interpenetration,
-    /// Each strip wears where it lies: plain summing, which digs holes if the profiles are updated rarely.
+    /// Each strip wears where it lies: plain summing, which digs holes if the profiles are updated
+    /// rarely.
     Strips,
 }
 
@@ -25,7 +26,8 @@ pub struct WearParameters {
     pub acceleration_factor: f64,
     /// Time after which the sums become new profiles, > 0 [s].
     pub update_interval: f64,
-    /// Wavelength along the profile of which the smoothing of the wear depth keeps half the amplitude, 0 to 0.02 [m]; 0 for none.
+    /// Wavelength along the profile of which the smoothing of the wear depth keeps half the
+    /// amplitude, 0 to 0.02 [m]; 0 for none.
     pub smoothing: f64,
     /// Running distance of the wheel over which the volume worn off a rail is spread, > 0 [m].
     pub rail_distance: f64,

@@ -1,21 +1,22 @@
 //! Numbers for rolling contact fatigue of a patch.
 //!
-//! Both are experimental: equations and numbers are not checked against the papers they are ascribed to (docs/theory.md, section 14);
-//! dimension and continuity are.
+//! Both are experimental: equations and numbers are not checked against the papers they are
+//! ascribed to (docs/theory.md, section 14); dimension and continuity are.
 
 use crate::math::real::Real;
 
-/// T-gamma damage of a rail by one passage, as a share of its life [-]: the damage function of the whole life rail model
-/// (Burstow 2003, grade R220 to R260).
+/// T-gamma damage of a rail by one passage, as a share of its life [-]: the damage function of the
+/// whole life rail model (Burstow 2003, grade R220 to R260).
 ///
 /// ```text
 /// T-gamma [N]          0 .. 15   65      175   285
 /// damage [1e-6]        0         10      0     -10, and on with the same slope
 /// ```
 ///
-/// `wear_number` is T-gamma [N]. Positive damage, crack growth, counts only where `is_driving`: where the longitudinal creep
-/// force on the wheel points the way it runs, so that the rail is pushed backwards. Beyond 175 N wear removes more than cracks grow,
-/// whatever the direction: the number is negative.
+/// `wear_number` is T-gamma [N]. Positive damage, crack growth, counts only where `is_driving`:
+/// where the longitudinal creep force on the wheel points the way it runs, so that the rail is
+/// pushed backwards. Beyond 175 N wear removes more than cracks grow, whatever the direction: the
+/// number is negative.
 #[must_use]
 pub fn tgamma_damage<T: Real>(wear_number: T, is_driving: bool) -> T {
     let [threshold, peak, balance] = [15.0, 65.0, 175.0];
@@ -29,7 +30,8 @@ pub fn tgamma_damage<T: Real>(wear_number: T, is_driving: bool) -> T {
     if is_driving { damage } else { damage.at_most(0.0) }
 }
 
-/// Surface fatigue index of a patch [-] (Ekberg, Kabo and Andersson 2002): above 0 the surface ratchets.
+/// Surface fatigue index of a patch [-] (Ekberg, Kabo and Andersson 2002): above 0 the surface
+/// ratchets.
 ///
 /// ```text
 /// FI = f - 2 A k/(3 N),  f = sqrt(Fx² + Fy²)/N,  A = π a b the area, k the yield stress in shear

@@ -1,11 +1,12 @@
-//! The section of an unworn body along the arc of its profile: what the layer worn off is measured from.
+//! The section of an unworn body along the arc of its profile: what the layer worn off is measured
+//! from.
 
 use super::body::Body;
 use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 
-/// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in curvature, and the tangent
-/// of the worn one must not.
+/// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in
+/// curvature, and the tangent of the worn one must not.
 const CURVATURE_REACH: f64 = 1e-3;
 /// Points on each piece of a curve: exact for what is integrated.
 pub(super) const POINTS: usize = 5;
@@ -53,7 +54,8 @@ pub(super) fn stations(base: &Curve, body: Body, knots: &[f64]) -> Vec<Station> 
     knots.iter().enumerate().map(station).collect()
 }
 
-/// ∫ (R + z)² dy and ∫ z dy over the cubic between two knots, R a `radius` [m]: exact with [`POINTS`] points.
+/// ∫ (R + z)² dy and ∫ z dy over the cubic between two knots, R a `radius` [m]: exact with
+/// [`POINTS`] points.
 pub(super) fn moments(radius: f64, [from, to]: [&Knot; 2], rule: &GaussLegendre) -> [f64; 2] {
     let h = to.s - from.s;
     let mut sums = [0.0; 2];

@@ -1,12 +1,14 @@
 //! Sums of what is worn off, smoothed by a positive kernel that keeps them.
 
-/// Standard deviation of the kernel that halves a wave, over the length of the wave: sqrt(ln 2/2)/π.
+/// Standard deviation of the kernel that halves a wave, over the length of the wave: sqrt(ln
+/// 2/2)/π.
 const DEVIATION: f64 = 0.187_390_6;
 /// Half length of the kernel in standard deviations: beyond lie 6e-7 of it, which go to the rest.
 const KERNEL_REACH: f64 = 5.0;
 
-/// Puts the sums `total` of cells of length `cell` [m] under a Gaussian kernel that halves waves of `wavelength` [m] into `smoothed`; at the
-/// ends they go on mirrored, so that nothing is lost. `kernel` is scratch of at most as many numbers.
+/// Puts the sums `total` of cells of length `cell` [m] under a Gaussian kernel that halves waves of
+/// `wavelength` [m] into `smoothed`; at the ends they go on mirrored, so that nothing is lost.
+/// `kernel` is scratch of at most as many numbers.
 pub(super) fn smooth(
     total: &[f64],
     cell: f64,

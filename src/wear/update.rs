@@ -1,16 +1,18 @@
 //! A new profile from the unworn one and the sums of what is worn off.
 //!
-//! The sums are smoothed once, by a positive kernel that keeps them, and always from all that was ever worn off: what was
-//! smoothed is never smoothed again, so that no material wanders however often a profile is updated. From the volume V' per length
-//! of arc follows the depth d of the layer along the inward normal,
+//! The sums are smoothed once, by a positive kernel that keeps them, and always from all that was
+//! ever worn off: what was smoothed is never smoothed again, so that no material wanders however
+//! often a profile is updated. From the volume V' per length of arc follows the depth d of the
+//! layer along the inward normal,
 //!
 //! ```text
 //! V' = ∫_0^d B(t) (1 - κ t) dt,   B = 2π (r - t cos γ) on a wheel, the distance it stands for on a rail
 //! ```
 //!
-//! κ the curvature of the unworn profile, positive where it bulges, and a single factor close to one on all depths makes the
-//! volume between the two curves exactly that of the law. Depths run as a cubic spline, so that the new curve is as smooth as the unworn
-//! one, and equal to it where nothing is worn off.
+//! κ the curvature of the unworn profile, positive where it bulges, and a single factor close to
+//! one on all depths makes the volume between the two curves exactly that of the law. Depths run as
+//! a cubic spline, so that the new curve is as smooth as the unworn one, and equal to it where
+//! nothing is worn off.
 
 use super::body::Body;
 use super::scratch::Scratch;
@@ -21,7 +23,8 @@ use crate::geometry::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 
-/// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not taken off.
+/// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not
+/// taken off.
 const MOST_DEPTH: f64 = 0.01;
 const MOST_OF_RADIUS: f64 = 0.5;
 
@@ -31,12 +34,14 @@ const MOST_OF_RADIUS: f64 = 0.5;
 pub struct UpdateReport {
     /// Volume between the unworn and the new curve [m³].
     pub volume: f64,
-    /// Whether some of the worn off material was more than can be taken off: the profile is worn through there.
+    /// Whether some of the worn off material was more than can be taken off: the profile is worn
+    /// through there.
     pub is_worn_through: bool,
 }
 
 impl WornArc {
-    /// Adds what was worn off since the last update to the totals; the curve follows with [`worn_curve`](Self::worn_curve).
+    /// Adds what was worn off since the last update to the totals; the curve follows with
+    /// [`worn_curve`](Self::worn_curve).
     pub fn take_pending(&mut self) {
         for (total, pending) in self.state.total.iter_mut().zip(&mut self.state.pending) {
             *total += std::mem::take(pending);
@@ -44,15 +49,16 @@ impl WornArc {
         (self.state.pending_area, self.state.most_pending) = (0.0, 0.0);
     }
 
-    /// The curve that the totals leave of the unworn one, with `smoothing` the wavelength of which half is kept [m]; from now on
-    /// it is the curve in use.
+    /// The curve that the totals leave of the unworn one, with `smoothing` the wavelength of which
+    /// half is kept [m]; from now on it is the curve in use.
     pub fn worn_curve(&mut self, smoothing: f64) -> (Curve, UpdateReport) {
         let mut curve = self.base.clone();
         let report = self.put_worn_curve(smoothing, &mut curve);
         (curve, report)
     }
 
-    /// As [`worn_curve`](Self::worn_curve), into `curve`: allocates nothing where that has room for the knots.
+    /// As [`worn_curve`](Self::worn_curve), into `curve`: allocates nothing where that has room for
+    /// the knots.
     pub fn put_worn_curve(&mut self, smoothing: f64, curve: &mut Curve) -> UpdateReport {
         let wanted: f64 = self.state.total.iter().sum::<f64>() * self.cell;
         if wanted <= 0.0 {
@@ -70,7 +76,8 @@ impl WornArc {
         self.offset(depths, factor, knots);
         let mut lost = self.lost(depths, knots, &self.rule);
         if !is_worn_through {
-            // Volume is close to proportional to the depth: each turn leaves the square of the error.
+            // Volume is close to proportional to the depth: each turn leaves the square of the
+            // error.
             for _ in 0..MOST_TURNS {
                 if (lost[0] - wanted).abs() <= ACCURACY * wanted {
                     break;
@@ -90,7 +97,8 @@ impl WornArc {
         UpdateReport { volume, is_worn_through }
     }
 
-    /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of each cell's middle and depth [m].
+    /// Wear depth along the unworn arc as the totals give it with `smoothing` [m]: parameter of
+    /// each cell's middle and depth [m].
     #[must_use]
     pub fn depth_over_arc(&self, smoothing: f64) -> Vec<[f64; 2]> {
         let mut scratch = Scratch::default();
@@ -99,7 +107,8 @@ impl WornArc {
         scratch.depths.iter().enumerate().map(|(i, &depth)| [middle(i), depth]).collect()
     }
 
-    /// Fills `depths` of `scratch` with the depth in the middle of each cell for the smoothed totals [m]; whether some were too much.
+    /// Fills `depths` of `scratch` with the depth in the middle of each cell for the smoothed
+    /// totals [m]; whether some were too much.
     fn smoothed_depths(&self, smoothing: f64, scratch: &mut Scratch) -> bool {
         let Scratch { kernel, smoothed, depths, .. } = scratch;
         smooth(&self.state.total, self.cell, smoothing, kernel, smoothed);
@@ -144,8 +153,8 @@ impl WornArc {
         is_worn_through
     }
 
-    /// Fills `at_knots` of `scratch` with the depth at each knot of the unworn curve [m] and its derivative by the arc, by a spline
-    /// through the middles of the cells.
+    /// Fills `at_knots` of `scratch` with the depth at each knot of the unworn curve [m] and its
+    /// derivative by the arc, by a spline through the middles of the cells.
     fn depths_at_knots(&self, scratch: &mut Scratch) {
         let Scratch { depths, middles, rows, slopes, at_knots, .. } = scratch;
         let first = self.start + 0.5 * self.cell;
@@ -203,7 +212,8 @@ impl WornArc {
         }
     }
 
-    /// Volume and area of the section between the unworn curve and the one through `knots` [m³, m²].
+    /// Volume and area of the section between the unworn curve and the one through `knots`
+    /// [m³, m²].
     fn lost(&self, depths: &[[f64; 2]], knots: &[Knot], rule: &GaussLegendre) -> [f64; 2] {
         let radius = self.body.radius();
         let (mut squares, mut area) = (0.0, 0.0);

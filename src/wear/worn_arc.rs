@@ -1,8 +1,9 @@
 //! Sums of worn material along one profile, on a fixed grid over the arc of the unworn curve.
 //!
-//! Cells of equal length hold the volume worn off per length of arc, so that what a law takes away is kept to rounding. The grid
-//! belongs to the unworn profile; places are given by parameters of the curve in use and carried over. Depths are those of the
-//! layer along the inward normal of the unworn profile.
+//! Cells of equal length hold the volume worn off per length of arc, so that what a law takes away
+//! is kept to rounding. The grid belongs to the unworn profile; places are given by parameters of
+//! the curve in use and carried over. Depths are those of the layer along the inward normal of the
+//! unworn profile.
 
 pub use super::body::Body;
 use super::scratch::Scratch;
@@ -49,8 +50,8 @@ pub struct WornArc {
     pub(super) cell: f64,
     /// What the volume of each cell is spread over: circumference or distance [m].
     pub(super) spread: Vec<f64>,
-    /// Mean curvature in the middle of each cell, positive where the body bulges, and share by which the circumference shrinks with
-    /// the depth [1/m].
+    /// Mean curvature in the middle of each cell, positive where the body bulges, and share by
+    /// which the circumference shrinks with the depth [1/m].
     pub(super) bending: Vec<[f64; 2]>,
     /// The knots of the worn curve on the unworn one, and the moments of the piece before each.
     pub(super) stations: Vec<Station>,
@@ -135,7 +136,8 @@ impl WornArc {
         state.total.len() == count && state.pending.len() == count
     }
 
-    /// Puts an earlier [`state`](Self::state) in place; whether its totals are those of the curve in use.
+    /// Puts an earlier [`state`](Self::state) in place; whether its totals are those of the curve
+    /// in use.
     pub fn set_state(&mut self, state: &ArcState) -> bool {
         let is_same =
             self.state.total.iter().zip(&state.total).all(|(a, b)| a.to_bits() == b.to_bits());
@@ -182,7 +184,8 @@ impl WornArc {
         self.base_knots[i] + share * (self.base_knots[i + 1] - self.base_knots[i])
     }
 
-    /// Adds a worn volume of `volume` [m³], evenly between two parameters of the unworn curve, in either order [m].
+    /// Adds a worn volume of `volume` [m³], evenly between two parameters of the unworn curve, in
+    /// either order [m].
     pub fn deposit(&mut self, from: f64, to: f64, volume: f64) {
         if volume.is_nan() || volume <= 0.0 {
             return;
@@ -225,7 +228,8 @@ impl WornArc {
         self.state.most_pending
     }
 
-    /// Adds what another arc of the same grid has worn off since its last update; for one body in several simulations at once.
+    /// Adds what another arc of the same grid has worn off since its last update; for one body in
+    /// several simulations at once.
     ///
     /// # Panics
     /// If the grids differ.

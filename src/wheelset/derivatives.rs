@@ -15,11 +15,13 @@ use crate::math::dual::Dual;
 type Moving = WheelMotion<Dual<1>>;
 
 impl Wheelset {
-    /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates of the inputs, as the rates of the outputs
-    /// in `rates`; see [`Element::directional_derivative`]. Where the loads are given, height and roll follow them.
+    /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates
+    /// of the inputs, as the rates of the outputs in `rates`; see
+    /// [`Element::directional_derivative`]. Where the loads are given, height and roll follow them.
     ///
     /// # Errors
-    /// The input at fault, by its name, or [`ContactError::NoDerivative`]; `rates` is then as before.
+    /// The input at fault, by its name, or [`ContactError::NoDerivative`]; `rates` is then as
+    /// before.
     pub fn directional_derivative(
         &mut self,
         input: &Input,
@@ -64,7 +66,8 @@ impl Wheelset {
         Ok(())
     }
 
-    /// Rates of both sides and of the height, at the roll rate that goes with the loads where these are given; returns the motion of the centre with its rates.
+    /// Rates of both sides and of the height, at the roll rate that goes with the loads where these
+    /// are given; returns the motion of the centre with its rates.
     fn follow_loads(
         &mut self,
         input: &Input,
@@ -86,7 +89,8 @@ impl Wheelset {
         Ok(motion)
     }
 
-    /// Rates of both sides, which are `at` these outputs; returns the motion of the centre with its rates.
+    /// Rates of both sides, which are `at` these outputs; returns the motion of the centre with its
+    /// rates.
     fn sides_along(
         &mut self,
         input: &Input,
@@ -146,7 +150,8 @@ impl Wheelset {
     }
 }
 
-/// Brings the `rates` of the outputs of a side, which are `at` these in the frame of the track, there from the frame of the rails.
+/// Brings the `rates` of the outputs of a side, which are `at` these in the frame of the track,
+/// there from the frame of the rails.
 fn bring_out(
     frame: &RailFrame<Dual<1>>,
     [z, within]: [Dual<1>; 2],

@@ -1,13 +1,15 @@
 //! Given loads: the height and the roll of a wheelset at which each side carries its load.
 //!
-//! Each element finds the height of its wheel at any roll. The axle is rigid, which one roll angle fits:
+//! Each element finds the height of its wheel at any roll. The axle is rigid, which one roll angle
+//! fits:
 //!
 //! ```text
 //! z_right(roll) - z_left(roll) = 2 b sin roll cos yaw
 //! ```
 //!
-//! It is found by bracketed secants, from 0 and never from the roll of the input. Where there is none up to [`MOST_ROLL`], as of wheels
-//! beside their rails, the roll nearest to it counts, and a fallback.
+//! It is found by bracketed secants, from 0 and never from the roll of the input. Where there is
+//! none up to [`MOST_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
+//! fallback.
 
 use super::{Input, LEFT, Output, RIGHT, TrackTurn, Wheelset};
 use crate::element::Element;
@@ -36,7 +38,8 @@ impl Wheelset {
         if input.track == TrackTurn::default() {
             return Ok((found, is_missed));
         }
-        // On a track that turns velocities go with the height, and friction with them bears some of the load: the search is made again with the velocities of the height found.
+        // On a track that turns velocities go with the height, and friction with them bears some of
+        // the load: the search is made again with the velocities of the height found.
         self.carry_loads_about(&found)
     }
 
@@ -47,7 +50,8 @@ impl Wheelset {
         at.wheelset.roll = 0.0;
         let counts = self.elements.each_ref().map(Element::fallbacks);
         let between = self.markers[RIGHT] - self.markers[LEFT];
-        // Numbers that leave their range on the way to the markers are refused here, and by no roll after it.
+        // Numbers that leave their range on the way to the markers are refused here, and by no roll
+        // after it.
         self.sides(&at, &mut trial, Element::evaluate)?;
         let mut missing = |roll: f64| {
             at.wheelset.roll = roll;

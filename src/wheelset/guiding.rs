@@ -1,4 +1,5 @@
-//! Guiding forces and wheel loads, by which vehicles are approved (EN 14363: Y, Q, Y/Q and the sum of Y).
+//! Guiding forces and wheel loads, by which vehicles are approved (EN 14363: Y, Q, Y/Q and the sum
+//! of Y).
 
 use super::sides::{LEFT, RIGHT};
 use crate::math::real::Real;

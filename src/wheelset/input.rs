@@ -11,7 +11,8 @@ use crate::error::ContactError;
 /// All inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// Motion of the centre of the wheelset, midway between the wheel markers, in the track frame, which goes along the track with its velocity along x.
+    /// Motion of the centre of the wheelset, midway between the wheel markers, in the track frame,
+    /// which goes along the track with its velocity along x.
     pub wheelset: WheelMotion,
     /// What is under the right wheel and under the left one.
     pub sides: [SideInput; 2],
@@ -21,12 +22,14 @@ pub struct Input {
     pub track: TrackTurn,
 }
 
-/// Rails and friction of one side; values are those of the real side in the track frame, not mirrored.
+/// Rails and friction of one side; values are those of the real side in the track frame, not
+/// mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideInput {
     /// The rails, `rail[1]` first.
     pub rails: [RailMotion; RAILS],
-    /// Vertical force of the wheel on its rails together, down, if the loads are given and not height and roll [N].
+    /// Vertical force of the wheel on its rails together, down, if the loads are given and not
+    /// height and roll [N].
     pub wheel_load: f64,
     /// Coefficient of friction where it is the same everywhere, ≥ 0 [-].
     pub friction: f64,
@@ -36,7 +39,8 @@ pub struct SideInput {
     pub gauge_face_friction: f64,
     /// Where the rails lie beside their design line.
     pub line: RailLine,
-    /// Pitch angle of the wheel against that of the wheelset, of wheels that turn by themselves [rad].
+    /// Pitch angle of the wheel against that of the wheelset, of wheels that turn by themselves
+    /// [rad].
     pub own_pitch: f64,
     /// Pitch rate of the wheel against that of the wheelset [rad/s].
     pub own_pitch_rate: f64,
@@ -122,7 +126,8 @@ impl Input {
         Self { wheelset: input.wheel, sides, track_s: input.track_s, track }
     }
 
-    /// The input of the element on one side, whose marker is `along` [m] to the right of the centre, in the frame of its rails.
+    /// The input of the element on one side, whose marker is `along` [m] to the right of the
+    /// centre, in the frame of its rails.
     #[must_use]
     pub fn of_side(&self, side: usize, along: f64) -> element::Input {
         let own = &self.sides[side];
@@ -149,7 +154,8 @@ impl Input {
     /// The first input at fault, by its name.
     pub fn check(&self) -> Result<(), ContactError> {
         self.track.check()?;
-        // The centre is checked as a wheel would be, the sides with it, so that names can be told apart.
+        // The centre is checked as a wheel would be, the sides with it, so that names can be told
+        // apart.
         for (k, side) in SIDES.into_iter().enumerate() {
             let as_wheel = self.sides[k].with(self.wheelset, self.track_s);
             as_wheel.check().map_err(|error| {

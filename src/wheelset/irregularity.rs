@@ -11,7 +11,8 @@ use crate::io::load_irregularities;
 /// Name of the parameter.
 const PARAMETER: &str = "track.irregularity.file";
 
-/// Lines of the rails of both sides, right first: lateral and vertical deviations over the station, twice differentiable; rails go on level beyond the ends.
+/// Lines of the rails of both sides, right first: lateral and vertical deviations over the station,
+/// twice differentiable; rails go on level beyond the ends.
 #[derive(Clone, Debug)]
 pub struct Irregularities([[Waviness; 2]; 2]);
 

@@ -1,4 +1,5 @@
-//! Two elements on one axle: motion of the centre of a wheelset in, forces on it and on both rails out.
+//! Two elements on one axle: motion of the centre of a wheelset in, forces on it and on both rails
+//! out.
 //!
 //! ```
 //! use wheelrail::wheelset::{Input, Output, Parameters, Wheelset};
@@ -49,7 +50,8 @@ use sides::on_side;
 
 /// A wheelset and the rails under it, ready to be evaluated.
 ///
-/// A rigid body: its wheel markers follow the centre. Everything about frames, signs and models is as for [`Element`].
+/// A rigid body: its wheel markers follow the centre. Everything about frames, signs and models is
+/// as for [`Element`].
 #[derive(Clone, Debug)]
 pub struct Wheelset {
     elements: [Element; 2],
@@ -64,15 +66,18 @@ pub struct Wheelset {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct NominalHeights {
-    /// Height of the centre at which the first of the wheels touches; the starting height where both stand beside the rails [m].
+    /// Height of the centre at which the first of the wheels touches; the starting height where
+    /// both stand beside the rails [m].
     pub wheelset_z: f64,
-    /// Height of each wheel marker at which that wheel touches; its starting height where it stands beside the rails [m].
+    /// Height of each wheel marker at which that wheel touches; its starting height where it stands
+    /// beside the rails [m].
     pub wheel_z: [f64; 2],
 }
 
 impl Wheelset {
-    /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order), checks the parameters and sizes all
-    /// scratch memory. `start` is the input from which the nominal heights follow.
+    /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order),
+    /// checks the parameters and sizes all scratch memory. `start` is the input from which the
+    /// nominal heights follow.
     ///
     /// # Errors
     /// The parameter, profile or input at fault, by its name in `WheelSet.fmu`.
@@ -117,8 +122,8 @@ impl Wheelset {
         Ok(Self { elements, vertical_mode: right.vertical_mode, markers, irregularities, nominal })
     }
 
-    /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its starting height where it stands
-    /// beside the rails [m].
+    /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its
+    /// starting height where it stands beside the rails [m].
     #[must_use]
     pub fn nominal_z(&self) -> f64 {
         self.nominal.wheelset_z
@@ -144,10 +149,12 @@ impl Wheelset {
         self.both(input, output, Element::evaluate)
     }
 
-    /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, as [`Element::advance`].
+    /// Evaluates the forces and wears off what a time of `duration` ≥ 0 [s] wears off, as
+    /// [`Element::advance`].
     ///
     /// # Errors
-    /// The input at fault, by its name, or a duration that is negative or not finite; nothing is worn off then.
+    /// The input at fault, by its name, or a duration that is negative or not finite; nothing is
+    /// worn off then.
     pub fn advance(
         &mut self,
         input: &Input,
@@ -157,11 +164,12 @@ impl Wheelset {
         self.both(input, output, |element, input, output| element.advance(input, output, duration))
     }
 
-    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go from `from` straight to `to`, as
-    /// [`Element::move_rails`]; other rails stay.
+    /// Moves rails with a mass on over a step of `duration` ≥ 0 [s], during which the inputs go
+    /// from `from` straight to `to`, as [`Element::move_rails`]; other rails stay.
     ///
     /// # Errors
-    /// The input at fault, by its name, or a duration that is negative or not finite; the rails are then where they were.
+    /// The input at fault, by its name, or a duration that is negative or not finite; the rails are
+    /// then where they were.
     pub fn move_rails(
         &mut self,
         from: &Input,
@@ -184,7 +192,8 @@ impl Wheelset {
         Ok(())
     }
 
-    /// Both sides by `evaluate`, at the height and roll that carry the loads where these are given, and the sums.
+    /// Both sides by `evaluate`, at the height and roll that carry the loads where these are given,
+    /// and the sums.
     fn both(
         &mut self,
         input: &Input,

@@ -8,7 +8,8 @@ use crate::element::output::Wrench;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Output {
-    /// Force of all contacts on the wheelset, and their moment about its centre, in the track frame.
+    /// Force of all contacts on the wheelset, and their moment about its centre, in the track
+    /// frame.
     pub wheelset: Wrench,
     /// Each side, right first; values are those of the real side in the track frame.
     pub sides: [element::Output; 2],

@@ -11,9 +11,11 @@ pub const TAPE_CIRCLE: f64 = 0.07;
 /// Everything fixed over a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// Distance of the flange backs, > 0; the wheel markers are the distance of the tape circle farther out on both sides [m].
+    /// Distance of the flange backs, > 0; the wheel markers are the distance of the tape circle
+    /// farther out on both sides [m].
     pub flange_back_distance: f64,
-    /// File with the irregularities of the rails over the station (five columns, see `io::irregularity_file`); none if empty.
+    /// File with the irregularities of the rails over the station (five columns, see
+    /// `io::irregularity_file`); none if empty.
     pub irregularity_file: String,
     /// Right and left wheel with their rails; each `side` is that of its place, whatever it says.
     pub sides: [element::Parameters; 2],
@@ -26,7 +28,8 @@ impl Default for Parameters {
 }
 
 impl Parameters {
-    /// The same for both sides, flange backs 1.36 m apart. Rails placed by position get their mirror images, wherever `one` is.
+    /// The same for both sides, flange backs 1.36 m apart. Rails placed by position get their
+    /// mirror images, wherever `one` is.
     #[must_use]
     pub fn of_both(one: &element::Parameters) -> Self {
         let sides = [Side::Right, Side::Left].map(|side| one.on_side(side));
@@ -40,7 +43,8 @@ impl Parameters {
         [half, -half]
     }
 
-    /// The parameters of each element, and whether the distance is admitted; elements check their own.
+    /// The parameters of each element, and whether the distance is admitted; elements check their
+    /// own.
     pub(super) fn checked(&self) -> Result<[element::Parameters; 2], ContactError> {
         let distance = self.flange_back_distance;
         if !(distance.is_finite() && distance > 0.0) {

@@ -1,8 +1,9 @@
 //! The frame of the rails of one side, in which they run along x as those of an element do.
 //!
-//! Contact sees wheel and rail: rails that run at an angle to the track are rails along x under a wheel that is turned, moves and stands
-//! accordingly. Velocities stay those against the ground: rails lie still, so that what slips is what it is, and a wheel that follows its rails
-//! does not come nearer to them.
+//! Contact sees wheel and rail: rails that run at an angle to the track are rails along x under a
+//! wheel that is turned, moves and stands accordingly. Velocities stay those against the ground:
+//! rails lie still, so that what slips is what it is, and a wheel that follows its rails does not
+//! come nearer to them.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -11,7 +12,8 @@ use crate::element::output::Wrench;
 use crate::kinematics::motion::WheelMotion;
 use crate::math::real::Real;
 
-/// Axes of the rails of a side, and the point of the track that has the same coordinates in both frames but for the deviation of the rails.
+/// Axes of the rails of a side, and the point of the track that has the same coordinates in both
+/// frames but for the deviation of the rails.
 #[derive(Clone, Debug)]
 pub struct RailFrame<T: Real> {
     /// Unit vectors along the rails, across and horizontal, and down, by columns.
@@ -21,7 +23,8 @@ pub struct RailFrame<T: Real> {
 }
 
 impl<T: Real> RailFrame<T> {
-    /// Of rails on a `line` of a track that turns, `y` [m] to the right of its middle, under a wheelset at `x` [m].
+    /// Of rails on a `line` of a track that turns, `y` [m] to the right of its middle, under a
+    /// wheelset at `x` [m].
     pub fn new(line: &RailLine<T>, turn: &TrackTurn<T>, x: T, y: f64) -> Self {
         let zero = T::from(0.0);
         let design = turn.direction(T::from(y));
@@ -75,8 +78,9 @@ impl<T: Real> RailFrame<T> {
         (self.pivot + self.axes.transpose() * arm).into()
     }
 
-    /// Height in the track frame of a body that stands at `z` there and at `within` in the frame of the rails, when it is lifted along the
-    /// former's z axis to a height `found` in the latter's [m].
+    /// Height in the track frame of a body that stands at `z` there and at `within` in the frame of
+    /// the rails, when it is lifted along the former's z axis to a height `found` in the latter's
+    /// [m].
     pub fn height(&self, z: T, [within, found]: [T; 2]) -> T {
         z + (found - within) / self.axes[(2, 2)]
     }

@@ -14,8 +14,8 @@ pub(super) fn on_side(error: ContactError, side: &str) -> ContactError {
     error.renamed(|name| name_on_side(name, side))
 }
 
-/// The name in `WheelSet.fmu` of what `WheelRail.fmu` calls `name`: what belongs to one wheel or one rail has the side before it, models
-/// and materials are those of both.
+/// The name in `WheelSet.fmu` of what `WheelRail.fmu` calls `name`: what belongs to one wheel or
+/// one rail has the side before it, models and materials are those of both.
 #[must_use]
 pub fn name_on_side(name: &str, side: &str) -> String {
     let is_common = ["wheel.young_modulus", "wheel.poisson_ratio", "rail.", "wear.model"]

@@ -1,4 +1,5 @@
-//! How the track goes on under a wheelset: turns of its frame, and the line of the rails of each side in it.
+//! How the track goes on under a wheelset: turns of its frame, and the line of the rails of each
+//! side in it.
 
 use nalgebra::Vector3;
 
@@ -8,26 +9,30 @@ use crate::math::real::Real;
 
 /// Greatest turn of the track frame over a length [rad/m]: no wheelset passes a radius of 10 m.
 pub const MOST_TURN: f64 = 0.1;
-/// Greatest slope of a rail along the track [-]: five times that of the steepest ramp of a crossing.
+/// Greatest slope of a rail along the track [-]: five times that of the steepest ramp of a
+/// crossing.
 pub const MOST_SLOPE: f64 = 0.1;
 
 /// How the track frame turns as it goes along the track, about its own axes.
 ///
-/// The motion of the wheelset is that in the track frame: a wheelset that runs evenly through a curve has no yaw rate of its own.
+/// The motion of the wheelset is that in the track frame: a wheelset that runs evenly through a
+/// curve has no yaw rate of its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TrackTurn<T = f64> {
     /// Change of the cant angle over the length: positive lowers the right rail on the way [rad/m].
     pub twist: T,
-    /// Change of the gradient over the length: positive in a sag, from where on the track rises [rad/m].
+    /// Change of the gradient over the length: positive in a sag, from where on the track rises
+    /// [rad/m].
     pub vertical_curvature: T,
     /// Curvature in plan: positive to the right [rad/m].
     pub curvature: T,
 }
 
-/// Where the rails of a side lie beside their design line at the wheelset, and where they lead to from there.
+/// Where the rails of a side lie beside their design line at the wheelset, and where they lead to
+/// from there.
 ///
-/// These are irregularities over the station: rails lie still in them, other than rails that are given a velocity. A wheel meets them as rails that run at an angle
-/// to the track.
+/// These are irregularities over the station: rails lie still in them, other than rails that are
+/// given a velocity. A wheel meets them as rails that run at an angle to the track.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RailLine<T = f64> {
     /// Lateral deviation of both rails of the side, to the right [m].
@@ -41,8 +46,8 @@ pub struct RailLine<T = f64> {
 }
 
 impl<T: Real> TrackTurn<T> {
-    /// The motion of a body against the ground, in the axes of the track frame, from that `in_track`, whose velocity along x is that of the track frame
-    /// along the track.
+    /// The motion of a body against the ground, in the axes of the track frame, from that
+    /// `in_track`, whose velocity along x is that of the track frame along the track.
     ///
     /// ```text
     /// ω = v_x (twist, vertical_curvature, curvature),   V = V' + ω × (0, y, z),   Ω = Ω' + ω
@@ -62,7 +67,8 @@ impl<T: Real> TrackTurn<T> {
         Vector3::new(self.twist, self.vertical_curvature, self.curvature)
     }
 
-    /// Direction of a line that keeps its distance `y` from the middle of the track, not of unit length.
+    /// Direction of a line that keeps its distance `y` from the middle of the track, not of unit
+    /// length.
     pub(super) fn direction(&self, y: T) -> Vector3<T> {
         Vector3::x() + self.vector().cross(&Vector3::new(T::from(0.0), y, T::from(0.0)))
     }

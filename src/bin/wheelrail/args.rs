@@ -6,8 +6,8 @@ use crate::{compare, conicity, evaluate, fit, linearize, patch, plot, simulate, 
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
-/// Inside and in all options: SI units, angles in radians, x forward, y to the right, z down; forces are those on the
-/// wheel. Millimetres only where a column or a figure says so.
+/// Inside and in all options: SI units, angles in radians, x forward, y to the right, z down;
+/// forces are those on the wheel. Millimetres only where a column or a figure says so.
 #[derive(Debug, Parser)]
 #[command(version, propagate_version = true, verbatim_doc_comment)]
 pub struct Arguments {

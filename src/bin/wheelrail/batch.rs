@@ -6,23 +6,26 @@ use std::thread;
 
 use anyhow::Result;
 
-/// Cases that one thread may be ahead of the result that is handed over next. It bounds the memory, and lets the other threads
-/// go on while one of them is at a case that takes a thousand times longer.
+/// Cases that one thread may be ahead of the result that is handed over next. It bounds the memory,
+/// and lets the other threads go on while one of them is at a case that takes a thousand times
+/// longer.
 const AHEAD: usize = 256;
 
-/// Threads for work that is not timed: one for each core, or what the environment variable `RAYON_NUM_THREADS` says.
+/// Threads for work that is not timed: one for each core, or what the environment variable
+/// `RAYON_NUM_THREADS` says.
 pub fn all_cores() -> usize {
     rayon::current_num_threads()
 }
 
-/// Computes `work` for each of `cases` on `threads` threads and hands the results to `done` in the order of the cases.
+/// Computes `work` for each of `cases` on `threads` threads and hands the results to `done` in the
+/// order of the cases.
 ///
-/// Cases are taken one by one as threads become free; results wait for those before them. Each thread has something of its own
-/// that `keep` makes and that it uses for all of its cases.
+/// Cases are taken one by one as threads become free; results wait for those before them. Each
+/// thread has something of its own that `keep` makes and that it uses for all of its cases.
 ///
 /// # Errors
-/// The first error in the order of the cases, of a case itself, of `work` or of `done`; the results before it have been handed
-/// over.
+/// The first error in the order of the cases, of a case itself, of `work` or of `done`; the results
+/// before it have been handed over.
 pub fn in_order<C, R: Send, K>(
     cases: impl Iterator<Item = Result<C>> + Send,
     threads: usize,
@@ -119,7 +122,8 @@ impl<I, R, D> Desk<I, R, D> {
     }
 }
 
-/// Ends the work of the other threads when one of them panics: its result would be waited for without end.
+/// Ends the work of the other threads when one of them panics: its result would be waited for
+/// without end.
 struct CloseOnPanic<'a, I, R, D>(&'a Desk<I, R, D>);
 
 impl<I, R, D> Drop for CloseOnPanic<'_, I, R, D> {

@@ -34,8 +34,8 @@ pub struct Row {
 
 /// A table that is read row by row.
 ///
-/// Columns are parted by commas, or as the header has it by semicolons or tabs; with these a decimal comma is read too. Lines that
-/// begin with `#` are comments.
+/// Columns are parted by commas, or as the header has it by semicolons or tabs; with these a
+/// decimal comma is read too. Lines that begin with `#` are comments.
 pub struct CaseReader {
     header: Arc<Header>,
     lines: Lines,
@@ -161,8 +161,8 @@ impl Cases {
     /// Reads the file `path`.
     ///
     /// # Errors
-    /// If the file cannot be read, has no rows, a row is of another length than the header, or a column
-    /// occurs twice.
+    /// If the file cannot be read, has no rows, a row is of another length than the header, or a
+    /// column occurs twice.
     pub fn read(path: &Path) -> Result<Self> {
         let reader = CaseReader::open(path)?;
         Ok(Self { header: reader.header.clone(), rows: reader.collect::<Result<_>>()? })

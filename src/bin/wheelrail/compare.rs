@@ -26,20 +26,24 @@ use summary::Summary;
 
 /// Compare the models of each row of a table with the boundary element solution
 ///
-/// CASES is a table as for patch (planar problems; it has a column separation) or as for evaluate (a wheel on rails, its
-/// height by wheel.z or with vertical.mode load by wheel.load). Each row is solved by its own models and by boundary elements;
-/// where the row asks for no creep forces neither computes any. normal.elements_along and _across (elements_along and
-/// elements_across in planar tables) set the grid of the boundary elements, 40 by 40 to begin with.
+/// CASES is a table as for patch (planar problems; it has a column separation) or as for evaluate
+/// (a wheel on rails, its height by wheel.z or with vertical.mode load by wheel.load). Each row is
+/// solved by its own models and by boundary elements; where the row asks for no creep forces
+/// neither computes any. normal.elements_along and _across (elements_along and elements_across in
+/// planar tables) set the grid of the boundary elements, 40 by 40 to begin with.
 ///
-/// On wheels the boundary elements lie on the curved surface of the rail, all contacts of a rail in one problem. A second solution with half
-/// as many elements each way tells their own error: by how much the two differ. Patches in one problem tell where contacts are separate,
-/// the angle between their outermost normals how far a contact turns. The largest distance left in the contact (over the
-/// overlap) and the largest slip that contradicts friction (over the rigid slip) tell how well the equations are solved.
+/// On wheels the boundary elements lie on the curved surface of the rail, all contacts of a rail in
+/// one problem. A second solution with half as many elements each way tells their own error: by how
+/// much the two differ. Patches in one problem tell where contacts are separate, the angle between
+/// their outermost normals how far a contact turns. The largest distance left in the contact (over
+/// the overlap) and the largest slip that contradicts friction (over the rigid slip) tell how well
+/// the equations are solved.
 ///
-/// The result has one row for each case: both solutions, the errors of the row's models, and the time each took. Errors
-/// of normal force, greatest pressure and area are in percent of the boundary element solution, that of the creep force in percent
-/// of the friction limit, that of the spin moment in percent of friction limit times sqrt(area/pi). Median, 95 % and worst
-/// of the errors go to standard output if the result goes to a file, else to standard error.
+/// The result has one row for each case: both solutions, the errors of the row's models, and the
+/// time each took. Errors of normal force, greatest pressure and area are in percent of the
+/// boundary element solution, that of the creep force in percent of the friction limit, that of the
+/// spin moment in percent of friction limit times sqrt(area/pi). Median, 95 % and worst of the
+/// errors go to standard output if the result goes to a file, else to standard error.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -51,7 +55,8 @@ pub struct Arguments {
     /// File for median, 95 % and worst of the errors, CSV
     #[arg(long, value_name = "FILE")]
     pub summary: Option<PathBuf>,
-    /// Figure of the errors over the first column of CASES, a line for each value of the second, SVG
+    /// Figure of the errors over the first column of CASES, a line for each value of the second,
+    /// SVG
     #[arg(long, value_name = "FILE.svg")]
     pub figure: Option<PathBuf>,
 }

@@ -25,11 +25,12 @@ const COLUMNS: [&str; 9] = [
 
 /// Rolling radius difference and equivalent conicity of a profile pair, by EN 15302
 ///
-/// The wheelset is shifted sideways on its track, rigid and without rolling about x, until each wheel touches its
-/// rail at one point. The table has one row for each lateral displacement y, positive to the right: the difference of
-/// the rolling radii, right less left, radii and contact points of both sides (on the profiles, positive to the field side),
-/// and for y > 0 the equivalent conicity of a motion of the amplitude y. A conicity of 0 says that the wheelset does not
-/// swing at that amplitude, an empty cell that one of the turning points lies beyond the range.
+/// The wheelset is shifted sideways on its track, rigid and without rolling about x, until each
+/// wheel touches its rail at one point. The table has one row for each lateral displacement y,
+/// positive to the right: the difference of the rolling radii, right less left, radii and contact
+/// points of both sides (on the profiles, positive to the field side), and for y > 0 the equivalent
+/// conicity of a motion of the amplitude y. A conicity of 0 says that the wheelset does not swing
+/// at that amplitude, an empty cell that one of the turning points lies beyond the range.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
@@ -61,7 +62,8 @@ const REFERENCE_AMPLITUDE: f64 = 3e-3;
 /// Computes the table and, if asked for, draws the figure.
 ///
 /// # Errors
-/// If an option or profile is not admitted, no position has contact on both sides, or nothing can be written.
+/// If an option or profile is not admitted, no position has contact on both sides, or nothing can
+/// be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];

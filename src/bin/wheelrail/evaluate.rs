@@ -20,15 +20,17 @@ use crate::remarks::{Found, ProfileRemarks, Remarks};
 
 /// Evaluate the contact element for every row of a table
 ///
-/// The header of CASES names inputs and parameters of the FMU, such as wheel.y, wheel.z, side or normal.model; what
-/// is left out, or an empty cell, keeps its start value (docs/fmi.md lists them). Enumerations are
-/// given by the names of their items, profile files relative to CASES. The result has one row for each case and one
-/// column for every output and calculated parameter. Lines that begin with # are comments.
+/// The header of CASES names inputs and parameters of the FMU, such as wheel.y, wheel.z, side or
+/// normal.model; what is left out, or an empty cell, keeps its start value (docs/fmi.md lists
+/// them). Enumerations are given by the names of their items, profile files relative to CASES. The
+/// result has one row for each case and one column for every output and calculated parameter. Lines
+/// that begin with # are comments.
 ///
-/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too. Rows are evaluated on all
-/// cores, or as many threads as the environment variable RAYON_NUM_THREADS says, and written in their order as they are
-/// done. A file gets its name when it is complete: what is done of it before, when the run is stopped or a row is refused,
-/// stays in FILE.partial.
+/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too.
+/// Rows are evaluated on all cores, or as many threads as the environment variable
+/// RAYON_NUM_THREADS says, and written in their order as they are done. A file gets its name when
+/// it is complete: what is done of it before, when the run is stopped or a row is refused, stays in
+/// FILE.partial.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -42,7 +44,8 @@ pub struct Arguments {
 /// Evaluates all rows.
 ///
 /// # Errors
-/// With row and column: an unknown name, a value or profile that is refused. Rows before one whose profile is refused are written.
+/// With row and column: an unknown name, a value or profile that is refused. Rows before one whose
+/// profile is refused are written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let (cases, path) = (arguments.files.cases.as_path(), arguments.files.output.as_deref());
     output::check_names([cases], [path])?;
@@ -118,15 +121,16 @@ fn line(values: &Values, computed: &[&Variable]) -> Result<String> {
     Ok(line)
 }
 
-/// The elements of the parameters that came last, so that rows that share parameters share an element.
+/// The elements of the parameters that came last, so that rows that share parameters share an
+/// element.
 struct Evaluator {
     folder: PathBuf,
     /// The one used last first.
     elements: Vec<Box<(Parameters, Element)>>,
 }
 
-/// Elements that a thread keeps. One takes 0.3 MB and 0.6 ms to make; those of boundary elements take more memory, and nothing
-/// against one evaluation: of them only the last is kept.
+/// Elements that a thread keeps. One takes 0.3 MB and 0.6 ms to make; those of boundary elements
+/// take more memory, and nothing against one evaluation: of them only the last is kept.
 const MOST_ELEMENTS: usize = 64;
 
 impl Evaluator {
@@ -134,7 +138,8 @@ impl Evaluator {
         Self { folder, elements: Vec::new() }
     }
 
-    /// Evaluates a row; gives what is odd about its place, and what was found in files of profiles that had to be read for it.
+    /// Evaluates a row; gives what is odd about its place, and what was found in files of profiles
+    /// that had to be read for it.
     fn evaluate(&mut self, values: &mut Values) -> Result<Found, ContactError> {
         let Values { parameters, input, output, .. } = values;
         let (element, profiles) = self.element(parameters, input)?;
@@ -146,7 +151,8 @@ impl Evaluator {
         Ok(Found::about_places(element).with_profiles(profiles))
     }
 
-    /// The element with these parameters, and what was found in the files of profiles if it had to be made.
+    /// The element with these parameters, and what was found in the files of profiles if it had to
+    /// be made.
     fn element(
         &mut self,
         parameters: &Parameters,

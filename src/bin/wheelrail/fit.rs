@@ -18,8 +18,9 @@ use points::Points;
 
 /// Fit the law of friction to measured creep curves
 ///
-/// Friction, its fall with the sliding speed and the reduction of the initial slope, by least squares of the adhesion: the force
-/// of a rolling contact over its normal force. The bodies touch in an ellipse; steel, unless --set says otherwise.
+/// Friction, its fall with the sliding speed and the reduction of the initial slope, by least
+/// squares of the adhesion: the force of a rolling contact over its normal force. The bodies touch
+/// in an ellipse; steel, unless --set says otherwise.
 ///
 /// Columns of POINTS, in any order; those marked * are needed:
 ///   creepage_longitudinal *, adhesion *    of one point of a curve, both without sign or both with the same
@@ -27,8 +28,8 @@ use points::Points;
 ///   speed_m_s *                            rolling speed
 ///   creepage_lateral, spin_per_mm          (0)
 ///
-/// Said is each parameter with its standard error, as it can be given to --set of the other commands, and what the data do not
-/// determine. A table of the fit goes to --output.
+/// Said is each parameter with its standard error, as it can be given to --set of the other
+/// commands, and what the data do not determine. A table of the fit goes to --output.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -52,7 +53,8 @@ pub struct Arguments {
     /// Relative radius of the bodies across [m]
     #[arg(long, value_name = "M", default_value_t = 0.3, help_heading = "Contact")]
     pub radius_across: f64,
-    /// Set any parameter, such as friction.falling.law or wheel.young_modulus, or friction.coefficient; may be repeated
+    /// Set any parameter, such as friction.falling.law or wheel.young_modulus, or
+    /// friction.coefficient; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
     pub settings: Vec<(String, String)>,
 }

@@ -29,7 +29,8 @@ pub struct ContactOptions {
     /// Inclination of the rails: 0.025 is 1:40
     #[arg(long, value_name = "TANGENT", default_value_t = 0.025, help_heading = "Contact")]
     pub inclination: f64,
-    /// Set any other parameter of both wheels (for simulate any input too), such as track.gauge; may be repeated
+    /// Set any other parameter of both wheels (for simulate any input too), such as track.gauge;
+    /// may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, help_heading = "Contact")]
     pub settings: Vec<(String, String)>,
 }

@@ -1,5 +1,5 @@
-//! Where results go: files that get their names only when they are complete, tables on standard output, and the progress of long
-//! inputs.
+//! Where results go: files that get their names only when they are complete, tables on standard
+//! output, and the progress of long inputs.
 
 mod table;
 
@@ -73,7 +73,8 @@ fn identity(path: &Path) -> Option<PathBuf> {
     Some(folder.join(path.file_name()?))
 }
 
-/// A bar for `rows` cases on standard error, or without their number a count; hidden where the rows themselves go to the terminal.
+/// A bar for `rows` cases on standard error, or without their number a count; hidden where the rows
+/// themselves go to the terminal.
 ///
 /// # Errors
 /// Never: the templates are fixed.

@@ -27,9 +27,9 @@ const RESULTS: [&str; 11] = [
 
 /// Solve planar contact problems, one for every row of a table
 ///
-/// A planar problem is the separation f(y) of two bodies across the rolling direction, a rolling radius along it, and an
-/// approach or a load. Forces and moment act on the upper body, the wheel; x is forward, y to the right; the moment is
-/// about the origin of the separation file.
+/// A planar problem is the separation f(y) of two bodies across the rolling direction, a rolling
+/// radius along it, and an approach or a load. Forces and moment act on the upper body, the wheel;
+/// x is forward, y to the right; the moment is about the origin of the separation file.
 ///
 /// Columns of CASES, in any order; those marked * are needed:
 ///   separation *              CSV file with columns y_mm and f_mm, relative to CASES
@@ -43,9 +43,9 @@ const RESULTS: [&str; 11] = [
 ///                             names and start values as in the FMU (normal.model, …)
 ///   elements_across           with elements_along the boundary elements over the contact (40 by 40)
 ///
-/// An empty cell is as if the column were left out. Lines that begin with # are comments. The column time_us of the
-/// result is the time of one solution on this machine, the median of five; boundary elements are timed once, several cases at
-/// once on all cores.
+/// An empty cell is as if the column were left out. Lines that begin with # are comments. The
+/// column time_us of the result is the time of one solution on this machine, the median of five;
+/// boundary elements are timed once, several cases at once on all cores.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]

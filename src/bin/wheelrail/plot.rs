@@ -18,17 +18,21 @@ use crate::planar_cases::PlanarCases;
 use crate::remarks::{Found, Remarks};
 use crate::{models, output};
 
-/// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by boundary elements
+/// Draw the contact of one case: pressure, tractions, adhesion and slip by its own models and by
+/// boundary elements
 ///
-/// CASES is a table as for patch (with a column separation) or as for evaluate; --row says which of its rows. For a wheel on
-/// rails the profiles and the places where they touch are drawn too, and the patch is that of the contact --contact, 1 for the most
-/// loaded one; its problem is laid flat, without the shift of the contact line that yaw brings. Wheels roll forward.
+/// CASES is a table as for patch (with a column separation) or as for evaluate; --row says which of
+/// its rows. For a wheel on rails the profiles and the places where they touch are drawn too, and
+/// the patch is that of the contact --contact, 1 for the most loaded one; its problem is laid flat,
+/// without the shift of the contact line that yaw brings. Wheels roll forward.
 ///
-/// The left half of the figure shows the models of the row, the right half boundary elements. FASTSIM and boundary elements have
-/// tractions to show; of other tangential models only the pressure is drawn.
+/// The left half of the figure shows the models of the row, the right half boundary elements.
+/// FASTSIM and boundary elements have tractions to show; of other tangential models only the
+/// pressure is drawn.
 ///
-/// With --worn-wheel or --worn-rail instead of CASES the worn profiles, as a run of the FMU with wear.wheel.file or wear.rail[1].file leaves
-/// them, are drawn on those they were, and the wear depth along the normal of those over y.
+/// With --worn-wheel or --worn-rail instead of CASES the worn profiles, as a run of the FMU with
+/// wear.wheel.file or wear.rail[1].file leaves them, are drawn on those they were, and the wear
+/// depth along the normal of those over y.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -156,7 +160,8 @@ fn draw(
     drawn: usize,
     same_load: bool,
 ) -> Result<()> {
-    // At the height that carries the load by the models of the row, boundary elements carry another one.
+    // At the height that carries the load by the models of the row, boundary elements carry another
+    // one.
     let indentation = if same_load {
         Indentation::Load(wheelrail::planar::solve(case)?.normal_force)
     } else {

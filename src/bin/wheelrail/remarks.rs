@@ -41,7 +41,8 @@ impl Found {
         Self { profiles, ..self }
     }
 
-    /// The same with the place in the table, which is asked for only where there is anything to tell.
+    /// The same with the place in the table, which is asked for only where there is anything to
+    /// tell.
     pub fn at(self, place: impl FnOnce() -> String) -> Self {
         if self.is_empty() { self } else { Self { place: place(), ..self } }
     }
@@ -52,8 +53,8 @@ impl Found {
     }
 }
 
-/// What has been told: each remark on a file once, however many elements read it, and each kind of odd place once, however many
-/// rows of a table are in it.
+/// What has been told: each remark on a file once, however many elements read it, and each kind of
+/// odd place once, however many rows of a table are in it.
 #[derive(Debug, Default)]
 pub struct Remarks {
     files: HashSet<String>,
@@ -62,7 +63,8 @@ pub struct Remarks {
 }
 
 impl Remarks {
-    /// Tells what is a warning and has not been told: one line each, files with the parameter that names them, places with the row.
+    /// Tells what is a warning and has not been told: one line each, files with the parameter that
+    /// names them, places with the row.
     pub fn tell(&mut self, found: &Found) {
         for (parameter, remark) in found.profiles.iter().filter(|(_, r)| r.is_warning()) {
             let text = remark.to_string();

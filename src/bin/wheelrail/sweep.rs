@@ -21,12 +21,14 @@ use results::{Results, Swept};
 
 /// Step along a path of inputs: the largest jump and the roughness of every output
 ///
-/// The rows of CASES, a table as for evaluate, are the corners of the path: inputs go from row to row on straight lines;
-/// parameters are those of the first row. Around the steps in which an output changes most against its neighbours the
-/// path is halved again and again, so that a jump is told from a steep slope: `jump` is what is left of the change, share
-/// of the largest value on the path. `roughness` is the median second difference over the same, where the output changes. One row for each
-/// output that changes; `at` counts rows from 1: 1.25 is a quarter of the way from the first to the second.
-/// With --vary the path is run once for each value of a parameter, to compare models.
+/// The rows of CASES, a table as for evaluate, are the corners of the path: inputs go from row to
+/// row on straight lines; parameters are those of the first row. Around the steps in which an
+/// output changes most against its neighbours the path is halved again and again, so that a jump is
+/// told from a steep slope: `jump` is what is left of the change, share of the largest value on the
+/// path. `roughness` is the median second difference over the same, where the output changes. One
+/// row for each output that changes; `at` counts rows from 1: 1.25 is a quarter of the way from the
+/// first to the second. With --vary the path is run once for each value of a parameter, to compare
+/// models.
 // The text is shown as it stands by --help.
 #[allow(clippy::doc_markdown)]
 #[derive(Args, Debug)]
@@ -52,7 +54,8 @@ pub struct Arguments {
 /// Steps along the path.
 ///
 /// # Errors
-/// With row and column what evaluate refuses; a path of fewer than two rows; files that cannot be written.
+/// With row and column what evaluate refuses; a path of fewer than two rows; files that cannot be
+/// written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = &arguments.files.cases;
     let destination = arguments.files.output.as_deref();

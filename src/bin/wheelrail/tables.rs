@@ -1,4 +1,5 @@
-//! `wheelrail tables`: makes the table of creep forces anew, or measures it against the solutions it interpolates.
+//! `wheelrail tables`: makes the table of creep forces anew, or measures it against the solutions
+//! it interpolates.
 
 use std::path::PathBuf;
 
@@ -17,8 +18,9 @@ use crate::output;
 
 /// Make the table of creep forces of tangential.model = tables, or measure it
 ///
-/// Some 34000 boundary element solutions on each of two grids, on all cores: about a quarter of an hour of two. A build of the library then takes
-/// the new file. With --check the table that is built in is compared with solutions at states between its nodes.
+/// Some 34000 boundary element solutions on each of two grids, on all cores: about a quarter of an
+/// hour of two. A build of the library then takes the new file. With --check the table that is
+/// built in is compared with solutions at states between its nodes.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment)]
 pub struct Arguments {

@@ -32,8 +32,9 @@ impl logger::Callback for Callback {
     }
 
     fn call(&self, status: Status, category: &CStr, message: &CStr) {
-        // SAFETY: FMI 2.0, 2.1.5: the logger takes the host's own environment, the instance name, and
-        // null-terminated texts that it does not keep. The message is a format that needs no arguments.
+        // SAFETY: FMI 2.0, 2.1.5: the logger takes the host's own environment, the instance name,
+        // and null-terminated texts that it does not keep. The message is a format that needs no
+        // arguments.
         unsafe {
             (self.logger)(
                 std::ptr::with_exposed_provenance_mut(self.environment),

@@ -6,7 +6,8 @@ use crate::fmi::guard::{
 };
 use crate::fmi::interface::Interface;
 
-// FMI 2.0, 3.2.3 and 4.2.4: the state machines of model exchange and co-simulation and their tables of calls.
+// FMI 2.0, 3.2.3 and 4.2.4: the state machines of model exchange and co-simulation and their tables
+// of calls.
 calls! {
     Interface::V2;
     INSTANTIATE "fmi2Instantiate" NEVER;

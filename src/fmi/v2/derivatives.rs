@@ -21,7 +21,8 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     sensitivity: *mut f64,
 ) -> Status {
     guard(component, calls::DIRECTIONAL_DERIVATIVE, |instance, _| {
-        // SAFETY: FMI 2.0, 2.1.9: the arrays hold `nUnknown` or `nKnown` elements, and what is written overlaps with none.
+        // SAFETY: FMI 2.0, 2.1.9: the arrays hold `nUnknown` or `nKnown` elements, and what is
+        // written overlaps with none.
         let (unknowns, knowns, seed, sensitivity) = unsafe {
             (
                 array("vUnknown_ref", unknowns, unknown_count)?,

@@ -43,8 +43,8 @@ pub unsafe extern "C" fn fmi2Instantiate(
     if functions.is_null() || !functions.is_aligned() {
         return null_mut();
     }
-    // SAFETY: FMI 2.0, 2.1.5: the struct of callback functions is there and filled in; it was checked
-    // for null. Its functions stay callable as long as the instance lives.
+    // SAFETY: FMI 2.0, 2.1.5: the struct of callback functions is there and filled in; it was
+    // checked for null. Its functions stay callable as long as the instance lives.
     let functions = unsafe { *functions };
     let name = if instance_name.is_null() {
         c""
@@ -124,13 +124,15 @@ pub extern "C" fn fmi2EnterInitializationMode(component: Component) -> Status {
     })
 }
 
-/// `fmi2ExitInitializationMode`: loads the profiles; if one of them cannot be had, the mode is not left.
+/// `fmi2ExitInitializationMode`: loads the profiles; if one of them cannot be had, the mode is not
+/// left.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2ExitInitializationMode(component: Component) -> Status {
     both::exit_initialization(calls::EXIT_INITIALIZATION, component)
 }
 
-/// `fmi2Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the run is not ended.
+/// `fmi2Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the
+/// run is not ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2Terminate(component: Component) -> Status {
     both::terminate(calls::TERMINATE, component)

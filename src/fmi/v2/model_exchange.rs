@@ -1,6 +1,7 @@
 //! Model exchange: forces at any time the host's integrator asks for them.
 //!
-//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole numbers among them change at events.
+//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole
+//! numbers among them change at events.
 
 use super::calls;
 use super::types::{Boolean, Component, EventInfo, FALSE, Status};
@@ -18,7 +19,8 @@ pub extern "C" fn fmi2EnterEventMode(component: Component) -> Status {
     })
 }
 
-/// `fmi2NewDiscreteStates`: an event is over at once; outputs read in event mode are those of the inputs.
+/// `fmi2NewDiscreteStates`: an event is over at once; outputs read in event mode are those of the
+/// inputs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2NewDiscreteStates(
     component: Component,
@@ -81,7 +83,8 @@ pub unsafe extern "C" fn fmi2GetDerivatives(
     both::no_states(calls::GET_DERIVATIVES, component, ("nx", count), derivatives)
 }
 
-/// `fmi2GetEventIndicators`: negative where outputs that are whole numbers are others than at the last event.
+/// `fmi2GetEventIndicators`: negative where outputs that are whole numbers are others than at the
+/// last event.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetEventIndicators(
     component: Component,

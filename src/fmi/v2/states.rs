@@ -6,7 +6,8 @@ use super::calls;
 use super::types::{Component, FmuState, Status};
 use crate::fmi::both;
 
-/// `fmi2GetFMUstate`: a new state where null is handed over; another one of this instance is written over.
+/// `fmi2GetFMUstate`: a new state where null is handed over; another one of this instance is
+/// written over.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(component: Component, state: *mut FmuState) -> Status {
     // SAFETY: FMI 2.0, 2.1.8: the argument points to a state pointer of the host.
@@ -58,6 +59,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     size: usize,
     state: *mut FmuState,
 ) -> Status {
-    // SAFETY: FMI 2.0, 2.1.8: `serializedState` holds `size` bytes, the other points to a state pointer.
+    // SAFETY: FMI 2.0, 2.1.8: `serializedState` holds `size` bytes, the other points to a state
+    // pointer.
     unsafe { both::deserialize(calls::DESERIALIZE, component, bytes, size, state) }
 }

@@ -1,5 +1,6 @@
-//! What FMI 3.0 knows and the unit has none of: variables of other types, clocks, structural parameters, dependencies of single elements,
-//! partitions. Each of these functions explains itself to the logger.
+//! What FMI 3.0 knows and the unit has none of: variables of other types, clocks, structural
+//! parameters, dependencies of single elements, partitions. Each of these functions explains itself
+//! to the logger.
 
 use super::calls;
 use super::types::{Binary, Boolean, Component, Status, ValueReference};

@@ -30,7 +30,8 @@ impl logger::Callback for Callback {
     }
 
     fn call(&self, status: Status, category: &CStr, message: &CStr) {
-        // SAFETY: FMI 3.0, 2.3.1: the logger takes the host's own environment and null-terminated texts that it does not keep.
+        // SAFETY: FMI 3.0, 2.3.1: the logger takes the host's own environment and null-terminated
+        // texts that it does not keep.
         unsafe {
             (self.log_message)(
                 std::ptr::with_exposed_provenance_mut(self.environment),

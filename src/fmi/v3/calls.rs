@@ -8,8 +8,8 @@ use crate::fmi::interface::Interface;
 
 const EXCHANGING: u8 = EVENT | CONTINUOUS;
 
-// FMI 3.0, 2.3, 3.2 and 4.2: the states of both kinds of instances and the calls that are allowed in them. Before initialization variables can
-// be read that have start values.
+// FMI 3.0, 2.3, 3.2 and 4.2: the states of both kinds of instances and the calls that are allowed
+// in them. Before initialization variables can be read that have start values.
 calls! {
     Interface::V3;
     INSTANTIATE_MODEL_EXCHANGE "fmi3InstantiateModelExchange" NEVER;

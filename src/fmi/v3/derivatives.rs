@@ -21,7 +21,8 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     sensitivity_count: usize,
 ) -> Status {
     guard(component, calls::DIRECTIONAL_DERIVATIVE, |instance, _| {
-        // SAFETY: FMI 3.0, 2.2.11: each array holds as many elements as the argument behind it says, and what is written overlaps with none.
+        // SAFETY: FMI 3.0, 2.2.11: each array holds as many elements as the argument behind it
+        // says, and what is written overlaps with none.
         let (unknowns, knowns, seed, sensitivity) = unsafe {
             (
                 array("unknowns", unknowns, unknown_count)?,

@@ -40,8 +40,8 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     unsafe { instantiate(call, purpose, [instance_name, token, resource_path], logger) }
 }
 
-/// `fmi3InstantiateCoSimulation`: null, explained to the logger, if an argument is not good. The unit never returns early and never asks
-/// for intermediate updates.
+/// `fmi3InstantiateCoSimulation`: null, explained to the logger, if an argument is not good. The
+/// unit never returns early and never asks for intermediate updates.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     instance_name: Text,
@@ -140,7 +140,8 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     unsafe { both::set_debug_logging(call, component, on, count, categories) }
 }
 
-/// `fmi3EnterInitializationMode`: the tolerance is checked and not used, there is nothing to integrate.
+/// `fmi3EnterInitializationMode`: the tolerance is checked and not used, there is nothing to
+/// integrate.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3EnterInitializationMode(
     component: Component,
@@ -161,13 +162,15 @@ pub extern "C" fn fmi3EnterInitializationMode(
     })
 }
 
-/// `fmi3ExitInitializationMode`: loads the profiles; if one of them cannot be had, the mode is not left.
+/// `fmi3ExitInitializationMode`: loads the profiles; if one of them cannot be had, the mode is not
+/// left.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3ExitInitializationMode(component: Component) -> Status {
     both::exit_initialization(calls::EXIT_INITIALIZATION, component)
 }
 
-/// `fmi3Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the run is not ended.
+/// `fmi3Terminate`: writes worn profiles, where that is asked for; if one cannot be written, the
+/// run is not ended.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3Terminate(component: Component) -> Status {
     both::terminate(calls::TERMINATE, component)

@@ -1,6 +1,7 @@
 //! Model exchange: forces at any time the host's integrator asks for them.
 //!
-//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole numbers among them change at events.
+//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole
+//! numbers among them change at events.
 
 use super::calls;
 use super::types::{Boolean, Component, FALSE, Status};
@@ -19,7 +20,8 @@ pub extern "C" fn fmi3EnterEventMode(component: Component) -> Status {
     })
 }
 
-/// `fmi3UpdateDiscreteStates`: an event is over at once; outputs read in event mode are those of the inputs.
+/// `fmi3UpdateDiscreteStates`: an event is over at once; outputs read in event mode are those of
+/// the inputs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
     component: Component,
@@ -106,7 +108,8 @@ pub unsafe extern "C" fn fmi3GetContinuousStateDerivatives(
     both::no_states(calls::GET_STATE_DERIVATIVES, component, (STATES, count), derivatives)
 }
 
-/// `fmi3GetEventIndicators`: negative where outputs that are whole numbers are others than at the last event.
+/// `fmi3GetEventIndicators`: negative where outputs that are whole numbers are others than at the
+/// last event.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetEventIndicators(
     component: Component,

@@ -4,7 +4,8 @@ use super::calls;
 use super::types::{Component, FmuState, Status};
 use crate::fmi::both;
 
-/// `fmi3GetFMUState`: a new state where null is handed over; another one of this instance is written over.
+/// `fmi3GetFMUState`: a new state where null is handed over; another one of this instance is
+/// written over.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetFMUState(component: Component, state: *mut FmuState) -> Status {
     // SAFETY: FMI 3.0, 2.2.10: the argument points to a state pointer of the host.
@@ -48,8 +49,8 @@ pub unsafe extern "C" fn fmi3SerializeFMUState(
     unsafe { both::serialize(calls::SERIALIZE, component, state, (target.cast(), size), least) }
 }
 
-/// `fmi3DeserializeFMUState`: a state of any instance of this unit, in this process or another, and of the unit of FMI 2.0 with the
-/// same variables.
+/// `fmi3DeserializeFMUState`: a state of any instance of this unit, in this process or another, and
+/// of the unit of FMI 2.0 with the same variables.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3DeserializeFMUState(
     component: Component,
@@ -57,6 +58,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     size: usize,
     state: *mut FmuState,
 ) -> Status {
-    // SAFETY: FMI 3.0, 2.2.10: `serializedState` holds `size` bytes, the other points to a state pointer.
+    // SAFETY: FMI 3.0, 2.2.10: `serializedState` holds `size` bytes, the other points to a state
+    // pointer.
     unsafe { both::deserialize(calls::DESERIALIZE, component, bytes.cast(), size, state) }
 }

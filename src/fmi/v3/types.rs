@@ -4,7 +4,8 @@ pub use crate::fmi::types::{
     Component, ComponentEnvironment, FmuState, Status, Text, ValueReference,
 };
 
-/// `fmi3Boolean` and `fmi3Clock`: `bool` of C, as the byte that a host may fill with anything; zero is false.
+/// `fmi3Boolean` and `fmi3Clock`: `bool` of C, as the byte that a host may fill with anything; zero
+/// is false.
 pub type Boolean = u8;
 
 /// `fmi3False`.

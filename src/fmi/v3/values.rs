@@ -17,7 +17,8 @@ pub unsafe extern "C" fn fmi3GetFloat64(
     value_count: usize,
 ) -> Status {
     guard(component, calls::GET_FLOAT64, |instance, logger| {
-        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do not overlap.
+        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do
+        // not overlap.
         let (references, values) = unsafe {
             (
                 array("valueReferences", references, count)?,
@@ -56,7 +57,8 @@ pub unsafe extern "C" fn fmi3GetInt32(
     value_count: usize,
 ) -> Status {
     guard(component, calls::GET_INT32, |instance, logger| {
-        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do not overlap.
+        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do
+        // not overlap.
         let (references, values) = unsafe {
             (
                 array("valueReferences", references, count)?,
@@ -101,7 +103,8 @@ pub unsafe extern "C" fn fmi3GetInt64(
     value_count: usize,
 ) -> Status {
     guard(component, calls::GET_INT64, |instance, logger| {
-        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do not overlap.
+        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do
+        // not overlap.
         let (references, values) = unsafe {
             (
                 array("valueReferences", references, count)?,
@@ -147,7 +150,8 @@ pub unsafe extern "C" fn fmi3GetBoolean(
     value_count: usize,
 ) -> Status {
     guard(component, calls::GET_BOOLEAN, |instance, logger| {
-        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do not overlap.
+        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do
+        // not overlap.
         let (references, values) = unsafe {
             (
                 array("valueReferences", references, count)?,
@@ -189,7 +193,8 @@ pub unsafe extern "C" fn fmi3GetString(
     value_count: usize,
 ) -> Status {
     guard(component, calls::GET_STRING, |instance, logger| {
-        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do not overlap.
+        // SAFETY: FMI 3.0, 2.2.6: the arrays hold `nValueReferences` and `nValues` elements and do
+        // not overlap.
         let (references, values) = unsafe {
             (
                 array("valueReferences", references, count)?,

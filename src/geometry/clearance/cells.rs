@@ -29,7 +29,8 @@ pub(super) fn cell_count(left: f64, right: f64) -> usize {
     ((right - left) / CELL) as usize + 1
 }
 
-/// Fills `least` with the least of each value and its neighbours up to `reach` to either side, where values within less are known already.
+/// Fills `least` with the least of each value and its neighbours up to `reach` to either side,
+/// where values within less are known already.
 pub(super) fn put_least_within(values: &[f64], reach: usize, least: &mut Vec<f64>) {
     least.clear();
     least.extend((0..values.len()).map(|i| {

@@ -4,7 +4,8 @@ use super::{ContactLine, LinePoint};
 use crate::geometry::longitudinal::Longitudinal;
 use crate::math::real::Real;
 
-/// Least share of its parameter by which the line moves: at the fold of a line, where it stands, a slope over its length has no bound.
+/// Least share of its parameter by which the line moves: at the fold of a line, where it stands, a
+/// slope over its length has no bound.
 const LEAST_SPEED: f64 = 0.05;
 /// Least share along the normal of a lift, at a face that stands upright.
 const LEAST_SHARE: f64 = 0.05;
@@ -16,7 +17,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         self.deviations
     }
 
-    /// Radius of the circles that the wheel shows the rail at parameter `s`: r, and of a yawed wheel what its section has [m].
+    /// Radius of the circles that the wheel shows the rail at parameter `s`: r, and of a yawed
+    /// wheel what its section has [m].
     #[must_use]
     pub fn lifting_radius(&self, s: T) -> T {
         let wheel = self.wheel_point(s);
@@ -48,8 +50,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
 }
 
 impl ContactLine<'_> {
-    /// Bound of the derivative of x with respect to the parameter, where [`stretch_factor`](Self::stretch_factor) is at most
-    /// `stretch` [1/m].
+    /// Bound of the derivative of x with respect to the parameter, where
+    /// [`stretch_factor`](Self::stretch_factor) is at most `stretch` [1/m].
     #[must_use]
     pub(crate) fn most_advance(&self, stretch: f64) -> f64 {
         self.lead.abs() * (2.0 + 2.0 * self.nominal_radius * stretch)
@@ -88,8 +90,9 @@ impl ContactLine<'_> {
         LinePoint { point, tangent, ..even }
     }
 
-    /// The point at parameter `s` [m] where the bodies are nearest to each other, lowered by the lift, and the derivative of its (y, z); x is
-    /// where they are, and behind it is the radius of the circles of the wheel there [m].
+    /// The point at parameter `s` [m] where the bodies are nearest to each other, lowered by the
+    /// lift, and the derivative of its (y, z); x is where they are, and behind it is the radius of
+    /// the circles of the wheel there [m].
     #[must_use]
     pub fn lifted_with_derivative(
         &self,
@@ -106,7 +109,8 @@ impl ContactLine<'_> {
         (LinePoint { x: lift.x, point, ..even }, lower(derivative, rate), radius)
     }
 
-    /// How much longer than the even line the lifted one can be, over [`stretch_factor`](Self::stretch_factor) [m].
+    /// How much longer than the even line the lifted one can be, over
+    /// [`stretch_factor`](Self::stretch_factor) [m].
     pub(super) fn lift_stretch(&self, deviations: &Longitudinal) -> f64 {
         2.0 * self.nominal_radius * self.lead.abs() * self.steepest(deviations)
     }

@@ -1,16 +1,18 @@
 //! Where a yawed wheel shows the rail the rim of a steep face, such as the back of a flange.
 //!
-//! A flat face stands square to the axle: none of its normals is across x once the wheel is yawed, and what the rail sees of it
-//! is its rim, half a chord ahead of the axle or behind. The line is followed there by height: at the height H below the axle
-//! the rim lies where the rounding below the face fulfils the condition of the outline,
+//! A flat face stands square to the axle: none of its normals is across x once the wheel is yawed,
+//! and what the rail sees of it is its rim, half a chord ahead of the axle or behind. The line is
+//! followed there by height: at the height H below the axle the rim lies where the rounding below
+//! the face fulfils the condition of the outline,
 //!
 //! ```text
 //! r(s) cos α = H,  sin α = |u_x / c| |r'(s) / y_w'(s)|
 //! ```
 //!
-//! so that the line is the outline of the turned wheel, up to the top of the face. The face of a straight wheel would touch all
-//! along its chord, and at the least yaw the rim on one end of it. Within some tenths of a milliradian the place therefore
-//! moves smoothly from the one end to the other.
+//! so that the line is the outline of the turned wheel, up to the top of the face. The face of a
+//! straight wheel would touch all along its chord, and at the least yaw the rim on one end of it.
+//! Within some tenths of a milliradian the place therefore moves smoothly from the one end to the
+//! other.
 
 use super::{CURVATURE_REACH, ContactLine, LEAST_SLOPE_COSINE, LinePoint, OnCircle, WheelPoint};
 use crate::geometry::curve::CurvePoint;
@@ -18,8 +20,9 @@ use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::root::bracketed;
 
-/// Yaw at which a steep face touches at 1/√2 of its half chord: half a chord of 0.2 m then leans over by the 40 µm that loaded
-/// faces overlap. At any yaw the line lies at most 12 µm inside the outline by that [rad].
+/// Yaw at which a steep face touches at 1/√2 of its half chord: half a chord of 0.2 m then leans
+/// over by the 40 µm that loaded faces overlap. At any yaw the line lies at most 12 µm inside the
+/// outline by that [rad].
 const TURNING_YAW: f64 = 2e-4;
 /// Step along the profile while looking for the rim [m].
 const RIM_STEP: f64 = 1e-3;
@@ -50,7 +53,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         p.first[0] < LEAST_SLOPE_COSINE && self.lead != 0.0
     }
 
-    /// The point for the parameter `s` with profile point `p`, a place of which the bound of the slope makes `on`.
+    /// The point for the parameter `s` with profile point `p`, a place of which the bound of the
+    /// slope makes `on`.
     #[cold]
     pub(super) fn rim(&'a self, s: T, p: &CurvePoint<T>, on: &OnCircle<T>) -> Rim<'a, T> {
         let height = on.radius * on.cosine;
@@ -106,8 +110,8 @@ impl<'a, T: Real> ContactLine<'a, T> {
         }
     }
 
-    /// How far below the height H the outline of a line with this lead is at profile parameter `s`, above it on the face, below it on the
-    /// rounding.
+    /// How far below the height H the outline of a line with this lead is at profile parameter `s`,
+    /// above it on the face, below it on the rounding.
     fn beyond<S: Real>(&self, s: S, lead: S, height: S) -> S {
         let p = self.profile.at(s);
         let lead = lead * p.first[1];
@@ -136,7 +140,8 @@ impl<T: Real> Rim<'_, T> {
     fn along_height(&self) -> [T; 2] {
         let ContactLine { axle: [_, uy, uz], ahead, down, .. } = *self.line;
         let axle = [uy, uz];
-        // At the edge of the outline only the height moves the point: the profile's own slope is made up for by the chord.
+        // At the edge of the outline only the height moves the point: the profile's own slope is
+        // made up for by the chord.
         [0, 1].map(|i| self.lateral_rate * axle[i] + self.ahead_rate * ahead[i] + down[i])
     }
 

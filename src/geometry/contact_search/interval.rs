@@ -1,4 +1,5 @@
-//! The probes of one interval of penetration: where it is split into contacts, and where each of them is.
+//! The probes of one interval of penetration: where it is split into contacts, and where each of
+//! them is.
 
 use super::sample::Sample;
 
@@ -19,7 +20,8 @@ pub(super) enum Kind {
     Maximum,
 }
 
-/// The probe at which the contact that starts at probe `first` ends: the last one or a ridge to split at.
+/// The probe at which the contact that starts at probe `first` ends: the last one or a ridge to
+/// split at.
 pub(super) fn last_of_group(interval: &[IntervalProbe], first: usize) -> usize {
     let mut minimum: Option<usize> = None;
     let mut ridge = first;
@@ -45,7 +47,8 @@ pub(super) fn last_of_group(interval: &[IntervalProbe], first: usize) -> usize {
 
 /// The place of the contact with these probes.
 pub(super) fn deepest(group: &[IntervalProbe]) -> Sample {
-    // Where a body ends inside the interval there may be no minimum: the deepest probe then stands for it.
+    // Where a body ends inside the interval there may be no minimum: the deepest probe then stands
+    // for it.
     let (mut deepest, mut lowest) = (&group[0].sample, None::<&Sample>);
     for IntervalProbe { sample, kind } in group {
         if sample.distance < deepest.distance {

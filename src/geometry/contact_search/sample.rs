@@ -15,8 +15,9 @@ pub(super) struct Sample {
     pub beyond_end: bool,
 }
 
-/// Where the slope may have another sign than at two neighbouring samples, where it has the same: where that of the cubic through both is
-/// farthest from it. A wave of the profile that is shorter than a step shows there.
+/// Where the slope may have another sign than at two neighbouring samples, where it has the same:
+/// where that of the cubic through both is farthest from it. A wave of the profile that is shorter
+/// than a step shows there.
 pub(super) fn hidden_turn(from: &Sample, to: &Sample) -> Option<f64> {
     let (a, b) = (from.slope, to.slope);
     if a * b <= 0.0 {

@@ -1,13 +1,16 @@
-//! Bounds of a wheel's profile from which it follows how far the contact line may be followed in one step.
+//! Bounds of a wheel's profile from which it follows how far the contact line may be followed in
+//! one step.
 
 use super::sample::Sample;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::Curve;
 
-/// Step inside an interval of penetration: waves of a profile that are shorter are not told apart [m].
+/// Step inside an interval of penetration: waves of a profile that are shorter are not told apart
+/// [m].
 const INSIDE_STEP: f64 = 1.5e-3;
 
-/// The same where a yawed wheel also passes deviations along the track, faster than its own waves [m].
+/// The same where a yawed wheel also passes deviations along the track, faster than its own waves
+/// [m].
 const KINKED_STEP: f64 = 5e-4;
 
 /// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
@@ -19,7 +22,8 @@ pub(super) const BIN: f64 = 4e-3;
 /// Concavity times distance up to which the curvature of a hollow rail bounds the step.
 const MOST_HOLLOW: f64 = 0.5;
 
-/// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved than the profile.
+/// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved
+/// than the profile.
 const STEP_SHARE: f64 = 0.9;
 
 /// Bounds over bins along the profile of a wheel.
@@ -92,7 +96,8 @@ impl WheelBounds {
             bin += 1;
         }
         let mut step = u.min(end) - from.u;
-        // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond its centre without bound.
+        // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond
+        // its centre without bound.
         let hollow = rail_concavity * from.distance;
         if !from.beyond_end && hollow < MOST_HOLLOW {
             let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);

@@ -1,8 +1,9 @@
 //! The separation at several places at once.
 //!
-//! The steps are those of one place after the other, as loops over [`LANES`] places that are compiled to vector instructions. The point
-//! of the rail is looked for from the contact point, as far along the arc of the curvature there as the place is across. What is not
-//! found in a few steps, and what no loop can do, is done one by one.
+//! The steps are those of one place after the other, as loops over [`LANES`] places that are
+//! compiled to vector instructions. The point of the rail is looked for from the contact point, as
+//! far along the arc of the curvature there as the place is across. What is not found in a few
+//! steps, and what no loop can do, is done one by one.
 
 use multiversion::multiversion;
 
@@ -18,8 +19,8 @@ type Lanes = [f64; LANES];
 
 /// Newton steps for the points of the rail opposite to those of the wheel; one or two are the rule.
 const MOST_STEPS: usize = 5;
-/// Distance over which the rail's curve is a parabola to rounding [m]: the start is the same for all places, so that steps are not as short as from
-/// place to place.
+/// Distance over which the rail's curve is a parabola to rounding [m]: the start is the same for
+/// all places, so that steps are not as short as from place to place.
 const NEAR: f64 = 2e-7;
 
 impl LineSeparation<'_> {
@@ -38,10 +39,11 @@ impl LineSeparation<'_> {
     }
 }
 
-/// Fills `found` for the parameters `us` block by block; the separation is not a number where it was not found.
+/// Fills `found` for the parameters `us` block by block; the separation is not a number where it
+/// was not found.
 ///
-/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused or reordered, so that all of them give
-/// the same bits.
+/// Compiled for several instruction sets, the widest one chosen at run time. No operation is fused
+/// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f+avx512dq", "x86_64+avx2", "aarch64+neon"))]
 fn fill_blocks(
     line: &ContactLine,
@@ -127,7 +129,8 @@ mod tests {
     use crate::geometry::profile::ProfileKind;
     use crate::io::load_profile;
 
-    /// Calls `each` for the contacts of S1002 on 60E1 from tread to flange, straight and yawed, as deep as `depth` [m].
+    /// Calls `each` for the contacts of S1002 on 60E1 from tread to flange, straight and yawed, as
+    /// deep as `depth` [m].
     fn for_each_contact(depth: f64, mut each: impl FnMut(LineSeparation)) {
         let load = |name, kind| load_profile("profile", name, kind, 0.0, &[]).unwrap().curve;
         let (wheel, rail) = (load("S1002", ProfileKind::Wheel), load("60E1", ProfileKind::Rail));

@@ -1,8 +1,9 @@
 //! Where the wheel touches first: the least Q.
 //!
-//! The minimum is found without fail and cheaply: it lies within `reach` of x_l, because there e falls off less than the
-//! circle rises; samples as close as the deviations are smooth tell the valleys of Q apart; the lowest ones are pinned down by the
-//! exact derivative. Samples are taken once for an evaluation.
+//! The minimum is found without fail and cheaply: it lies within `reach` of x_l, because there e
+//! falls off less than the circle rises; samples as close as the deviations are smooth tell the
+//! valleys of Q apart; the lowest ones are pinned down by the exact derivative. Samples are taken
+//! once for an evaluation.
 
 use super::Longitudinal;
 use crate::math::root::bracketed;
@@ -22,7 +23,8 @@ pub struct Lift {
 }
 
 impl Longitudinal {
-    /// The lift at the place `centre` = x_l of the contact line for a circle of radius `radius` [m].
+    /// The lift at the place `centre` = x_l of the contact line for a circle of radius `radius`
+    /// [m].
     #[must_use]
     pub fn lift(&self, centre: f64, radius: f64) -> Lift {
         let first = self.before(centre - self.reach);
@@ -43,7 +45,8 @@ impl Longitudinal {
             (before, here) = (here, after);
         }
         if best.height == f64::NEG_INFINITY {
-            // A section flatter than any circle of the wheel, as that of a flange back near its rim: lowest at an end of the reach.
+            // A section flatter than any circle of the wheel, as that of a flange back near its
+            // rim: lowest at an end of the reach.
             let x = [first, last].map(|i| self.place_of(i));
             let [left, right] = x.map(|x| -self.distance(centre, radius, x));
             let (height, x) = if left > right { (left, x[0]) } else { (right, x[1]) };
@@ -52,7 +55,8 @@ impl Longitudinal {
         best
     }
 
-    /// Where Q is stationary near sample `i`, which is lower, or higher, than its neighbours, given Q at all three, and -Q there.
+    /// Where Q is stationary near sample `i`, which is lower, or higher, than its neighbours, given
+    /// Q at all three, and -Q there.
     pub(super) fn valley(&self, centre: f64, radius: f64, i: i64, around: [f64; 3]) -> Lift {
         let (left, right) = (self.place_of(i - 1), self.place_of(i + 1));
         // From the parabola through the samples Newton's method needs two or three steps.

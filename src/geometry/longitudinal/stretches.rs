@@ -7,7 +7,8 @@ use crate::math::root::bracketed;
 const EDGE_BRACKET: f64 = 1e-7;
 
 impl Longitudinal {
-    /// Calls `found` with both ends of every stretch along x on which Q < `level`, in growing x [m].
+    /// Calls `found` with both ends of every stretch along x on which Q < `level`, in growing x
+    /// [m].
     pub fn stretches(&self, centre: f64, radius: f64, level: f64, mut found: impl FnMut(f64, f64)) {
         // Q is at least (x - x_l)²/(2 r) - highest.
         let half = (2.0 * radius * (level + self.highest).max(0.0)).sqrt();

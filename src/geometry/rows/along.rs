@@ -7,7 +7,8 @@ use crate::math::real::Real;
 pub struct Along<T = f64> {
     /// How far ahead of the even contact line the bodies are nearest [m].
     pub ahead: T,
-    /// Curvature of the rail along the track, along the normal of its section and along the row; positive where it bulges [1/m].
+    /// Curvature of the rail along the track, along the normal of its section and along the row;
+    /// positive where it bulges [1/m].
     pub curvature: T,
     /// Slope of the rail there: tangent of the angle by which its normal leans forward [-].
     pub lean: T,

@@ -13,6 +13,7 @@ pub(in crate::geometry) struct Met<T = f64> {
     /// Where it is, from the wheel marker [m].
     pub x: T,
     pub along: Along<T>,
-    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not looked for.
+    /// Parameter of the wheel opposite and coordinate to the right there; nothing where it is not
+    /// looked for.
     pub opposite: Option<[T; 2]>,
 }

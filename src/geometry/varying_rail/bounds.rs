@@ -5,7 +5,8 @@ use crate::geometry::slices::Rows;
 
 /// Radius of the lowest points of any wheel over its nominal one [-].
 pub(super) const LARGEST: f64 = 1.1;
-/// Curvature along the track from which on a row may be hollow for a wheel, over that of the wheel [-].
+/// Curvature along the track from which on a row may be hollow for a wheel, over that of the wheel
+/// [-].
 const HOLLOW_SHARE: f64 = 0.7;
 
 /// Where a row is within reach.
@@ -19,7 +20,8 @@ pub(super) struct Bound {
     pub top: f64,
 }
 
-/// Bounds of all rows, by slices but the last and rows within each: of what a wheel between this slice and the next one can meet.
+/// Bounds of all rows, by slices but the last and rows within each: of what a wheel between this
+/// slice and the next one can meet.
 #[derive(Clone, Debug)]
 pub(super) struct Bounds {
     all: Vec<Bound>,
@@ -52,7 +54,8 @@ impl Bounds {
     }
 }
 
-/// Bounds of all rows, which corrugation lifts by up to `crest`, under a wheel of `radius` between each slice and the next [m].
+/// Bounds of all rows, which corrugation lifts by up to `crest`, under a wheel of `radius` between
+/// each slice and the next [m].
 fn bounds(rows: &Rows, radius: f64, crest: f64) -> Vec<Bound> {
     let Rows { places, knots, .. } = rows;
     let count = rows.parameter.len();
@@ -90,7 +93,8 @@ fn bounds(rows: &Rows, radius: f64, crest: f64) -> Vec<Bound> {
     all
 }
 
-/// For each row and slice the number of slices up to it between which the row may be hollow for a wheel of `radius` [m], where corrugation is curved by up to `waves` [1/m].
+/// For each row and slice the number of slices up to it between which the row may be hollow for a
+/// wheel of `radius` [m], where corrugation is curved by up to `waves` [1/m].
 fn hollows(rows: &Rows, radius: f64, waves: f64) -> Vec<u32> {
     let count = rows.parameter.len();
     let most = HOLLOW_SHARE / radius;
@@ -108,7 +112,8 @@ fn hollows(rows: &Rows, radius: f64, waves: f64) -> Vec<u32> {
                 ]
             };
             let (y, z) = (bends(0), bends(1));
-            // Along any normal between that of the section and the vertical: hollow is what bends up.
+            // Along any normal between that of the section and the vertical: hollow is what bends
+            // up.
             let is_hollow = [from, to].into_iter().any(|knot| {
                 let [_, _, dy, dz] = knot.value;
                 let limit = most * dy.hypot(dz);

@@ -15,7 +15,8 @@ const STEEPEST_FLANK: f64 = 3.0;
 /// Newton steps to a point of the contact line, and the last of them [m].
 const MOST_STEPS: usize = 12;
 const STRAIGHT: f64 = 1e-6;
-/// Least share of its parameter by which the contact line goes across: a flank is not followed as if it stood upright.
+/// Least share of its parameter by which the contact line goes across: a flank is not followed as
+/// if it stood upright.
 const LEAST_RATE: f64 = 0.1;
 
 /// The wheel above the rail.
@@ -98,7 +99,8 @@ impl<'a, T: Real> Over<'a, T> {
         }
     }
 
-    /// The point of the contact line at the parameter `u`, and what it still has to go so as to be at `y` across [m].
+    /// The point of the contact line at the parameter `u`, and what it still has to go so as to be
+    /// at `y` across [m].
     pub fn on_line(&self, u: T, y: T) -> (Opposite<T>, T) {
         let (at, derivative) = self.line.even_with_derivative(u);
         let to = self.seen_from_marker(at.point);
@@ -119,7 +121,8 @@ impl<'a, T: Real> Over<'a, T> {
 }
 
 impl Over<'_> {
-    /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where the wheel stands upright.
+    /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where
+    /// the wheel stands upright.
     pub fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
         let [start, end] = self.line.range();
         for _ in 0..MOST_STEPS {

@@ -14,7 +14,8 @@ use crate::math::real::Real;
 pub(super) const CLOSE: f64 = 3e-3;
 /// Steps to the place along a row, the last of them, and the longest [m].
 const MOST_STEPS: usize = 20;
-/// What is left of it is of the order of its square over the distance of slices: less than rounding.
+/// What is left of it is of the order of its square over the distance of slices: less than
+/// rounding.
 const LAST_STEP: f64 = 1e-10;
 const LONGEST_STEP: f64 = 0.02;
 /// Spacing at which a row that is hollow for the wheel is looked through [m].
@@ -91,7 +92,8 @@ impl Touch<'_> {
         Some(over.under_axle(j, &p, x))
     }
 
-    /// Where the wheel meets row `j`, from the place `guess` and the row `beside` if there are any; nothing where the row is not there.
+    /// Where the wheel meets row `j`, from the place `guess` and the row `beside` if there are any;
+    /// nothing where the row is not there.
     pub fn meet(
         &self,
         over: &Over,
@@ -137,7 +139,8 @@ impl Touch<'_> {
         Some(if height(&too) < height(&met) { too } else { met })
     }
 
-    /// Where the wheel meets row `j` on a `run` of slices `from` one place `to` another one, by Newton steps from `x` and the point `opposite` to that.
+    /// Where the wheel meets row `j` on a `run` of slices `from` one place `to` another one, by
+    /// Newton steps from `x` and the point `opposite` to that.
     fn settle(
         &self,
         over: &Over,
@@ -149,7 +152,8 @@ impl Touch<'_> {
         let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
         let mut p = at(x);
         let mut met = State::new(over, &p, x, &opposite);
-        // A chord tells more than what is about the slope, but one across a place where slices bend may lead beyond where the slope has the other sign.
+        // A chord tells more than what is about the slope, but one across a place where slices bend
+        // may lead beyond where the slope has the other sign.
         let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut chord = 0.0;
         for _ in 0..MOST_STEPS {
@@ -211,7 +215,8 @@ impl Touch<'_> {
         state.met(j, x, &opposite, over.in_wheel(&p)[0])
     }
 
-    /// Row `j` at `x`, the point `u` of the wheel, what holds there, and what the wheel is beside the row and the slope of their distance.
+    /// Row `j` at `x`, the point `u` of the wheel, what holds there, and what the wheel is beside
+    /// the row and the slope of their distance.
     fn equations<T: Real>(
         &self,
         over: &Over<T>,
@@ -227,7 +232,8 @@ impl Touch<'_> {
         (p, opposite, state, [missing, g])
     }
 
-    /// The sample of row `j` about which it is highest for the wheel, and the one about which it may be higher still.
+    /// The sample of row `j` about which it is highest for the wheel, and the one about which it
+    /// may be higher still.
     fn valleys(
         &self,
         j: usize,

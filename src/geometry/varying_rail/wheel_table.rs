@@ -36,7 +36,8 @@ impl WheelTable {
         Self { start: least, cells }
     }
 
-    /// Parameter of the lowest point of the cell at `y` [m]; nothing where that is far beside the wheel.
+    /// Parameter of the lowest point of the cell at `y` [m]; nothing where that is far beside the
+    /// wheel.
     pub fn parameter(&self, y: f64) -> Option<f64> {
         let cell = (y - self.start) / CELL;
         let beside = BESIDE / CELL;

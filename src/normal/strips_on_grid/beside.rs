@@ -1,4 +1,5 @@
-//! What the two cells beside each node do to it: their loads end where the contact does, so that they are integrated by a rule of their own.
+//! What the two cells beside each node do to it: their loads end where the contact does, so that
+//! they are integrated by a rule of their own.
 
 use super::columns::{Block, LANES, Rows, Sums};
 use super::equations::{Pair, Strip};
@@ -11,7 +12,8 @@ pub(super) struct Side {
     pub other_loads: Vec<Block>,
     /// 1/c in them, its derivatives by z of the node and of the other one, and those by χ.
     pub slenderness: [Vec<Block>; 5],
-    /// Where their loaded parts begin and how long they are, as shares, with the derivatives by z of the node and of the other one.
+    /// Where their loaded parts begin and how long they are, as shares, with the derivatives by z
+    /// of the node and of the other one.
     pub from: [Vec<Block>; 3],
     pub part: [Vec<Block>; 3],
 }
@@ -25,7 +27,8 @@ pub(super) struct Beside {
     strips: Vec<[Block; 4]>,
     /// The cells on the side under way.
     pub side: Side,
-    /// Derivatives of displacements and falls by z and χ of the node and of those at both other ends.
+    /// Derivatives of displacements and falls by z and χ of the node and of those at both other
+    /// ends.
     pub ends: [[Vec<Block>; 2]; 3],
 }
 
@@ -79,7 +82,8 @@ impl Beside {
         self.sources.put(c, node, pair);
     }
 
-    /// What source number `c` does, which is at a share `t` of the way through the loaded part of the cell on a `side`.
+    /// What source number `c` does, which is at a share `t` of the way through the loaded part of
+    /// the cell on a `side`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn act(
@@ -120,8 +124,9 @@ impl Beside {
                 cells.slenderness.each_ref().map(|column| column[b].0);
             let [_, from_own, from_other] = cells.from.each_ref().map(|column| column[b].0);
             let [_, part_own, part_other] = cells.part.each_ref().map(|column| column[b].0);
-            // Factors of the value and of its derivatives by the logarithms of the half length and of the distances, in the derivatives by z of the
-            // node and of the other one; and of that by the half length in those by χ.
+            // Factors of the value and of its derivatives by the logarithms of the half length and
+            // of the distances, in the derivatives by z of the node and of the other one; and of
+            // that by the half length in those by χ.
             let mut factors = [[[0.0; LANES]; 3]; 2];
             let mut shapes = [[0.0; LANES]; 2];
             for i in 0..LANES {
@@ -158,7 +163,8 @@ impl Beside {
         }
     }
 
-    /// Adds what falls change by with the half lengths of their own nodes, as errors over the weights that they count with.
+    /// Adds what falls change by with the half lengths of their own nodes, as errors over the
+    /// weights that they count with.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn add_own_lengths(&mut self, rows: &Rows, sums: &Sums) {

@@ -1,9 +1,12 @@
-//! Columns of numbers, one row for each node, in blocks that become vector instructions. What is beyond the last node counts for nothing.
+//! Columns of numbers, one row for each node, in blocks that become vector instructions. What is
+//! beyond the last node counts for nothing.
 
-/// Rows of a block: one register of AVX2, so that few numbers have to leave the registers and the nodes of an element as it starts fill all rows.
+/// Rows of a block: one register of AVX2, so that few numbers have to leave the registers and the
+/// nodes of an element as it starts fill all rows.
 pub(super) const LANES: usize = 4;
 
-/// Where rows without a node are across, away from all cells [m]: what has no distance from a cell has no influence either.
+/// Where rows without a node are across, away from all cells [m]: what has no distance from a cell
+/// has no influence either.
 pub(super) const BEYOND: f64 = 1.0;
 
 /// Rows that are taken together.
@@ -14,7 +17,8 @@ pub(super) struct Block(pub [f64; LANES]);
 impl Block {
     pub const ZERO: Self = Self([0.0; LANES]);
 
-    // Inside each instruction set or not at all: a call would not be vectorised. So with all that follows.
+    // Inside each instruction set or not at all: a call would not be vectorised. So with all that
+    // follows.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn of(row: impl Fn(usize) -> f64) -> Self {
@@ -55,7 +59,8 @@ pub(super) fn add(factor: f64, column: &[Block], sums: &mut [Block]) {
     }
 }
 
-/// Falls of nodes, taken to the knots by the `shares` that these have in each of them, one block of knots after the other.
+/// Falls of nodes, taken to the knots by the `shares` that these have in each of them, one block of
+/// knots after the other.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn project(falls: &[Block], shares: &[Block], knots: &mut [Block]) {
@@ -79,7 +84,8 @@ pub(super) struct Rows {
     /// Half lengths and loads per width.
     pub lengths: Vec<Block>,
     pub loads: Vec<Block>,
-    /// Derivatives of the logarithms of half lengths by loads per width, and falls that the wheel wants.
+    /// Derivatives of the logarithms of half lengths by loads per width, and falls that the wheel
+    /// wants.
     pub length_by_load: Vec<Block>,
     pub wanted: Vec<Block>,
     /// Derivatives of the logarithms of loaded widths by z of the node and of those on both sides.
@@ -111,7 +117,8 @@ impl Rows {
     }
 }
 
-/// Displacements of all nodes and behind them their falls, by all sources, and the derivatives of falls by the logarithms of the half lengths of the nodes.
+/// Displacements of all nodes and behind them their falls, by all sources, and the derivatives of
+/// falls by the logarithms of the half lengths of the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     pub values: Vec<Block>,

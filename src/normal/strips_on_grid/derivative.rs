@@ -1,7 +1,8 @@
 //! Derivatives of a solution of the strips.
 //!
-//! The solution fulfils a system of equations r(z, p) = 0 in the unknowns z and the pose p. With the unknowns as dual numbers, whose
-//! derivatives z' are wanted, the residual has the derivatives r' = (∂r/∂z) z' + (∂r/∂p) p', which have to vanish:
+//! The solution fulfils a system of equations r(z, p) = 0 in the unknowns z and the pose p. With
+//! the unknowns as dual numbers, whose derivatives z' are wanted, the residual has the derivatives
+//! r' = (∂r/∂z) z' + (∂r/∂p) p', which have to vanish:
 //!
 //! ```text
 //! z' ← z' - M^-1 r'(z'),   M the Newton matrix at the solution
@@ -59,7 +60,8 @@ impl<T: Real> GridFollower<T> {
 }
 
 impl<const N: usize> GridFollower<Dual<N>> {
-    /// Fills `strips` with the zones of the last solution of `solver` as they move with `line`; false where that was not one.
+    /// Fills `strips` with the zones of the last solution of `solver` as they move with `line`;
+    /// false where that was not one.
     pub fn follow(
         &mut self,
         solver: &mut GridSolver,
@@ -126,7 +128,8 @@ mod tests {
     use crate::normal::strips_on_grid::{OverlapLine, Place};
     use approx::assert_relative_eq;
 
-    /// Two humps, the second one shifted by `tilt` against the first one, `depth` deep; all of it tilted.
+    /// Two humps, the second one shifted by `tilt` against the first one, `depth` deep; all of it
+    /// tilted.
     #[derive(Clone, Copy)]
     struct Humps<T> {
         depth: T,

@@ -1,12 +1,15 @@
 //! Elimination without exchange of rows, for the Newton matrix of the strips.
 //!
-//! Its diagonal needs none: a load displaces its own node most, and so does χ of a knot with the fall there.
+//! Its diagonal needs none: a load displaces its own node most, and so does χ of a knot with the
+//! fall there.
 
 use super::columns::{Block, LANES};
 
-/// Solves A x = b for the columns `matrix` of A, each of `stride` blocks, with b behind them; x takes the place of b.
+/// Solves A x = b for the columns `matrix` of A, each of `stride` blocks, with b behind them; x
+/// takes the place of b.
 ///
-/// The pivot of column number k is row number `pivots[k]`, in growing order; other rows are of no account. False where a pivot is none.
+/// The pivot of column number k is row number `pivots[k]`, in growing order; other rows are of no
+/// account. False where a pivot is none.
 #[must_use]
 #[allow(clippy::inline_always)]
 #[inline(always)]

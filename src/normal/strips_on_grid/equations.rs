@@ -1,23 +1,26 @@
 //! The equations of the strips.
 //!
-//! Unknowns are z at each node and χ at each knot. Between nodes z is linear; where it is positive it is the load per width over the contact modulus E*, and
-//! where it is negative it is a gap:
+//! Unknowns are z at each node and χ at each knot. Between nodes z is linear; where it is positive
+//! it is the load per width over the contact modulus E*, and where it is negative it is a gap:
 //!
 //! ```text
 //! u(l, χ) - overlap - K max(0, -z)^(3/2) = 0                                                at each node
 //! Σ_i h_k(i) ω_i (2 R (u(0) - u(0.7 a))/(0.7 a)² - 1) + penalty = 0,  ω_i ~ w_i l_i^(3/2)   for each knot k, with its hat h_k
 //! ```
 //!
-//! so that the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map: Robinson, Mathematics of Operations Research 17
-//! (1992) 691), and the edges of contact are the roots of z: beside an edge the load goes linearly and the gap with the power 3/2, and K is such that z has no
-//! bend there on an ellipse. A source with the load per width l, the half length a, a² = 2 l/(π c), and the width h displaces a node at the distance d by
+//! so that the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map:
+//! Robinson, Mathematics of Operations Research 17 (1992) 691), and the edges of contact are the
+//! roots of z: beside an edge the load goes linearly and the gap with the power 3/2, and K is such
+//! that z has no bend there on an ellipse. A source with the load per width l, the half length a,
+//! a² = 2 l/(π c), and the width h displaces a node at the distance d by
 //!
 //! ```text
 //! u = (2/π²) h l D(d/a)/a     in units of E*, both bodies together
 //! ```
 //!
-//! Sources are the points of [`RULE`] in the loaded parts of the two cells beside the node, and the middles of all other cells. The slope of the load in these acts
-//! by its moment, with the half length of the ellipse.
+//! Sources are the points of [`RULE`] in the loaded parts of the two cells beside the node, and the
+//! middles of all other cells. The slope of the load in these acts by its moment, with the half
+//! length of the ellipse.
 
 use std::f64::consts::PI;
 
@@ -28,14 +31,16 @@ use super::shape::Knots;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
-/// Points of a cell beside a node, from the node over the width of the cell, with their weights: exact for 1, t, ln t and t ln t (Ma, Rokhlin and
-/// Wandzura, SIAM Journal on Numerical Analysis 33 (1996) 971).
+/// Points of a cell beside a node, from the node over the width of the cell, with their weights:
+/// exact for 1, t, ln t and t ln t (Ma, Rokhlin and Wandzura, SIAM Journal on Numerical Analysis 33
+/// (1996) 971).
 pub(super) const RULE: [[f64; 2]; 2] =
     [[0.088_296_865_1, 0.298_499_89], [0.675_186_490_9, 0.701_500_11]];
 /// (2/π²).
 pub(super) const INFLUENCE: f64 = 2.0 / (PI * PI);
 
-/// Half of the loaded parts of both cells beside a node with `own` z, its neighbours having the `others` [m]; and its derivatives by all three.
+/// Half of the loaded parts of both cells beside a node with `own` z, its neighbours having the
+/// `others` [m]; and its derivatives by all three.
 pub(super) fn loaded_width<T: Real>(node: &Node<T>, own: T, others: [T; 2]) -> [T; 4] {
     let sides = [0, 1].map(|side| {
         let [_, part] = loaded_part(own, others[side]);
@@ -53,7 +58,8 @@ pub(super) struct Strip<T = f64> {
     pub load: T,
     /// Half length [m].
     pub half_length: T,
-    /// Derivative of the logarithm of the half length by the load per width [1/m]; by χ it is minus this times the load.
+    /// Derivative of the logarithm of the half length by the load per width [1/m]; by χ it is minus
+    /// this times the load.
     pub length_by_load: T,
 }
 
@@ -66,7 +72,8 @@ impl<T: Real> Strip<T> {
     }
 }
 
-/// Fall of the displacement to the station of the strip at a node that the wheel wants: that of x²/(2 R) [m].
+/// Fall of the displacement to the station of the strip at a node that the wheel wants: that of
+/// x²/(2 R) [m].
 pub(super) fn wanted_fall<T: Real>(strip: &Strip<T>, node: &Node<T>) -> T {
     strip.half_length * strip.half_length * (0.5 * STATION * STATION) / node.radius
 }
@@ -82,16 +89,19 @@ pub(super) struct Pair<T = f64> {
 }
 
 impl<T: Real> Pair<T> {
-    /// Where it is if distances are `scale` times as large and the source counts with a share `part`.
+    /// Where it is if distances are `scale` times as large and the source counts with a share
+    /// `part`.
     pub fn in_part(self, scale: T, part: T) -> Self {
         Self { along: self.along * scale, across: self.across * scale, factor: self.factor * part }
     }
 }
 
-/// A `cell` beside which the node (x, y, tangent) is not, as that sees it; and the displacement by the slope of the load in the cell, per difference of its
-/// loads per width: its moment times the derivative of the influence.
+/// A `cell` beside which the node (x, y, tangent) is not, as that sees it; and the displacement by
+/// the slope of the load in the cell, per difference of its loads per width: its moment times the
+/// derivative of the influence.
 ///
-/// The latter is that of a cell of the half length `length`, as -σ ∂D/∂σ = 2/sqrt(1 + (4 σ/π)²): right at both ends and 4 % off at most.
+/// The latter is that of a cell of the half length `length`, as -σ ∂D/∂σ = 2/sqrt(1 + (4 σ/π)²):
+/// right at both ends and 4 % off at most.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn far_pair<T: Real>([x, y, a, b]: [T; 4], cell: &Cell<T>, length: T) -> (Pair<T>, T) {
@@ -122,15 +132,16 @@ pub(super) fn near_pair<T: Real>(nodes: &[Node<T>], i: usize, side: usize, k: us
     }
 }
 
-/// Displacement of a node by a source per factor and load per width, and its derivative by the logarithm of the half length of the source.
+/// Displacement of a node by a source per factor and load per width, and its derivative by the
+/// logarithm of the half length of the source.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Displacement<T = f64> {
     pub value: T,
     pub by_source: T,
 }
 
-/// How much less that is at the station of the node's own half length, and its derivatives by the logarithms of the half lengths of the source and of
-/// the node.
+/// How much less that is at the station of the node's own half length, and its derivatives by the
+/// logarithms of the half lengths of the source and of the node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fall<T = f64> {
     pub value: T,
@@ -149,8 +160,9 @@ impl<T: Real> Displacement<T> {
 }
 
 impl<T: Real> Fall<T> {
-    /// From the influence `centre`, D and d(a D)/da, of a source of half length 1/`inverse` at distances `along` and `across` for a node of half
-    /// length `length`: the mean of the falls to both stations.
+    /// From the influence `centre`, D and d(a D)/da, of a source of half length 1/`inverse` at
+    /// distances `along` and `across` for a node of half length `length`: the mean of the falls to
+    /// both stations.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn shifted(centre: [T; 2], along: T, across: T, inverse: T, length: T) -> Self {
@@ -245,8 +257,8 @@ impl<T: Real> CellLoad<T> {
     }
 }
 
-/// The part of a cell that carries load, from the node with `own` z to the one with `other`: where it begins and how long it is, as shares of the cell, and the
-/// derivatives of both by both.
+/// The part of a cell that carries load, from the node with `own` z to the one with `other`: where
+/// it begins and how long it is, as shares of the cell, and the derivatives of both by both.
 pub(super) fn loaded_part<T: Real>(own: T, other: T) -> [[T; 3]; 2] {
     let (zero, one) = (T::from(0.0), T::from(1.0));
     if own > 0.0 && other < 0.0 {
@@ -263,8 +275,8 @@ pub(super) fn loaded_part<T: Real>(own: T, other: T) -> [[T; 3]; 2] {
     [[zero; 3], [one, zero, zero]]
 }
 
-/// 1/c in a cell with the loads and 1/c of the nodes `a` and `b`: their mean, weighted by the squares of loads, so that a node without load does not count; and
-/// the weight of the first.
+/// 1/c in a cell with the loads and 1/c of the nodes `a` and `b`: their mean, weighted by the
+/// squares of loads, so that a node without load does not count; and the weight of the first.
 pub(super) fn slenderness<T: Real>([load_a, a]: [T; 2], [load_b, b]: [T; 2]) -> [T; 2] {
     let (square_a, square_b) = (load_a * load_a, load_b * load_b);
     let sum = square_a + square_b;
@@ -276,7 +288,8 @@ pub(super) fn slenderness<T: Real>([load_a, a]: [T; 2], [load_b, b]: [T; 2]) -> 
     }
 }
 
-/// The residuals of all equations at `z` and `shape`, nodes first; with derivatives where the numbers have them.
+/// The residuals of all equations at `z` and `shape`, nodes first; with derivatives where the
+/// numbers have them.
 pub(super) fn residuals<T: Real>(
     grid: &Grid<T>,
     knots: &Knots,

@@ -1,13 +1,17 @@
 //! One grid over all overlaps: nodes, and the cells between them, which carry the load.
 //!
-//! Nodes lie at equal shares of the integral of the curvature of the overlap to the power of 2/5 over all intervals in which the undeformed bodies
-//! overlap, by which the squared error of linear interpolation is least on the whole; fewer lie where the overlap is too small to carry load. The ends of the
-//! intervals are nodes too, and another node stands between each two of them. Where intervals join, three nodes become one, which stays in the valley between the lobes of the
-//! overlap and goes over to the others as the valley is filled: so the places of all nodes are continuous in the pose. A node that goes from one interval to the next one does
-//! so where it is unloaded, with a cell of no width.
+//! Nodes lie at equal shares of the integral of the curvature of the overlap to the power of 2/5
+//! over all intervals in which the undeformed bodies overlap, by which the squared error of linear
+//! interpolation is least on the whole; fewer lie where the overlap is too small to carry load. The
+//! ends of the intervals are nodes too, and another node stands between each two of them. Where
+//! intervals join, three nodes become one, which stays in the valley between the lobes of the
+//! overlap and goes over to the others as the valley is filled: so the places of all nodes are
+//! continuous in the pose. A node that goes from one interval to the next one does so where it is
+//! unloaded, with a cell of no width.
 //!
-//! The load per width is the positive part of a line in a cell. The two cells beside a node act on it from the points of a rule for logarithms, all others from their
-//! middles, with the half length that belongs to the load there.
+//! The load per width is the positive part of a line in a cell. The two cells beside a node act on
+//! it from the points of a rule for logarithms, all others from their middles, with the half length
+//! that belongs to the load there.
 
 use super::line::{OverlapLine, Place};
 use super::overlap::{MOST_OVERLAPS, Overlaps};
@@ -59,7 +63,8 @@ pub(super) struct Grid<T = f64> {
 }
 
 impl<T: Real> Grid<T> {
-    /// Room for `nodes` nodes; the ends of overlaps are nodes too, and there is one more for each gap and each valley between lobes.
+    /// Room for `nodes` nodes; the ends of overlaps are nodes too, and there is one more for each
+    /// gap and each valley between lobes.
     pub fn new(nodes: usize) -> Self {
         let nodes = nodes + 2 * MOST_OVERLAPS + MOST_VALLEYS;
         Self {
@@ -69,7 +74,8 @@ impl<T: Real> Grid<T> {
         }
     }
 
-    /// Lays nodes over all `overlaps`, of which there is at least one: as many as the `knots` are for, and those of gaps and valleys.
+    /// Lays nodes over all `overlaps`, of which there is at least one: as many as the `knots` are
+    /// for, and those of gaps and valleys.
     pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps, knots: &Knots) {
         self.nodes.clear();
         self.cells.clear();
@@ -151,7 +157,8 @@ impl<T: Real> Grid<T> {
         self.nodes.push(Node { y, between, place, radius, reach, reach_x, cell, neighbours });
     }
 
-    /// Links the nodes from number `first` on, which are those of one interval, by cells; before and behind them are cells of no width.
+    /// Links the nodes from number `first` on, which are those of one interval, by cells; before
+    /// and behind them are cells of no width.
     fn link(&mut self, first: usize) {
         let last = self.nodes.len();
         for right in first..=last {
@@ -184,9 +191,10 @@ impl<T: Real> Grid<T> {
 }
 
 impl<T: Real> Cell<T> {
-    /// Distance at which all of it would act as it does at the distance `away` of its middle, were its load constant: near a strip of the half length
-    /// `length` with the mean of the logarithm, ½∫_-1^1 ln(1 + r t) dt by its series in the ratio r of half its width to the distance, far from it
-    /// with that of the reciprocal, which has twice the leading term.
+    /// Distance at which all of it would act as it does at the distance `away` of its middle, were
+    /// its load constant: near a strip of the half length `length` with the mean of the logarithm,
+    /// ½∫_-1^1 ln(1 + r t) dt by its series in the ratio r of half its width to the distance, far
+    /// from it with that of the reciprocal, which has twice the leading term.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn distance(&self, away: T, length: T) -> T {

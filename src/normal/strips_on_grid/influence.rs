@@ -1,7 +1,8 @@
 //! Influence of a strip with semi-elliptical pressure on the displacement of the half-space.
 //!
-//! A strip of half length a that carries p(x) = q sqrt(1 - (x/a)²) per unit of width displaces the surface at distances Δx along and
-//! Δy across from its centre by q D(Δx/a, Δy/a)/(π E*), both bodies together:
+//! A strip of half length a that carries p(x) = q sqrt(1 - (x/a)²) per unit of width displaces the
+//! surface at distances Δx along and Δy across from its centre by q D(Δx/a, Δy/a)/(π E*), both
+//! bodies together:
 //!
 //! ```text
 //! D(ξ, σ) = ∫_-1^1 sqrt(1 - t²)/sqrt((ξ - t)² + σ²) dt
@@ -10,17 +11,21 @@
 //!           M = 2 ζ (K - E),  g = K/ζ - M,  G = (g + M m/2)/3,  m = 1/ζ²
 //! ```
 //!
-//! with the spheroidal coordinates ζ ± η = distances from the two ends of the strip over its half length. Laplace's equation makes the terms
-//! up to τ² exact, and with them the logarithm on the strip itself; those after it are fitted. The fall from the centre, D(0, σ) - D(ξ, σ), is
-//! 0.1 % off at most, for every ξ and σ.
+//! with the spheroidal coordinates ζ ± η = distances from the two ends of the strip over its half
+//! length. Laplace's equation makes the terms up to τ² exact, and with them the logarithm on the
+//! strip itself; those after it are fitted. The fall from the centre, D(0, σ) - D(ξ, σ), is 0.1 %
+//! off at most, for every ξ and σ.
 
 use crate::math::real::Real;
 
-/// Where along a strip the displacement is compared with that at its centre, share of the half length.
+/// Where along a strip the displacement is compared with that at its centre, share of the half
+/// length.
 ///
-/// Pressures that are not quite semi-elliptical are met on the whole, not at the centre alone, where slender patches would be off.
+/// Pressures that are not quite semi-elliptical are met on the whole, not at the centre alone,
+/// where slender patches would be off.
 pub const STATION: f64 = 0.7;
-/// What squared distances over half lengths are more than they are, so that a cell of no width has a logarithm.
+/// What squared distances over half lengths are more than they are, so that a cell of no width has
+/// a logarithm.
 const LEAST: f64 = 1e-24;
 /// The same for 1 - η², which rounding may take below zero.
 const LEAST_ACROSS: f64 = 1e-14;
@@ -132,7 +137,8 @@ const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
 const SPLIT: u64 = 0x3fe6_a09e_667f_3bcd;
 const BELOW_ONE: u64 = 0x3ff0_0000_0000_0000 - SPLIT;
 
-/// ln x for finite, normal x > 0, as [`logarithm::ln`](crate::math::logarithm::ln) with fewer terms: 2e-10 off.
+/// ln x for finite, normal x > 0, as [`logarithm::ln`](crate::math::logarithm::ln) with fewer
+/// terms: 2e-10 off.
 // Inside each instruction set or not at all: a call would not be vectorised.
 #[allow(clippy::inline_always)]
 #[inline(always)]

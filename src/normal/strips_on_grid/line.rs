@@ -45,7 +45,8 @@ pub struct LinePlace {
     pub y: f64,
     /// Derivative of `y` by the parameter of the line, > 0 [-].
     pub dy: f64,
-    /// Overlap of the undeformed bodies along their common normal, negative where they are apart [m].
+    /// Overlap of the undeformed bodies along their common normal, negative where they are apart
+    /// [m].
     pub overlap: f64,
     /// Derivative of the overlap by the parameter of the line [-].
     pub overlap_slope: f64,
@@ -65,15 +66,15 @@ pub trait Line {
 
     /// At coordinate `y` across, for a parameter near `guess` [m].
     ///
-    /// The overlap over `y` is as smooth as the surfaces; over the parameter it is not, where the contact line of a yawed wheel changes
-    /// its speed with the curvature of the profile.
+    /// The overlap over `y` is as smooth as the surfaces; over the parameter it is not, where the
+    /// contact line of a yawed wheel changes its speed with the curvature of the profile.
     fn across(&mut self, y: f64, guess: f64) -> LinePlace {
         walk_across(self, y, guess)
     }
 }
 
-/// As [`Line::across`], from place to place: by Newton's method, kept between places on both sides. Where a body is bent more than the other one
-/// is far, coordinates are passed over.
+/// As [`Line::across`], from place to place: by Newton's method, kept between places on both sides.
+/// Where a body is bent more than the other one is far, coordinates are passed over.
 pub fn walk_across(line: &mut (impl Line + ?Sized), y: f64, guess: f64) -> LinePlace {
     let mut place = line.place(guess);
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);

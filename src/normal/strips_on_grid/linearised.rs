@@ -1,4 +1,5 @@
-//! The equations at the present unknowns, and their derivatives by all of them: the system of a Newton step.
+//! The equations at the present unknowns, and their derivatives by all of them: the system of a
+//! Newton step.
 
 use super::beside::Beside;
 use super::columns::{Block, LANES, Rows, Sums, add, project, row};
@@ -18,7 +19,8 @@ pub(super) struct Linearised {
     far: Sources,
     beside: Beside,
     sums: Sums,
-    /// What each cell does to displacements and falls per load per width, and its derivatives by the logarithm of its half length, by columns.
+    /// What each cell does to displacements and falls per load per width, and its derivatives by
+    /// the logarithm of its half length, by columns.
     by_cells: [Vec<Block>; 2],
     /// Derivatives of displacements and falls by the load per width and χ of the node under way.
     by_node: [Vec<Block>; 2],
@@ -27,11 +29,13 @@ pub(super) struct Linearised {
     by_length: Vec<Block>,
     /// Displacements by the moments of cells, by columns.
     moments: Vec<Block>,
-    /// Shares of the knots in each node, and what their equations have of its fall: shares of load over the fall that is wanted.
+    /// Shares of the knots in each node, and what their equations have of its fall: shares of load
+    /// over the fall that is wanted.
     shares: Vec<Block>,
     falls: Vec<Block>,
     penalty: Vec<Block>,
-    /// Derivatives of all equations by columns, and behind them minus their residuals, which become the step.
+    /// Derivatives of all equations by columns, and behind them minus their residuals, which become
+    /// the step.
     pub matrix: Vec<Block>,
     /// The row of each equation: nodes, and behind the block of the last of them the knots.
     pub pivots: FixedVec<usize>,
@@ -131,7 +135,8 @@ impl Linearised {
         }
     }
 
-    /// Residuals at the present unknowns and all derivatives of them, with regard to how far nodes are ahead of each other if the grid `is_skewed`.
+    /// Residuals at the present unknowns and all derivatives of them, with regard to how far nodes
+    /// are ahead of each other if the grid `is_skewed`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn linearise(
@@ -306,7 +311,8 @@ impl Linearised {
         }
     }
 
-    /// The derivatives of all residuals by all unknowns, by rows, into `matrix`; returns their number.
+    /// The derivatives of all residuals by all unknowns, by rows, into `matrix`; returns their
+    /// number.
     pub fn matrix(&self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
         let (n, m) = (grid.nodes.len(), knots.count());
         matrix.clear();

@@ -1,19 +1,22 @@
 //! Strips that all satisfy the contact condition.
 //!
-//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one point, the displacement of the half-space
-//! meets the overlap of the bodies at every node that carries load, and its fall along x, to 0.7 of the half length, that of the wheel. The load per
-//! width l is what is sought: it goes to zero linearly where the contact ends, it determines the displacement far away, and it cannot be
-//! negative. The pressure over the half length, c, varies slowly over a contact region: it is constant on an ellipse.
+//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one
+//! point, the displacement of the half-space meets the overlap of the bodies at every node that
+//! carries load, and its fall along x, to 0.7 of the half length, that of the wheel. The load per
+//! width l is what is sought: it goes to zero linearly where the contact ends, it determines the
+//! displacement far away, and it cannot be negative. The pressure over the half length, c, varies
+//! slowly over a contact region: it is constant on an ellipse.
 //!
 //! ```text
 //! p(x, y) = c(y) sqrt(a(y)² - (x - x_0(y))²),   a² = 2 l/(π c)
 //! l ≥ 0,   u_n - overlap ≥ 0,   l (u_n - overlap) = 0
 //! ```
 //!
-//! All overlaps of a rail are one problem on one grid, without a list of regions or edges: these are read off the solution. The displacement at a
-//! node is taken along its own normal.
+//! All overlaps of a rail are one problem on one grid, without a list of regions or edges: these
+//! are read off the solution. The displacement at a node is taken along its own normal.
 //!
-//! This is `normal.model` = strips, with which an element starts; docs/theory.md, section 6, has the equations, docs/validation.md the errors.
+//! This is `normal.model` = strips, with which an element starts; docs/theory.md, section 6, has
+//! the equations, docs/validation.md the errors.
 
 mod beside;
 mod columns;
@@ -89,16 +92,19 @@ impl GridSolver {
         Self { knots, overlaps: Overlaps::new(), grid, newton, work: Work::default() }
     }
 
-    /// Largest distance left at a node of the last problem that carries load, or overlap left at one
-    /// that does not, over the greatest overlap, before the last Newton step; 0 without a problem [-].
+    /// Largest distance left at a node of the last problem that carries load, or overlap left at
+    /// one that does not, over the greatest overlap, before the last Newton step; 0 without a
+    /// problem [-].
     #[must_use]
     pub fn residual(&self) -> f64 {
         self.newton.residual
     }
 
-    /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the contact modulus in Pa.
+    /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`;
+    /// the contact modulus in Pa.
     ///
-    /// Returns the number of fallbacks: zones that found no room, and one where the last step was longer than it should have been.
+    /// Returns the number of fallbacks: zones that found no room, and one where the last step was
+    /// longer than it should have been.
     pub fn solve(
         &mut self,
         line: &mut impl Line,
@@ -128,7 +134,8 @@ impl GridSolver {
     }
 }
 
-/// Adds the zones of one contact frame to `strips`; returns the number of fallbacks as [`GridSolver::solve`] does.
+/// Adds the zones of one contact frame to `strips`; returns the number of fallbacks as
+/// [`GridSolver::solve`] does.
 pub fn solve_in_frame(
     solver: &mut GridSolver,
     problem: &NormalProblem,

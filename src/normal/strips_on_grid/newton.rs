@@ -1,7 +1,8 @@
 //! Newton's method for the strips.
 //!
-//! All unknowns take one step with the exact derivative, each component of it bounded by itself, with other bounds where the node carries load. Nothing is tried again. The
-//! solution, not the way to it, is continuous in the pose.
+//! All unknowns take one step with the exact derivative, each component of it bounded by itself,
+//! with other bounds where the node carries load. Nothing is tried again. The solution, not the way
+//! to it, is continuous in the pose.
 
 use multiversion::multiversion;
 
@@ -16,26 +17,33 @@ use super::unknowns::Unknowns;
 
 /// Most Newton steps.
 pub(super) const MOST_STEPS: u64 = 40;
-/// First steps, in which nodes that a yawed wheel has ahead of each other are taken as if side by side, with two influences for a pair instead of three: the steps after
-/// them find what that leaves out.
+/// First steps, in which nodes that a yawed wheel has ahead of each other are taken as if side by
+/// side, with two influences for a pair instead of three: the steps after them find what that
+/// leaves out.
 const FIRST_STEPS: u64 = 2;
-/// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by the load: what is left is of the order of their
-/// squares, which a search for a given load does not feel.
+/// Last change of a load per width, over that in the middle of the ellipse, and of χ, weighted by
+/// the load: what is left is of the order of their squares, which a search for a given load does
+/// not feel.
 const LAST_CHANGE: f64 = 1e-6;
-/// Greatest fall in one step of z, and rise where there is no load, over itself or the load per width in the middle of the ellipse, whichever is greater; and greatest
-/// change of χ: less than where the equations have left what their derivatives tell.
+/// Greatest fall in one step of z, and rise where there is no load, over itself or the load per
+/// width in the middle of the ellipse, whichever is greater; and greatest change of χ: less than
+/// where the equations have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
-/// Greatest growth in one step of a load that is next to nothing, over that in the middle of the ellipse; others double at most. The displacement by such a load goes with its
-/// square.
+/// Greatest growth in one step of a load that is next to nothing, over that in the middle of the
+/// ellipse; others double at most. The displacement by such a load goes with its square.
 const MOST_GROWTH: f64 = 0.1;
-/// Share of the way beyond zero that a node takes that begins to carry load: its gap, by which it goes there, is about as much flatter than its load where both are
-/// small, and it would come back and go again.
+/// Share of the way beyond zero that a node takes that begins to carry load: its gap, by which it
+/// goes there, is about as much flatter than its load where both are small, and it would come back
+/// and go again.
 const SHARE_ACROSS: f64 = 0.1;
-/// Least slope of the equation of a node over the greatest residual of all of them, both in units of the ellipse: a node of little load or little gap has an equation that
-/// is flat on both sides, and moves by no more than some loads of the ellipse. It goes to nothing with the residual, so that the last steps are Newton's.
+/// Least slope of the equation of a node over the greatest residual of all of them, both in units
+/// of the ellipse: a node of little load or little gap has an equation that is flat on both sides,
+/// and moves by no more than some loads of the ellipse. It goes to nothing with the residual, so
+/// that the last steps are Newton's.
 const LEAST_SLOPE: f64 = 0.2;
-/// Displacement of a node by a load of its own over (2/π²) times width over half length: ln(8 a/h), for nodes a seventh of a half length apart. What is left of the overlap
-/// of a node when its gap has closed is carried with that slope, and not with that of the gap.
+/// Displacement of a node by a load of its own over (2/π²) times width over half length: ln(8 a/h),
+/// for nodes a seventh of a half length apart. What is left of the overlap of a node when its gap
+/// has closed is carried with that slope, and not with that of the gap.
 const SELF_INFLUENCE: f64 = 4.0;
 
 /// Unknowns and memory for as many nodes as the solver was made for.
@@ -45,7 +53,8 @@ pub(super) struct Newton {
     system: Linearised,
     /// Steps so far.
     pub steps: u64,
-    /// Largest distance left at a node that carries load, or overlap left at one that does not, over the greatest overlap, before the last step.
+    /// Largest distance left at a node that carries load, or overlap left at one that does not,
+    /// over the greatest overlap, before the last step.
     pub residual: f64,
 }
 
@@ -96,14 +105,16 @@ impl Newton {
         self.system.linearise(&self.unknowns, grid, scales, is_skewed);
     }
 
-    /// The derivatives of all residuals by all unknowns at the present ones, by rows, into `matrix`; returns their number.
+    /// The derivatives of all residuals by all unknowns at the present ones, by rows, into
+    /// `matrix`; returns their number.
     pub fn matrix_at(&mut self, grid: &Grid, knots: &Knots, matrix: &mut Vec<f64>) -> usize {
         let scales = Scales::new(&grid.samples);
         self.linearise(grid, &scales, grid.is_skewed());
         self.system.matrix(grid, knots, matrix)
     }
 
-    /// Makes the equations of nodes as steep as they have to be and finds their residual; returns the greatest overlap that a node without load has beyond its gap, over the depth.
+    /// Makes the equations of nodes as steep as they have to be and finds their residual; returns
+    /// the greatest overlap that a node without load has beyond its gap, over the depth.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn steepen(&mut self, grid: &Grid, scales: &Scales) -> f64 {

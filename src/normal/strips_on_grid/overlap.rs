@@ -37,8 +37,8 @@ impl Overlaps {
         Self { intervals: FixedVec::new(MOST_OVERLAPS) }
     }
 
-    /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between two of which it changes its
-    /// sign at most once.
+    /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between
+    /// two of which it changes its sign at most once.
     pub fn fill(&mut self, line: &mut impl Line, probes: &[Probe], level: f64) {
         self.intervals.clear();
         let is_inside = |probe: &Probe| level > probe.f;

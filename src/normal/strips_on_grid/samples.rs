@@ -1,8 +1,9 @@
 //! The overlap at places across, and how many nodes are wanted there.
 //!
-//! Nodes are wanted by the curvature of the overlap to the power of 2/5, by which the squared error of linear interpolation is least on the whole, and fewer where the
-//! overlap is too small to carry load. The overlap is taken at equal distances from the middle of all overlaps, with parabolas in between, whatever belongs to which
-//! interval: where two of them join, nodes stay where they are.
+//! Nodes are wanted by the curvature of the overlap to the power of 2/5, by which the squared error
+//! of linear interpolation is least on the whole, and fewer where the overlap is too small to carry
+//! load. The overlap is taken at equal distances from the middle of all overlaps, with parabolas in
+//! between, whatever belongs to which interval: where two of them join, nodes stay where they are.
 
 use super::line::OverlapLine;
 use super::overlap::{End, MOST_OVERLAPS, Overlaps};
@@ -11,8 +12,9 @@ use super::valleys::{MOST_VALLEYS, Valley};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
-/// Distance between the places that the overlap is taken at, over the width of all overlaps; and how far they are apart at most, about as far as points in measured
-/// profiles, but in that many places at most.
+/// Distance between the places that the overlap is taken at, over the width of all overlaps; and
+/// how far they are apart at most, about as far as points in measured profiles, but in that many
+/// places at most.
 const SPACING: f64 = 1.0 / 24.0;
 const MOST_SPACING: f64 = 5e-4;
 const MOST_PLACES: usize = 256;
@@ -25,14 +27,16 @@ const MOST_SAMPLES: usize = (MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + MOST_VAL
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
-/// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may lie farther out than an ellipse tells.
+/// Overlap over that at the edge of an ellipse at which half of the nodes are left out: edges may
+/// lie farther out than an ellipse tells.
 const UNLOADED: f64 = 0.9;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
 const LEAST_OVERLAP: f64 = 1e-3;
 
-/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an ellipse being `level`: fewer where no load is to be expected.
+/// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an
+/// ellipse being `level`: fewer where no load is to be expected.
 fn share_loaded<T: Real>(overlap: T, level: T) -> T {
     let beyond = level / overlap * UNLOADED;
     T::from(1.0) / (beyond * beyond + 1.0)
@@ -57,7 +61,8 @@ pub(super) struct Sample<T> {
 }
 
 impl<T: Real> Sample<T> {
-    /// At a share of the way to an `other` one, where no node stands: a parabola, whose bend is that in the middle.
+    /// At a share of the way to an `other` one, where no node stands: a parabola, whose bend is
+    /// that in the middle.
     fn towards(&self, other: &Self, share: T) -> Self {
         let mix = |a: T, b: T| a + (b - a) * share;
         let width = other.y - self.y;
@@ -79,7 +84,8 @@ pub(super) fn nodes_between<T: Real>([a, b]: [&Sample<T>; 2]) -> T {
     (b.y - a.y) * (a.density + b.density) * 0.5
 }
 
-/// Share of the way between two samples behind which there are as many `nodes`, which are no more than all.
+/// Share of the way between two samples behind which there are as many `nodes`, which are no more
+/// than all.
 pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
     let (first, last) = (a.density, b.density);
     let wanted = nodes / (b.y - a.y) * 2.0;
@@ -91,10 +97,12 @@ pub(super) fn share_behind<T: Real>([a, b]: [&Sample<T>; 2], nodes: T) -> T {
 pub(super) struct Samples<T = f64> {
     pub list: FixedVec<Sample<T>>,
     pub valleys: FixedVec<Valley<T>>,
-    /// Depth and half width of the parabola with the same integrals of the square and the cube of the overlap, which tell of the place that carries most [m].
+    /// Depth and half width of the parabola with the same integrals of the square and the cube of
+    /// the overlap, which tell of the place that carries most [m].
     pub depth: T,
     pub half_width: T,
-    /// Radius of the normal section of the wheel along x in the middle of the square of the overlap [m].
+    /// Radius of the normal section of the wheel along x in the middle of the square of the overlap
+    /// [m].
     pub radius: T,
     /// Ends of the intervals of overlap [m].
     ends: FixedVec<[T; 2]>,
@@ -132,7 +140,8 @@ impl<T: Real> Samples<T> {
                 / width;
         let spacing =
             (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
-        // Not in the middle itself, or the ends of a single interval would be places too, on this side or that by rounding.
+        // Not in the middle itself, or the ends of a single interval would be places too, on this
+        // side or that by rounding.
         for (interval, ends) in intervals.iter().enumerate() {
             self.take_interval(line, interval, ends, [middle + spacing * 0.5, spacing]);
         }
@@ -216,7 +225,8 @@ impl<T: Real> Samples<T> {
         self.take_valleys(interval, [begin.overlap, last.overlap], place);
     }
 
-    /// Takes the valleys of the interval of a number with overlaps at its ends, whose `places` are there.
+    /// Takes the valleys of the interval of a number with overlaps at its ends, whose `places` are
+    /// there.
     fn take_valleys(
         &mut self,
         interval: usize,
@@ -253,7 +263,8 @@ impl<T: Real> Samples<T> {
         }
     }
 
-    /// Takes the density of nodes, the `level` being the overlap at the edge of an ellipse over its depth; returns the number that it makes.
+    /// Takes the density of nodes, the `level` being the overlap at the edge of an ellipse over its
+    /// depth; returns the number that it makes.
     pub fn lay(&mut self, level: T) -> T {
         self.part();
         self.integrate();
@@ -267,7 +278,8 @@ impl<T: Real> Samples<T> {
             let overlap = (sample.overlap / near).at_least(LEAST_OVERLAP);
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
-            // Where the overlap is less deep there are fewer, by the root of its depth besides its width: less depends on it.
+            // Where the overlap is less deep there are fewer, by the root of its depth besides its
+            // width: less depends on it.
             self.list[k].density = bend * share_loaded(overlap, level) * (near / self.depth).sqrt();
         }
         self.stand_in_valleys(level);
@@ -291,8 +303,9 @@ impl<T: Real> Samples<T> {
         }
     }
 
-    /// Depth of the parabola with the integrals of the overlap within the half width to both sides of coordinate `y`; the samples at which such a `window`
-    /// begins and ends are near those of the last one, which lay before [m].
+    /// Depth of the parabola with the integrals of the overlap within the half width to both sides
+    /// of coordinate `y`; the samples at which such a `window` begins and ends are near those of
+    /// the last one, which lay before [m].
     fn depth_near(&self, y: T, window: &mut [usize; 2]) -> T {
         let [begin, end] = [-self.half_width, self.half_width].map(|way| y + way);
         let last = self.list.len() - 1;
@@ -314,7 +327,8 @@ impl<T: Real> Samples<T> {
         cubes / squares * DEPTH_OVER_MEAN
     }
 
-    /// Nodes stand in valleys, the `level` being the overlap at the edge of an ellipse over its depth; the density does not change there.
+    /// Nodes stand in valleys, the `level` being the overlap at the edge of an ellipse over its
+    /// depth; the density does not change there.
     fn stand_in_valleys(&mut self, level: T) {
         let mut window = [0; 2];
         for k in 0..self.valleys.len() {

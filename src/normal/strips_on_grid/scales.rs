@@ -6,12 +6,14 @@ use super::samples::Samples;
 use crate::math::real::Real;
 use crate::normal::hertz;
 
-/// Least half length over that of the ellipse: strips that hardly carry load stay longer than nothing.
+/// Least half length over that of the ellipse: strips that hardly carry load stay longer than
+/// nothing.
 const LEAST_LENGTH: f64 = 0.02;
 /// Range of the ratio of the curvatures of the ellipse.
 const MOST_RATIO: f64 = 1e4;
 
-/// Sizes that the equations are scaled by, from the ellipse of the parabola with the same integrals of the square and the cube of the overlap.
+/// Sizes that the equations are scaled by, from the ellipse of the parabola with the same integrals
+/// of the square and the cube of the overlap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<T = f64> {
     /// Load per width in its middle [m].
@@ -39,7 +41,8 @@ impl<T: Real> Scales<T> {
         let (a, b) = (ellipse.semi_axis_along, ellipse.semi_axis_across);
         let load = ellipse.max_pressure * a * (0.5 * PI);
         let level = -(across * b * b / grid.depth) + 1.0;
-        // Beside the edge of a strip of pressure q sqrt(s) the gap is (4/3) q s^(3/2)/E*, and the load per width falls by 2 load/b.
+        // Beside the edge of a strip of pressure q sqrt(s) the gap is (4/3) q s^(3/2)/E*, and the
+        // load per width falls by 2 load/b.
         let gap = (ellipse.max_pressure / a * (2.0 / PI)).sqrt() * (2.0 / 3.0) * b / load;
         Self {
             load,
@@ -52,8 +55,9 @@ impl<T: Real> Scales<T> {
         }
     }
 
-    /// What the fall of the displacement at a node counts with that has the load per width `load` and half of both loaded parts beside it as its `width`: its share of
-    /// the load, times the root of the load, so that a node comes in without a bend.
+    /// What the fall of the displacement at a node counts with that has the load per width `load`
+    /// and half of both loaded parts beside it as its `width`: its share of the load, times the
+    /// root of the load, so that a node comes in without a bend.
     pub fn weight(&self, width: T, load: T) -> T {
         width * load * (load / self.load).sqrt() / self.total
     }

@@ -1,16 +1,18 @@
 //! The logarithm of pressure over half length, χ = ln c, as a field over the nodes.
 //!
-//! It is constant on an ellipse and varies over lengths of the order of the half length, so that a few numbers do: it is linear in the number of
-//! the node between knots.
+//! It is constant on an ellipse and varies over lengths of the order of the half length, so that a
+//! few numbers do: it is linear in the number of the node between knots.
 
 use crate::math::real::Real;
 
-/// Nodes for each knot, of which a field has some more besides; but two nodes for each at least, or the falls of few nodes do not tell them apart.
+/// Nodes for each knot, of which a field has some more besides; but two nodes for each at least, or
+/// the falls of few nodes do not tell them apart.
 const NODES_PER_KNOT: f64 = 3.5;
 const MORE_KNOTS: usize = 2;
 const LEAST_NODES_PER_KNOT: usize = 2;
-/// Weights of squared second and first differences of the field between knots against squared relative errors of the fall of the displacement, weighted by the
-/// share of load: they matter where there is no load, and extend the field there.
+/// Weights of squared second and first differences of the field between knots against squared
+/// relative errors of the fall of the displacement, weighted by the share of load: they matter
+/// where there is no load, and extend the field there.
 const PENALTIES: [f64; 2] = [1e-3, 1e-4];
 
 /// Knots over a number of nodes.
@@ -56,7 +58,8 @@ impl Knots {
         self.nodes
     }
 
-    /// Where node number `number`, from 1 on, is; beyond the first and the last one the field is as there.
+    /// Where node number `number`, from 1 on, is; beyond the first and the last one the field is as
+    /// there.
     pub fn between<T: Real>(&self, number: T) -> Between<T> {
         let last = self.count - 1;
         let rate = last as f64 / (self.nodes - 1) as f64;

@@ -1,4 +1,5 @@
-//! What a source of pressure does to all nodes, by columns: the part of a Newton step that takes the time.
+//! What a source of pressure does to all nodes, by columns: the part of a Newton step that takes
+//! the time.
 
 use super::columns::{BEYOND, Block, LANES, Rows, Sums, row};
 use super::equations::{Displacement, Fall, Pair, far_pair};
@@ -38,8 +39,8 @@ impl Sources {
         self.factors[range].fill(Block::ZERO);
     }
 
-    /// Puts source number `c` in the place of a `cell`, for all nodes, without regard to whether they are beside it; its moments, with the half
-    /// length `length`, into `moments`.
+    /// Puts source number `c` in the place of a `cell`, for all nodes, without regard to whether
+    /// they are beside it; its moments, with the half length `length`, into `moments`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn put_cell(
@@ -65,9 +66,10 @@ impl Sources {
         }
     }
 
-    /// What source number `c` does, added to `sums`; and per load per width, with the derivatives by the logarithm of the half length of the source, and that of
-    /// the fall by that of the node into `own`. `strip` gives for each block of nodes its load per width, the reciprocal of its half length, by how much its
-    /// distances are longer and the share with which it counts.
+    /// What source number `c` does, added to `sums`; and per load per width, with the derivatives
+    /// by the logarithm of the half length of the source, and that of the fall by that of the node
+    /// into `own`. `strip` gives for each block of nodes its load per width, the reciprocal of its
+    /// half length, by how much its distances are longer and the share with which it counts.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn act<'a>(

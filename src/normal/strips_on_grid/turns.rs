@@ -1,7 +1,8 @@
 //! Where the overlap is greatest or least beside itself, from samples at equal distances.
 //!
-//! The samples are joined by cubics whose slopes are the central differences (Catmull and Rom). The turns of these cubics, all of which
-//! are known, move with the samples without jumps, and come and go in pairs.
+//! The samples are joined by cubics whose slopes are the central differences (Catmull and Rom). The
+//! turns of these cubics, all of which are known, move with the samples without jumps, and come and
+//! go in pairs.
 
 use crate::math::real::Real;
 
@@ -68,7 +69,8 @@ mod tests {
 
     #[test]
     fn turns_come_and_go_in_pairs_and_each_belongs_to_one_cell() {
-        // A wave on a slope, along which the samples are shifted: one peak and one valley in each wave.
+        // A wave on a slope, along which the samples are shifted: one peak and one valley in each
+        // wave.
         let wave = |t: f64| (t * 1.3).sin() + 0.4 * t;
         for shift in 0..1000 {
             let at = |k: usize| wave(k as f64 + 1e-3 * f64::from(shift));

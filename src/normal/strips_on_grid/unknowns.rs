@@ -14,7 +14,8 @@ pub(super) struct Unknowns {
     pub shapes: FixedVec<f64>,
     slenderness: FixedVec<f64>,
     pub strips: FixedVec<Strip>,
-    /// Loads of the cells, their strips, and the derivatives of the logarithms of half lengths by z and χ at both ends.
+    /// Loads of the cells, their strips, and the derivatives of the logarithms of half lengths by z
+    /// and χ at both ends.
     pub cells: Vec<CellLoad>,
     pub cell_strips: Vec<Strip>,
     pub cell_lengths: Vec<[[f64; 2]; 2]>,

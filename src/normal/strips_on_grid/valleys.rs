@@ -1,15 +1,17 @@
 //! Valleys of the overlap, and how much of a node stands in each.
 //!
-//! Where two intervals of overlap join, a node stays between them. It fades as the valley fills up or becomes one with a peak beside it, so
-//! that nodes do not jump.
+//! Where two intervals of overlap join, a node stays between them. It fades as the valley fills up
+//! or becomes one with a peak beside it, so that nodes do not jump.
 
 use crate::math::real::Real;
 
 /// Most valleys of one rail; further ones have no node.
 pub(super) const MOST_VALLEYS: usize = 64;
-/// Overlap in a valley over that at the edge of an ellipse at which half a node is left for it: hardly loaded, with other nodes near by.
+/// Overlap in a valley over that at the edge of an ellipse at which half a node is left for it:
+/// hardly loaded, with other nodes near by.
 const SHALLOW: f64 = 0.6;
-/// How much a valley is filled at which nothing is left of its node; its eighth power is still a number.
+/// How much a valley is filled at which nothing is left of its node; its eighth power is still a
+/// number.
 const FILLED: f64 = 1e30;
 
 /// A place of least overlap between two peaks of one interval.
@@ -27,8 +29,9 @@ pub(super) struct Valley<T> {
 }
 
 impl<T: Real> Valley<T> {
-    /// Takes how many nodes stand in it, `edge` being the overlap at the edge of an ellipse [m]: one where two intervals have just joined, the less the more the valley
-    /// is filled, and next to nothing before it ceases.
+    /// Takes how many nodes stand in it, `edge` being the overlap at the edge of an ellipse [m]:
+    /// one where two intervals have just joined, the less the more the valley is filled, and next
+    /// to nothing before it ceases.
     pub fn stand(&mut self, edge: T) {
         let rise = self.peak - self.overlap;
         // A valley that has just come has no rise.

@@ -11,13 +11,15 @@ use crate::normal::{Strips, Zone};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Loads<'a, T = f64> {
     pub grid: &'a Grid<T>,
-    /// z, which is the load per width over the contact modulus where it is positive [m], and χ, at each node.
+    /// z, which is the load per width over the contact modulus where it is positive [m], and χ, at
+    /// each node.
     pub z: &'a [T],
     pub shapes: &'a [T],
 }
 
 impl<T: Real> Loads<'_, T> {
-    /// Hands neighbouring loaded nodes over as the strips of a zone; returns the number of zones that found no room.
+    /// Hands neighbouring loaded nodes over as the strips of a zone; returns the number of zones
+    /// that found no room.
     pub fn emit(&self, contact_modulus: f64, strips: &mut Strips<T>) -> usize {
         let nodes = &self.grid.nodes;
         let is_loaded = |i: usize| self.z[i] > 0.0;
@@ -42,11 +44,13 @@ impl<T: Real> Loads<'_, T> {
             let mut zone: Zone<T> = Zone { first: strips.y.len(), count, ..Zone::default() };
             for i in first..end {
                 let node = &nodes[i];
-                // Without the least half length of the equations: strips that begin to carry load come out of nothing.
+                // Without the least half length of the equations: strips that begin to carry load
+                // come out of nothing.
                 let strip = Strip::new(self.z[i], (-self.shapes[i]).exp(), T::from(0.0));
                 let length = strip.half_length;
                 strips.y.push(node.y);
-                // Half of the loaded parts of both cells: a line to the edge holds half of its height.
+                // Half of the loaded parts of both cells: a line to the edge holds half of its
+                // height.
                 strips.width.push(parts(i).into_iter().sum::<T>() * 0.5);
                 strips.x.push(node.place.x);
                 strips.half_length.push(length);
@@ -78,10 +82,11 @@ impl<T: Real> Loads<'_, T> {
         })
     }
 
-    /// Greatest pressure over the contact modulus of the nodes from `first` to `end`: the vertex of the parabola of its square, exact on
-    /// ellipses.
+    /// Greatest pressure over the contact modulus of the nodes from `first` to `end`: the vertex of
+    /// the parabola of its square, exact on ellipses.
     ///
-    /// Linear elements that meet a concave load in their nodes lie above it by a twelfth of its second difference, so that they hold as much.
+    /// Linear elements that meet a concave load in their nodes lie above it by a twelfth of its
+    /// second difference, so that they hold as much.
     fn greatest_pressure(&self, first: usize, end: usize) -> T {
         let square = |i: usize| {
             let node = &self.grid.nodes[i];
@@ -110,8 +115,8 @@ impl<T: Real> Loads<'_, T> {
         (middle + vertex * (slope + bend * vertex)).max(middle).sqrt()
     }
 
-    /// Area and width of the nodes from `first` to `end`, with the loaded parts of the outer cells: the square of the half length is linear between nodes and to
-    /// the edges.
+    /// Area and width of the nodes from `first` to `end`, with the loaded parts of the outer cells:
+    /// the square of the half length is linear between nodes and to the edges.
     fn extent(&self, first: usize, end: usize, parts: [T; 2]) -> [T; 2] {
         let nodes = &self.grid.nodes;
         let square = |i: usize| self.z[i] * (-self.shapes[i]).exp() * (2.0 / PI);

@@ -1,6 +1,8 @@
-//! The system of equations that couples the strips, (1 + C R) z = b, by GMRES (Saad and Schultz 1986).
+//! The system of equations that couples the strips, (1 + C R) z = b, by GMRES (Saad and Schultz
+//! 1986).
 //!
-//! C gives the gradients of all strips by the moments of their tractions, R, in blocks, the moments of each strip by the gradients that it sees from others.
+//! C gives the gradients of all strips by the moments of their tractions, R, in blocks, the moments
+//! of each strip by the gradients that it sees from others.
 
 use super::equations::dot;
 use super::sizes::{ALL, NODES, PAIR};
@@ -25,7 +27,8 @@ impl Coupling {
         Self { basis: vec![[0.0; ALL]; MOST_DIRECTIONS + 1] }
     }
 
-    /// Solves with the matrix `coupling` by rows, to `share` of the `right` side, which becomes the solution.
+    /// Solves with the matrix `coupling` by rows, to `share` of the `right` side, which becomes the
+    /// solution.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn solve(

@@ -1,14 +1,17 @@
 //! The equations of steady rolling on strips.
 //!
-//! With the gradients g_m of displacement against the rigid slip, over bound and shear modulus, the tractions r over their bounds fulfil
+//! With the gradients g_m of displacement against the rigid slip, over bound and shear modulus, the
+//! tractions r over their bounds fulfil
 //!
 //! ```text
 //! v = r_m + ρ_m g_m,  h = ρ_m (g_{m+1} - g_m)/2,  s = clamp((|v| - 1)/RAMP, 0, 1)
 //! r_m = v where |v| ≤ 1,  else (v + s h)/|v + s h|
 //! ```
 //!
-//! A point adheres by the gradient just ahead of it, so that tractions begin at zero at the leading edge and end with the bound at the trailing one; where it slips its direction is that of the
-//! slip at the point itself, the mean of the gradients on both sides, without which the error would be of first order in the distance of points. s goes from the one to the other.
+//! A point adheres by the gradient just ahead of it, so that tractions begin at zero at the leading
+//! edge and end with the bound at the trailing one; where it slips its direction is that of the
+//! slip at the point itself, the mean of the gradients on both sides, without which the error would
+//! be of first order in the distance of points. s goes from the one to the other.
 
 use super::influence::Influence;
 use super::layout::Node;
@@ -16,7 +19,8 @@ use super::points::{LANES, MOMENTS, Points, Row};
 use super::sizes::{ALL, NODES};
 use crate::math::real::Real;
 
-/// Overshoot of |v| over which the direction of slip goes over from the gradient ahead to the one in place.
+/// Overshoot of |v| over which the direction of slip goes over from the gradient ahead to the one
+/// in place.
 pub(super) const RAMP: f64 = 0.5;
 
 /// Rigid slip over bound and shear modulus that counts: squares of it are numbers.
@@ -60,7 +64,8 @@ pub(super) struct Equations<'a, T = f64> {
 }
 
 impl Equations<'_> {
-    /// Tractions along the rigid slip of each strip at its leading edge, half as large as their bounds: from there it takes the fewest steps, whether strips adhere or slip.
+    /// Tractions along the rigid slip of each strip at its leading edge, half as large as their
+    /// bounds: from there it takes the fewest steps, whether strips adhere or slip.
     pub fn begin(&self, strips: &mut [Strip]) {
         for (strip, node) in strips.iter_mut().zip(self.nodes) {
             let x = node.creepage.longitudinal;
@@ -74,7 +79,8 @@ impl Equations<'_> {
 }
 
 impl<T: Real> Equations<'_, T> {
-    /// Evaluates the equations at the tractions of `strips`; what is left of them, at most and as a norm.
+    /// Evaluates the equations at the tractions of `strips`; what is left of them, at most and as a
+    /// norm.
     #[allow(clippy::inline_always, clippy::needless_range_loop)]
     #[inline(always)]
     pub fn evaluate(&self, strips: &mut [Strip<T>]) -> [f64; 2] {

@@ -1,8 +1,11 @@
-//! Gradients of displacement by tractions over their bounds: of a strip on itself, and of all strips on each other.
+//! Gradients of displacement by tractions over their bounds: of a strip on itself, and of all
+//! strips on each other.
 //!
-//! With the traction -q sqrt(1 - t²) r(t) on a strip of the half length a and the bound q in its middle, its own gradient is that of a band with the same traction out
-//! to the reach of the strip on both sides: it holds the whole singularity. What the half-space adds, all other strips and on itself the difference between its true band and that one,
-//! is smooth along the strip: a few coefficients of T_k(t), by a few moments of the tractions (coefficients of U_k).
+//! With the traction -q sqrt(1 - t²) r(t) on a strip of the half length a and the bound q in its
+//! middle, its own gradient is that of a band with the same traction out to the reach of the strip
+//! on both sides: it holds the whole singularity. What the half-space adds, all other strips and on
+//! itself the difference between its true band and that one, is smooth along the strip: a few
+//! coefficients of T_k(t), by a few moments of the tractions (coefficients of U_k).
 
 use super::kernel::{FIRST, POLES, SECOND, THIRD, WIDTHS, inside};
 use super::layout::Node;
@@ -17,9 +20,11 @@ const NOTHING: f64 = -34.5;
 /// Influence of strips on themselves and on each other, over the shear modulus [-].
 #[derive(Clone, Debug)]
 pub(super) struct Influence<T = f64> {
-    /// Gradients along and across at the places ξ_m of strip i by its own r_x and r_y in the places t_l: `[component][i, l][m]`.
+    /// Gradients along and across at the places ξ_m of strip i by its own r_x and r_y in the places
+    /// t_l: `[component][i, l][m]`.
     pub own: [FixedVec<Row<T>>; 2],
-    /// Coefficients of the gradients by the moments of the tractions times strength and bound: `[component][k][i]` by rows, `[component][k][j]` by columns.
+    /// Coefficients of the gradients by the moments of the tractions times strength and bound:
+    /// `[component][k][i]` by rows, `[component][k][j]` by columns.
     pub coupling: Vec<[T; ALL]>,
 }
 
@@ -129,7 +134,8 @@ impl<T: Real> Influence<T> {
             middle[j] = node.x;
         }
         for (i, node) in nodes.iter().enumerate() {
-            // Distances to the edges of all bands, and with which sign the odd kernels of these count.
+            // Distances to the edges of all bands, and with which sign the odd kernels of these
+            // count.
             let (mut away, mut sign) = ([[zero; NODES]; 2], [[0.0; NODES]; 2]);
             for (j, other) in nodes.iter().enumerate() {
                 for side in 0..2 {
@@ -180,7 +186,8 @@ impl<T: Real> Influence<T> {
                         }
                     }
                 }
-                // And the difference of the two strip theories, which is all that a strength other than one leaves.
+                // And the difference of the two strip theories, which is all that a strength other
+                // than one leaves.
                 let excess = -(T::from(1.0) / node.strength.at_least(f64::MIN_POSITIVE)) + 1.0;
                 for l in 0..MOMENTS {
                     let whole = 2.0 * polynomials[l + 1];

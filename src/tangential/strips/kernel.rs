@@ -1,18 +1,21 @@
 //! Gradient of displacement beside a strip, in closed form.
 //!
-//! A band of the surface from its strip's line to the lateral distance e, with tractions constant across it, has at the distance x ahead the kernels
+//! A band of the surface from its strip's line to the lateral distance e, with tractions constant
+//! across it, has at the distance x ahead the kernels
 //!
 //! ```text
 //! F₁ = e/(x r),  F₂ = x e/r³,  F₃ = e²/r³        r² = x² + e²
 //! ```
 //!
-//! of which 1/x - F₁, F₂ and F₃ are smooth functions of x/e over e. They are sums of Lorentz curves, fitted by least squares over 0 ≤ x/e ≤ 200 with the weight 1 + x/e:
+//! of which 1/x - F₁, F₂ and F₃ are smooth functions of x/e over e. They are sums of Lorentz
+//! curves, fitted by least squares over 0 ≤ x/e ≤ 200 with the weight 1 + x/e:
 //!
 //! ```text
 //! 1/x - F₁ = Σ A x/(x² + s² e²),  F₂ = Σ B x/(x² + s² e²),  F₃ = Σ D s e/(x² + s² e²),      Σ A = 1, Σ B = 0
 //! ```
 //!
-//! Each of these is the real or the imaginary part of 1/(x + i s e), whose integrals with Chebyshev's weights are exact: for ζ outside of -1 to 1
+//! Each of these is the real or the imaginary part of 1/(x + i s e), whose integrals with
+//! Chebyshev's weights are exact: for ζ outside of -1 to 1
 //!
 //! ```text
 //! ∫ sqrt(1 - t²) U_k(t)/(ζ - t) dt = π w^(k+1),   w = ζ - sqrt(ζ² - 1),  |w| < 1

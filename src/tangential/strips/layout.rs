@@ -1,9 +1,13 @@
-//! The strips on which tractions are sought: fewer than those of the normal problem, and all of them in between.
+//! The strips on which tractions are sought: fewer than those of the normal problem, and all of
+//! them in between.
 //!
-//! They stand at equal shares of the integral of the root of the half length across the zone: denser than at equal shares of the area towards the lateral edges, and yet continuous
-//! in the strips of the normal problem, of which one more comes out of nothing where it begins to carry load. Half length and pressure are interpolated: the square of the half length a
-//! and the ratio of bound to half length are linear between strips, and a² falls to zero at the lateral edges. Tractions over their bound are linear between the strips
-//! sought, at equal shares of the half length, and constant beyond the outer ones.
+//! They stand at equal shares of the integral of the root of the half length across the zone:
+//! denser than at equal shares of the area towards the lateral edges, and yet continuous in the
+//! strips of the normal problem, of which one more comes out of nothing where it begins to carry
+//! load. Half length and pressure are interpolated: the square of the half length a and the ratio
+//! of bound to half length are linear between strips, and a² falls to zero at the lateral edges.
+//! Tractions over their bound are linear between the strips sought, at equal shares of the half
+//! length, and constant beyond the outer ones.
 
 use std::ops::Range;
 
@@ -44,7 +48,8 @@ pub(super) struct Carrier<T> {
     pub width: T,
     /// Rigid slip in its middle, and its rate along rolling.
     pub creepage: Creepage<T>,
-    /// Integral of the root of the half length over all before it and half of its own width [m^(3/2)].
+    /// Integral of the root of the half length over all before it and half of its own width
+    /// [m^(3/2)].
     pub passed: T,
 }
 
@@ -82,7 +87,8 @@ impl<T: Real> Layout<T> {
         }
     }
 
-    /// Lays nodes over the strips of a zone of this `width` with the numbers `strips`, which roll forward; false where they have no area or no bound.
+    /// Lays nodes over the strips of a zone of this `width` with the numbers `strips`, which roll
+    /// forward; false where they have no area or no bound.
     pub fn lay(
         &mut self,
         strips: Range<usize>,
@@ -140,7 +146,8 @@ impl<T: Real> Layout<T> {
         }
     }
 
-    /// Where a zone of this `width` ends: beyond its outer strips by as much as they are wider than half of the way to their neighbours.
+    /// Where a zone of this `width` ends: beyond its outer strips by as much as they are wider than
+    /// half of the way to their neighbours.
     fn edges(&self, width: T) -> [T; 2] {
         let carriers = &self.carriers;
         let (n, first, last) = (carriers.len(), carriers[0], carriers[carriers.len() - 1]);
@@ -190,7 +197,8 @@ impl<T: Real> Layout<T> {
         }
     }
 
-    /// The distances over which others have tractions like those of a node: by as much less as their bounds are lower.
+    /// The distances over which others have tractions like those of a node: by as much less as
+    /// their bounds are lower.
     fn reach(&mut self) {
         let nodes = &mut self.nodes;
         for i in 0..NODES {
@@ -244,7 +252,8 @@ impl<T: Real> Carrier<T> {
         }
     }
 
-    /// A node between it and the `edge` of the zone, which is at the share 0; the rigid slip is its own.
+    /// A node between it and the `edge` of the zone, which is at the share 0; the rigid slip is its
+    /// own.
     fn towards_edge(&self, edge: T, share: T) -> Node<T> {
         let root = share.at_least(f64::MIN_POSITIVE).sqrt();
         Node {

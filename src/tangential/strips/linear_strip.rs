@@ -20,7 +20,8 @@ pub(super) struct LinearStrip<'a> {
     /// Direction of the bounded traction, and across it, where a point slips.
     along: [Row; 2],
     across: [Row; 2],
-    /// Of the equation of each point, across its traction where it slips and along x where it adheres: factors of the gradients ahead and behind, by component.
+    /// Of the equation of each point, across its traction where it slips and along x where it
+    /// adheres: factors of the gradients ahead and behind, by component.
     ahead: [Row; 2],
     behind: [Row; 2],
     /// And of the traction itself across and along its direction.
@@ -191,7 +192,8 @@ impl<'a> LinearStrip<'a> {
     }
 }
 
-/// Solves for all columns of `right` in place by elimination with row pivots; the `matrix` by columns is lost.
+/// Solves for all columns of `right` in place by elimination with row pivots; the `matrix` by
+/// columns is lost.
 #[allow(clippy::inline_always, clippy::needless_range_loop)]
 #[inline(always)]
 fn eliminate(matrix: &mut [Column], right: &mut [Column; PAIR + 1]) {

@@ -1,11 +1,14 @@
 //! Steady rolling on the strips that are there: `tangential.model` = strips.
 //!
-//! Tractions in a few points along a few strips, which lie between those of the normal problem (`layout`). Within a strip the gradient of displacement is that
-//! of boundary elements on Chebyshev points (`points`, `equations`); between strips it is a few coefficients by a few moments of the tractions, in closed form
-//! (`kernel`, `influence`). One semi-smooth Newton method solves all of it (`newton`, `coupling`). Nothing is given of the shape of the zone, and
-//! the coefficients of Kalker's linear theory come out.
+//! Tractions in a few points along a few strips, which lie between those of the normal problem
+//! (`layout`). Within a strip the gradient of displacement is that of boundary elements on
+//! Chebyshev points (`points`, `equations`); between strips it is a few coefficients by a few
+//! moments of the tractions, in closed form (`kernel`, `influence`). One semi-smooth Newton method
+//! solves all of it (`newton`, `coupling`). Nothing is given of the shape of the zone, and the
+//! coefficients of Kalker's linear theory come out.
 //!
-//! Zones beside the one asked for have no part in it. Friction may differ from strip to strip, and so may the creepage.
+//! Zones beside the one asked for have no part in it. Friction may differ from strip to strip, and
+//! so may the creepage.
 
 mod coupling;
 mod equations;

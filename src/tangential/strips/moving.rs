@@ -1,6 +1,7 @@
 //! Derivatives of a solution, one direction after the other.
 //!
-//! The equations R(r, p) = 0 hold for all p. With tractions that do not move their rates are R', all of which has to vanish:
+//! The equations R(r, p) = 0 hold for all p. With tractions that do not move their rates are R',
+//! all of which has to vanish:
 //!
 //! ```text
 //! r' = -(∂R/∂r)^-1 R'
@@ -18,7 +19,8 @@ use crate::tangential::{LoadedZone, Rolling, StripForce};
 const COUPLING_LEFT: f64 = 1e-12;
 
 impl TractionStrips {
-    /// As [`strip_forces`](Self::strip_forces), with derivatives: a strip comes once for each direction.
+    /// As [`strip_forces`](Self::strip_forces), with derivatives: a strip comes once for each
+    /// direction.
     pub fn moving_strip_forces<const N: usize>(
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip<Dual<N>>, Dual<N>>,

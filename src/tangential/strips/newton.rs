@@ -1,7 +1,8 @@
 //! Tractions by a semi-smooth Newton method on all strips.
 //!
-//! A step solves each strip for its own tractions and its response to the coefficients of the gradients from others, then one system for these. Where a point slips its traction
-//! is as large as its bound: one unknown is left, the direction; where it adheres there are two.
+//! A step solves each strip for its own tractions and its response to the coefficients of the
+//! gradients from others, then one system for these. Where a point slips its traction is as large
+//! as its bound: one unknown is left, the direction; where it adheres there are two.
 
 use super::coupling::{Coupling, Lane, Responses};
 use super::equations::{Equations, Strip, dot};
@@ -14,14 +15,17 @@ use crate::tangential::convergence::Convergence;
 const MOST_STEPS: usize = 30;
 /// Largest part of the bound that is left of the equations.
 const LEFT: f64 = 1e-10;
-/// What is left of the system that couples strips, as a share of its right side, at least and at most: as much as of the equations, so that steps stay quadratic.
+/// What is left of the system that couples strips, as a share of its right side, at least and at
+/// most: as much as of the equations, so that steps stay quadratic.
 const COUPLING_LEFT: [f64; 2] = [1e-4, 3e-2];
 /// Magnitude that tractions over their bounds keep in the iteration.
 const LARGEST: f64 = 1.5;
 
-/// Part of what is left that a whole step has to take off, as a share of it a part of one (Armijo's rule).
+/// Part of what is left that a whole step has to take off, as a share of it a part of one (Armijo's
+/// rule).
 const LEAST_GAIN: f64 = 0.05;
-/// Share of a step from which on it is taken although it gains nothing: what is left falls again once other points adhere.
+/// Share of a step from which on it is taken although it gains nothing: what is left falls again
+/// once other points adhere.
 const LEAST_SHARE: f64 = 0.05;
 
 /// How a solution was found.
@@ -46,7 +50,8 @@ impl Settled {
 pub(super) struct Newton {
     pub strips: Vec<Strip>,
     tried: Vec<Strip>,
-    /// Change of the tractions of each strip by each coefficient from others, and by what is left: `[i][column][component]`.
+    /// Change of the tractions of each strip by each coefficient from others, and by what is left:
+    /// `[i][column][component]`.
     responses: Vec<[[Row; 2]; PAIR + 1]>,
     coupling: Coupling,
     /// Columns of the equations of one strip.
@@ -94,12 +99,14 @@ impl Newton {
         Settled { steps, left }
     }
 
-    /// Change of the tractions of strip `i`, to be taken off, by the last [`direction`](Self::direction).
+    /// Change of the tractions of strip `i`, to be taken off, by the last
+    /// [`direction`](Self::direction).
     pub fn step(&self, i: usize) -> &[Row; 2] {
         &self.responses[i][PAIR]
     }
 
-    /// Solves the linear equations at the tractions of all strips for the `right` side of each; what couples strips to a `share` of it.
+    /// Solves the linear equations at the tractions of all strips for the `right` side of each;
+    /// what couples strips to a `share` of it.
     #[allow(clippy::inline_always, clippy::needless_range_loop)]
     #[inline(always)]
     pub fn direction(

@@ -1,11 +1,14 @@
 //! Points along a strip, and what belongs to their number alone.
 //!
-//! Tractions are at the zeros t_l = cos(l π/(N+1)) of the Chebyshev polynomial U_N, gradients of displacement at the zeros ξ_m of T_{N+1} between them and
-//! beside the outer ones, both from the leading edge on: with these (Erdogan and Gupta 1972) the quadrature of the singular kernel is exact for polynomials.
+//! Tractions are at the zeros t_l = cos(l π/(N+1)) of the Chebyshev polynomial U_N, gradients of
+//! displacement at the zeros ξ_m of T_{N+1} between them and beside the outer ones, both from the
+//! leading edge on: with these (Erdogan and Gupta 1972) the quadrature of the singular kernel is
+//! exact for polynomials.
 
 use std::f64::consts::PI;
 
-/// Chebyshev coefficients of the tractions of a strip that other strips feel, and of the gradient that they have there.
+/// Chebyshev coefficients of the tractions of a strip that other strips feel, and of the gradient
+/// that they have there.
 pub(super) const MOMENTS: usize = 3;
 /// Places along a strip in which the gradients that come from others are taken.
 pub(super) const PLACES: usize = 4;
@@ -15,7 +18,8 @@ pub(super) type Row<T = f64> = [T; LANES];
 /// Most tractions along a strip; there is one gradient more.
 pub const MOST_POINTS: usize = LANES - 1;
 
-/// Points of tractions and of gradients along a strip, in half lengths from its middle; the leading edge is at 1.
+/// Points of tractions and of gradients along a strip, in half lengths from its middle; the leading
+/// edge is at 1.
 #[derive(Clone, Debug)]
 pub(super) struct Points {
     /// Number of tractions.

@@ -48,7 +48,8 @@ impl Moving {
 }
 
 impl TractionStrips {
-    /// With `points` along each strip, 4 to [`MOST_POINTS`], for zones of up to `strips` strips; larger ones allocate.
+    /// With `points` along each strip, 4 to [`MOST_POINTS`], for zones of up to `strips` strips;
+    /// larger ones allocate.
     #[must_use]
     pub fn new(points: usize, strips: usize) -> Self {
         Self {
@@ -60,7 +61,8 @@ impl TractionStrips {
         }
     }
 
-    /// Hands the force of each strip of `loaded` on the wheel to `each`; nothing where there is no solution.
+    /// Hands the force of each strip of `loaded` on the wheel to `each`; nothing where there is no
+    /// solution.
     pub fn strip_forces(
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
@@ -138,7 +140,8 @@ impl TractionStrips {
         }
     }
 
-    /// Tractions on the wheel of a zone that rolls forward over their bounds, and whether it slips, at the place t of a strip, -1 to 1 at the leading edge, as a function of the number of the
+    /// Tractions on the wheel of a zone that rolls forward over their bounds, and whether it slips,
+    /// at the place t of a strip, -1 to 1 at the leading edge, as a function of the number of the
     /// strip in the zone and t; nothing where there is no solution.
     pub fn tractions(
         &mut self,
@@ -169,7 +172,8 @@ fn between<'a, T>(place: &Between<T>, states: &'a [Strip<T>]) -> [&'a Strip<T>; 
     [place.node, (place.node + 1).min(states.len() - 1)].map(|k| &states[k])
 }
 
-/// Strip `j` of `loaded` as the layout has it, in the numbers that `to` makes; backward rolling seen in a mirror along x.
+/// Strip `j` of `loaded` as the layout has it, in the numbers that `to` makes; backward rolling
+/// seen in a mirror along x.
 pub(super) fn carrier<T: Real, O: Real>(
     loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
     rolling: Rolling,

@@ -2,7 +2,8 @@
 
 use super::ellipse_force::ForceSlopes;
 
-/// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin that vanishes in full sliding.
+/// The friction limit: what interpolation puts beyond it is brought back smoothly, within a margin
+/// that vanishes in full sliding.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
     magnitude: f64,

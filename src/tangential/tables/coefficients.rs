@@ -8,13 +8,16 @@ pub type Channels = [f64; 4];
 /// Coefficients on a grid; the last coordinate varies fastest.
 #[derive(Clone, Debug)]
 pub struct Coefficients {
-    /// Coefficients along each coordinate: three more than intervals, or one where there is none (the second, or the last two).
+    /// Coefficients along each coordinate: three more than intervals, or one where there is none
+    /// (the second, or the last two).
     pub counts: [usize; 4],
-    /// [first][second][third][fourth] and channels. Single precision: a look-up reads 4 KiB of them.
+    /// [first][second][third][fourth] and channels. Single precision: a look-up reads 4 KiB of
+    /// them.
     pub values: Vec<[f32; 4]>,
 }
 
-/// Place along one coordinate: first coefficient and the weights of it and those behind it, with their derivatives by the coordinate.
+/// Place along one coordinate: first coefficient and the weights of it and those behind it, with
+/// their derivatives by the coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     /// Index of the first coefficient.

@@ -1,7 +1,8 @@
 //! Direction of a vector of three creepages as two angles, folded into a quarter of the sphere.
 //!
-//! Creep forces have two symmetries: (ξ, η, φ) → (ξ, -η, -φ) is a mirror image across, (ξ, η, φ) → -(ξ, η, φ) turns all tractions. Longitudinal
-//! creepage then is positive or zero, so is spin, and
+//! Creep forces have two symmetries: (ξ, η, φ) → (ξ, -η, -φ) is a mirror image across, (ξ, η, φ)
+//! → -(ξ, η, φ) turns all tractions. Longitudinal creepage then is positive or zero, so is spin,
+//! and
 //!
 //! ```text
 //! x = r sin χ,  y = r cos χ cos ψ,  z = r cos χ sin ψ,      0 ≤ χ ≤ π/2,  0 ≤ ψ ≤ π

@@ -10,5 +10,6 @@ pub struct EllipseForce<T = f64> {
     pub slip_share: T,
 }
 
-/// Derivatives of longitudinal and lateral force, moment and share of slip by the three creepages v and ln(a/b).
+/// Derivatives of longitudinal and lateral force, moment and share of slip by the three creepages v
+/// and ln(a/b).
 pub type ForceSlopes = [[f64; 4]; 4];

@@ -1,7 +1,7 @@
 //! Creep forces of an ellipse by boundary elements: what the tables are made of.
 //!
-//! All quantities are over μ N (moments over μ N c), lengths over c = sqrt(a b), and creepages such that the shear modulus is one:
-//! G c² ξ/(μ N), G c² η/(μ N), G c³ φ/(μ N).
+//! All quantities are over μ N (moments over μ N c), lengths over c = sqrt(a b), and creepages such
+//! that the shear modulus is one: G c² ξ/(μ N), G c² η/(μ N), G c³ φ/(μ N).
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,8 @@ pub struct Ellipse {
 }
 
 impl Ellipse {
-    /// The ellipse with semi-axes a/b = `axis_ratio` on `elements` along and as many across, for bodies of equal `poisson_ratio`.
+    /// The ellipse with semi-axes a/b = `axis_ratio` on `elements` along and as many across, for
+    /// bodies of equal `poisson_ratio`.
     #[must_use]
     pub fn new(axis_ratio: f64, poisson_ratio: f64, elements: usize) -> Self {
         let a = axis_ratio.sqrt();
@@ -57,8 +58,8 @@ impl Ellipse {
         self.grid.along
     }
 
-    /// Force and moment on the body whose creepage is given, and the share of the area that slips; `None` where the solution did not
-    /// converge.
+    /// Force and moment on the body whose creepage is given, and the share of the area that slips;
+    /// `None` where the solution did not converge.
     #[must_use]
     pub fn force(&self, creepage: [f64; 3]) -> Option<EllipseForce> {
         let found = steady_rolling(&self.grid, &self.material, &self.bound, &self.slip(creepage));

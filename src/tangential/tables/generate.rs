@@ -12,7 +12,8 @@ use super::sliding;
 pub const POISSON_RATIO: f64 = 0.28;
 /// Elements along and across on the two grids of the committed table.
 pub const ELEMENTS: [usize; 2] = [24, 36];
-/// Power of the element size with which the error falls: measured between 11x11 and 44x44 on 300 ellipses.
+/// Power of the element size with which the error falls: measured between 11x11 and 44x44 on 300
+/// ellipses.
 const ORDER: f64 = 1.5;
 
 /// An ellipse of the table on both grids.
@@ -23,7 +24,8 @@ pub struct EllipseNodes {
     grids: [Ellipse; 2],
 }
 
-/// A force in the limit of small elements, the share that slips, and the estimated error of the force.
+/// A force in the limit of small elements, the share that slips, and the estimated error of the
+/// force.
 #[derive(Clone, Copy, Debug)]
 pub struct Extrapolated {
     /// Longitudinal and lateral force and moment over μ N, μ N c.
@@ -35,7 +37,8 @@ pub struct Extrapolated {
 }
 
 impl EllipseNodes {
-    /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio` on square grids of `elements`.
+    /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio` on square
+    /// grids of `elements`.
     #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64, elements: [usize; 2]) -> Self {
         Self {
@@ -76,7 +79,8 @@ impl EllipseNodes {
         [x / c11, y / c22, z / spin]
     }
 
-    /// Correction and share of slip, and the error estimate, at node `k` of saturation `j` from 1 on.
+    /// Correction and share of slip, and the error estimate, at node `k` of saturation `j` from 1
+    /// on.
     #[must_use]
     pub fn creep_node(&self, j: usize, k: usize) -> Option<([f64; 4], f64)> {
         let saturation = j as f64 / SATURATION_CELLS as f64;

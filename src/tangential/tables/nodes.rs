@@ -1,8 +1,9 @@
 //! The tabulated numbers: where they stand and how they are kept in a file.
 //!
-//! The file has a head of text lines that begin with `#`, an empty line, and numbers with the least significant byte first: the greatest
-//! magnitude of each of seven columns (four of the creep forces, three of full sliding) as 32-bit floats, then each column as
-//! 16-bit integers in units of that magnitude over 32767, last the error estimates, a byte each.
+//! The file has a head of text lines that begin with `#`, an empty line, and numbers with the least
+//! significant byte first: the greatest magnitude of each of seven columns (four of the creep
+//! forces, three of full sliding) as 32-bit floats, then each column as 16-bit integers in units of
+//! that magnitude over 32767, last the error estimates, a byte each.
 
 use super::direction::unit_vector;
 
@@ -61,11 +62,13 @@ pub const SLIDING_RING: usize = SLIDING_ELEVATION_CELLS * SLIDING_AZIMUTH_CELLS 
 /// All numbers of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nodes {
-    /// Correction K of longitudinal and lateral force and moment, and share of the area that slips: [ellipse][saturation][ring].
+    /// Correction K of longitudinal and lateral force and moment, and share of the area that slips:
+    /// [ellipse][saturation][ring].
     pub creep: Vec<[f64; 4]>,
     /// Estimated error of the force over μ N, of each of these.
     pub error: Vec<f64>,
-    /// Full sliding less its closed form, longitudinal and lateral force and moment: [ellipse][ring].
+    /// Full sliding less its closed form, longitudinal and lateral force and moment:
+    /// [ellipse][ring].
     pub sliding: Vec<[f64; 3]>,
 }
 

@@ -12,7 +12,8 @@ pub struct Scales {
     pub kalker: [f64; 4],
     /// Their derivatives.
     pub kalker_slopes: [f64; 4],
-    /// ζ: linear lateral force of spin, and a share of the longitudinal force that the creepage φ b would have.
+    /// ζ: linear lateral force of spin, and a share of the longitudinal force that the creepage φ b
+    /// would have.
     pub spin: f64,
     /// Its derivative.
     pub spin_slope: f64,

@@ -1,7 +1,8 @@
 //! Full sliding of an ellipse: every particle pulls against its rigid slip.
 //!
-//! With spin the slip turns about a pole at x₀ = -η/φ, y₀ = ξ/φ, so that its direction depends on the angle about the pole alone. Along a
-//! ray from the pole the Hertzian pressure is a half ellipse again, whose moments are closed; what is left is one integral over the angle.
+//! With spin the slip turns about a pole at x₀ = -η/φ, y₀ = ξ/φ, so that its direction depends on
+//! the angle about the pole alone. Along a ray from the pole the Hertzian pressure is a half
+//! ellipse again, whose moments are closed; what is left is one integral over the angle.
 //!
 //! Units as in [`super`]: lengths over c = sqrt(a b), forces over μ N.
 
@@ -45,7 +46,8 @@ impl Ellipse {
             let (u, v) = (x / a, y / b);
             let (middle, half) = ((-v).atan2(-u), (1.0 / u.hypot(v)).min(1.0).asin());
             for k in 0..POINTS {
-                // Chords vanish at the ends as the square root of the distance: in τ they are smooth and flat there.
+                // Chords vanish at the ends as the square root of the distance: in τ they are
+                // smooth and flat there.
                 let tau = PI * ((k as f64 + 0.5) / POINTS as f64 - 0.5);
                 let weight = PI / POINTS as f64 * half * tau.cos();
                 let circle = middle + half * tau.sin();
@@ -78,7 +80,8 @@ impl Ellipse {
             return [0.0; 3];
         }
         let half = square.sqrt();
-        // Moments of sqrt(d² - u²) from the pole, or from the near end of the chord, to its far end.
+        // Moments of sqrt(d² - u²) from the pole, or from the near end of the chord, to its far
+        // end.
         let from = (-middle).clamp(-half, half);
         let height = (square - from * from).max(0.0).sqrt();
         let zeroth = 0.5 * (FRAC_PI_2 * square - from * height - square * (from / half).asin());
@@ -92,7 +95,8 @@ impl Ellipse {
     }
 }
 
-/// A closed form near it: exact without spin, and to first order in the spin for longitudinal creepage.
+/// A closed form near it: exact without spin, and to first order in the spin for longitudinal
+/// creepage.
 #[must_use]
 pub fn closed_form(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
     let a2 = log_axis_ratio.exp();

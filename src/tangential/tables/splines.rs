@@ -1,10 +1,12 @@
 //! From the tabulated numbers to spline coefficients, once in a process.
 //!
-//! Over the two angles every channel is carried on by its symmetry: across the equator (mirror image along) longitudinal force is odd, the
-//! rest even; a step of π in azimuth turns lateral force and moment; over the pole elevation goes back and azimuth turns by π.
+//! Over the two angles every channel is carried on by its symmetry: across the equator (mirror
+//! image along) longitudinal force is odd, the rest even; a step of π in azimuth turns lateral
+//! force and moment; over the pole elevation goes back and azimuth turns by π.
 //!
-//! Lateral force and moment vanish on the pole with slopes that must be those of a plane, or the derivatives would depend on the side one
-//! comes from. So the plane p y + q z is taken off beforehand and what is left is held flat there.
+//! Lateral force and moment vanish on the pole with slopes that must be those of a plane, or the
+//! derivatives would depend on the side one comes from. So the plane p y + q z is taken off
+//! beforehand and what is left is held flat there.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -31,7 +33,8 @@ impl Splines {
     #[must_use]
     pub fn new(nodes: &Nodes) -> Self {
         let saturations = SATURATION_CELLS + 1;
-        // [channel][ratio][saturation][elevation][azimuth] with elevation and azimuth as coefficients already
+        // [channel][ratio][saturation][elevation][azimuth] with elevation and azimuth as
+        // coefficients already
         let mut creep: [Vec<f64>; 4] = Default::default();
         let mut planes: [Vec<f64>; 4] = Default::default();
         for i in 0..RATIOS {
@@ -72,8 +75,8 @@ impl Splines {
     }
 }
 
-/// Values at saturation `j` in 0..=SATURATION_CELLS: tabulated in between; at the ends nothing and everything slips, and K, which counts
-/// for nothing there, carries on as a parabola.
+/// Values at saturation `j` in 0..=SATURATION_CELLS: tabulated in between; at the ends nothing and
+/// everything slips, and K, which counts for nothing there, carries on as a parabola.
 fn saturation_end<'a>(ring: &impl Fn(usize) -> &'a [[f64; 4]], j: usize, k: usize) -> [f64; 4] {
     let parabola = |a: usize, b: usize, c: usize| {
         let [a, b, c] = [a, b, c].map(|j| ring(j)[k]);
@@ -92,7 +95,8 @@ fn saturation_end<'a>(ring: &impl Fn(usize) -> &'a [[f64; 4]], j: usize, k: usiz
     }
 }
 
-/// Slopes by y and z at the pole, from the first harmonic on the two rings next to it: the even part of its ratio to cos χ.
+/// Slopes by y and z at the pole, from the first harmonic on the two rings next to it: the even
+/// part of its ratio to cos χ.
 fn pole_plane(values: &[f64]) -> [f64; 2] {
     let harmonic = |ring: usize, of: fn(f64) -> f64| {
         let from = (ELEVATION_CELLS - ring) * AZIMUTH_CELLS;
@@ -148,7 +152,8 @@ fn sphere(values: &[f64], [elevations, azimuths]: [usize; 2], channel: usize) ->
     result
 }
 
-/// Coefficients of a function that is even about its end and even (`sign` 1) or odd (-1) about its beginning.
+/// Coefficients of a function that is even about its end and even (`sign` 1) or odd (-1) about its
+/// beginning.
 fn mirrored_at_both_ends(values: &[f64], sign: f64) -> Vec<f64> {
     let n = values.len() - 1;
     // Far enough to both sides for the ends to have no say.
@@ -168,7 +173,8 @@ fn mirrored_at_both_ends(values: &[f64], sign: f64) -> Vec<f64> {
     own
 }
 
-/// Coefficients of a function that is even about its beginning, and odd and flat about its end: the last but one value is not met.
+/// Coefficients of a function that is even about its beginning, and odd and flat about its end: the
+/// last but one value is not met.
 fn flat_at_the_end(values: &[f64]) -> Vec<f64> {
     let n = values.len() - 1;
     // Unknown are c_0 to c_{n-2}; c_{n-1} = c_n = 0 = c_{n+1}, c_{-1} = c_1.
@@ -189,7 +195,8 @@ fn flat_at_the_end(values: &[f64]) -> Vec<f64> {
     coefficients
 }
 
-/// Interpolates along the first two of `counts`, where there is more than one value, and brings the channels together.
+/// Interpolates along the first two of `counts`, where there is more than one value, and brings the
+/// channels together.
 fn interleaved(channels: [Vec<f64>; 4], mut counts: [usize; 4]) -> Coefficients {
     let channels = channels.map(|mut values| {
         let mut sizes = counts;

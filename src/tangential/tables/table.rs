@@ -20,7 +20,8 @@ use crate::math::b_spline;
 /// The committed table.
 const FILE: &[u8] = include_bytes!("creep_forces.table");
 
-/// How far ln(a/b) goes on beyond the ends of the table before it rests; splines are carried on that far.
+/// How far ln(a/b) goes on beyond the ends of the table before it rests; splines are carried on
+/// that far.
 const END: f64 = 0.1;
 
 /// Creepages beyond this are full sliding to rounding.
@@ -235,8 +236,9 @@ impl CreepForceTable {
     }
 }
 
-/// Derivatives of the share of slip, the last channel of `rest`, by the three creepages v and ln(a/b): with those of the saturation by ρ and
-/// of the place in the table by ln(a/b), of X by v, and of X by ln(a/b).
+/// Derivatives of the share of slip, the last channel of `rest`, by the three creepages v and
+/// ln(a/b): with those of the saturation by ρ and of the place in the table by ln(a/b), of X by v,
+/// and of X by ln(a/b).
 fn slip_slopes(
     rest: &coefficients::Sums,
     along: &Direction,
@@ -259,7 +261,8 @@ fn slip_slopes(
     [x, y, z, by_t + by_ratio * rest[1][3]]
 }
 
-/// Creepages that are small enough to be squared, and X; nothing where they are so small that their squares vanish.
+/// Creepages that are small enough to be squared, and X; nothing where they are so small that their
+/// squares vanish.
 fn within_range(scales: &Scales, v: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
     let most = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let v = if most > MOST_CREEPAGE { v.map(|v| v / most * MOST_CREEPAGE) } else { v };

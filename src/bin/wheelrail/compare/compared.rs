@@ -30,9 +30,11 @@ pub struct Compared {
     pub reference: Solved,
     /// By boundary elements, half as many along and across.
     pub coarse: Solved,
-    /// Angle between the outermost normals of one rail's contact in the reference, where it tells [rad].
+    /// Angle between the outermost normals of one rail's contact in the reference, where it tells
+    /// [rad].
     pub turn: Option<f64>,
-    /// What the equations of the reference are left with, where it tells: distance over overlap, slip over rigid slip.
+    /// What the equations of the reference are left with, where it tells: distance over overlap,
+    /// slip over rigid slip.
     pub residuals: Option<[f64; 2]>,
     /// Coefficient of friction.
     pub friction: f64,
@@ -73,12 +75,14 @@ pub const COLUMNS: [&str; 30] = [
 ];
 
 impl Compared {
-    /// Errors of normal force, pressure, area, creep force and spin moment [%]; nothing where the reference has none to refer to.
+    /// Errors of normal force, pressure, area, creep force and spin moment [%]; nothing where the
+    /// reference has none to refer to.
     pub fn errors(&self) -> [Option<f64>; 5] {
         self.differences(&self.own)
     }
 
-    /// By how much the reference with half as many elements differs, as an estimate of the reference's own errors [%].
+    /// By how much the reference with half as many elements differs, as an estimate of the
+    /// reference's own errors [%].
     pub fn uncertainties(&self) -> [Option<f64>; 5] {
         self.differences(&self.coarse).map(|error| error.map(f64::abs))
     }

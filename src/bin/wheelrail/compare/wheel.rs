@@ -41,7 +41,8 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
         times.push(begin.elapsed().as_secs_f64());
     }
     times.sort_by(f64::total_cmp);
-    // A height is given to the reference even where a load is: its own search would go down to rounding.
+    // A height is given to the reference even where a load is: its own search would go down to
+    // rounding.
     let reference_parameters = Parameters {
         normal_model: NormalModel::BoundaryElement,
         tangential_model: reference_tangential(parameters.tangential_model),

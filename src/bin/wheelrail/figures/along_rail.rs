@@ -1,4 +1,5 @@
-//! A wheel along a rail whose section varies: its height, the loads it puts on the rails, and its forces.
+//! A wheel along a rail whose section varies: its height, the loads it puts on the rails, and its
+//! forces.
 
 use std::path::Path;
 
@@ -12,7 +13,8 @@ const SIZE: (u32, u32) = (1100, 1100);
 /// Points of a curve at most; more are not seen.
 const POINTS: usize = 2000;
 
-/// Draws the figure of the right wheel, `half_axle` [m] from the middle of the axle, into the file `path`, for a run from `station` on [m].
+/// Draws the figure of the right wheel, `half_axle` [m] from the middle of the axle, into the file
+/// `path`, for a run from `station` on [m].
 ///
 /// # Errors
 /// If it cannot be written.

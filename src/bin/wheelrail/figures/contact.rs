@@ -1,4 +1,5 @@
-//! One contact: profiles, pressure, tractions, adhesion and slip, by two kinds of models side by side.
+//! One contact: profiles, pressure, tractions, adhesion and slip, by two kinds of models side by
+//! side.
 
 use std::ops::Range;
 use std::path::Path;
@@ -230,8 +231,8 @@ fn shade(share: f64) -> RGBColor {
     color((share * SHADES).round() / SHADES)
 }
 
-/// Corners (y, x) [mm] of the rectangles of one colour along the rows of a field. Each reaches a little under the next, so that no seam
-/// shows.
+/// Corners (y, x) [mm] of the rectangles of one colour along the rows of a field. Each reaches a
+/// little under the next, so that no seam shows.
 fn runs(
     field: &ContactField,
     colour: impl Fn(usize) -> Option<RGBColor>,

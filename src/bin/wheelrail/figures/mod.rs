@@ -68,7 +68,8 @@ fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()
         draw(&area.margin(px(8), 0, 0, 0)).with_context(place)?;
         area.present().with_context(place)?;
     }
-    // The viewBox keeps the fine coordinates; only the size that is asked for becomes that of the figure.
+    // The viewBox keeps the fine coordinates; only the size that is asked for becomes that of the
+    // figure.
     let dimensions = |width, height| format!("width=\"{width}\" height=\"{height}\"");
     let svg = svg.replacen(&dimensions(px(size.0), px(size.1)), &dimensions(size.0, size.1), 1);
     output::write(path, svg.as_bytes())

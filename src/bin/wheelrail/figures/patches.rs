@@ -19,7 +19,8 @@ const SCALE_STEPS: u32 = 64;
 /// Least range of the colours: smaller differences of force are not worth a colour [kN].
 const LEAST_SCALE: f64 = 10.0;
 
-/// Lightness grows evenly from dark violet to yellow (matplotlib's viridis, CC0, nine of its colours).
+/// Lightness grows evenly from dark violet to yellow (matplotlib's viridis, CC0, nine of its
+/// colours).
 const VIRIDIS: [(u8, u8, u8); 9] = [
     (68, 1, 84),
     (71, 44, 122),

@@ -10,7 +10,8 @@ use super::axes::Axes;
 use super::{Area, BLUE, GREY, VERMILION, heading, px, range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
-/// Eigenvalues that die out faster are those of the stiff contact, which would leave no room to the others [1/s].
+/// Eigenvalues that die out faster are those of the stiff contact, which would leave no room to the
+/// others [1/s].
 const FASTEST: f64 = 60.0;
 
 /// Eigenvalues at a speed.

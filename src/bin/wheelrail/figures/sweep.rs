@@ -10,7 +10,8 @@ use super::{
     Area, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION, heading, px, range_of, save, text,
 };
 
-/// Width of the figure and height of one panel; width of the legend beside the curves, and from one of its lines to the next.
+/// Width of the figure and height of one panel; width of the legend beside the curves, and from one
+/// of its lines to the next.
 const SIZE: (u32, u32) = (1200, 380);
 const LEGEND: (u32, u32) = (290, 20);
 const COLOURS: [RGBColor; 6] = [BLUE, VERMILION, GREY, GREEN, ORANGE, PURPLE];
@@ -25,7 +26,8 @@ pub struct Curve {
     pub jump: Option<(f64, f64)>,
 }
 
-/// Draws panels with a title and up to six curves each into the file `path`; a dashed line stands where a curve jumps.
+/// Draws panels with a title and up to six curves each into the file `path`; a dashed line stands
+/// where a curve jumps.
 ///
 /// # Errors
 /// If it cannot be written.

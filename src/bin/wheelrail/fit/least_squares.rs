@@ -1,7 +1,9 @@
-//! Least squares by Levenberg and Marquardt, with the derivatives of the contact, and what the data leave open.
+//! Least squares by Levenberg and Marquardt, with the derivatives of the contact, and what the data
+//! leave open.
 //!
-//! Parameters are moved in coordinates without bounds: u = ln v of those above 0, u = ln (v/(1 - v)) of shares. A step of one
-//! changes the parameter by a factor of e, so that errors of all of them compare.
+//! Parameters are moved in coordinates without bounds: u = ln v of those above 0, u = ln (v/(1 -
+//! v)) of shares. A step of one changes the parameter by a factor of e, so that errors of all of
+//! them compare.
 
 use anyhow::{Context, Result, bail};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
@@ -99,7 +101,8 @@ pub struct Fit {
     pub misfit: f64,
 }
 
-/// Standard error of a coordinate from which on the data say nothing: a factor of e either way is a parameter that is not known.
+/// Standard error of a coordinate from which on the data say nothing: a factor of e either way is a
+/// parameter that is not known.
 const UNKNOWN: f64 = 0.5;
 /// Correlation from which on two parameters are known together only.
 const TOGETHER: f64 = 0.98;
@@ -239,7 +242,8 @@ fn starts(points: &Points) -> Vec<[f64; 6]> {
 fn summary(problem: &Problem, squares: f64) -> Option<Fit> {
     let (n, count) = (problem.points.all.len(), problem.fitted.len());
     let noise = (squares / (n - count) as f64).sqrt().max(LEAST_NOISE);
-    // What the data do not see has no inverse: a little of everything is added, far beyond what is known.
+    // What the data do not see has no inverse: a little of everything is added, far beyond what is
+    // known.
     let floor = (noise / (20.0 * UNKNOWN)).powi(2);
     let normal = problem.jacobian.tr_mul(&problem.jacobian);
     let covariance = (normal + DMatrix::identity(count, count) * floor).try_inverse()?;

@@ -43,8 +43,8 @@ impl Fmu {
         let description = ModelDescription::parse(&xml)
             .with_context(|| format!("{} cannot be used", archive.display()))?;
         let library = library_path(folder.path(), &description.model_identifier)?;
-        // SAFETY: loading runs the initialisers of the library. The user names the unit and trusts it as he
-        // trusts any program he runs.
+        // SAFETY: loading runs the initialisers of the library. The user names the unit and trusts
+        // it as he trusts any program he runs.
         let library = unsafe { Library::new(&library) }
             .with_context(|| format!("cannot load {}", library.display()))?;
         let functions = Functions::of(&library)?;

@@ -56,7 +56,8 @@ macro_rules! functions {
             pub fn of(library: &Library) -> Result<Self> {
                 Ok(Self {
                     $($field: {
-                        // SAFETY: the types are those of FMI 2.0, 2.1 and 4.2, for the function of that name.
+                        // SAFETY: the types are those of FMI 2.0, 2.1 and 4.2, for the function of
+                        // that name.
                         *unsafe { library.get::<$type>($symbol) }
                             .with_context(|| format!("the unit does not export {}", $symbol))?
                     },)+

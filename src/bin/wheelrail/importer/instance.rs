@@ -52,8 +52,8 @@ impl<'fmu> Instance<'fmu> {
         let c_name = text(name)?;
         let guid = text(&fmu.description.guid)?;
         let resources = text(&fmu.resource_location())?;
-        // SAFETY: FMI 2.0, 2.1.5: the strings are null-terminated, and the callbacks live as long as
-        // the instance.
+        // SAFETY: FMI 2.0, 2.1.5: the strings are null-terminated, and the callbacks live as long
+        // as the instance.
         let component = unsafe {
             (fmu.functions.instantiate)(
                 c_name.as_ptr(),

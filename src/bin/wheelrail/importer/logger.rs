@@ -32,9 +32,9 @@ impl Messages {
 
 /// `fmi2CallbackLogger`. `environment` is the [`Messages`] of the instance.
 ///
-/// The standard's logger takes a format and any number of arguments. Rust cannot define such a function;
-/// one argument is taken, which is what a unit sends that passes its messages through `"%s"`. Other formats are taken as
-/// messages without arguments.
+/// The standard's logger takes a format and any number of arguments. Rust cannot define such a
+/// function; one argument is taken, which is what a unit sends that passes its messages through
+/// `"%s"`. Other formats are taken as messages without arguments.
 pub unsafe extern "C" fn log(
     environment: *mut c_void,
     _instance_name: *const c_char,

@@ -1,4 +1,5 @@
-//! Equations of motion of a wheelset about even rolling in the middle of the track, with exact derivatives of the contact forces.
+//! Equations of motion of a wheelset about even rolling in the middle of the track, with exact
+//! derivatives of the contact forces.
 
 use anyhow::{Result, bail};
 use nalgebra::{Complex, Matrix2, SMatrix, Vector2};
@@ -19,7 +20,8 @@ const MOST_STEPS: usize = 30;
 const ACCURACY: f64 = 1e-10;
 /// Overlap of wheel and rail at which it begins [m].
 const FIRST_PENETRATION: f64 = 1e-4;
-/// Greatest step of the height [m] and of the pitch rate, as a share of it: creep forces are linear in small ones only.
+/// Greatest step of the height [m] and of the pitch rate, as a share of it: creep forces are linear
+/// in small ones only.
 const MOST_STEP: [f64; 2] = [5e-5, 5e-4];
 
 /// The system matrix A of s' = A s.
@@ -79,7 +81,8 @@ impl LinearWheelset<'_> {
 
     /// The system matrix about that equilibrium.
     ///
-    /// With h the momentum about the axle, C and D what forces and moments change by with coordinates and rates:
+    /// With h the momentum about the axle, C and D what forces and moments change by with
+    /// coordinates and rates:
     ///
     /// ```text
     /// m y'' = F_y,  m z'' = F_z,  I roll'' = M_x + h yaw',  I yaw'' = M_z - h roll',  I_a pitch'' = M_y
@@ -139,7 +142,8 @@ impl LinearWheelset<'_> {
     }
 }
 
-/// Eigenvalues of a matrix, the one that grows most first; of pairs the one with a positive frequency [1/s].
+/// Eigenvalues of a matrix, the one that grows most first; of pairs the one with a positive
+/// frequency [1/s].
 pub fn eigenvalues(matrix: &SystemMatrix) -> Vec<Complex<f64>> {
     let all = matrix.complex_eigenvalues();
     let mut found: Vec<Complex<f64>> =

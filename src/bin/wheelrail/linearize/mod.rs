@@ -1,4 +1,5 @@
-//! `wheelrail linearize`: how a wheelset swings about the middle of the track, and from which speed on it hunts.
+//! `wheelrail linearize`: how a wheelset swings about the middle of the track, and from which speed
+//! on it hunts.
 
 mod linear_wheelset;
 
@@ -18,9 +19,10 @@ use linear_wheelset::{LinearWheelset, STATES, eigenvalues};
 
 /// Equations of motion of a wheelset about even rolling, and their eigenvalues over the speed
 ///
-/// The wheelset is that of simulate, in the middle of a straight track; contact forces have exact derivatives. The
-/// table has one row for each speed and eigenvalue, those that grow most first: growth rate, frequency and damping
-/// ratio; of a pair one. Printed is the lowest speed from which on a disturbance grows.
+/// The wheelset is that of simulate, in the middle of a straight track; contact forces have exact
+/// derivatives. The table has one row for each speed and eigenvalue, those that grow most first:
+/// growth rate, frequency and damping ratio; of a pair one. Printed is the lowest speed from which
+/// on a disturbance grows.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
@@ -62,7 +64,8 @@ const COLUMNS: [&str; 5] = ["speed_m_s", "number", "growth_1_s", "frequency_hz",
 /// Computes the table and, if asked for, draws the figure.
 ///
 /// # Errors
-/// If an option or profile is not admitted, the models have no derivatives, there is no equilibrium, or nothing can be written.
+/// If an option or profile is not admitted, the models have no derivatives, there is no
+/// equilibrium, or nothing can be written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     check(arguments)?;
     let profiles = [&arguments.contact.wheel_profile, &arguments.contact.rail_profile];
@@ -135,7 +138,8 @@ fn growth(roots: &Roots) -> f64 {
     roots.values.first().map_or(0.0, |value| value.re)
 }
 
-/// The lowest speed between two of the `roots` from which on something grows, by halving; the first of them where it grows there already.
+/// The lowest speed between two of the `roots` from which on something grows, by halving; the first
+/// of them where it grows there already.
 fn critical_speed(
     roots: &[Roots],
     mut at: impl FnMut(f64) -> Result<Roots>,

@@ -16,8 +16,8 @@ const LONGEST_HELD_BACK: Duration = Duration::from_millis(200);
 /// What a shell reports of a program that an interrupt has ended.
 const INTERRUPTED: i32 = 130;
 
-/// A table under way, with a header. A file gets its name when the table is finished; on standard output, or to a pipe, whole
-/// lines are written soon after they come.
+/// A table under way, with a header. A file gets its name when the table is finished; on standard
+/// output, or to a pipe, whole lines are written soon after they come.
 #[derive(Debug)]
 pub struct Table(Arc<Mutex<Lines>>);
 
@@ -55,7 +55,8 @@ impl Table {
         }));
         if is_kept {
             under_way().push(Arc::downgrade(&lines));
-            // Where the interrupt is ignored, as under nohup, it stays so. Without a handler the file stays too, only nothing is said.
+            // Where the interrupt is ignored, as under nohup, it stays so. Without a handler the
+            // file stays too, only nothing is said.
             HANDLER.call_once(|| drop(ctrlc::try_set_handler(leave)));
         }
         Ok(Self(lines))
@@ -102,7 +103,8 @@ impl Table {
         draft.finish().with_context(|| cannot_write(&path))
     }
 
-    /// Finishes the table if its rows were written without an error. Else the rows before the error are kept.
+    /// Finishes the table if its rows were written without an error. Else the rows before the error
+    /// are kept.
     ///
     /// # Errors
     /// That of `result`, with where those rows are, or if the table cannot be written.

@@ -11,7 +11,8 @@ use super::separation::number;
 use crate::cases::{Cases, Row};
 use crate::models::is_slow;
 
-/// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a number).
+/// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a
+/// number).
 const VARIABLE_COLUMNS: [(&str, &str, f64); 19] = [
     ("friction", "friction.coefficient", 1.0),
     ("young_modulus_mpa", "wheel.young_modulus", 1e6),

@@ -8,7 +8,8 @@ use wheelrail::planar::{PlanarCase, PlanarResult, solve};
 /// Times a case is solved; the median is reported.
 const REPEATS: usize = 5;
 
-/// The solution and the time it took [s]: the median of five, that of the first where the models are `slow`.
+/// The solution and the time it took [s]: the median of five, that of the first where the models
+/// are `slow`.
 ///
 /// # Errors
 /// A value that is refused, a load that cannot be carried.

@@ -12,11 +12,12 @@ use crate::wheelset::track::{RampShape, Track};
 
 /// Let a wheelset run over a lateral ramp, by way of the packaged FMU
 ///
-/// One instance of WheelRail.fmu stands for each wheel, loaded as any importer would load it. The wheelset is a
-/// rigid body (y, z, roll, yaw, pitch; its speed along the track is held) on linear primary springs and dampers against a
-/// frame that runs straight ahead on the track's centre line. It starts rolling freely in the middle of the track
-/// and meets a lateral ramp of both rails, or with --rail what lies in the right rail: a crossing, a switch, a dip. Left in
-/// the output folder: history.csv, motion.svg, patches.svg, with --rail along_rail.svg too.
+/// One instance of WheelRail.fmu stands for each wheel, loaded as any importer would load it. The
+/// wheelset is a rigid body (y, z, roll, yaw, pitch; its speed along the track is held) on linear
+/// primary springs and dampers against a frame that runs straight ahead on the track's centre line.
+/// It starts rolling freely in the middle of the track and meets a lateral ramp of both rails, or
+/// with --rail what lies in the right rail: a crossing, a switch, a dip. Left in the output folder:
+/// history.csv, motion.svg, patches.svg, with --rail along_rail.svg too.
 #[derive(Args, Debug)]
 #[command(verbatim_doc_comment, allow_negative_numbers = true)]
 pub struct Arguments {
@@ -37,16 +38,19 @@ pub struct Arguments {
     /// Distance run [m]
     #[arg(long, value_name = "M", default_value_t = 60.0, help_heading = "Run")]
     pub length: f64,
-    /// Rail on the right alone, such as the slices or the table of sections of a crossing; the other one stays that of --rail-profile
+    /// Rail on the right alone, such as the slices or the table of sections of a crossing; the
+    /// other one stays that of --rail-profile
     #[arg(long, value_name = "FILE", help_heading = "Run")]
     pub rail: Option<String>,
-    /// Set a parameter of the right wheel alone, such as rail[1].placement or rail[2].profile; may be repeated
+    /// Set a parameter of the right wheel alone, such as rail[1].placement or rail[2].profile; may
+    /// be repeated
     #[arg(long = "rail-set", value_name = "NAME=VALUE", value_parser = assignment, requires = "rail", help_heading = "Run")]
     pub rail_settings: Vec<(String, String)>,
     /// Station at which the run starts [m]
     #[arg(long, value_name = "M", default_value_t = 0.0, help_heading = "Run")]
     pub station: f64,
-    /// Lateral displacement of the track by the ramp, to the right; without it 0.005, with --rail 0 [m]
+    /// Lateral displacement of the track by the ramp, to the right; without it 0.005, with --rail 0
+    /// [m]
     #[arg(long, value_name = "M", help_heading = "Run")]
     pub ramp: Option<f64>,
     /// Length of the ramp [m]

@@ -60,7 +60,8 @@ pub struct FmuWheel<'fmu> {
 }
 
 impl<'fmu> FmuWheel<'fmu> {
-    /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode, for a run that starts at `station` [m].
+    /// An instance for `side` ("right" or "left"), set up by `settings`, in initialization mode,
+    /// for a run that starts at `station` [m].
     ///
     /// # Errors
     /// If the unit refuses a setting or is not a wheel-rail contact element.

@@ -1,4 +1,5 @@
-//! `wheelrail simulate`: a wheelset runs over a lateral ramp, or what lies in its right rail, on two instances of the FMU.
+//! `wheelrail simulate`: a wheelset runs over a lateral ramp, or what lies in its right rail, on
+//! two instances of the FMU.
 
 mod arguments;
 mod fmu_wheel;
@@ -27,7 +28,8 @@ const SHORTEST_STEP: f64 = 1e-6;
 /// Runs the simulation, writes the files and prints what there is to know.
 ///
 /// # Errors
-/// If an option is not admitted, the unit cannot be loaded or refuses something, or nothing can be written.
+/// If an option is not admitted, the unit cannot be loaded or refuses something, or nothing can be
+/// written.
 pub fn run(arguments: &Arguments) -> Result<()> {
     arguments.check()?;
     let path = arguments.fmu.clone().map_or_else(packaged_unit, Ok)?;

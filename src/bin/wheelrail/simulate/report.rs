@@ -94,7 +94,8 @@ pub fn step(out: &mut impl Write, start: &State, limit: &StepLimit, step: f64) -
     Ok(())
 }
 
-/// The messages of both wheels: once what both say, as of a profile that both read, and else with the side.
+/// The messages of both wheels: once what both say, as of a profile that both read, and else with
+/// the side.
 pub fn of_both(messages: &[Vec<String>; 2]) -> Vec<String> {
     let [right, left] = messages;
     let shared = right.iter().filter(|message| left.contains(message)).cloned();

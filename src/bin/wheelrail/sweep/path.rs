@@ -93,7 +93,8 @@ impl Path {
         Ok(Some(Found { variable, largest, roughness, jump, at: at + 1.0 }))
     }
 
-    /// What is left of the change of an output over one step when its half with the larger change is kept, again and again; and where.
+    /// What is left of the change of an output over one step when its half with the larger change
+    /// is kept, again and again; and where.
     fn halve(&mut self, output: usize, step: usize, steps: usize) -> Result<(f64, f64)> {
         let place = |i: usize| i as f64 / steps as f64;
         let (mut from, mut to) = (place(step), place(step + 1));

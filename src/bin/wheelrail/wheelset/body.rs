@@ -83,7 +83,8 @@ impl Body {
         }
     }
 
-    /// Motion of the wheel marker on the side of `sign` (right +1, left -1) at `speed` [m/s] along the track.
+    /// Motion of the wheel marker on the side of `sign` (right +1, left -1) at `speed` [m/s] along
+    /// the track.
     #[must_use]
     pub fn wheel_motion(&self, state: &State, speed: f64, sign: f64) -> WheelMotion {
         let axes = self.axes(state);

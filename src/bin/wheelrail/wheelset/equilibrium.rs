@@ -16,11 +16,12 @@ const ROLL: f64 = 1e-8;
 const MOST_ROLL: f64 = 1e-4;
 
 impl<W: Wheel> Wheelset<W> {
-    /// Finds height and pitch rate at which the centred wheelset rolls without vertical acceleration and without
-    /// driving moment, by Newton's method; the suspension then rests at that height.
+    /// Finds height and pitch rate at which the centred wheelset rolls without vertical
+    /// acceleration and without driving moment, by Newton's method; the suspension then rests at
+    /// that height.
     ///
-    /// The centre is at the heights `right` and `left` where the right and the left wheel would just touch [m]: on rails that do not stand alike the axle rolls until nothing
-    /// turns it.
+    /// The centre is at the heights `right` and `left` where the right and the left wheel would
+    /// just touch [m]: on rails that do not stand alike the axle rolls until nothing turns it.
     ///
     /// # Errors
     /// If there is none, or a contact element refuses its input.
@@ -84,7 +85,8 @@ impl<W: Wheel> Wheelset<W> {
         )
     }
 
-    /// Unbalanced vertical force [N], and moments of roll and about the axle [N m]; the springs carry just their load.
+    /// Unbalanced vertical force [N], and moments of roll and about the axle [N m]; the springs
+    /// carry just their load.
     fn unbalanced(&mut self, state: &State) -> Result<(f64, [f64; 2])> {
         self.suspension.resting_z = state.z;
         let force = self.force(state, Moment::Initialization)?;

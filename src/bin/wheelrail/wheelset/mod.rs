@@ -1,8 +1,8 @@
 //! A wheelset as a rigid body on two contact elements, held by its primary suspension.
 //!
-//! Degrees of freedom are y, z, roll, yaw and pitch of the centre in the track frame; the speed along the
-//! track is held. The equations of the symmetric rigid body are exact for R = `R_x(roll)` `R_z(yaw)`
-//! `R_y(pitch)`; the springs and dampers of the suspension are linear in the angles.
+//! Degrees of freedom are y, z, roll, yaw and pitch of the centre in the track frame; the speed
+//! along the track is held. The equations of the symmetric rigid body are exact for R = `R_x(roll)`
+//! `R_z(yaw)` `R_y(pitch)`; the springs and dampers of the suspension are linear in the angles.
 
 pub mod body;
 pub mod equilibrium;
@@ -85,9 +85,9 @@ impl<W: Wheel> Wheelset<W> {
         let lateral = self.track.lateral(state.distance);
         WheelInput {
             wheel: self.body.wheel_motion(state, self.speed, sign),
-            // The rails lie still and only run askew: where the next wheel position finds them is not
-            // where they move to, so their velocity is zero. (With the velocity of the ramp as seen from
-            // the wheel, friction would drag the wheelset along with the track.)
+            // The rails lie still and only run askew: where the next wheel position finds them is
+            // not where they move to, so their velocity is zero. (With the velocity of the ramp as
+            // seen from the wheel, friction would drag the wheelset along with the track.)
             rail: RailMotion { y: lateral.position, ..RailMotion::default() },
             station: state.distance,
         }

@@ -1,8 +1,8 @@
 //! How long a step may be, from the contact's own stiffness and damping.
 //!
-//! A contact force held over a step h puts the energy of a stiffness k h/2 of negative damping into the
-//! motion, which the damping c of the contact must cover: h ≤ 2 c/k. Creep forces act as dampers of rate
-//! λ = (∂F/∂v)/m, which an explicit step follows stably for h ≤ 2/λ.
+//! A contact force held over a step h puts the energy of a stiffness k h/2 of negative damping into
+//! the motion, which the damping c of the contact must cover: h ≤ 2 c/k. Creep forces act as
+//! dampers of rate λ = (∂F/∂v)/m, which an explicit step follows stably for h ≤ 2/λ.
 
 use anyhow::Result;
 

@@ -1,7 +1,7 @@
 //! Primary suspension: springs and dampers between the axle boxes and a frame.
 //!
-//! The frame runs straight ahead at the speed of the wheelset and keeps to the track's centre line, as a
-//! heavy bogie frame does on average; it does not turn. Axle boxes stand outside the wheels.
+//! The frame runs straight ahead at the speed of the wheelset and keeps to the track's centre line,
+//! as a heavy bogie frame does on average; it does not turn. Axle boxes stand outside the wheels.
 
 use super::body::{GeneralizedForce, State};
 use super::track::Lateral;
@@ -22,7 +22,8 @@ pub struct Suspension {
 }
 
 impl Suspension {
-    /// Force on the wheelset at `state`, the track's centre line being at `track`, at `speed` [m/s].
+    /// Force on the wheelset at `state`, the track's centre line being at `track`, at `speed`
+    /// [m/s].
     #[must_use]
     pub fn force(&self, state: &State, track: Lateral, speed: f64) -> GeneralizedForce {
         let [cx, cy, cz] = self.stiffness.map(|one| 2.0 * one);
