@@ -300,10 +300,6 @@ fn stand(wheel: &str) -> Stand {
 
 fn wheel_slices(setting: &Setting) -> Option<Vec<Case>> {
     let folders = folders()?;
-    // Boundary elements have no wheels that vary.
-    if setting.is_slow {
-        return None;
-    }
     let table = read_table("contact_25_1/wheel_slices.csv");
     let [rail, wheel] = ["rail", "wheel"].map(|name| column(&table, name));
     let of = |rows: &[csv::StringRecord]| {

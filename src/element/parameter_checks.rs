@@ -207,11 +207,6 @@ impl Parameters {
         if self.wear.model != WearModel::Off {
             return refuse("as wear.model is not off: what wears is one profile");
         }
-        if self.normal_model == NormalModel::BoundaryElement {
-            return refuse(
-                "where normal.model is boundary_element; sections around go with strips, hertz and piotrowski_kik",
-            );
-        }
         Ok(())
     }
 }

@@ -34,6 +34,7 @@ mod rows;
 pub mod separation;
 pub(crate) mod slices;
 pub mod standard_profiles;
+pub(crate) mod surface_point;
 pub(crate) mod varying_rail;
 pub(crate) mod varying_wheel;
 pub(crate) mod waviness;

@@ -15,7 +15,11 @@
 //! κ = -n · (a² S_vv + 2 a b S_vψ + b² S_ψψ),   e = a S_v + b S_ψ
 //! ```
 //!
+//! Whoever needs all of the surface, and not the outline alone, finds it by [`VaryingWheel::surface_along`]: where a straight line meets it.
+//!
 //! The section at angle θ around the wheel, counted forward from where it faces the rail at pitch 0, is straight below at the pitch -θ.
+
+mod surface;
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,7 +28,7 @@ use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::Envelope;
 use crate::geometry::rows::met::Met;
 use crate::geometry::rows::plane::cross;
-use crate::geometry::rows::surface::Surface;
+use crate::geometry::rows::surface::{RowPoint, Surface};
 use crate::geometry::slices::{RowKnot, Rows, Slices};
 use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
@@ -61,6 +65,8 @@ pub struct BesideRound {
 pub struct VaryingWheel {
     surface: Surface,
     radius: f64,
+    /// How it stood to the rail when it was laid last.
+    stand: Stand,
     /// Middle of the angles that the slices cover [rad].
     middle: f64,
     /// How far to either side a row may be met because it is not round [rad].
@@ -71,6 +77,7 @@ pub struct VaryingWheel {
 }
 
 /// The wheel as it stands to the rail.
+#[derive(Clone, Copy, Debug, Default)]
 struct Stand {
     /// Component of e along the axle, and across it.
     along_axle: f64,
@@ -118,6 +125,7 @@ impl VaryingWheel {
         let count = surface.count();
         Self {
             radius,
+            stand: Stand::default(),
             middle: 0.5 * (first + last),
             reach: (2.0 * spread(&surface) / radius).sqrt(),
             envelope: Envelope::new(count),
@@ -170,6 +178,7 @@ impl VaryingWheel {
         let slice = self.surface.within(self.radius * angle).slice;
         // An axle along the track sees no outline: kept away from zero, the result stays finite.
         let stand = Stand { along_axle: -sine, across_axle: cosine.max(1e-9), angle, slice };
+        self.stand = stand;
         self.met.clear();
         let (mut before, mut looked) = (None, None);
         for j in 0..self.surface.count() {
@@ -275,15 +284,8 @@ impl VaryingWheel {
         let radius = here.point[2] / cosine;
         let ahead = (here.point[1] - radius * sine) / c;
         // e by the tangents of row and circle.
-        let [vv, vp, pp] = [
-            dot(here.across, here.across),
-            dot(here.across, here.around),
-            dot(here.around, here.around),
-        ];
-        let e = [m, c, 0.0];
-        let [ev, ep] = [here.across, here.around].map(|d| dot(e, d));
-        let inverse = 1.0 / (vv * pp - vp * vp);
-        let [a, b] = [(ev * pp - ep * vp) * inverse, (ep * vv - ev * vp) * inverse];
+        let [a, b] = in_plane([m, c, 0.0], here.across, here.around);
+        let vv = dot(here.across, here.across);
         let curvature = -(2.0 * a * b * dot(normal, here.twist) + b * b * dot(normal, here.bend));
         let around_round = radial / radius * (c * cosine) * (c * cosine);
         let along = Along {
@@ -304,8 +306,13 @@ impl VaryingWheel {
 
     /// Row `j` at the angle `psi` [rad] from straight below, on a `run` of slices.
     fn place(&self, stand: &Stand, j: usize, run: [usize; 2], psi: f64) -> Place {
+        let p = self.surface.at(j, run, self.radius * (stand.angle + psi), stand.slice);
+        self.turned(&p, psi)
+    }
+
+    /// The point `p` of the surface, at the angle `psi` [rad] from straight below.
+    fn turned(&self, p: &RowPoint, psi: f64) -> Place {
         let r = self.radius;
-        let p = self.surface.at(j, run, r * (stand.angle + psi), stand.slice);
         let (sine, cosine) = psi.sin_cos();
         let radius = r - p.value[1];
         let (by_row, by_angle) = (-p.value[3], -r * p.first[1]);
@@ -353,6 +360,14 @@ fn spread(surface: &Surface) -> f64 {
         spread = spread.max(greatest - least);
     }
     spread
+}
+
+/// Shares of the vectors `a` and `b` in the part of `e` that lies in their plane.
+fn in_plane(e: [f64; 3], a: [f64; 3], b: [f64; 3]) -> [f64; 2] {
+    let [aa, ab, bb] = [dot(a, a), dot(a, b), dot(b, b)];
+    let [ea, eb] = [a, b].map(|d| dot(e, d));
+    let inverse = 1.0 / (aa * bb - ab * ab);
+    [(ea * bb - eb * ab) * inverse, (eb * aa - ea * ab) * inverse]
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

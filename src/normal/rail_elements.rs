@@ -131,7 +131,7 @@ pub struct RailElements {
 
 /// Places of the arc between which the bodies overlap, and what was found on the way.
 struct Overlap {
-    /// Arc, parameter of the contact line, place along the track and half length of the overlap there, in growing arc [m].
+    /// Arc, parameter of the contact line, and from where to where along the track the bodies overlap there, in growing arc [m].
     places: Vec<[f64; 4]>,
 }
 
@@ -144,6 +144,8 @@ impl Overlap {
 /// First step along the arc and the longest [m].
 const FIRST_STEP: f64 = 2e-6;
 const LONGEST_STEP: f64 = 5e-4;
+/// Spacing at which a wheel that varies around is looked through for its overlap along the track: that of its outline [m].
+const SCAN: f64 = 2e-3;
 /// Elements along and across an overlap on the grid on which the extent of its contact is found; it may hold several zones.
 const COARSE: [usize; 2] = [24, 48];
 /// Share of the load from which on a zone has a say in the size of elements: smaller ones are solved on those of the others.
@@ -289,10 +291,8 @@ impl Section<'_> {
     fn overlap(&self, rail_s: f64, near: f64) -> Option<Overlap> {
         let middle = self.arcs.arc(rail_s);
         let place = |arc: f64, row: &Row| {
-            let even = self.line.wheel_point(row.u).section_radius;
-            let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
-            let radius = even / share;
-            [arc, row.u, row.x, (2.0 * radius * row.overlap.max(0.0)).sqrt()]
+            let [from, to] = self.stretch(row);
+            [arc, row.u, from, to]
         };
         let first = self.row(middle, near).filter(|row| row.overlap > 0.0)?;
         let mut places = vec![place(middle, &first)];
@@ -311,6 +311,33 @@ impl Section<'_> {
         }
         places.sort_by(|a, b| a[0].total_cmp(&b[0]));
         (places.len() > 1).then_some(Overlap { places })
+    }
+
+    /// From where to where along the track the bodies overlap at `row` [m], with all that lies between.
+    fn stretch(&self, row: &Row) -> [f64; 2] {
+        let Some([from, to]) = self.line.reach(row.u, row.overlap) else {
+            let even = self.line.wheel_point(row.u).section_radius;
+            let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
+            let half = (2.0 * (even / share) * row.overlap.max(0.0)).sqrt();
+            return [row.x - half, row.x + half];
+        };
+        // A wheel that varies around may overlap in several places.
+        let mut stretch = [row.x; 2];
+        for (side, end) in [from, to].into_iter().enumerate() {
+            let steps = ((end - row.x).abs() / SCAN).ceil().max(1.0) as usize;
+            let mut guess = [row.u, row.overlap];
+            for i in 1..=steps {
+                let x = row.x + (end - row.x) * i as f64 / steps as f64;
+                let Some(at) = self.line.surface_along(x, row.point, row.normal(), guess) else {
+                    break;
+                };
+                guess = [at.s, at.depth];
+                if at.depth > 0.0 {
+                    stretch[side] = row.x + (end - row.x) * (i + 1) as f64 / steps as f64;
+                }
+            }
+        }
+        stretch
     }
 
     /// The row at `arc` where the wheel may overlap.
@@ -360,7 +387,8 @@ impl Section<'_> {
         })
     }
 
-    /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as far as the bodies overlap.
+    /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as far as the bodies overlap; a wheel that varies around may
+    /// do so again farther on.
     fn meet_row(&self, grid: &Grid, row: &Row, opposite: &mut [Option<Opposite>]) {
         let normal = row.normal();
         let middle =
@@ -373,7 +401,8 @@ impl Section<'_> {
             };
             let overlap = cosine * (at.depth + course.more(x - row.x));
             if overlap <= 0.0 {
-                return false;
+                *guess = [at.s, at.depth];
+                return self.line.varies_around();
             }
             let across = at.normal[1] * normal[0] + at.normal[2] * normal[1];
             let facing = cosine * (course.lean * at.normal[0] + across);
@@ -495,8 +524,8 @@ const GROWTH: f64 = 0.1;
 /// The grid over an overlap on which the extent of its contact is found.
 fn coarse_grid(overlap: &Overlap) -> Grid {
     let mut x = [f64::INFINITY, f64::NEG_INFINITY];
-    for &[_, _, at, half] in overlap.places.iter().filter(|place| place[3] > 0.0) {
-        x = [x[0].min(at - half), x[1].max(at + half)];
+    for &[_, _, from, to] in overlap.places.iter().filter(|place| place[3] > place[2]) {
+        x = [x[0].min(from), x[1].max(to)];
     }
     Grid::over(x, overlap.range(), COARSE[0], COARSE[1])
 }

@@ -1,6 +1,7 @@
 //! The contact line of a wheel whose section varies around.
 
 use super::{ContactLine, LEAST_SECTION_SHARE, LinePoint};
+use crate::geometry::surface_point::SurfacePoint;
 use crate::geometry::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;
 
@@ -46,5 +47,36 @@ impl<'a> ContactLine<'a> {
     #[must_use]
     pub fn varying(self, around: &'a VaryingWheel) -> Self {
         Self { around: Some(around), ..self }
+    }
+
+    /// As [`surface_along`](Self::surface_along), of the wheel whose section varies `around`.
+    pub(super) fn surface_around(
+        &self,
+        around: &VaryingWheel,
+        x: f64,
+        from: [f64; 2],
+        direction: [f64; 2],
+        guess: [f64; 2],
+    ) -> Option<SurfacePoint> {
+        let axes = [
+            self.axle,
+            [self.cosine, self.ahead[0], self.ahead[1]],
+            [0.0, self.down[0], self.down[1]],
+        ];
+        let seen = |v: [f64; 3]| axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2]);
+        let [mx, my, mz] = self.marker;
+        let start = seen([x - mx, from[0] - my, from[1] - mz]);
+        let met = around.surface_along(start, seen([0.0, direction[0], direction[1]]), guess)?;
+        let normal =
+            [0, 1, 2].map(|i| axes.iter().zip(met.normal).map(|(axis, n)| n * axis[i]).sum());
+        Some(SurfacePoint { normal, ..met })
+    }
+
+    /// Places along the track between which a wheel that is met at parameter `s` and overlaps a rail by up to `depth` [m] there may do so [m].
+    #[must_use]
+    pub fn reach(&self, s: f64, depth: f64) -> Option<[f64; 2]> {
+        let reach = self.around?.reach(depth);
+        let x = self.round().even_at(s).x;
+        Some([x - reach, x + reach])
     }
 }

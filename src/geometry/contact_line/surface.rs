@@ -6,20 +6,11 @@
 //! (P - M)·u = y_w(s),  |(P - M) - ((P - M)·u) u| = R0 + z_w(s)
 //! ```
 //!
-//! and the normal y_w' n - z_w' u, with n the radial direction there. Bodies are even along the track.
+//! and the normal y_w' n - z_w' u, with n the radial direction there. Rails are even along the track; of a wheel whose section varies around the surface is that of
+//! its rows.
 
 use super::ContactLine;
-
-/// A point of the wheel's surface on a line across the track.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePoint {
-    /// Parameter of the wheel's profile [m].
-    pub s: f64,
-    /// Distance along the line [m].
-    pub depth: f64,
-    /// Normal out of the wheel, of length one.
-    pub normal: [f64; 3],
-}
+pub use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a point; three are the rule.
 const MOST_STEPS: usize = 12;
@@ -39,6 +30,9 @@ impl ContactLine<'_> {
         direction: [f64; 2],
         [mut s, mut depth]: [f64; 2],
     ) -> Option<SurfacePoint> {
+        if let Some(around) = self.around {
+            return self.surface_around(around, x, from, direction, [s, depth]);
+        }
         let [ux, uy, uz] = self.axle;
         let start = [x - self.marker[0], from[0] - self.marker[1], from[1] - self.marker[2]];
         let axial_rate = direction[0] * uy + direction[1] * uz;

@@ -165,6 +165,13 @@ impl<T: Real> Envelope<T> {
         at
     }
 
+    /// Row parameter of the `surface` of which the outline was laid, at parameter `s` of that [m].
+    pub fn row_parameter(&self, surface: &Surface, s: T) -> T {
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, self.knots.len() - 1) - 1;
+        let [a, b] = [i, i + 1].map(|k| surface.rows.parameter[self.kept[k].row]);
+        (s - self.knots[i].s) / (self.knots[i + 1].s - self.knots[i].s) * (b - a) + a
+    }
+
     /// Where the wheel meets the rail at parameter `s` of the outline.
     pub fn along(&self, s: T) -> Along<T> {
         let n = self.along.len();

@@ -153,6 +153,32 @@ impl Surface {
         }
     }
 
+    /// The surface at the row parameter `v` and at a `station` [m], by cubics across through the rows beside it, which a body over the place `over` [m] behind the slice
+    /// `near` meets; nothing where one of them is not there.
+    pub fn between(&self, v: f64, station: f64, over: f64, near: usize) -> Option<RowPoint> {
+        let parameter = &self.rows.parameter;
+        let i = parameter.partition_point(|p| *p <= v).clamp(1, parameter.len() - 1) - 1;
+        let beside = |j: usize| Some(self.at(j, self.run(j, over, near)?, station, near));
+        let (a, b) = (beside(i)?, beside(i + 1)?);
+        let h = parameter[i + 1] - parameter[i];
+        let t = (v - parameter[i]) / h;
+        // Value and slope of a cubic by those at its ends.
+        let cubic = |[p, m, q, n]: [f64; 4]| {
+            let (m, n, rise) = (h * m, h * n, q - p);
+            let (c2, c3) = (3.0 * rise - 2.0 * m - n, m + n - 2.0 * rise);
+            [p + t * (m + t * (c2 + t * c3)), (m + t * (2.0 * c2 + 3.0 * t * c3)) / h]
+        };
+        let across = |a: [f64; 4], b: [f64; 4]| {
+            let [y, z] = [0, 1].map(|c| cubic([a[c], a[c + 2], b[c], b[c + 2]]));
+            [y[0], z[0], y[1], z[1]]
+        };
+        Some(RowPoint {
+            value: across(a.value, b.value),
+            first: across(a.first, b.first),
+            second: [0, 1].map(|c| a.second[c] + t * (b.second[c] - a.second[c])),
+        })
+    }
+
     /// The run of slices of row `j` that a wheel at `station` [m] is over, or the nearest one within reach.
     pub fn run(&self, j: usize, station: f64, slice: usize) -> Option<[usize; 2]> {
         let (places, count) = (&self.rows.places, self.count());
