@@ -1,6 +1,7 @@
 //! Cases on profiles that may not be passed on: they run where WHEELRAIL_PROFILES names a folder that has them.
 
 use std::env;
+use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use wheelrail::element::parameters::{Placement, TangentialModel, VerticalMode};
@@ -290,7 +291,8 @@ struct Stand {
 
 fn stand(wheel: &str) -> Stand {
     if wheel == "S1002_flat.slcw" {
-        let (radius, smoothing) = (0.49, 5e-3);
+        // λ = 5 against a sum over points 1 mm apart leaves half of waves of 2π λ^(1/4) mm.
+        let (radius, smoothing) = (0.49, 1e-3 * TAU * 5_f64.powf(0.25));
         Stand { radius, y: 0.75, placement: Placement::Gauge, inclination: 0.02, smoothing }
     } else {
         let (radius, smoothing) = (0.45, 0.0);

@@ -1,14 +1,15 @@
 //! Rails of slices whose section varies along the track, as CONTACT's table of them has them.
 
+use std::f64::consts::PI;
 use std::fmt::Write;
 use std::fs;
 
 use tempfile::TempDir;
-use wheelrail::element::parameters::{Placement, VerticalMode};
+use wheelrail::element::parameters::{CreepageModel, Placement, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 use super::planar::STEEL;
-use super::wheel::{rolling, the_patch};
+use super::wheel::{evaluate, rolling, the_patch};
 use super::{read_table, value};
 
 /// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
@@ -108,4 +109,83 @@ pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(Strin
         errors.push((row[0].to_owned(), [height, pressure, place[0].hypot(place[1]), force]));
     }
     errors
+}
+
+/// A folder with `wheel.slcw`, a cylinder of radius 450 mm with a rounded flat of the given `depth` [mm], 100 mm long and across as hollow as a crown of radius 300 mm; with 0.9 mm the
+/// one of CONTACT's table.
+pub fn wheel_with_flat(depth: f64) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let mut listed = String::new();
+    for k in -28..=28_i32 {
+        let share = f64::from(k.abs().min(25)) / 25.0;
+        let middle = 0.5 * depth * (1.0 + (PI * share).cos());
+        let mut section = String::from("# mirror_z 0\n# mirror_y 0\n");
+        for i in -65..=65_i32 {
+            let y = 30.20927 * f64::from(i) / 65.0;
+            let crown = 300.0 - (90_000.0 - y * y).sqrt();
+            writeln!(section, "{y:.7} {:.7}", -(middle - crown).max(0.0)).unwrap();
+        }
+        let file = format!("{}.txt", k + 28);
+        fs::write(folder.path().join(&file), section).unwrap();
+        writeln!(listed, "{:.7} '{file}'", 4.4525e-3 * f64::from(k)).unwrap();
+    }
+    let text = format!("0 1\n57\n0 0 0\n2\n{listed}");
+    fs::write(folder.path().join("wheel.slcw"), text).unwrap();
+    folder
+}
+
+/// An element by the models of `parameters` with the wheel of [`wheel_with_flat`] on a crown of radius 300 mm, under a given load, and a start for its inputs.
+pub fn on_crown(parameters: &Parameters, folder: &TempDir) -> (Element, Input) {
+    // As in CONTACT, whose contact is flat.
+    let creepage_model = CreepageModel::Flat;
+    let mut parameters =
+        Parameters { profile_smoothing: 0.0, damping: 0.0, creepage_model, ..parameters.clone() };
+    parameters.vertical_mode = VerticalMode::Load;
+    (parameters.wheel.young_modulus, parameters.rail_young_modulus) =
+        (STEEL.young_modulus, STEEL.young_modulus);
+    (parameters.wheel.profile, parameters.wheel.nominal_radius) = ("wheel.slcw".into(), 0.45);
+    let rail = &mut parameters.rails[0];
+    rail.profile = "arc:0.3".into();
+    (rail.placement, rail.position, rail.inclination) = (Placement::Origin, [0.0; 2], 0.0);
+    let mut input = rolling(0.0, 20.0);
+    input.wheel.position = [0.0, 0.0, -0.45];
+    input.wheel.pitch_rate = -20.0 / 0.45;
+    (Element::new(&parameters, &input, &[folder.path().to_path_buf()]).unwrap(), input)
+}
+
+/// How models miss CONTACT on the wheel with a flat.
+pub struct OnFlat {
+    pub name: String,
+    /// Angle by which the wheel has turned from the middle of its flat [rad].
+    pub pitch: f64,
+    /// Height of the wheel [m], greatest pressure [-], place along the rail [m] and creep force, over the friction limit.
+    pub errors: [f64; 4],
+}
+
+/// Errors of the models of `parameters` in every `step`-th row of CONTACT's table of the wheel with a flat.
+pub fn errors_on_flat(parameters: &Parameters, step: usize) -> Vec<OnFlat> {
+    let folder = wheel_with_flat(0.9);
+    let (mut element, mut input) = on_crown(parameters, &folder);
+    let table = read_table("contact_25_1/wheel_slices.csv");
+    let rows = table.rows.iter().filter(|row| row[0].starts_with("d09"));
+    let of = |row: &csv::StringRecord| {
+        let v = |name: &str| value(&table, row, name);
+        input.wheel_load = v("load_n");
+        (input.wheel.pitch, input.wheel.pitch_rate) = (v("pitch_rad"), v("pitch_rate_rad_s"));
+        let output = evaluate(&mut element, &input);
+        let patches = &output.patches[..output.patch_count as usize];
+        let mean = |of: &dyn Fn(usize) -> f64| {
+            (0..patches.len()).map(|k| patches[k].normal_force * of(k)).sum::<f64>() / v("N_N")
+        };
+        let pressure = patches.iter().map(|p| p.max_pressure).fold(0.0, f64::max);
+        let [fx, fy] = [0, 1].map(|c| patches.iter().map(|p| p.creep_force[c]).sum::<f64>());
+        let errors = [
+            (output.wheel_z + 0.45 - 1e-3 * v("z_ws_mm")).abs(),
+            (pressure / (1e6 * v("pmax_MPa")) - 1.0).abs(),
+            (mean(&|k| patches[k].position[0]) - 1e-3 * v("x_mm")).abs(),
+            (fx + v("Fx_N")).hypot(fy + v("Fs_N")) / (0.3 * v("N_N")),
+        ];
+        OnFlat { name: row[0].to_owned(), pitch: input.wheel.pitch, errors }
+    };
+    rows.step_by(step).map(of).collect()
 }
