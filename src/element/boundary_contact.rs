@@ -15,7 +15,6 @@ use super::output::Output;
 use super::parameters::CreepageModel;
 use super::rail_walk::RailPlace;
 use super::work::Work;
-use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::line_separation::LineSeparation;
@@ -122,7 +121,7 @@ fn take_zone(
     }
     let contact = Contact {
         u: zone.u,
-        rail_s: ArcLength::new(rail.curve()).parameter(middle).unwrap_or(middle),
+        rail_s: rail.arcs().parameter(middle).unwrap_or(middle),
         penetration,
         origin: [0, 1].map(|i| centre[i] + arm * tangent[i]),
         tangent,

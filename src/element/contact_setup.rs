@@ -150,8 +150,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         // Uneven bodies may touch in several places at once: their mean closing speed has no jump
         // where the first one changes.
         let along = self.rail.along(self.contact.rail_s);
-        let is_spread = self.is_on_arc && self.line.varies_around();
-        let x = if (lifting.is_some() || along.is_some() || is_spread) && load > 0.0 {
+        let x = if (lifting.is_some() || along.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
         } else {
             self.line.even_at(self.contact.u).x
@@ -165,11 +164,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             return even + forward * along.lean;
         }
         if self.line.varies_around() {
-            let ahead = if is_spread {
-                x - self.line.round().even_at(self.contact.u).x
-            } else {
-                self.line.ahead_of_round(self.contact.u)
-            };
+            let ahead = self.line.ahead_of_round(self.contact.u);
             return even + motion.turning_velocity(ahead).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };

@@ -1,4 +1,4 @@
-//! Places on a curve by the length of its arc.
+//! Places on a curve by the length of its arc, from its start or from a place with an arc of its own.
 
 use crate::geometry::curve::Curve;
 use crate::math::quadrature::GaussLegendre;
@@ -10,6 +10,8 @@ pub struct ArcLength<'a> {
     knots: Vec<f64>,
     arcs: Vec<f64>,
     rule: GaussLegendre,
+    /// Arc at the start of the curve [m].
+    begin: f64,
 }
 
 /// Points of the rule on each cubic piece, whose speed is nearly constant.
@@ -23,12 +25,24 @@ impl<'a> ArcLength<'a> {
     #[must_use]
     pub fn new(curve: &'a Curve) -> Self {
         let knots: Vec<f64> = curve.knots().collect();
-        let mut arcs =
-            Self { curve, arcs: vec![0.0; knots.len()], knots, rule: GaussLegendre::new(POINTS) };
+        let mut arcs = Self {
+            curve,
+            arcs: vec![0.0; knots.len()],
+            knots,
+            rule: GaussLegendre::new(POINTS),
+            begin: 0.0,
+        };
         for k in 1..arcs.knots.len() {
             arcs.arcs[k] = arcs.arcs[k - 1] + arcs.between(arcs.knots[k - 1], arcs.knots[k]);
         }
         arcs
+    }
+
+    /// The same arcs, counted so that the place with the parameter `s` has the arc `arc` [m].
+    #[must_use]
+    pub fn counted(self, s: f64, arc: f64) -> Self {
+        let begin = arc - (self.arc(s) - self.begin);
+        Self { begin, ..self }
     }
 
     /// Length of the arc between two parameters of one piece [m].
@@ -49,16 +63,17 @@ impl<'a> ArcLength<'a> {
         self.arcs.last().copied().unwrap_or(0.0)
     }
 
-    /// Arc from the start of the curve to the parameter `s` of the curve [m].
+    /// Arc at the parameter `s` of the curve [m].
     #[must_use]
     pub fn arc(&self, s: f64) -> f64 {
         let k = self.knots.partition_point(|&knot| knot <= s).clamp(1, self.knots.len() - 1) - 1;
-        self.arcs[k] + self.between(self.knots[k], s)
+        self.begin + (self.arcs[k] + self.between(self.knots[k], s))
     }
 
     /// Parameter of the curve at the arc `arc`; nothing beyond the ends of the curve [m].
     #[must_use]
     pub fn parameter(&self, arc: f64) -> Option<f64> {
+        let arc = arc - self.begin;
         if !(arc > 0.0 && arc < self.length()) {
             return None;
         }
@@ -104,5 +119,8 @@ mod tests {
             }
         }
         assert!(arcs.parameter(-1e-9).is_none() && arcs.parameter(0.161).is_none());
+        let moved = arcs.clone().counted(0.05, 0.3);
+        assert_relative_eq!(moved.arc(0.06), 0.3 + 0.1 * radius, epsilon = 1e-11);
+        assert_relative_eq!(moved.parameter(0.3 - 0.1 * radius).unwrap(), 0.04, epsilon = 1e-11);
     }
 }

@@ -1,5 +1,6 @@
 //! A rail as it stands under the wheel: its curve in the frame of its marker.
 
+use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
 use crate::geometry::curve::{Curve, Knot};
 pub use crate::geometry::nearest_point::Nearest;
@@ -242,6 +243,19 @@ impl PlacedRail {
     #[must_use]
     pub fn variation(&self) -> Option<&VaryingRail> {
         self.varying.as_deref()
+    }
+
+    /// Places on the section by their arc, which stays on the rail as a wheel moves on one that varies.
+    #[must_use]
+    pub fn arcs(&self) -> ArcLength<'_> {
+        let arcs = ArcLength::new(&self.curve);
+        match self.variation() {
+            None => arcs,
+            Some(varying) => {
+                let [s, arc] = varying.mark();
+                arcs.counted(s, arc)
+            }
+        }
     }
 
     /// Distance of the marker from the axle of a roller; 0 for a rail [m].

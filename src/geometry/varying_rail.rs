@@ -35,8 +35,9 @@ use self::bounds::{Bound, Bounds};
 use self::over::Over;
 use self::touch::{CLOSE, Touch};
 use self::wheel_table::WheelTable;
+use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::curve::{Curve, CurvePoint};
+use crate::geometry::curve::{Curve, CurvePoint, Knot};
 use crate::geometry::longitudinal::LEAST_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
@@ -64,6 +65,9 @@ pub struct VaryingRail {
     wheel: WheelTable,
     envelope: Envelope,
     met: FixedVec<Met>,
+    /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
+    arcs: Vec<f64>,
+    top: usize,
     /// Station above which the wheel passed last [m].
     station: f64,
 }
@@ -89,7 +93,10 @@ impl VaryingRail {
         let rows = slices.rows(point, direction);
         let rows = if turned { rows.turned() } else { rows };
         let surface = Surface { rows, roller_radius, corrugation };
+        let (arcs, top) = arcs_of_pattern(&surface);
         Self {
+            arcs,
+            top,
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
             envelope: Envelope::new(surface.count()),
@@ -209,6 +216,15 @@ impl VaryingRail {
         }
     }
 
+    /// Parameter of the outline that was laid last near the highest place of the pattern, and the arc of the pattern there: a place that stays on the rail, whichever rows the
+    /// outline consists of [m].
+    #[must_use]
+    pub fn mark(&self) -> [f64; 2] {
+        let rows = self.envelope.rows().enumerate();
+        let nearest = rows.min_by_key(|(_, row)| row.abs_diff(self.top));
+        nearest.map_or([0.0; 2], |(k, row)| [self.envelope.knots()[k].s, self.arcs[row]])
+    }
+
     /// How far corrugation lifts the rail at most [m].
     #[must_use]
     pub fn highest(&self) -> f64 {
@@ -234,6 +250,24 @@ impl VaryingRail {
     pub fn along(&self, s: f64) -> Along {
         self.envelope.along(s)
     }
+}
+
+/// Arc of the pattern of `surface` at each row, from the first one [m], and the row at which it is highest.
+fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
+    let rows = &surface.rows;
+    let knots = rows.parameter.iter().zip(&rows.pattern);
+    let knots: Vec<Knot> =
+        knots.map(|(&s, &[y, z, dy, dz])| Knot { s, point: [y, z], tangent: [dy, dz] }).collect();
+    let mut arcs = vec![0.0];
+    for pair in knots.windows(2) {
+        // Rows of two parts may share their parameter.
+        let is_piece = pair[1].s > pair[0].s;
+        let length = if is_piece { ArcLength::new(&Curve::through(pair)).length() } else { 0.0 };
+        arcs.push(arcs[arcs.len() - 1] + length);
+    }
+    let heights = rows.pattern.iter().enumerate();
+    let top = heights.min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1])).map_or(0, |(j, _)| j);
+    (arcs, top)
 }
 
 /// The outline of a rail that varies, as it moves with the wheel that meets it.

@@ -113,7 +113,7 @@ pub struct Opposite {
 /// The solution on the elements of a rail.
 #[derive(Clone, Debug)]
 pub struct RailElements {
-    /// The elements: x from the wheel marker, across the arc from the start of the rail's curve [m].
+    /// The elements: x from the wheel marker, across the arc of the rail [m].
     pub grid: Grid,
     /// Pressure on each [Pa].
     pub pressure: Vec<f64>,
@@ -171,7 +171,7 @@ pub fn solve(
     elements: [usize; 2],
     modulus: f64,
 ) -> Option<RailElements> {
-    let arcs = ArcLength::new(rail.curve());
+    let arcs = rail.arcs();
     let section = Section { line, rail, arcs: &arcs };
     let overlaps = section.overlaps(search);
     if overlaps.is_empty() {
@@ -315,25 +315,25 @@ impl Section<'_> {
 
     /// From where to where along the track the bodies overlap at `row` [m], with all that lies between.
     fn stretch(&self, row: &Row) -> [f64; 2] {
-        let Some([from, to]) = self.line.reach(row.u, row.overlap) else {
-            let even = self.line.wheel_point(row.u).section_radius;
-            let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
-            let half = (2.0 * (even / share) * row.overlap.max(0.0)).sqrt();
-            return [row.x - half, row.x + half];
-        };
-        // A wheel that varies around may overlap in several places.
-        let mut stretch = [row.x; 2];
-        for (side, end) in [from, to].into_iter().enumerate() {
-            let steps = ((end - row.x).abs() / SCAN).ceil().max(1.0) as usize;
-            let mut guess = [row.u, row.overlap];
+        let even = self.line.wheel_point(row.u).section_radius;
+        let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
+        let radius = even / share;
+        let half = (2.0 * radius * row.overlap.max(0.0)).sqrt();
+        let mut stretch = [row.x - half, row.x + half];
+        // A wheel that varies around may overlap again beyond what its curvature tells.
+        let reach = self.line.reach(row.u, row.overlap).filter(|_| row.overlap > 0.0);
+        for (side, last) in reach.into_iter().flatten().enumerate() {
+            let (first, mut guess) = (stretch[side], [row.u, row.overlap]);
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            let steps = (sign * (last - first) / SCAN).ceil().max(0.0) as usize;
             for i in 1..=steps {
-                let x = row.x + (end - row.x) * i as f64 / steps as f64;
+                let x = first + sign * SCAN * i as f64;
                 let Some(at) = self.line.surface_along(x, row.point, row.normal(), guess) else {
                     break;
                 };
                 guess = [at.s, at.depth];
                 if at.depth > 0.0 {
-                    stretch[side] = row.x + (end - row.x) * (i + 1) as f64 / steps as f64;
+                    stretch[side] = x + sign * SCAN;
                 }
             }
         }

@@ -149,7 +149,6 @@ fn an_eccentric_wheel_is_a_round_one_beside_its_axle() {
         }
         for (errors, allowed) in errors.into_iter().zip(allowed) {
             let found = median_and_worst(errors);
-            println!("{normal_model:?} {found:?}");
             assert!(found[0] <= allowed[0] && found[1] <= allowed[1], "{normal_model:?} {found:?}");
         }
     }

@@ -38,6 +38,11 @@ impl<T: Real> Envelope<T> {
         &self.knots
     }
 
+    /// The rows of the outline, one for each knot.
+    pub fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        self.kept.iter().map(|met| met.row)
+    }
+
     /// Becomes the outline of the rows that are `met`; false where there is none.
     pub fn lay(&mut self, surface: &Surface, met: &[Met<T>]) -> bool {
         self.along.clear();
