@@ -1,4 +1,5 @@
-//! Places on a curve by the length of its arc, from its start or from a place with an arc of its own.
+//! Places on a curve by the length of its arc, from its start or from a place with an arc of its
+//! own.
 
 use crate::geometry::curve::Curve;
 use crate::math::quadrature::GaussLegendre;

@@ -245,7 +245,8 @@ impl PlacedRail {
         self.varying.as_deref()
     }
 
-    /// Places on the section by their arc, which stays on the rail as a wheel moves on one that varies.
+    /// Places on the section by their arc, which stays on the rail as a wheel moves on one that
+    /// varies.
     #[must_use]
     pub fn arcs(&self) -> ArcLength<'_> {
         let arcs = ArcLength::new(&self.curve);

@@ -354,7 +354,8 @@ const FOLLOWING: usize = 20;
 /// Distance of two rows of parts that are not there together [m].
 const SEAM: f64 = 1e-6;
 
-/// Values at the places of the cubic B-spline that has these as knots and `values` as control points, as CONTACT's approximating surfaces; both ends stay.
+/// Values at the places of the cubic B-spline that has these as knots and `values` as control
+/// points, as CONTACT's approximating surfaces; both ends stay.
 ///
 /// On even places (v₋ + 4 v + v₊)/6.
 fn near(places: &[f64], values: &[f64]) -> Vec<f64> {

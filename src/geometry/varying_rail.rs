@@ -216,8 +216,9 @@ impl VaryingRail {
         }
     }
 
-    /// Parameter of the outline that was laid last near the highest place of the pattern, and the arc of the pattern there: a place that stays on the rail, whichever rows the
-    /// outline consists of [m].
+    /// Parameter of the outline that was laid last near the highest place of the pattern, and the
+    /// arc of the pattern there: a place that stays on the rail, whichever rows the outline
+    /// consists of [m].
     #[must_use]
     pub fn mark(&self) -> [f64; 2] {
         let rows = self.envelope.rows().enumerate();
@@ -252,7 +253,8 @@ impl VaryingRail {
     }
 }
 
-/// Arc of the pattern of `surface` at each row, from the first one [m], and the row at which it is highest.
+/// Arc of the pattern of `surface` at each row, from the first one [m], and the row at which it is
+/// highest.
 fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
     let rows = &surface.rows;
     let knots = rows.parameter.iter().zip(&rows.pattern);

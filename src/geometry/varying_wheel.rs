@@ -15,7 +15,8 @@
 //! κ = -n · (a² S_vv + 2 a b S_vψ + b² S_ψψ),   e = a S_v + b S_ψ
 //! ```
 //!
-//! Whoever needs all of the surface, and not the outline alone, finds it by [`VaryingWheel::surface_along`]: where a straight line meets it.
+//! Whoever needs all of the surface, and not the outline alone, finds it by
+//! [`VaryingWheel::surface_along`]: where a straight line meets it.
 //!
 //! The section at angle θ around the wheel, counted forward from where it faces the rail at pitch 0, is straight below at the pitch -θ.
 

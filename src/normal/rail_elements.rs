@@ -131,7 +131,8 @@ pub struct RailElements {
 
 /// Places of the arc between which the bodies overlap, and what was found on the way.
 struct Overlap {
-    /// Arc, parameter of the contact line, and from where to where along the track the bodies overlap there, in growing arc [m].
+    /// Arc, parameter of the contact line, and from where to where along the track the bodies
+    /// overlap there, in growing arc [m].
     places: Vec<[f64; 4]>,
 }
 
@@ -144,7 +145,8 @@ impl Overlap {
 /// First step along the arc and the longest [m].
 const FIRST_STEP: f64 = 2e-6;
 const LONGEST_STEP: f64 = 5e-4;
-/// Spacing at which a wheel that varies around is looked through for its overlap along the track: that of its outline [m].
+/// Spacing at which a wheel that varies around is looked through for its overlap along the track:
+/// that of its outline [m].
 const SCAN: f64 = 2e-3;
 /// Elements along and across an overlap on the grid on which the extent of its contact is found; it may hold several zones.
 const COARSE: [usize; 2] = [24, 48];
@@ -313,7 +315,8 @@ impl Section<'_> {
         (places.len() > 1).then_some(Overlap { places })
     }
 
-    /// From where to where along the track the bodies overlap at `row` [m], with all that lies between.
+    /// From where to where along the track the bodies overlap at `row` [m], with all that lies
+    /// between.
     fn stretch(&self, row: &Row) -> [f64; 2] {
         let even = self.line.wheel_point(row.u).section_radius;
         let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
@@ -387,8 +390,8 @@ impl Section<'_> {
         })
     }
 
-    /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as far as the bodies overlap; a wheel that varies around may
-    /// do so again farther on.
+    /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as
+    /// far as the bodies overlap; a wheel that varies around may do so again farther on.
     fn meet_row(&self, grid: &Grid, row: &Row, opposite: &mut [Option<Opposite>]) {
         let normal = row.normal();
         let middle =

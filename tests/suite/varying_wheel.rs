@@ -243,8 +243,9 @@ fn sections_of_other_outlines_stand_where_wheels_of_them_would() {
     }
 }
 
-/// Median, 95 % and worst by a normal model on the flat of CONTACT's table, of every `step`-th row: height [m], place [m], creep force over the friction limit; and the greatest pressure where no edge
-/// lies in the patch.
+/// Median, 95 % and worst by a normal model on the flat of CONTACT's table, of every `step`-th row:
+/// height [m], place [m], creep force over the friction limit; and the greatest pressure where no
+/// edge lies in the patch.
 fn on_flat(
     normal_model: NormalModel,
     tangential_model: TangentialModel,
@@ -266,7 +267,9 @@ fn on_flat(
         println!("{} {:?}", case.name, case.errors);
     }
     println!("{normal_model:?}: {report}");
-    common::write_report(&format!("varying_flat_{normal_model:?}.csv"), &report);
+    if step == 1 {
+        common::write_report(&format!("varying_flat_{normal_model:?}.csv"), &report);
+    }
     assert!(found[0][0] <= tolerance::VARYING_HEIGHT);
     assert!(found[1][0] <= tolerance::VARYING_PLACE);
     found

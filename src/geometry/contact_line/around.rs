@@ -72,7 +72,8 @@ impl<'a> ContactLine<'a> {
         Some(SurfacePoint { normal, ..met })
     }
 
-    /// Places along the track between which a wheel that is met at parameter `s` and overlaps a rail by up to `depth` [m] there may do so [m].
+    /// Places along the track between which a wheel that is met at parameter `s` and overlaps a
+    /// rail by up to `depth` [m] there may do so [m].
     #[must_use]
     pub fn reach(&self, s: f64, depth: f64) -> Option<[f64; 2]> {
         let reach = self.around?.reach(depth);

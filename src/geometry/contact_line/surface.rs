@@ -6,8 +6,8 @@
 //! (P - M)·u = y_w(s),  |(P - M) - ((P - M)·u) u| = R0 + z_w(s)
 //! ```
 //!
-//! and the normal y_w' n - z_w' u, with n the radial direction there. Rails are even along the track; of a wheel whose section varies around the surface is that of
-//! its rows.
+//! and the normal y_w' n - z_w' u, with n the radial direction there. Rails are even along the
+//! track; of a wheel whose section varies around the surface is that of its rows.
 
 use super::ContactLine;
 pub use crate::geometry::surface_point::SurfacePoint;

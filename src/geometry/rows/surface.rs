@@ -153,8 +153,9 @@ impl Surface {
         }
     }
 
-    /// The surface at the row parameter `v` and at a `station` [m], by cubics across through the rows beside it, which a body over the place `over` [m] behind the slice
-    /// `near` meets; nothing where one of them is not there.
+    /// The surface at the row parameter `v` and at a `station` [m], by cubics across through the
+    /// rows beside it, which a body over the place `over` [m] behind the slice `near` meets;
+    /// nothing where one of them is not there.
     pub fn between(&self, v: f64, station: f64, over: f64, near: usize) -> Option<RowPoint> {
         let parameter = &self.rows.parameter;
         let i = parameter.partition_point(|p| *p <= v).clamp(1, parameter.len() - 1) - 1;

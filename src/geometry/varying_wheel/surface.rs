@@ -1,6 +1,7 @@
 //! The surface of a wheel whose section varies around: where straight lines meet it.
 //!
-//! Between its rows the surface is a cubic across at each angle. At the depth d along a line P + d e, with the row v and the angle ψ from straight below,
+//! Between its rows the surface is a cubic across at each angle. With the depth d along the line
+//! P + d e, the row v and the angle ψ from straight below,
 //!
 //! ```text
 //! S(v, ψ) = P + d e
@@ -13,20 +14,23 @@ use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a place: three are the rule.
 const MOST_STEPS: usize = 12;
-/// Newton step that is the last one [m], and least cosine of the angle between line and normal: as of round wheels.
+/// Newton step that is the last one [m], and least cosine of the angle between line and normal: as
+/// of round wheels.
 const LAST_STEP: f64 = 1e-8;
 const LEAST_COSINE: f64 = 0.1;
 
 impl VaryingWheel {
-    /// How far to either side of where a round wheel is met this one may overlap a rail that it overlaps by `depth` at most, both [m]: all of it lies within the circle of its
-    /// highest places.
+    /// How far to either side of where a round wheel is met this one may overlap a rail that it
+    /// overlaps by `depth` at most, both [m]: all of it lies within the circle of its highest
+    /// places.
     #[must_use]
     pub fn reach(&self, depth: f64) -> f64 {
         self.reach * self.radius + (2.0 * self.radius * depth.max(0.0)).sqrt()
     }
 
-    /// Where the straight line from `from` in the unit direction `direction` meets the wheel that was laid last, sought near the parameter s of its
-    /// outline and at the distance `depth`, all in coordinates from the marker along the axle, forward and down; nothing where it does not.
+    /// Where the straight line from `from` in the unit direction `direction` meets the wheel that
+    /// was laid last, sought near the parameter s of its outline and at the distance `depth`, all
+    /// in coordinates from the marker along the axle, forward and down; nothing where it does not.
     #[must_use]
     pub fn surface_along(
         &self,
@@ -54,7 +58,7 @@ impl VaryingWheel {
             let normal = normal.map(|n| n / size);
             let facing = dot(normal, direction);
             // Not a number where rows meet in a point.
-            if !(facing > LEAST_COSINE) {
+            if facing.is_nan() || facing <= LEAST_COSINE {
                 return None;
             }
             let to = at(depth);

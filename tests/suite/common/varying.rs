@@ -111,8 +111,9 @@ pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(Strin
     errors
 }
 
-/// A folder with `wheel.slcw`, a cylinder of radius 450 mm with a rounded flat of the given `depth` [mm], 100 mm long and across as hollow as a crown of radius 300 mm; with 0.9 mm the
-/// one of CONTACT's table.
+/// A folder with `wheel.slcw`, a cylinder of radius 450 mm with a rounded flat of the given `depth`
+/// [mm], 100 mm long and across as hollow as a crown of radius 300 mm; with 0.9 mm the one of
+/// CONTACT's table.
 pub fn wheel_with_flat(depth: f64) -> TempDir {
     let folder = TempDir::new().unwrap();
     let mut listed = String::new();
@@ -134,7 +135,8 @@ pub fn wheel_with_flat(depth: f64) -> TempDir {
     folder
 }
 
-/// An element by the models of `parameters` with the wheel of [`wheel_with_flat`] on a crown of radius 300 mm, under a given load, and a start for its inputs.
+/// An element by the models of `parameters` with the wheel of [`wheel_with_flat`] on a crown of
+/// radius 300 mm, under a given load, and a start for its inputs.
 pub fn on_crown(parameters: &Parameters, folder: &TempDir) -> (Element, Input) {
     // As in CONTACT, whose contact is flat.
     let creepage_model = CreepageModel::Flat;
@@ -158,11 +160,13 @@ pub struct OnFlat {
     pub name: String,
     /// Angle by which the wheel has turned from the middle of its flat [rad].
     pub pitch: f64,
-    /// Height of the wheel [m], greatest pressure [-], place along the rail [m] and creep force, over the friction limit.
+    /// Height of the wheel [m], greatest pressure [-], place along the rail [m] and creep force,
+    /// over the friction limit.
     pub errors: [f64; 4],
 }
 
-/// Errors of the models of `parameters` in every `step`-th row of CONTACT's table of the wheel with a flat.
+/// Errors of the models of `parameters` in every `step`-th row of CONTACT's table of the wheel with
+/// a flat.
 pub fn errors_on_flat(parameters: &Parameters, step: usize) -> Vec<OnFlat> {
     let folder = wheel_with_flat(0.9);
     let (mut element, mut input) = on_crown(parameters, &folder);

@@ -32,10 +32,12 @@ pub const VARYING_ENERGY: f64 = 1e-2;
 /// Force and moment [m] of a wheel that turns beside its middle, of sections every 5 degrees, against the round wheel there, over the greatest force, median and worst: splines between sections and points leave
 /// a nanometre of heights, over depths of some 0.05 mm and down to 2 µm.
 pub const ECCENTRIC: [[f64; 2]; 2] = [[1e-5, 1e-3]; 2];
-/// The same by boundary elements, whose lattice counts from the marker, half a millimetre elsewhere: the aim for loads.
+/// The same by boundary elements, whose lattice counts from the marker, half a millimetre
+/// elsewhere: the aim for loads.
 pub const ECCENTRIC_ELEMENTS: [[f64; 2]; 2] = [[1e-2; 2]; 2];
-/// Angle from the middle of the flat of the tests beyond which the edge of its hollow is flat enough for elements of 0.2 mm [rad]: nearer to the middle the pressure has a
-/// peak along it that grows with their number.
+/// Angle from the middle of the flat of the tests beyond which the edge of its hollow is flat
+/// enough for elements of 0.2 mm [rad]: nearer to the middle the pressure has a peak along it that
+/// grows with their number.
 pub const FLAT_WITHOUT_EDGE: f64 = 0.08;
 
 /// Creep force over friction times normal force at most: one and rounding where the patch is flat; 1/cos α where loads act along their own normals within an
