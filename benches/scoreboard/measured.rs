@@ -74,8 +74,10 @@ pub const FAMILIES: [Family; 5] = [
     Family {
         title: "Wheels with flats, sections around the wheel",
         source: "`tests/data/contact_25_1/wheel_slices.csv`",
-        text: "A rounded flat 36 mm long on a round crown (d09) and S1002 with a measured flat and noise of some micrometres in its sections, each turned over its flat; given load. The reference is flat and \
-               smooths the measured sections by a method of its own.",
+        text: "A rounded flat 0.9 mm deep on a round crown (d09) and S1002 with a measured flat, each \
+               turned over its flat; given load. The reference is flat. Noise of some micrometres \
+               is left in the measured sections and multiplies p_max, as the edges of the rounded \
+               flat do on fine elements, of 0.2 mm in the reference.",
         quantities: &[
             "height of the wheel [um]",
             "place along the rail [mm]",
