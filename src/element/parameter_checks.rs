@@ -148,7 +148,8 @@ impl Parameters {
         })
     }
 
-    /// Whether the models go with rail number `k`, should that be a roller or its section vary as `slices` say.
+    /// Whether the models go with rail number `k`, should that be a roller or its section vary as
+    /// `slices` say.
     pub(super) fn check_variation(
         &self,
         k: usize,
@@ -187,7 +188,8 @@ impl Parameters {
         Ok(())
     }
 
-    /// Whether the models go with a wheel whose section varies around as `slices` say; `rail_varies` if the section of a rail varies too.
+    /// Whether the models go with a wheel whose section varies around as `slices` say;
+    /// `rail_varies` if the section of a rail varies too.
     pub(super) fn check_around(
         &self,
         slices: &Slices,

@@ -1,7 +1,9 @@
-//! A rail whose section varies along the track, or a wheel whose section varies around, as slices: what files hold.
+//! A rail whose section varies along the track, or a wheel whose section varies around, as slices:
+//! what files hold.
 //!
-//! Rows run along the rail through points of equal shares of the slices, from feature to feature where there are features: paths that do not
-//! cross an edge. Along each row the point, and how it changes across, are cubic splines over the places of the slices.
+//! Rows run along the rail through points of equal shares of the slices, from feature to feature
+//! where there are features: paths that do not cross an edge. Along each row the point, and how it
+//! changes across, are cubic splines over the places of the slices.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +18,8 @@ pub struct Slice {
     pub place: f64,
     /// The section.
     pub profile: Profile,
-    /// Lengths from its beginning to its features [m]; nothing for a feature that is not there. Empty where there are none at all.
+    /// Lengths from its beginning to its features [m]; nothing for a feature that is not there.
+    /// Empty where there are none at all.
     pub features: Vec<Option<f64>>,
 }
 
@@ -52,7 +55,8 @@ pub(super) struct Rows {
     pub pattern: Vec<RowValue>,
     /// Part to which each row belongs; one at a feature belongs to the part before.
     pub parts: Vec<usize>,
-    /// By slices, and rows within each: first and last slice of the run of slices over which the row is there without a break; nothing where it is not.
+    /// By slices, and rows within each: first and last slice of the run of slices over which the
+    /// row is there without a break; nothing where it is not.
     pub runs: Vec<Option<[u32; 2]>>,
     /// By slices, and rows within each slice.
     pub knots: Vec<RowKnot>,
@@ -90,7 +94,8 @@ impl Slices {
         &self.all
     }
 
-    /// The first profile, which the body stands by, with what was found wrong and mended in any of them.
+    /// The first profile, which the body stands by, with what was found wrong and mended in any of
+    /// them.
     #[must_use]
     pub fn first_profile(&self) -> Profile {
         let mut profile = self.all[0].profile.clone();
@@ -110,7 +115,8 @@ impl Slices {
         [self.all[0].place, self.all[self.all.len() - 1].place]
     }
 
-    /// The slices of a wheel over the angle [rad], with those that follow beyond either end if they go all around.
+    /// The slices of a wheel over the angle [rad], with those that follow beyond either end if they
+    /// go all around.
     #[must_use]
     pub(super) fn around(&self) -> Self {
         let [first, last] = self.range();
@@ -195,7 +201,8 @@ impl Slices {
         Ok(parts)
     }
 
-    /// The rows, after `point` and `direction` have put each point and each direction where the body stands.
+    /// The rows, after `point` and `direction` have put each point and each direction where the
+    /// body stands.
     pub(super) fn rows(
         &self,
         point: impl Fn([f64; 2]) -> [f64; 2],
@@ -290,7 +297,8 @@ impl Slices {
     }
 }
 
-/// Whether the surface of a part is broken between each slice and the next, by the rows that run too steeply there.
+/// Whether the surface of a part is broken between each slice and the next, by the rows that run
+/// too steeply there.
 fn breaks(rows: &Rows, part: usize, values: &[([usize; 2], Vec<RowValue>)]) -> Vec<bool> {
     let count = rows.places.len();
     let (mut all, mut steep) = (vec![0_usize; count], vec![0_usize; count]);
@@ -307,7 +315,8 @@ fn breaks(rows: &Rows, part: usize, values: &[([usize; 2], Vec<RowValue>)]) -> V
 }
 
 impl Rows {
-    /// The rows of the same body mirrored left to right: their points are, and their order is turned, so that they still go to the field side.
+    /// The rows of the same body mirrored left to right: their points are, and their order is
+    /// turned, so that they still go to the field side.
     pub fn turned(mut self) -> Self {
         let count = self.parameter.len();
         self.parameter.reverse();
@@ -331,7 +340,8 @@ fn turn_direction(value: &mut RowValue) {
     (value[2], value[3]) = (-value[2], -value[3]);
 }
 
-/// Length of the arc between two points with the directions of their tangents: that of a circle, to the fourth order of their distance [m].
+/// Length of the arc between two points with the directions of their tangents: that of a circle, to
+/// the fourth order of their distance [m].
 pub(super) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T {
     let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
     let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
@@ -339,15 +349,18 @@ pub(super) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T 
     chord * (turn * turn / (sizes * 24.0) + 1.0)
 }
 
-/// Greatest distance of two rows: where the sections are not alike their curvature changes between rows, by 1/13 mm at most on rail heads, and the splines between
-/// these are then a quarter of a micrometre off [m].
+/// Greatest distance of two rows: where the sections are not alike their curvature changes between
+/// rows, by 1/13 mm at most on rail heads, and the splines between these are then a quarter of a
+/// micrometre off [m].
 const MOST_APART: f64 = 4e-4;
-/// Steepest row along the track, as a slope against it, and share of the rows of a part from which on the part is broken where so many are steeper: the two
-/// slices are not of the same shape, as where a nose begins.
+/// Steepest row along the track, as a slope against it, and share of the rows of a part from which
+/// on the part is broken where so many are steeper: the two slices are not of the same shape, as
+/// where a nose begins.
 const STEEPEST: f64 = 0.5;
 const STEEP_SHARE: f64 = 0.1;
-/// Gap around a wheel up to which its slices go all around, over their greatest distance; distance up to which two of them are the same one [rad], and how many follow beyond
-/// either end: each leaves a quarter of the effect of an end.
+/// Gap around a wheel up to which its slices go all around, over their greatest distance; distance
+/// up to which two of them are the same one [rad], and how many follow beyond either end: each
+/// leaves a quarter of the effect of an end.
 const CLOSED: f64 = 1.5;
 const OVERLAP: f64 = 1e-6;
 const FOLLOWING: usize = 20;

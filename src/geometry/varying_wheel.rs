@@ -1,15 +1,18 @@
 //! A wheel whose section varies around, as a rail that is the same all along sees it.
 //!
-//! Seen along the rail, in the direction e, the wheel S(v, ψ) has the outline of those places at which e is tangent to its surface:
+//! Seen along the rail, in the direction e, the wheel S(v, ψ) has the outline of those places at
+//! which e is tangent to its surface:
 //!
 //! ```text
 //! (S_v × S_ψ) · e = 0
 //! ```
 //!
-//! with v a row around the wheel and ψ the angle from straight below the axle, forward. A round wheel with the right section has the same outline, point by point
-//! with the same normal n: where n meets the axle lies the plane in which it goes through the point, and its slope is that of n against the axle. That wheel takes the place of the varying one at this
-//! pitch, roll and yaw. What is left is how far ahead of its contact line the varying wheel is met, and what the curvature along the rail is more than that of the
-//! round one,
+//! with v a row around the wheel and ψ the angle from straight below the axle, forward. A round
+//! wheel with the right section has the same outline, point by point with the same normal n: where
+//! n meets the axle lies the plane in which it goes through the point, and its slope is that of n
+//! against the axle. That wheel takes the place of the varying one at this pitch, roll and yaw.
+//! What is left is how far ahead of its contact line the varying wheel is met, and what the
+//! curvature along the rail is more than that of the round one,
 //!
 //! ```text
 //! κ = -n · (a² S_vv + 2 a b S_vψ + b² S_ψψ),   e = a S_v + b S_ψ
@@ -18,7 +21,8 @@
 //! Whoever needs all of the surface, and not the outline alone, finds it by
 //! [`VaryingWheel::surface_along`]: where a straight line meets it.
 //!
-//! The section at angle θ around the wheel, counted forward from where it faces the rail at pitch 0, is straight below at the pitch -θ.
+//! The section at angle θ around the wheel, counted forward from where it faces the rail at pitch
+//! 0, is straight below at the pitch -θ.
 
 mod surface;
 
@@ -35,7 +39,8 @@ use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
 
-/// Least share of a row's way across the outline: where the wheel stands more upright nothing is looked for.
+/// Least share of a row's way across the outline: where the wheel stands more upright nothing is
+/// looked for.
 const LEAST_RATE: f64 = 0.1;
 /// Rows of which only one is looked through for the place that lies lowest.
 const STRIDE: usize = 4;
@@ -57,7 +62,8 @@ pub struct BesideRound {
     pub ahead: f64,
     /// Curvature along the rail beyond that of the round wheel, but for what follows [1/m].
     pub curvature: f64,
-    /// Share of the curvature across in the curvature along the rail beyond that of the round wheel [-].
+    /// Share of the curvature across in the curvature along the rail beyond that of the round wheel
+    /// [-].
     pub share_across: f64,
 }
 
@@ -114,7 +120,8 @@ struct Place {
 }
 
 impl VaryingWheel {
-    /// The wheel of `slices` over the angle [rad], of a running circle with the radius `radius` [m].
+    /// The wheel of `slices` over the angle [rad], of a running circle with the radius `radius`
+    /// [m].
     #[must_use]
     pub fn new(slices: &Slices, radius: f64) -> Self {
         let [first, last] = slices.range();
@@ -142,7 +149,8 @@ impl VaryingWheel {
         self.surface.count()
     }
 
-    /// Sides of outlines of which none of the wheel lies outside, by the ends (y, z) of each on the profile [m].
+    /// Sides of outlines of which none of the wheel lies outside, by the ends (y, z) of each on the
+    /// profile [m].
     pub fn sides(&self) -> impl Iterator<Item = [[f64; 2]; 2]> + Clone + '_ {
         let (rows, count) = (&self.surface.rows, self.surface.count());
         let outlines = (0..rows.places.len()).flat_map(|i| hull(rows, i).map(|way| (i, way)));
@@ -171,8 +179,9 @@ impl VaryingWheel {
         rows.knots.chunks(count).map(|knots| length(knots) - first).fold(0.0, f64::max)
     }
 
-    /// Lays the section of the round wheel that takes the place of this one at `pose` and `pitch` [rad] into `curve`; allocates nothing within the room that it has. False
-    /// where there is none.
+    /// Lays the section of the round wheel that takes the place of this one at `pose` and `pitch`
+    /// [rad] into `curve`; allocates nothing within the room that it has. False where there is
+    /// none.
     pub fn pass(&mut self, pose: &WheelPose, pitch: f64, curve: &mut Curve) -> bool {
         let (sine, cosine) = pose.yaw.sin_cos();
         let angle = self.middle + (-pitch - self.middle + PI).rem_euclid(TAU) - PI;
@@ -210,7 +219,8 @@ impl VaryingWheel {
         BesideRound { ahead, curvature, share_across: drift }
     }
 
-    /// Row `j` as the rail sees it, and by how much its angle is not that of a round wheel, which it is about by as much as `before`; nothing where the row is not there.
+    /// Row `j` as the rail sees it, and by how much its angle is not that of a round wheel, which
+    /// it is about by as much as `before`; nothing where the row is not there.
     fn meet(
         &self,
         stand: &Stand,
@@ -257,7 +267,8 @@ impl VaryingWheel {
         }
     }
 
-    /// The angle at which row `j` lies lowest, seen along the normal of the place `here` near the angle `round` [rad].
+    /// The angle at which row `j` lies lowest, seen along the normal of the place `here` near the
+    /// angle `round` [rad].
     fn lowest(&self, stand: &Stand, j: usize, run: [usize; 2], round: f64, here: &Place) -> f64 {
         let [ty, tz] = stand.seen(here.across);
         let count = (self.reach * self.radius / SCAN).ceil() as i32;
@@ -338,7 +349,8 @@ impl VaryingWheel {
     }
 }
 
-/// Places and neighbours of a row between slices, as the control points of its splines: no spline leaves their hull.
+/// Places and neighbours of a row between slices, as the control points of its splines: no spline
+/// leaves their hull.
 fn hull(rows: &Rows, i: usize) -> [f64; 3] {
     let last = rows.places.len() - 1;
     let span = |i: usize| rows.places[i.min(last)] - rows.places[i.max(1) - 1];

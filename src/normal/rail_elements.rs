@@ -1,33 +1,41 @@
-//! Boundary elements on the arc of a rail: the normal problem of one wheel and one rail, all overlaps together.
+//! Boundary elements on the arc of a rail: the normal problem of one wheel and one rail, all
+//! overlaps together.
 //!
-//! An element is a stretch dx along the track by a stretch of the arc of the rail's section, with the rail's own normal. The overlap b of the
-//! undeformed bodies is the distance along that normal to the surface of the wheel. Pressures p ≥ 0 act along the normals, and
-//! b - A p ≤ 0, with equality where p > 0. A is the influence of the half-space with the length of the arc as the distance across, as
-//! the surface were laid flat: on a surface that bends away from the pressure the material beneath is stiffer towards the side where it
-//! bulges and softer where it is hollow, and to first order in the curvature the two bodies of like materials differ by opposite signs.
+//! An element is a stretch dx along the track by a stretch of the arc of the rail's section, with
+//! the rail's own normal. The overlap b of the undeformed bodies is the distance along that normal
+//! to the surface of the wheel. Pressures p ≥ 0 act along the normals, and b - A p ≤ 0, with
+//! equality where p > 0. A is the influence of the half-space with the length of the arc as the
+//! distance across, as the surface were laid flat: on a surface that bends away from the pressure
+//! the material beneath is stiffer towards the side where it bulges and softer where it is hollow,
+//! and to first order in the curvature the two bodies of like materials differ by opposite signs.
 //!
-//! **Energy.** A does not depend on where the wheel is, as long as elements lie on the same places of the rail. So the elastic energy
+//! **Energy.** A does not depend on where the wheel is, as long as elements lie on the same places
+//! of the rail. So the elastic energy
 //!
 //! ```text
 //! E = max over p ≥ 0 of  Σ a (p b - ½ p A p)        a: area of an element
 //! F = -dE/dq = -Σ a p ∂b/∂q,   ∂b/∂q = N/(N·n)
 //! ```
 //!
-//! with N the normal of the wheel where the normal n of the rail meets it: the force on the wheel is the exact derivative of an energy, and
-//! as every N meets the axle, it has no moment about it. Summed along n instead it differs by what Σ a p tan(N, n) leaves, which vanishes
-//! where A is a convolution (Σ p ∂(A p)/∂y = 0). Elements therefore lie on a lattice that is fixed to the rail across and to the wheel's
-//! centre along, with sizes from a ladder, so that the solution is that of one lattice under small movements.
+//! with N the normal of the wheel where the normal n of the rail meets it: the force on the wheel
+//! is the exact derivative of an energy, and as every N meets the axle, it has no moment about it.
+//! Summed along n instead it differs by what Σ a p tan(N, n) leaves, which vanishes where A is a
+//! convolution (Σ p ∂(A p)/∂y = 0). Elements therefore lie on a lattice that is fixed to the rail
+//! across and to the wheel's centre along, with sizes from a ladder, so that the solution is that
+//! of one lattice under small movements.
 //!
 //! **Rails whose section varies along the track.** The section is the outline that the wheel meets
-//! (`geometry::varying_rail`): each row of the surface lies in it where along the track the bodies are nearest, x_m. A row of elements follows
-//! that row, which may drift across. With W(x) the overlap with an even rail of that outline, lean λ and curvature κ of the row along the track,
+//! (`geometry::varying_rail`): each row of the surface lies in it where along the track the bodies
+//! are nearest, x_m. A row of elements follows that row, which may drift across. With W(x) the
+//! overlap with an even rail of that outline, lean λ and curvature κ of the row along the track,
 //!
 //! ```text
 //! b(x) = W(x) + (b(x_m) - W(x_m)) + λ (x - x_m) - ½ κ (x - x_m)²
 //! ```
 //!
-//! along the normal of the section, and the cosine of the lean times that along the normal that leans with the rail. A is as if the rows did not drift: an angle δ
-//! between row and track changes distances by shares of δ²/2.
+//! along the normal of the section, and the cosine of the lean times that along the normal that
+//! leans with the rail. A is as if the rows did not drift: an angle δ between row and track changes
+//! distances by shares of δ²/2.
 
 use super::Strips;
 use super::boundary_element::fill_rows;
@@ -91,7 +99,8 @@ impl Row {
         [-self.tangent[1], self.tangent[0]]
     }
 
-    /// Point (y, z) at `x` from the wheel marker [m] of a wheel that overlaps the row by `overlap` [m], as if the wheel were laid flat along the row.
+    /// Point (y, z) at `x` from the wheel marker [m] of a wheel that overlaps the row by `overlap`
+    /// [m], as if the wheel were laid flat along the row.
     #[must_use]
     pub fn wheel_point(&self, x: f64, overlap: f64) -> [f64; 2] {
         let ahead = x - self.x;
@@ -106,7 +115,8 @@ impl Row {
 pub struct Opposite {
     /// Overlap of the undeformed bodies along the rail's normal, > 0 [m].
     pub overlap: f64,
-    /// N/(N·n), n leaning with the rail: what the overlap grows by when the wheel moves by a unit along x, y and z.
+    /// N/(N·n), n leaning with the rail: what the overlap grows by when the wheel moves by a unit
+    /// along x, y and z.
     pub growth: [f64; 3],
 }
 
@@ -125,7 +135,8 @@ pub struct RailElements {
     pub approach: f64,
     /// Iterations of conjugate gradients.
     pub iterations: usize,
-    /// Largest distance left between surfaces that carry pressure, or overlap left of others, over the greatest overlap [-].
+    /// Largest distance left between surfaces that carry pressure, or overlap left of others, over
+    /// the greatest overlap [-].
     pub residual: f64,
 }
 
@@ -148,23 +159,28 @@ const LONGEST_STEP: f64 = 5e-4;
 /// Spacing at which a wheel that varies around is looked through for its overlap along the track:
 /// that of its outline [m].
 const SCAN: f64 = 2e-3;
-/// Elements along and across an overlap on the grid on which the extent of its contact is found; it may hold several zones.
+/// Elements along and across an overlap on the grid on which the extent of its contact is found; it
+/// may hold several zones.
 const COARSE: [usize; 2] = [24, 48];
-/// Share of the load from which on a zone has a say in the size of elements: smaller ones are solved on those of the others.
+/// Share of the load from which on a zone has a say in the size of elements: smaller ones are
+/// solved on those of the others.
 const NOTABLE: f64 = 0.02;
 /// Sizes of elements on the ladder between one and its half.
 const RUNGS: f64 = 4.0;
-/// Least curvature of wheel and rail together along the track, over that of the wheel, by which the length of a contact is estimated [-].
+/// Least curvature of wheel and rail together along the track, over that of the wheel, by which the
+/// length of a contact is estimated [-].
 const LEAST_CURVATURE_SHARE: f64 = 0.05;
-/// Most elements of a grid, over those asked for of one zone: zones of different sizes far apart share one lattice.
+/// Most elements of a grid, over those asked for of one zone: zones of different sizes far apart
+/// share one lattice.
 const MOST_ELEMENTS: f64 = 30.0;
 /// Rows and columns beyond the extent that the coarse solution tells.
 const MARGIN: f64 = 2.0;
 /// How often the grid grows when the contact reaches its border.
 const MOST_GROWTHS: usize = 6;
 
-/// Solves for all that `line` and `rail` overlap where `search` has found them in contact, with about `elements` along and across each zone, of
-/// bodies with the contact modulus `modulus` [Pa]; nothing where the iteration did not converge or no place was found.
+/// Solves for all that `line` and `rail` overlap where `search` has found them in contact, with
+/// about `elements` along and across each zone, of bodies with the contact modulus `modulus` [Pa];
+/// nothing where the iteration did not converge or no place was found.
 #[must_use]
 pub fn solve(
     line: &ContactLine,
@@ -241,7 +257,8 @@ impl Section<'_> {
         None
     }
 
-    /// An even `row` where the wheel meets it on a rail that varies; nothing where the wheel is not that long.
+    /// An even `row` where the wheel meets it on a rail that varies; nothing where the wheel is not
+    /// that long.
     fn met(&self, row: Row, along: &Along) -> Option<Row> {
         let x = row.x + along.ahead;
         let even = self.line.surface_along(x, row.point, row.normal(), [row.u, row.overlap])?;
@@ -254,9 +271,11 @@ impl Section<'_> {
         Some(Row { x, overlap: course.cosine() * row.overlap, course, ..row })
     }
 
-    /// The stretches of overlap about the contacts of `search`, in growing arc, those that share a place as one.
+    /// The stretches of overlap about the contacts of `search`, in growing arc, those that share a
+    /// place as one.
     ///
-    /// The surfaces about a contact may overlap in several stretches: each of its probes that may lie in one is a place to begin at.
+    /// The surfaces about a contact may overlap in several stretches: each of its probes that may
+    /// lie in one is a place to begin at.
     fn overlaps(&self, search: &ContactSearch) -> Vec<Overlap> {
         let mut all: Vec<Overlap> = Vec::new();
         for contact in search.contacts.iter() {
@@ -289,7 +308,8 @@ impl Section<'_> {
         apart
     }
 
-    /// The stretch of overlap about the parameter `rail_s` of the rail, the contact line sought near the parameter `near`.
+    /// The stretch of overlap about the parameter `rail_s` of the rail, the contact line sought
+    /// near the parameter `near`.
     fn overlap(&self, rail_s: f64, near: f64) -> Option<Overlap> {
         let middle = self.arcs.arc(rail_s);
         let place = |arc: f64, row: &Row| {
@@ -430,10 +450,12 @@ impl Section<'_> {
     }
 }
 
-/// Distance left in the contact, over the overlap, at which iterations end [-]: forces of poses 0.1 µm apart then differ by what the poses do. What
-/// rounding keeps from that is taken if it is within the usual tolerance.
+/// Distance left in the contact, over the overlap, at which iterations end [-]: forces of poses 0.1
+/// µm apart then differ by what the poses do. What rounding keeps from that is taken if it is
+/// within the usual tolerance.
 const CLOSED: f64 = 1e-8;
-/// Newton steps to the place on a normal of the rail, the last of them [m], and the least rate at which that goes along with the line.
+/// Newton steps to the place on a normal of the rail, the last of them [m], and the least rate at
+/// which that goes along with the line.
 const MOST_STEPS: usize = 10;
 const LAST_STEP: f64 = 1e-9;
 const LEAST_RATE: f64 = 0.05;
@@ -508,7 +530,8 @@ impl RailElements {
         (most - least).max(0.0)
     }
 
-    /// Fills the empty `strips` with the loaded rows; returns the number of zones that found no room.
+    /// Fills the empty `strips` with the loaded rows; returns the number of zones that found no
+    /// room.
     pub fn fill(&self, strips: &mut Strips) -> usize {
         let u: Vec<f64> = self.rows.iter().map(|row| row.map_or(0.0, |row| row.u)).collect();
         let field = ElementPressure {
@@ -539,7 +562,8 @@ fn extent_of(zones: &[ZoneExtent]) -> Option<[[f64; 2]; 2]> {
     zones.iter().map(|zone| [zone.x, zone.y]).reduce(|a, b| [join(a[0], b[0]), join(a[1], b[1])])
 }
 
-/// Length and width of elements, so that each notable zone has `elements` of them along and across, from the ladder [m].
+/// Length and width of elements, so that each notable zone has `elements` of them along and across,
+/// from the ladder [m].
 fn element_size(zones: &[ZoneExtent], [x, y]: [[f64; 2]; 2], elements: [usize; 2]) -> [f64; 2] {
     let load: f64 = zones.iter().map(|zone| zone.load).sum();
     let mut size = [f64::INFINITY; 2];

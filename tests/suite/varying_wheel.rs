@@ -268,7 +268,7 @@ fn on_flat(
     }
     println!("{normal_model:?}: {report}");
     if step == 1 {
-        common::write_report(&format!("varying_flat_{normal_model:?}.csv"), &report);
+        crate::common::write_report(&format!("varying_flat_{normal_model:?}.csv"), &report);
     }
     assert!(found[0][0] <= tolerance::VARYING_HEIGHT);
     assert!(found[1][0] <= tolerance::VARYING_PLACE);

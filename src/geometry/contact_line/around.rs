@@ -21,7 +21,8 @@ impl<T: Real> ContactLine<'_, T> {
         Self { around: None, ..*self }
     }
 
-    /// How far ahead of the round wheel the one whose section varies around is met at parameter `s` [m].
+    /// How far ahead of the round wheel the one whose section varies around is met at parameter `s`
+    /// [m].
     #[must_use]
     pub fn ahead_of_round(&self, s: T) -> T {
         self.around.map_or(0.0, |around| around.beside_round(s.value()).ahead).into()
@@ -33,7 +34,8 @@ impl<T: Real> ContactLine<'_, T> {
         self.around.is_some()
     }
 
-    /// Curvature of the section along x at parameter `s`, of which `round` is that of the round wheel and `straight` that of one that does not yaw [1/m].
+    /// Curvature of the section along x at parameter `s`, of which `round` is that of the round
+    /// wheel and `straight` that of one that does not yaw [1/m].
     pub(super) fn section_around(&self, s: T, round: T, straight: T) -> T {
         let Some(around) = self.around else { return round };
         let BesideRound { curvature, share_across, .. } = around.beside_round(s.value());

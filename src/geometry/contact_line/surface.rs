@@ -1,6 +1,7 @@
 //! The surface of the wheel itself: where straight lines across the track meet it.
 //!
-//! A point P of the surface of revolution has its axial coordinate and its distance from the axle on the profile,
+//! A point P of the surface of revolution has its axial coordinate and its distance from the axle
+//! on the profile,
 //!
 //! ```text
 //! (P - M)·u = y_w(s),  |(P - M) - ((P - M)·u) u| = R0 + z_w(s)
@@ -16,12 +17,14 @@ pub use crate::geometry::surface_point::SurfacePoint;
 const MOST_STEPS: usize = 12;
 /// Newton step that is the last one [m]: what is left is of the order of its square.
 const LAST_STEP: f64 = 1e-8;
-/// Least cosine of the angle between line and normal: lines that graze the wheel meet it nowhere for sure.
+/// Least cosine of the angle between line and normal: lines that graze the wheel meet it nowhere
+/// for sure.
 const LEAST_COSINE: f64 = 0.1;
 
 impl ContactLine<'_> {
-    /// Where the line from the point (`x`, `from`) across the track in the unit direction `direction` (y, z) meets the wheel's
-    /// surface from inside, sought near the profile parameter `s` and at the distance `depth`; nothing where it does not.
+    /// Where the line from the point (`x`, `from`) across the track in the unit direction
+    /// `direction` (y, z) meets the wheel's surface from inside, sought near the profile parameter
+    /// `s` and at the distance `depth`; nothing where it does not.
     #[must_use]
     pub fn surface_along(
         &self,

@@ -65,7 +65,8 @@ impl<T: Real> Envelope<T> {
         let rows = &surface.rows;
         let speed = surface.pattern_speed(m.row);
         let size = m.direction[0].hypot(m.direction[1]);
-        // Where the rows are met in another place they may turn back: what is covered is no part of the outline.
+        // Where the rows are met in another place they may turn back: what is covered is no part of
+        // the outline.
         let mut is_covered = false;
         while let Some(b) = kept.last() {
             let to = [m.point[0] - b.point[0], m.point[1] - b.point[1]];

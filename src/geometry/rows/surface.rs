@@ -1,6 +1,7 @@
 //! The surface of a rail that varies along the track, row by row.
 //!
-//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row from the axle,
+//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row
+//! from the axle,
 //!
 //! ```text
 //! z(x) = R - sqrt(ρ² - x²)
@@ -39,15 +40,18 @@ pub(in crate::geometry) struct Within {
 #[derive(Clone, Debug)]
 pub(in crate::geometry) struct Surface {
     pub rows: Rows,
-    /// Height of the marker above the axle of a roller, of which the rows are the section at the top, all along; 0 for a rail [m].
+    /// Height of the marker above the axle of a roller, of which the rows are the section at the
+    /// top, all along; 0 for a rail [m].
     pub roller_radius: f64,
     /// Height of the rail over the station on top of that of its rows.
     pub corrugation: Waviness,
 }
 
-/// Greatest place along the track on a roller, over its radius: a wheel never goes there from above [-].
+/// Greatest place along the track on a roller, over its radius: a wheel never goes there from above
+/// [-].
 pub(in crate::geometry) const MOST_OF_ROLLER: f64 = 0.8;
-/// Least radius of a row of a roller, over that of the marker, and square of the least height above the axle, over that of the radius [-].
+/// Least radius of a row of a roller, over that of the marker, and square of the least height above
+/// the axle, over that of the radius [-].
 const LEAST_ROW: f64 = 0.1;
 
 impl Surface {
@@ -77,7 +81,8 @@ impl Surface {
             .filter(|face| face.iter().all(|corner| corner[0].is_finite()))
     }
 
-    /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the surface of the slices is held at its ends.
+    /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the
+    /// surface of the slices is held at its ends.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
         let mut point = self.even_at(j, run, station, near);
         if !self.corrugation.is_empty() {
@@ -180,7 +185,8 @@ impl Surface {
         })
     }
 
-    /// The run of slices of row `j` that a wheel at `station` [m] is over, or the nearest one within reach.
+    /// The run of slices of row `j` that a wheel at `station` [m] is over, or the nearest one
+    /// within reach.
     pub fn run(&self, j: usize, station: f64, slice: usize) -> Option<[usize; 2]> {
         let (places, count) = (&self.rows.places, self.count());
         let of = |i: usize| self.rows.runs[i * count + j].map(|run| run.map(|i| i as usize));
@@ -199,7 +205,8 @@ impl Surface {
         }
     }
 
-    /// From where to where a run of slices is within reach of a wheel at `station` [m]; nothing where it is not.
+    /// From where to where a run of slices is within reach of a wheel at `station` [m]; nothing
+    /// where it is not.
     pub fn reach<T: Real>(&self, [first, last]: [usize; 2], station: T) -> Option<[T; 2]> {
         let places = &self.rows.places;
         let at = |i: usize| -station + places[i];
