@@ -1,7 +1,9 @@
-//! Time of the boundary element solution of one contact, S1002 on UIC60 under 100 kN, by the number of elements in contact.
+//! Time of the boundary element solution of one contact, S1002 on UIC60 under 100 kN, by the number
+//! of elements in contact.
 //!
-//! Beside it the times of CONTACT v25.1 on the same contact with the same numbers of elements; they were measured elsewhere (a two-core virtual
-//! machine, gfortran -O2, one thread, tolerance 1e-3), so they are an indication.
+//! Beside it the times of CONTACT v25.1 on the same contact with the same numbers of elements; they
+//! were measured elsewhere (a two-core virtual machine, gfortran -O2, one thread, tolerance 1e-3),
+//! so they are an indication.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,7 +16,8 @@ use wheelrail::boundary_element::rolling::steady_rolling;
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::math::spline::{SplineEnd, interpolating_slopes};
 
-/// Elements along and across the grid, elements in contact, and medians of CONTACT [ms]: normal alone, normal and tangential.
+/// Elements along and across the grid, elements in contact, and medians of CONTACT [ms]: normal
+/// alone, normal and tangential.
 const CONTACT: [([usize; 2], usize, [f64; 2]); 3] = [
     ([21, 18], 114, [0.345, 1.03]),
     ([29, 29], 301, [0.917, 4.59]),

@@ -1,6 +1,8 @@
-//! Writes the figures that tests have left in target/reports into docs: between `<!-- summary NAME -->` and `<!-- end of summary -->` stands the
-//! table `summary_NAME.csv`. Then into all pages and README.md the figures that they take from these tables: between `<!-- figure NAME; ROW; COLUMN -->` and
-//! `<!-- -->` stands the cell of that table. A table of docs/scoreboard.md is named by its heading, a row by all that stands before its cases:
+//! Writes the figures that tests have left in target/reports into docs: between
+//! `<!-- summary NAME -->` and `<!-- end of summary -->` stands the table `summary_NAME.csv`. Then
+//! into all pages and README.md the figures that they take from these tables: between
+//! `<!-- figure NAME; ROW; COLUMN -->` and `<!-- -->` stands the cell of that table. A table of
+//! docs/scoreboard.md is named by its heading, a row by all that stands before its cases:
 //! `<!-- figure FAMILY; QUANTITY; BY; COLUMN -->`.
 //!
 //! `docs/make_tables` runs the tests with their whole sets first.

@@ -1,5 +1,6 @@
-//! What the FMI interface adds to an evaluation: a round of one set of twelve inputs, one step and one get of 34 outputs,
-//! beside the evaluation of the same inputs by the element alone; and the same of a wheelset.
+//! What the FMI interface adds to an evaluation: a round of one set of twelve inputs, one step and
+//! one get of 34 outputs, beside the evaluation of the same inputs by the element alone; and the
+//! same of a wheelset.
 #![allow(unsafe_code)]
 
 // Clippy lets tests import by wildcard, benches not.

@@ -1,6 +1,8 @@
-//! What options cost, in instructions of one evaluation on the tread; written into docs/benchmarks.md.
+//! What options cost, in instructions of one evaluation on the tread; written into
+//! docs/benchmarks.md.
 //!
-//! Where they go: `valgrind --tool=callgrind target/release/deps/instructions-… --evaluate 0 1000`, and `callgrind_annotate`.
+//! Where they go: `valgrind --tool=callgrind target/release/deps/instructions-… --evaluate 0 1000`,
+//! and `callgrind_annotate`.
 
 mod callgrind;
 mod page;

@@ -1,9 +1,11 @@
-//! How long a round of `fmi2SetReal`, `fmi2DoStep` and `fmi2GetReal` takes at most: over a million poses of random walks, as a real-time
-//! host meets them. `cargo bench --bench real_time`; with a number behind `--` so many walks of 1000 poses.
+//! How long a round of `fmi2SetReal`, `fmi2DoStep` and `fmi2GetReal` takes at most: over a million
+//! poses of random walks, as a real-time host meets them. `cargo bench --bench real_time`; with a
+//! number behind `--` so many walks of 1000 poses.
 //!
-//! Times are of the processor, of this thread alone: what the system does in between is not the unit's. What is left of it (interrupts, cold
-//! caches) is told from what a pose costs by doing the slowest rounds again, five times each, and taking the least of their times. The contact
-//! has no memory, so that a round again is the same work.
+//! Times are of the processor, of this thread alone: what the system does in between is not the
+//! unit's. What is left of it (interrupts, cold caches) is told from what a pose costs by doing the
+//! slowest rounds again, five times each, and taking the least of their times. The contact has no
+//! memory, so that a round again is the same work.
 #![allow(unsafe_code)]
 
 #[path = "../tests/suite/common/mod.rs"]
@@ -96,7 +98,8 @@ struct Walk {
 }
 
 impl Walk {
-    /// With a roll angle of at most `most_roll` [rad]: of an axle it lifts one of the wheels by as many times 0.75 m.
+    /// With a roll angle of at most `most_roll` [rad]: of an axle it lifts one of the wheels by as
+    /// many times 0.75 m.
     fn random(element: &mut Element, random: &mut Random, most_roll: f64) -> Self {
         let mut input = rolling(random.within(-8e-3, 9e-3), 20.0);
         let wheel = &mut input.wheel;

@@ -1,6 +1,7 @@
 //! Time of one evaluation of the element in named scenes.
 //!
-//! Every evaluation gets an input that differs from the one before by 0.1 nm of height, so that nothing is reused.
+//! Every evaluation gets an input that differs from the one before by 0.1 nm of height, so that
+//! nothing is reused.
 
 use std::hint::black_box;
 
@@ -11,7 +12,8 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m], parameters.
+/// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m],
+/// parameters.
 struct Scene {
     name: &'static str,
     shift: f64,
@@ -78,7 +80,8 @@ fn paper() -> Parameters {
     }
 }
 
-/// The models by default, those of the paper, also with 30 strips and elements, and others in the place of each.
+/// The models by default, those of the paper, also with 30 strips and elements, and others in the
+/// place of each.
 fn models(c: &mut Criterion) {
     let with = |change: fn(&mut Parameters)| {
         let mut parameters = paper();
@@ -141,7 +144,8 @@ fn options(c: &mut Criterion) {
     }
 }
 
-/// One evaluation, its derivative in one direction and its Jacobian, as multiples of which their cost is stated.
+/// One evaluation, its derivative in one direction and its Jacobian, as multiples of which their
+/// cost is stated.
 fn derivatives(c: &mut Criterion) {
     let mut group = c.benchmark_group("derivatives");
     for (name, tangential_model, vertical_mode) in [

@@ -1,4 +1,5 @@
-//! Time of one look-up of a creep force: Kalker's coefficients, angles, table; without and with derivatives.
+//! Time of one look-up of a creep force: Kalker's coefficients, angles, table; without and with
+//! derivatives.
 
 use std::hint::black_box;
 
@@ -6,7 +7,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use wheelrail::tangential::tables::CreepForceTable;
 use wheelrail::tangential::tables::scales::Scales;
 
-/// ln(a/b) and creepages of states in different places of the table, so that nothing but the next few lines is in the nearest cache.
+/// ln(a/b) and creepages of states in different places of the table, so that nothing but the next
+/// few lines is in the nearest cache.
 const STATES: [(f64, [f64; 3]); 8] = [
     (0.1, [0.05, 0.02, 0.1]),
     (-0.9, [0.3, -0.1, 0.2]),

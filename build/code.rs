@@ -15,7 +15,8 @@ pub struct Target<'a> {
     pub subject: &'a str,
 }
 
-/// The text of `variables.rs`, included by `src/variables/table.rs`; what the declarations have in common is taken from the first one.
+/// The text of `variables.rs`, included by `src/variables/table.rs`; what the declarations have in
+/// common is taken from the first one.
 pub fn generate(targets: &[Target]) -> String {
     let mut code = String::new();
     let out = &mut code;
@@ -52,7 +53,8 @@ pub fn generate(targets: &[Target]) -> String {
     code
 }
 
-/// The text of `ranges.rs`, included by `src/element/ranges.rs`: the numbers among the parameters of a wheel and what is admitted of them.
+/// The text of `ranges.rs`, included by `src/element/ranges.rs`: the numbers among the parameters
+/// of a wheel and what is admitted of them.
 pub fn ranges(declaration: &Declaration) -> String {
     let mut rows = String::new();
     let mut count = 0;

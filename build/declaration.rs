@@ -1,4 +1,5 @@
-//! Reads `modelDescription/variables.toml` and expands it to a flat list of variables, those of a wheel.
+//! Reads `modelDescription/variables.toml` and expands it to a flat list of variables, those of a
+//! wheel.
 
 use std::collections::BTreeMap;
 
@@ -208,8 +209,8 @@ pub struct Declaration {
 }
 
 impl Declaration {
-    /// Of the variable of FMI 3.0 with the reference `place` the places of its elements: itself alone, or all of the array that it begins;
-    /// none within an array.
+    /// Of the variable of FMI 3.0 with the reference `place` the places of its elements: itself
+    /// alone, or all of the array that it begins; none within an array.
     pub fn elements(&self, place: usize) -> Vec<usize> {
         let Some(array) = &self.variables[place].array else { return vec![place] };
         let all = self.variables.iter().enumerate();
@@ -267,7 +268,8 @@ impl Declaration {
     }
 }
 
-/// What is there this many times is an array in FMI 3.0. The two rails are not: each is a body with connections of its own.
+/// What is there this many times is an array in FMI 3.0. The two rails are not: each is a body with
+/// connections of its own.
 const ARRAYED: &str = "REPORTED_PATCHES";
 
 /// One variable of a group; `index` is its number in a repeated one.

@@ -1,11 +1,13 @@
-//! Writes `wheelrail.h`: the C interfaces of the library for programs that link it, with GUIDs and value references.
+//! Writes `wheelrail.h`: the C interfaces of the library for programs that link it, with GUIDs and
+//! value references.
 
 use std::collections::HashSet;
 use std::fmt::Write;
 
 use crate::declaration::Declaration;
 
-/// The functions of FMI 2.0, with the types of the standard's headers; whoever includes those first keeps theirs.
+/// The functions of FMI 2.0, with the types of the standard's headers; whoever includes those first
+/// keeps theirs.
 const FUNCTIONS: &str = r"#ifndef fmi2Functions_h
 typedef void *fmi2Component;
 typedef void *fmi2ComponentEnvironment;
@@ -213,7 +215,8 @@ pub fn generate(declarations: &[&Declaration]) -> String {
             assert!(names.insert(name.clone()), "{} has a name in C twice", variable.name);
             line(&format!("    {unit}_{name} = {reference},"));
         }
-        // Of FMI 3.0 alone: arrays have the reference of their first element; see `src/fmi/arrays.rs`.
+        // Of FMI 3.0 alone: arrays have the reference of their first element; see
+        // `src/fmi/arrays.rs`.
         let arrays = declaration.variables.iter().enumerate().filter_map(|(place, v)| {
             let array = v.array.as_ref().filter(|_| !declaration.elements(place).is_empty())?;
             Some((array.name.clone(), place))

@@ -1,9 +1,12 @@
-//! Packs `WheelRail.fmu` and `WheelSet.fmu`, `WheelRailPlain.fmu` and `WheelSetPlain.fmu` with a shorter description of the same, and
-//! `WheelRail3.fmu` and `WheelSet3.fmu` for FMI 3.0: builds the library once more without the packaging, and puts it into an archive for each description, with profiles, documentation, icon and licences.
+//! Packs `WheelRail.fmu` and `WheelSet.fmu`, `WheelRailPlain.fmu` and `WheelSetPlain.fmu` with a
+//! shorter description of the same, and `WheelRail3.fmu` and `WheelSet3.fmu` for FMI 3.0: builds
+//! the library once more without the packaging, and puts it into an archive for each description,
+//! with profiles, documentation, icon and licences.
 //!
-//! The library of this very build does not exist yet when its build script runs, hence the inner build.
-//! It has a target directory of its own, or it would wait for the lock of the outer one for ever. The same
-//! sources give the same bytes wherever they lie: paths are remapped, entries sorted, dates fixed.
+//! The library of this very build does not exist yet when its build script runs, hence the inner
+//! build. It has a target directory of its own, or it would wait for the lock of the outer one for
+//! ever. The same sources give the same bytes wherever they lie: paths are remapped, entries
+//! sorted, dates fixed.
 
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
@@ -132,8 +135,8 @@ fn zip(mut entries: Vec<(String, Vec<u8>)>) -> zip::result::ZipResult<Vec<u8>> {
 
 /// Writes the archive, first beside its place: nobody finds half of one.
 ///
-/// It is dated back to the newest source, or cargo would take it for a source changed by this run and
-/// run the script at every build.
+/// It is dated back to the newest source, or cargo would take it for a source changed by this run
+/// and run the script at every build.
 fn write(archive: &Path, bytes: &[u8], date: SystemTime) {
     let part = archive.with_extension("fmu.part");
     let written = fs::write(&part, bytes)

@@ -1,8 +1,9 @@
 //! The libraries that go into the archive: one for the platform of the build and, if
 //! `WHEELRAIL_PLATFORMS` asks for them, others, as far as there are tools for them.
 //!
-//! `linux64` asks for a library that runs on the glibc of old distributions too: cargo-zigbuild links it
-//! against 2.17. `win64` needs the standard library for [`WINDOWS`] and the linker of MinGW-w64.
+//! `linux64` asks for a library that runs on the glibc of old distributions too: cargo-zigbuild
+//! links it against 2.17. `win64` needs the standard library for [`WINDOWS`] and the linker of
+//! MinGW-w64.
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -45,7 +46,8 @@ pub struct Library {
 /// Builds the libraries, each in a target directory of its own, and says which there are.
 ///
 /// # Panics
-/// With a message for the user if a platform is not known, or a build fails though its tools are there.
+/// With a message for the user if a platform is not known, or a build fails though its tools are
+/// there.
 pub fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     println!("cargo::rerun-if-env-changed={VARIABLE}");
     let asked = env::var(VARIABLE).unwrap_or_default();
@@ -192,8 +194,9 @@ fn standard_library(target: &str) -> Result<(), String> {
 
 /// Builds the library without packaging and command line; returns its file.
 fn inner_build(root: &Path, out: &Path, job: &Job) -> PathBuf {
-    // Builds run at the same time: one directory would make them wait for each other. One with another
-    // linker has its own too: cargo would take the library of the first for that of the second.
+    // Builds run at the same time: one directory would make them wait for each other. One with
+    // another linker has its own too: cargo would take the library of the first for that of the
+    // second.
     let linker = if job.zigbuild { "-zigbuild" } else { "" };
     let inner = out.join("inner").join(format!("{}{linker}", job.platform));
     let cargo = env::var_os("CARGO").expect("cargo sets CARGO");

@@ -1,4 +1,5 @@
-//! Writes `terminalsAndIcons.xml` of FMI 3.0 (section 2.4.9): a terminal for each body, with its motion and the forces on it.
+//! Writes `terminalsAndIcons.xml` of FMI 3.0 (section 2.4.9): a terminal for each body, with its
+//! motion and the forces on it.
 
 use std::collections::BTreeMap;
 use std::io::{Result, Write};
@@ -38,7 +39,8 @@ pub fn generate(declaration: &Declaration) -> Result<Vec<u8>> {
     Ok(text)
 }
 
-/// Those of the bodies: what has inputs and a force behind its name, `wheel`, `rail[1]`, in a wheelset `right.wheel`.
+/// Those of the bodies: what has inputs and a force behind its name, `wheel`, `rail[1]`, in a
+/// wheelset `right.wheel`.
 fn terminals(declaration: &Declaration) -> BTreeMap<String, Terminal> {
     let mut bodies: BTreeMap<&str, Vec<(Causality, &str, &str)>> = BTreeMap::new();
     for v in declaration.variables.iter().filter(|v| v.array.is_none()) {

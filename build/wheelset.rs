@@ -1,4 +1,5 @@
-//! The declaration of the wheelset: that of a wheel on both sides, with what `modelDescription/wheelset.toml` adds and takes away.
+//! The declaration of the wheelset: that of a wheel on both sides, with what
+//! `modelDescription/wheelset.toml` adds and takes away.
 
 use serde::Deserialize;
 
@@ -71,7 +72,8 @@ pub fn derive(file: &File, wheel: &Declaration, text: &str) -> Declaration {
         for (place, side) in sides.names.iter().enumerate() {
             for v in of_wheel().filter(|v| sides.is_of_side(&v.name)) {
                 variables.push(on_side(v, side, place));
-                // Where loads are given, what one side carries rolls the axle and so the other wheel.
+                // Where loads are given, what one side carries rolls the axle and so the other
+                // wheel.
                 let is_output = causality == Causality::Output;
                 let felt = sides.names.iter().filter(|other| is_output || *other == side);
                 let all = felt.flat_map(|other| sides.depends(wheel, &v.dependencies, other));

@@ -11,12 +11,14 @@ use crate::declaration::{Causality, Declaration, Enumeration, Kind, Unit, Variab
 pub enum Style {
     /// Everything.
     Full,
-    /// For importers that know no enumerations and for people who look at the list: choices as integers, and the heaviest
-    /// [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`] and [`PLAIN_LACKS_ALL_OF`]. References are the same, and so is the library.
+    /// For importers that know no enumerations and for people who look at the list: choices as
+    /// integers, and the heaviest [`PLAIN_PATCHES`] patches alone, without [`PLAIN_LACKS`] and
+    /// [`PLAIN_LACKS_ALL_OF`]. References are the same, and so is the library.
     Plain,
 }
 
-/// Patches of a wheel that a plain description has: more than tread and flange touch at once is rare.
+/// Patches of a wheel that a plain description has: more than tread and flange touch at once is
+/// rare.
 const PLAIN_PATCHES: usize = 4;
 /// What of a patch it has not: what only laws of friction by place and heat tell.
 const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
@@ -80,8 +82,8 @@ pub fn generate(declaration: &Declaration, version: &str, style: Style) -> Resul
     Ok(text)
 }
 
-/// The element around a description, with the attributes that both versions of FMI have; `fmi` is the version and its name for the token by which
-/// library and description know each other.
+/// The element around a description, with the attributes that both versions of FMI have; `fmi` is
+/// the version and its name for the token by which library and description know each other.
 pub fn root<'a, W: Write>(
     writer: &'a mut Writer<W>,
     declaration: &Declaration,

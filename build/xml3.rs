@@ -1,7 +1,8 @@
 //! Writes `modelDescription.xml` of FMI 3.0 (section 2.4) from the declaration.
 //!
-//! Variables have the references of FMI 2.0, arrays that of their first element. Two variables that FMI 3.0 asks for come behind all
-//! others: the independent one, and that of the event indicator; `src/fmi/arrays.rs` answers for them.
+//! Variables have the references of FMI 2.0, arrays that of their first element. Two variables that
+//! FMI 3.0 asks for come behind all others: the independent one, and that of the event indicator;
+//! `src/fmi/arrays.rs` answers for them.
 
 use std::io::{Result, Write};
 

@@ -1,5 +1,6 @@
-//! Lateral creep force of pure spin on a corrugated rail: the example of Piotrowski and Kik (2008), figure 27.
-//! `cargo run --release --no-default-features --example corrugated_rail -- corrugated_rail.svg > corrugated_rail.csv`
+//! Lateral creep force of pure spin on a corrugated rail: the example of Piotrowski and Kik (2008),
+//! figure 27. `cargo run --release --no-default-features --example corrugated_rail --
+//! corrugated_rail.svg > corrugated_rail.csv`
 
 mod chart;
 

@@ -1,5 +1,6 @@
-//! Impact of a wheel at a crossing: from a wing rail that leads off to a nose that rises, at three speeds, beside the formula for a dip.
-//! `cargo run --release --no-default-features --example crossing -- FOLDER > crossing.csv` leaves the rails as files and the figure in FOLDER.
+//! Impact of a wheel at a crossing: from a wing rail that leads off to a nose that rises, at three
+//! speeds, beside the formula for a dip. `cargo run --release --no-default-features --example
+//! crossing -- FOLDER > crossing.csv` leaves the rails as files and the figure in FOLDER.
 
 mod chart;
 
@@ -12,7 +13,8 @@ use chart::{Chart, Corner, Series};
 use wheelrail::element::parameters::{Placement, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// Load of the suspension [N], masses of wheel and crossing [kg], stiffness and damping under the crossing [N/m, N s/m].
+/// Load of the suspension [N], masses of wheel and crossing [kg], stiffness and damping under the
+/// crossing [N/m, N s/m].
 const LOAD: f64 = 80e3;
 const WHEEL_MASS: f64 = 700.0;
 const CROSSING_MASS: f64 = 150.0;
@@ -54,7 +56,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Top of a rail across [mm]: a crown of radius 300 mm with corners of 13 mm, from `left` to `right` at height `z` in its middle.
+/// Top of a rail across [mm]: a crown of radius 300 mm with corners of 13 mm, from `left` to
+/// `right` at height `z` in its middle.
 fn section(left: f64, right: f64, z: f64) -> String {
     const CORNER: f64 = 13.0;
     const CROWN: f64 = 300.0;
@@ -117,7 +120,8 @@ fn write_rails(folder: &Path) -> std::io::Result<()> {
         }
     };
     list("wing", &knee, &|place| section(led_off(place), 72.0 + led_off(place), 0.0))?;
-    // The nose grows wider at 1:9 from the gauge face on, and rises at 1:60 until it is as high as the wing was.
+    // The nose grows wider at 1:9 from the gauge face on, and rises at 1:60 until it is as high as
+    // the wing was.
     let places: Vec<f64> = (0..=100).map(|i| 10.0 * f64::from(i)).collect();
     list("nose", &places, &|place| {
         let below = (300.0 - place) / 60.0;
@@ -169,7 +173,8 @@ fn roll_slowly(folder: &Path) -> Result<Vec<Rolled>, Box<dyn Error>> {
     Ok(rolled)
 }
 
-/// The sharpest dip of the way of the wheel: the angle between the ways down and up 30 mm beside it [rad], the stiffness of a contact there [N/m], and its place [m].
+/// The sharpest dip of the way of the wheel: the angle between the ways down and up 30 mm beside it
+/// [rad], the stiffness of a contact there [N/m], and its place [m].
 fn dip(rolled: &[Rolled]) -> [f64; 3] {
     const BESIDE: usize = 30;
     let slope = |a: usize, b: usize| (rolled[b][1] - rolled[a][1]) / (rolled[b][0] - rolled[a][0]);
@@ -181,14 +186,16 @@ fn dip(rolled: &[Rolled]) -> [f64; 3] {
     [angle(at), 1.5 * (wing + nose) / penetration, rolled[at][0]]
 }
 
-/// First peak of the force of a wheel that meets a dip of `angle` [rad] at `speed` [m/s] (Jenkins and others 1974) [N]: wheel and crossing part with the normal speed and meet on the spring of
+/// First peak of the force of a wheel that meets a dip of `angle` [rad] at `speed` [m/s] (Jenkins
+/// and others 1974) [N]: wheel and crossing part with the normal speed and meet on the spring of
 /// the contact.
 fn first_peak(angle: f64, stiffness: f64, speed: f64) -> f64 {
     let masses = CROSSING_MASS / (1.0 + CROSSING_MASS / WHEEL_MASS);
     LOAD + 9.81 * WHEEL_MASS + angle * speed * (stiffness * masses).sqrt()
 }
 
-/// Contact force [kN] over the station [mm] at `speed` [m/s], from static equilibrium before the crossing.
+/// Contact force [kN] over the station [mm] at `speed` [m/s], from static equilibrium before the
+/// crossing.
 fn roll(folder: &Path, speed: f64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
     let mut input = Input { track_s: STRETCH[0], ..Input::default() };
     let mut output = Output::default();

@@ -1,5 +1,6 @@
-//! Does it matter that contact patches are curved? A free wheelset behind a lateral ramp of 5 mm (Piotrowski and Kik 2008, section 5).
-//! `cargo run --release --no-default-features --example curved_patches -- curved_patches.svg 40`: figure, distance [m]
+//! Does it matter that contact patches are curved? A free wheelset behind a lateral ramp of 5 mm
+//! (Piotrowski and Kik 2008, section 5). `cargo run --release --no-default-features --example
+//! curved_patches -- curved_patches.svg 40`: figure, distance [m]
 
 mod chart;
 mod free_wheelset;
@@ -95,7 +96,8 @@ fn run(pair: &Parameters, model: CreepageModel, length: f64) -> Result<Run, Box<
     Ok((points, heat))
 }
 
-/// Wavelength [m] and how much smaller each wave is than the one before, from the turning points behind the ramp.
+/// Wavelength [m] and how much smaller each wave is than the one before, from the turning points
+/// behind the ramp.
 fn oscillation(points: &[[f64; 2]]) -> [f64; 2] {
     let behind = points.iter().position(|p| p[0] > 2.0).unwrap_or(points.len());
     let turning =

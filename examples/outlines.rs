@@ -1,5 +1,6 @@
-//! Outlines of contact patches of the model `strips` beside those of CONTACT: tread, two regions, slender flange.
-//! `cargo run --release --no-default-features --example outlines -- outlines.svg`: figure; prints distances of the leading edges
+//! Outlines of contact patches of the model `strips` beside those of CONTACT: tread, two regions,
+//! slender flange. `cargo run --release --no-default-features --example outlines -- outlines.svg`:
+//! figure; prints distances of the leading edges
 
 mod chart;
 
@@ -144,7 +145,8 @@ fn patch(
     Ok(regions)
 }
 
-/// The rows of the reference by region: where two are further apart than the others, another begins.
+/// The rows of the reference by region: where two are further apart than the others, another
+/// begins.
 fn regions(rows: &[Ends]) -> Vec<Region> {
     let step = |pair: &[Ends]| pair[1][0] - pair[0][0];
     let least = rows.windows(2).map(step).fold(f64::MAX, f64::min);
@@ -163,7 +165,8 @@ fn closed(regions: &[Region]) -> Vec<[f64; 2]> {
     points
 }
 
-/// Leading ends against those of `reference`: number of rows between its rows, median and greatest distance along x [mm].
+/// Leading ends against those of `reference`: number of rows between its rows, median and greatest
+/// distance along x [mm].
 fn distance(found: &[Region], reference: &[Region]) -> (usize, [f64; 2]) {
     let mut distances = Vec::new();
     for pair in reference.iter().flat_map(|region| region.windows(2)) {

@@ -1,11 +1,13 @@
-//! A resilient wheel needs no code: the wheel marker is that of its rim, a body of its own. What a flat does to rail and axle.
-//! `cargo run --release --no-default-features --example resilient_wheel`
+//! A resilient wheel needs no code: the wheel marker is that of its rim, a body of its own. What a
+//! flat does to rail and axle. `cargo run --release --no-default-features --example
+//! resilient_wheel`
 
 use wheelrail::element::parameters::{FlatShape, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;
 
-/// Load of the suspension [N], masses of rim and of centre with axle [kg], rubber between them, speed [m/s].
+/// Load of the suspension [N], masses of rim and of centre with axle [kg], rubber between them,
+/// speed [m/s].
 const LOAD: f64 = 60e3;
 const RIM: f64 = 120.0;
 const CENTRE: f64 = 480.0;

@@ -1,4 +1,5 @@
-//! What forces act on a wheel pressed onto the rail? `cargo run --release --no-default-features --example single_wheel`
+//! What forces act on a wheel pressed onto the rail? `cargo
+//! run --release --no-default-features --example single_wheel`
 
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::error::ContactError;

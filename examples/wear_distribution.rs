@@ -1,6 +1,7 @@
-//! Does summing up wear dig holes? A wheel that wanders irregularly over a rail and wears in few, long steps, with the wear of each step
-//! left where the strips lie, and spread as Piotrowski and Kik (2008, section 6) do it.
-//! `cargo run --release --no-default-features --example wear_distribution -- wear_distribution.svg`
+//! Does summing up wear dig holes? A wheel that wanders irregularly over a rail and wears in few,
+//! long steps, with the wear of each step left where the strips lie, and spread as Piotrowski and
+//! Kik (2008, section 6) do it. `cargo run --release --no-default-features --example
+//! wear_distribution -- wear_distribution.svg`
 
 mod chart;
 
@@ -52,7 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
-/// Wear depth over y on the wheel's profile [m] after a run, and the greatest jump of the lateral force at an update over the load.
+/// Wear depth over y on the wheel's profile [m] after a run, and the greatest jump of the lateral
+/// force at an update over the load.
 type Worn = (Vec<[f64; 2]>, f64);
 
 /// A run with so many steps between updates.

@@ -1,7 +1,9 @@
-//! What do wheels and rails look like after 253 thousand kilometres? Two load cases in one run, and profiles that wear while it goes
-//! on (Piotrowski and Kik 2008, section 6): a wheelset that flanges on the left rail at an angle of attack of 25 mrad, and the same one
-//! swaying along straight track, both driven by 6 kN m. Then the same one run after the other, a new profile after each.
-//! `cargo run --release --no-default-features --example wear_two_load_cases -- wear.svg 1000`: figure, updates of the profiles
+//! What do wheels and rails look like after 253 thousand kilometres? Two load cases in one run, and
+//! profiles that wear while it goes on (Piotrowski and Kik 2008, section 6): a wheelset that
+//! flanges on the left rail at an angle of attack of 25 mrad, and the same one swaying along
+//! straight track, both driven by 6 kN m. Then the same one run after the other, a new profile
+//! after each. `cargo run --release --no-default-features --example wear_two_load_cases -- wear.svg
+//! 1000`: figure, updates of the profiles
 
 mod chart;
 mod driven_wheelset;
@@ -18,11 +20,13 @@ use wheelrail::geometry::profile::Profile;
 /// Time that is simulated and step of the integration [s].
 const TIME: f64 = 10.0;
 const STEP: f64 = 5e-4;
-/// Mileage that the run stands for [m], share of it spent flanging, and axles of 20 t that pass each site: 1.8 Mt.
+/// Mileage that the run stands for [m], share of it spent flanging, and axles of 20 t that pass
+/// each site: 1.8 Mt.
 const MILEAGE: f64 = 253e6;
 const FLANGING: f64 = 0.002;
 const PASSAGES: f64 = 9e4;
-/// Mass worn off per frictional work in either load case: in a dry curve and on damp straight track [kg/J].
+/// Mass worn off per frictional work in either load case: in a dry curve and on damp straight track
+/// [kg/J].
 const WEAR: [f64; 2] = [2e-9, 2e-10];
 /// Runs one after the other that are really made; the time of 1000 follows.
 const SEQUENTIAL_RUNS: usize = 3;
@@ -85,7 +89,8 @@ fn parameters(share: f64, wear: f64) -> Parameters {
         law.frictional_work.coefficient = wear;
     }
     parameters.wear.acceleration_factor = share * MILEAGE / run;
-    // A site is passed so often in all: what wears off in one run stands for so much of the mileage over the passages.
+    // A site is passed so often in all: what wears off in one run stands for so much of the mileage
+    // over the passages.
     parameters.wear.rail_distance = share * MILEAGE / PASSAGES;
     parameters
 }

@@ -1,5 +1,6 @@
-//! Impact of wheel flats at different speeds: a wheel under its suspension on a rail that gives way, rolling over a flat.
-//! `cargo run --release --no-default-features --example wheel_flat -- wheel_flat.svg > wheel_flat.csv`
+//! Impact of wheel flats at different speeds: a wheel under its suspension on a rail that gives
+//! way, rolling over a flat. `cargo run --release --no-default-features --example wheel_flat --
+//! wheel_flat.svg > wheel_flat.csv`
 
 mod chart;
 
@@ -9,7 +10,8 @@ use chart::{Chart, Corner, Series};
 use wheelrail::element::parameters::{FlatShape, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// Load of the suspension [N], masses of wheel and rail [kg], stiffness and damping under the rail [N/m, N s/m].
+/// Load of the suspension [N], masses of wheel and rail [kg], stiffness and damping under the rail
+/// [N/m, N s/m].
 const LOAD: f64 = 80e3;
 const WHEEL_MASS: f64 = 700.0;
 const RAIL_MASS: f64 = 100.0;
@@ -68,7 +70,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Contact force [kN] over the rolled distance from the flat [mm] at `speed` [m/s], from static equilibrium before the flat.
+/// Contact force [kN] over the rolled distance from the flat [mm] at `speed` [m/s], from static
+/// equilibrium before the flat.
 fn roll(parameters: &Parameters, speed: f64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
     let mut input = Input::default();
     let mut output = Output::default();

@@ -1,5 +1,6 @@
-//! Where does a wheel touch at angles of attack of 0, 3 and 6 degrees? Its contact lines, seen along the rail and from above.
-//! `cargo run --release --no-default-features --example yawed_wheel -- yawed_wheel.svg`
+//! Where does a wheel touch at angles of attack of 0, 3 and 6 degrees? Its contact lines, seen
+//! along the rail and from above. `cargo run --release --no-default-features --example
+//! yawed_wheel -- yawed_wheel.svg`
 
 mod chart;
 
@@ -24,7 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [start, end] = line.range();
         let points: Vec<_> =
             (0..=3000).map(|i| line.at(start + (end - start) * f64::from(i) / 3000.0)).collect();
-        // As far down as a rail can reach; in a flange root that folds the line only its lower branches show.
+        // As far down as a rail can reach; in a flange root that folds the line only its lower
+        // branches show.
         let tip = points.iter().map(|p| p.point[1]).fold(0.0, f64::max);
         let tip = points.iter().position(|p| p.point[1] >= tip).unwrap_or(0);
         let hidden = |i: usize| {
@@ -77,7 +79,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The patches of a wheel pressed 0.05 mm into the rail at three lateral positions: across and along from its marker [mm].
+/// The patches of a wheel pressed 0.05 mm into the rail at three lateral positions: across and
+/// along from its marker [mm].
 fn touching(yaw: f64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
     let (mut input, mut output, mut found) = (Input::default(), Output::default(), Vec::new());
     let mut element = Element::new(&Parameters::default(), &input, &[])?;

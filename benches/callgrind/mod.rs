@@ -8,8 +8,8 @@ pub const COUNT: &str = "--evaluate";
 /// Evaluations by which two counted runs differ.
 const COUNTED: usize = 20;
 
-/// Two runs of this program with `arguments` between [`COUNT`] and the number of evaluations, the difference over the evaluations;
-/// none without Valgrind.
+/// Two runs of this program with `arguments` between [`COUNT`] and the number of evaluations, the
+/// difference over the evaluations; none without Valgrind.
 pub fn instructions(arguments: &[String]) -> Option<f64> {
     let run = |evaluations: usize| -> Option<f64> {
         let output = Command::new("valgrind")

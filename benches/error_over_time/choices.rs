@@ -164,7 +164,8 @@ impl Choice {
         }
     }
 
-    /// Parameters of an element with these models; without damping, so that loads are those of the penetration.
+    /// Parameters of an element with these models; without damping, so that loads are those of the
+    /// penetration.
     pub fn parameters(self) -> Parameters {
         let Self { normal, rolling } = self;
         Parameters {

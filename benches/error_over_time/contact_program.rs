@@ -1,4 +1,5 @@
-//! Errors against stored results of the boundary element program CONTACT on planar cases; see the heads of the files under tests/data.
+//! Errors against stored results of the boundary element program CONTACT on planar cases; see the
+//! heads of the files under tests/data.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -25,7 +26,8 @@ pub struct Sets {
     ellipses: Table,
 }
 
-/// Share of the friction limit by which creep forces are missed, and of friction times load times patch size by which moments are.
+/// Share of the friction limit by which creep forces are missed, and of friction times load times
+/// patch size by which moments are.
 #[derive(Clone, Copy)]
 pub struct RollingError {
     pub force: f64,
@@ -121,8 +123,8 @@ impl Sets {
         errors.collect()
     }
 
-    /// Errors of the creep force on 300 Hertzian ellipses, load given, normal contact by Hertz with as many strips as there are elements
-    /// along.
+    /// Errors of the creep force on 300 Hertzian ellipses, load given, normal contact by Hertz with
+    /// as many strips as there are elements along.
     pub fn ellipses(&self, rolling: Rolling) -> Vec<f64> {
         let normal = Normal { model: NormalModel::Hertz, count: rolling.count };
         let choice = Choice { normal, rolling };

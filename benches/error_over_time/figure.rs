@@ -194,7 +194,8 @@ fn panel(area: &Area<'_>, title: &str, marks: &[Mark], front: &[(f64, f64)], nam
     legend(area, marks);
 }
 
-/// Writes the names beside their marks, to the left of those on the right, one under the other where they would cover each other.
+/// Writes the names beside their marks, to the left of those on the right, one under the other
+/// where they would cover each other.
 fn name(area: &Area<'_>, marks: &[(&Mark, (i32, i32))]) {
     let (width, _) = area.dim_in_pixel();
     let (left_end, _) = area.get_base_pixel();

@@ -1,9 +1,11 @@
 //! Error beside time of every combination of models, in one run:
 //! `cargo bench --no-default-features --bench error_over_time`.
 //!
-//! Errors are those against stored results of the boundary element program CONTACT on planar cases, and against the boundary elements of this
-//! crate, solved here, on contacts of a wheel. Written are the tables in docs/benchmarks.md between their marks, the figure
-//! docs/figures/error_over_time.svg, and target/reports/error_over_time.csv with everything. It takes minutes; nothing else should run.
+//! Errors are those against stored results of the boundary element program CONTACT on planar cases,
+//! and against the boundary elements of this crate, solved here, on contacts of a wheel. Written
+//! are the tables in docs/benchmarks.md between their marks, the figure
+//! docs/figures/error_over_time.svg, and target/reports/error_over_time.csv with everything. It
+//! takes minutes; nothing else should run.
 
 #[path = "../callgrind/mod.rs"]
 mod callgrind;
@@ -30,7 +32,8 @@ use rayon::prelude::*;
 pub struct NormalRow {
     /// The model.
     pub normal: Normal,
-    /// Median and worst of load, pressure and area against CONTACT, one region; worst of two regions.
+    /// Median and worst of load, pressure and area against CONTACT, one region; worst of two
+    /// regions.
     pub contact: [[f64; 3]; 3],
     /// Mean error of the greatest pressure against CONTACT, all 32.
     pub mean_pressure: f64,

@@ -1,8 +1,9 @@
-//! A wheel on a rail: S1002 on 60E1 in places from tread to flange. Times are those of the element there; errors those of its contacts, laid flat,
-//! light to heavy, creeping from hardly to fully, against boundary elements on the same plane.
+//! A wheel on a rail: S1002 on 60E1 in places from tread to flange. Times are those of the element
+//! there; errors those of its contacts, laid flat, light to heavy, creeping from hardly to fully,
+//! against boundary elements on the same plane.
 //!
-//! Laid flat, so that all models have the same planar problem; what curved patches add is measured by `wheelrail compare` and by the test
-//! `boundary_element`.
+//! Laid flat, so that all models have the same planar problem; what curved patches add is measured
+//! by `wheelrail compare` and by the test `boundary_element`.
 
 use rayon::prelude::*;
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};

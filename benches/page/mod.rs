@@ -7,7 +7,8 @@ use std::{env, fs};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/benchmarks.md");
 
-/// Writes `text` between the marks of the benchmark `name`, under a line that says where and when it was measured.
+/// Writes `text` between the marks of the benchmark `name`, under a line that says where and when
+/// it was measured.
 pub fn write(name: &str, text: &str) {
     let page = fs::read_to_string(PAGE).expect("docs/benchmarks.md");
     let marks =

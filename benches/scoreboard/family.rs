@@ -3,8 +3,8 @@
 use crate::common::spread;
 use crate::setting::Setting;
 
-/// One case: its name in the file that it is from, and its errors in the order of the quantities of the family; not a number where a quantity is not
-/// compared.
+/// One case: its name in the file that it is from, and its errors in the order of the quantities of
+/// the family; not a number where a quantity is not compared.
 pub struct Case {
     pub name: String,
     pub errors: Vec<f64>,
@@ -24,7 +24,8 @@ pub struct Family {
     pub is_random: bool,
     /// Whether it needs the folder of profiles that may not be passed on.
     pub needs_folder: bool,
-    /// Errors by a setting; nothing where the setting does not know such cases or there is no folder.
+    /// Errors by a setting; nothing where the setting does not know such cases or there is no
+    /// folder.
     pub solve: fn(&Setting, seed: u64) -> Option<Vec<Case>>,
     /// Rows of others: name, and cases.
     pub others: fn() -> Vec<(String, Vec<Case>)>,
@@ -35,7 +36,8 @@ pub fn none() -> Vec<(String, Vec<Case>)> {
     Vec::new()
 }
 
-/// Median, 95 % and worst of a quantity over some cases, how many there are, and which one is worst; nothing without cases.
+/// Median, 95 % and worst of a quantity over some cases, how many there are, and which one is
+/// worst; nothing without cases.
 pub struct Spread<'a> {
     pub count: usize,
     pub sizes: [f64; 3],

@@ -1,8 +1,11 @@
-//! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes docs/scoreboard.md.
+//! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes
+//! docs/scoreboard.md.
 //!
-//! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than on the committed page by more than its noise. WHEELRAIL_SEED chooses the
-//! random cases, which are others in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed on. A word behind `--` runs the
-//! families alone whose titles have it in them, and shows their tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
+//! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than on the
+//! committed page by more than its noise. WHEELRAIL_SEED chooses the random cases, which are others
+//! in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed
+//! on. A word behind `--` runs the families alone whose titles have it in them, and shows their
+//! tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
 
 #[path = "../../tests/suite/common/mod.rs"]
 mod common;

@@ -1,4 +1,5 @@
-//! Cases on profiles that may not be passed on: they run where WHEELRAIL_PROFILES names a folder that has them.
+//! Cases on profiles that may not be passed on: they run where WHEELRAIL_PROFILES names a folder
+//! that has them.
 
 use std::env;
 use std::f64::consts::TAU;
@@ -119,7 +120,8 @@ fn centre(loads: &[[f64; 2]]) -> f64 {
         / loads.iter().map(|[load, _]| load).sum::<f64>()
 }
 
-/// What the sum of the creep forces on the wheel and of those `on_rail`, each with the angle of its plane, is off balance [N].
+/// What the sum of the creep forces on the wheel and of those `on_rail`, each with the angle of its
+/// plane, is off balance [N].
 fn missed_creep(output: &Output, on_rail: impl IntoIterator<Item = ([f64; 2], f64)>) -> f64 {
     let patches = &output.patches[..output.patch_count as usize];
     let own = patches.iter().map(|p| (p.creep_force, p.contact_angle));
@@ -200,7 +202,8 @@ fn on_crossing(element: &mut Element, table: &Table, row: &csv::StringRecord) ->
     Case { name: row[0].to_owned(), errors }
 }
 
-/// Where the running circle of the worn wheel is: from the centre of the wheelset, and below its axle [m].
+/// Where the running circle of the worn wheel is: from the centre of the wheelset, and below its
+/// axle [m].
 const WORN_WHEEL: [f64; 2] = [0.743_70, 0.444];
 
 fn worn_wheel(setting: &Setting) -> Option<Vec<Case>> {
@@ -282,7 +285,8 @@ fn groove(setting: &Setting) -> Option<Vec<Case>> {
     Some(table.rows.iter().map(of).collect())
 }
 
-/// How wheels with sections around them stand: nominal radius and lateral place, the rail's inclination and smoothing of both [m, m, rad, m].
+/// How wheels with sections around them stand: nominal radius and lateral place, the rail's
+/// inclination and smoothing of both [m, m, rad, m].
 struct Stand {
     radius: f64,
     y: f64,

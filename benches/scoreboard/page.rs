@@ -208,9 +208,11 @@ pub fn write(text: &str) {
     fs::write(PAGE, text).expect("docs/scoreboard.md can be written");
 }
 
-/// By how much a figure of cases that stay the same may grow: other libraries of elementary functions, and two digits.
+/// By how much a figure of cases that stay the same may grow: other libraries of elementary
+/// functions, and two digits.
 const NOISE: f64 = 0.06;
-/// The same of random cases: median and 95 %. Their worst says nothing. The committed page is of seed 1; no 95 % of seeds 2 and 3 is half as much again as its own, some are a third of it.
+/// The same of random cases: median and 95 %. Their worst says nothing. The committed page is of
+/// seed 1; no 95 % of seeds 2 and 3 is half as much again as its own, some are a third of it.
 const RANDOM_NOISE: [f64; 2] = [1.0 / 3.0, 0.5];
 
 /// What has become worse than on the committed page by more than the noise.

@@ -1,4 +1,5 @@
-//! Planar problems: the separation of two bodies over one plane, with the approach or the load given.
+//! Planar problems: the separation of two bodies over one plane, with the approach or the load
+//! given.
 
 use std::collections::HashMap;
 

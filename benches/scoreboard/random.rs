@@ -1,4 +1,5 @@
-//! Poses that nobody picked, against the project's own boundary elements; and walks, on which jumps are looked for.
+//! Poses that nobody picked, against the project's own boundary elements; and walks, on which jumps
+//! are looked for.
 
 use std::sync::OnceLock;
 
@@ -74,7 +75,8 @@ fn whole(output: &Output) -> ([f64; 3], [f64; 3]) {
     ([load, pressure, patches.iter().map(|p| p.area).sum()], creep)
 }
 
-/// The pose at the height at which the models as they start carry its load; nothing where they do not.
+/// The pose at the height at which the models as they start carry its load; nothing where they do
+/// not.
 pub fn at_height(pair: [&str; 2], input: &Input) -> Option<Input> {
     let parameters = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
     let carried = evaluate(&mut on(pair, parameters, input), input);

@@ -55,7 +55,8 @@ fn boundary(parameters: &mut Parameters) {
 }
 
 impl Setting {
-    /// Parameters of a wheel on a rail, without damping, so that loads are those of the penetration.
+    /// Parameters of a wheel on a rail, without damping, so that loads are those of the
+    /// penetration.
     pub fn parameters(&self) -> Parameters {
         let mut parameters = Parameters { damping: 0.0, ..Parameters::default() };
         (self.change)(&mut parameters);

@@ -8,7 +8,8 @@ use crate::family::Case;
 use crate::random::{PAIRS, at_height, on, random_pose};
 use crate::setting::Setting;
 
-/// Poses of each pair of profiles, and how often each is evaluated; the least time counts, which other programs have not disturbed.
+/// Poses of each pair of profiles, and how often each is evaluated; the least time counts, which
+/// other programs have not disturbed.
 const POSES: u64 = 100;
 const AGAIN: usize = 5;
 /// One in so many of the poses is enough for models that take milliseconds.

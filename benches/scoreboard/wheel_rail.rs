@@ -158,7 +158,8 @@ fn under_load(setting: &Setting) -> Parameters {
     Parameters { vertical_mode: VerticalMode::Load, ..setting.parameters() }
 }
 
-/// All normal force, greatest pressure, area, and the mean over the load of the lateral place of the patches.
+/// All normal force, greatest pressure, area, and the mean over the load of the lateral place of
+/// the patches.
 fn sizes(output: &Output) -> [f64; 4] {
     let patches = &output.patches[..output.patch_count as usize];
     let load: f64 = patches.iter().map(|p| p.normal_force).sum();
@@ -257,7 +258,8 @@ fn manchester(setting: &Setting, case: &str) -> Vec<Case> {
     table.rows.iter().map(of).collect()
 }
 
-/// Errors of a force on the wheel [N] and of the greatest pressure [MPa]; the reference has forces on the rail along its plane and its normal.
+/// Errors of a force on the wheel [N] and of the greatest pressure [MPa]; the reference has forces
+/// on the rail along its plane and its normal.
 fn manchester_errors(v: &dyn Fn(&str) -> f64, force: [f64; 3], pressure: f64) -> Vec<f64> {
     let (sine, cosine) = v("delta_deg").to_radians().sin_cos();
     let [fx, fy, fz] = force;

@@ -261,7 +261,8 @@ fn instances() -> String {
     text
 }
 
-/// Time of one evaluation of all wheels, half of them on each of two threads that run on for a while [s].
+/// Time of one evaluation of all wheels, half of them on each of two threads that run on for a
+/// while [s].
 fn on_two_threads(wheels: &mut [Wheel]) -> f64 {
     let (left, right) = wheels.split_at_mut(wheels.len() / 2);
     let times = std::thread::scope(|scope| {

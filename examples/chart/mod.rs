@@ -22,7 +22,8 @@ const WIDTH: u32 = 760;
 /// Points that are drawn small if there are more.
 const MANY: usize = 50;
 
-/// A curve or, where `dots` is set, a set of points. A point that is not a number ends a stroke of the curve.
+/// A curve or, where `dots` is set, a set of points. A point that is not a number ends a stroke of
+/// the curve.
 pub struct Series {
     pub name: String,
     pub points: Vec<[f64; 2]>,
@@ -50,7 +51,8 @@ pub struct Chart {
     pub downwards: bool,
     /// The corner in which the legend stands.
     pub legend: Corner,
-    /// Share of the range of x that is added at its right end for the legend, and a fifth of that at the left.
+    /// Share of the range of x that is added at its right end for the legend, and a fifth of that
+    /// at the left.
     pub legend_room: f64,
     /// Height [pixels].
     pub height: u32,

@@ -1,5 +1,6 @@
-//! How long may a communication step be? Half of a wheelset bounces on the contact of the wheel unit under masters of five kinds:
-//! largest stable step and error of the energy of each, as a table and, where a file is named, as a figure.
+//! How long may a communication step be? Half of a wheelset bounces on the contact of the wheel
+//! unit under masters of five kinds: largest stable step and error of the energy of each, as a
+//! table and, where a file is named, as a figure.
 
 mod figure;
 mod scheme;
@@ -13,7 +14,8 @@ use unit::Unit;
 
 /// Length of the runs whose energy is looked at [s].
 const DURATION: f64 = 0.02;
-/// Where they start, above the equilibrium [m]: the force swings between about a third and twice the load.
+/// Where they start, above the equilibrium [m]: the force swings between about a third and twice
+/// the load.
 const START: f64 = -2e-5;
 /// Longest step that is tried [s].
 const LONGEST: f64 = 0.02;
@@ -27,7 +29,8 @@ const TABLE_STEP: f64 = 1e-4;
 /// The contact at rest: where it carries the load, and the energy of mass and contact.
 struct Rest {
     balanced: f64,
-    /// Elastic energy less the work of the load, from the equilibrium on, at steps of `SPACING` about it [J].
+    /// Elastic energy less the work of the load, from the equilibrium on, at steps of `SPACING`
+    /// about it [J].
     potential: Vec<f64>,
 }
 
@@ -80,7 +83,8 @@ impl Rest {
         Ok(self.energy(motion) / start)
     }
 
-    /// Whether small swings grow: a step takes height and velocity to new ones by a matrix whose greatest eigenvalue tells it.
+    /// Whether small swings grow: a step takes height and velocity to new ones by a matrix whose
+    /// greatest eigenvalue tells it.
     fn grows(&self, scheme: Scheme, damping: f64, h: f64) -> Result<bool, Box<dyn Error>> {
         let mut unit = Unit::new(damping)?;
         let swing = [2e-8, 2e-5];
@@ -104,7 +108,8 @@ impl Rest {
         Ok(greatest > 1.0 + RESOLUTION)
     }
 
-    /// The longest step with which small swings do not grow, 0 if that is below `SHORTEST`; nothing if there is none up to `LONGEST` [s].
+    /// The longest step with which small swings do not grow, 0 if that is below `SHORTEST`; nothing
+    /// if there is none up to `LONGEST` [s].
     fn longest(&self, scheme: Scheme, damping: f64) -> Result<Option<f64>, Box<dyn Error>> {
         let (mut stable, mut growing) = (SHORTEST, LONGEST);
         if !self.grows(scheme, damping, growing)? {

@@ -24,7 +24,8 @@ pub enum Scheme {
     CarriedOn,
     /// Takes the force with its directional derivatives, in the rule of the trapezoid.
     Linearised,
-    /// Repeats the step, with rollback, until the mean of the forces at both ends has made the motion.
+    /// Repeats the step, with rollback, until the mean of the forces at both ends has made the
+    /// motion.
     Iterated,
 }
 
@@ -94,7 +95,8 @@ fn held(unit: &mut Unit, start: [f64; 2], h: f64) -> Result<[f64; 2], Box<dyn Er
     Ok(moved(start, force, h))
 }
 
-/// Secants on the velocity at the end. What is missing there grows with it, so that there is one answer.
+/// Secants on the velocity at the end. What is missing there grows with it, so that there is one
+/// answer.
 fn iterated(unit: &mut Unit, start: [f64; 2], h: f64) -> Result<[f64; 2], Box<dyn Error>> {
     unit.place(start)?;
     let first = unit.force()?;

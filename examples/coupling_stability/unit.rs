@@ -15,7 +15,8 @@ use wheelrail::fmi::v2::{
 };
 use wheelrail::variables::{GUID, find};
 
-/// A wheel that rolls at 20 m/s, without creep forces: its vertical motion is what the master computes.
+/// A wheel that rolls at 20 m/s, without creep forces: its vertical motion is what the master
+/// computes.
 pub struct Unit {
     component: Component,
     /// Height, vertical velocity.
@@ -44,7 +45,8 @@ impl Unit {
         };
         let guid = CString::new(GUID)?;
         let reference = |name: &str| find(name).map(|v| v.reference as ValueReference);
-        // SAFETY: FMI 2.0, 2.1.5: texts are null-terminated, the location may be null, the struct is filled in.
+        // SAFETY: FMI 2.0, 2.1.5: texts are null-terminated, the location may be null, the struct
+        // is filled in.
         let component = unsafe {
             let (name, none) = (c"wheel".as_ptr(), std::ptr::null());
             let (guid, functions) = (guid.as_ptr(), &raw const functions);

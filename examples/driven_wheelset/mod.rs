@@ -1,7 +1,9 @@
-//! A wheelset that is driven along a straight track at constant speed, its wheels loaded evenly, and wears.
+//! A wheelset that is driven along a straight track at constant speed, its wheels loaded evenly,
+//! and wears.
 //!
-//! Its spin follows from the driving moment and the creep forces, its lateral place from the lateral forces or from a prescribed sway.
-//! Semi-implicit Euler: mass and creep coefficients allow steps of half a millisecond.
+//! Its spin follows from the driving moment and the creep forces, its lateral place from the
+//! lateral forces or from a prescribed sway. Semi-implicit Euler: mass and creep coefficients allow
+//! steps of half a millisecond.
 
 use std::error::Error;
 

@@ -1,8 +1,9 @@
 //! A wheelset that runs freely, without suspension, on two contact elements with given wheel load.
 //!
-//! Its degrees of freedom are lateral, yaw and pitch; height and roll follow at each instant from the heights at which the rails carry
-//! the load of each wheel (their velocities are left out of the creepages). It is light on stiff creep forces: a Rosenbrock method of
-//! second order (Verwer, ROS2) with the derivatives by the velocities takes steps of any length.
+//! Its degrees of freedom are lateral, yaw and pitch; height and roll follow at each instant from
+//! the heights at which the rails carry the load of each wheel (their velocities are left out of
+//! the creepages). It is light on stiff creep forces: a Rosenbrock method of second order (Verwer,
+//! ROS2) with the derivatives by the velocities takes steps of any length.
 
 use std::error::Error;
 
@@ -58,7 +59,8 @@ impl FreeWheelset {
     pub fn start(&mut self) -> Result<State, Box<dyn Error>> {
         let mut state = State::new(0.0, 0.0, 0.0, 0.0, -SPEED / 0.46);
         self.rate(&state)?;
-        // Nearly without slip: from full sliding, where forces have no slope, steps would go to and fro over the rolling speed.
+        // Nearly without slip: from full sliding, where forces have no slope, steps would go to and
+        // fro over the rolling speed.
         state[4] = -SPEED / self.rolling_radius;
         for _ in 0..200 {
             self.advance(&mut state, 1e-3)?;

@@ -1,7 +1,7 @@
 //! What is done with the bytes of a fuzzer, and what must hold then.
 //!
-//! Each `check` panics where something is wrong. The fuzz targets call them with new bytes, `tests/suite/fuzz_corpus.rs` with those kept in
-//! `fuzz/corpus`, on a stable compiler.
+//! Each `check` panics where something is wrong. The fuzz targets call them with new bytes,
+//! `tests/suite/fuzz_corpus.rs` with those kept in `fuzz/corpus`, on a stable compiler.
 
 #![allow(dead_code)] // each target uses its own part
 

@@ -1,4 +1,5 @@
-//! A profile file of any content: refused with the parameter's name, or a profile on which a wheel rolls.
+//! A profile file of any content: refused with the parameter's name, or a profile on which a wheel
+//! rolls.
 
 use std::fs;
 

@@ -9,8 +9,8 @@ use wheelrail::conicity::{RollingRadiusDifference, TrackedWheelset};
 use crate::errors::{bad_value, refused};
 use crate::units::Wheel;
 
-/// Columns y, radius right and left, wheel_y right and left, rail_y right and left [m], from -range to range as far as both wheels stand
-/// on their rails.
+/// Columns y, radius right and left, wheel_y right and left, rail_y right and left [m], from -range
+/// to range as far as both wheels stand on their rails.
 #[pyfunction]
 pub fn rolling_radii<'py>(
     py: Python<'py>,
@@ -35,7 +35,8 @@ pub fn rolling_radii<'py>(
     PyArray1::from_vec(py, flat).reshape([radii.len(), 7])
 }
 
-/// Equivalent conicity for each amplitude, from points of the rolling radius difference; NaN where a turning point lies beyond them.
+/// Equivalent conicity for each amplitude, from points of the rolling radius difference; NaN where
+/// a turning point lies beyond them.
 #[pyfunction]
 pub fn equivalent_conicity<'py>(
     py: Python<'py>,

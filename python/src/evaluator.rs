@@ -32,7 +32,8 @@ pub struct Evaluator<S: InBulk> {
 }
 
 impl<S: InBulk> Evaluator<S> {
-    /// From values by FMI name: parameters, and inputs as they start and stay where no array gives them.
+    /// From values by FMI name: parameters, and inputs as they start and stay where no array gives
+    /// them.
     pub fn new(
         py: Python<'_>,
         settings: Vec<(String, Bound<'_, PyAny>)>,
@@ -88,7 +89,8 @@ impl<S: InBulk> Evaluator<S> {
         )
     }
 
-    /// Fills `out` with the derivatives of `outputs` by the inputs `by`: output after output, those by all inputs of each.
+    /// Fills `out` with the derivatives of `outputs` by the inputs `by`: output after output, those
+    /// by all inputs of each.
     // What Python hands over, one by one.
     #[allow(clippy::too_many_arguments)]
     pub fn jacobian(
@@ -139,7 +141,8 @@ impl<S: InBulk> Evaluator<S> {
         Ok(())
     }
 
-    /// Wears as time goes on: evaluates row after row, each for its duration [s]; the state stays in the subject.
+    /// Wears as time goes on: evaluates row after row, each for its duration [s]; the state stays
+    /// in the subject.
     pub fn advance(
         &mut self,
         py: Python<'_>,

@@ -1,4 +1,5 @@
-//! The native part of the Python package `wheelrail`: arrays in, arrays out, on all cores, without the interpreter's lock.
+//! The native part of the Python package `wheelrail`: arrays in, arrays out, on all cores, without
+//! the interpreter's lock.
 //!
 //! Names, broadcasting and results are Python's: `package/wheelrail`.
 

@@ -15,7 +15,8 @@ use crate::evaluator::{FINE, REFUSED};
 use crate::rows::{Target, fill, threads_for};
 use crate::units::Wheel;
 
-/// Numbers of a case: radius, approach or load, longitudinal, lateral and spin creepage, friction, speed.
+/// Numbers of a case: radius, approach or load, longitudinal, lateral and spin creepage, friction,
+/// speed.
 const GIVEN: usize = 7;
 /// Numbers of a result.
 const FOUND: usize = 10;
@@ -36,8 +37,9 @@ fn case<'a>(
 
 /// Solves a planar problem for every row of `cases`, with the models and materials of a wheel.
 ///
-/// Columns of `cases`: radius, approach or load, creepage longitudinal, lateral, spin, friction, speed. Of `out`: normal force, greatest
-/// pressure, area, length, width, fx, fy, mz, number of zones, whether a solver fell back. Returns why rows were refused.
+/// Columns of `cases`: radius, approach or load, creepage longitudinal, lateral, spin, friction,
+/// speed. Of `out`: normal force, greatest pressure, area, length, width, fx, fy, mz, number of
+/// zones, whether a solver fell back. Returns why rows were refused.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn planar_solve(

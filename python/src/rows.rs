@@ -1,6 +1,7 @@
 //! Rows of a table shared out among threads.
 //!
-//! Threads live as long as a call: a pool that outlives it would hang in processes forked from this one.
+//! Threads live as long as a call: a pool that outlives it would hang in processes forked from this
+//! one.
 
 use std::mem::take;
 use std::panic::resume_unwind;
@@ -10,8 +11,8 @@ use std::time::{Duration, Instant};
 
 /// Most rows that a thread takes at once: enough to forget the lock.
 const MOST_AT_ONCE: usize = 32;
-/// Shares of each thread in the rows that are left when it takes some: fewer and fewer rows, so that none waits long for the others at the
-/// end.
+/// Shares of each thread in the rows that are left when it takes some: fewer and fewer rows, so
+/// that none waits long for the others at the end.
 const SHARES: usize = 4;
 /// Time after which other threads help: some times what it takes to start one.
 const ALONE: Duration = Duration::from_micros(200);
@@ -45,7 +46,8 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Fills all rows by `work(kept, row, numbers, state)` on as many threads as there are things `kept`; each thread has one for its own.
+/// Fills all rows by `work(kept, row, numbers, state)` on as many threads as there are things
+/// `kept`; each thread has one for its own.
 ///
 /// # Errors
 /// The one of the first row that fails; rows after it may be left out.

@@ -31,7 +31,8 @@ pub trait InBulk:
         rates: &mut Vec<Self::Output>,
     ) -> Result<(), ContactError>;
 
-    /// Height of the marker or the centre at which the first wheel touches; NaN beside the rails [m].
+    /// Height of the marker or the centre at which the first wheel touches; NaN beside the rails
+    /// [m].
     fn touching_height(&mut self, input: &Self::Input) -> f64;
 
     /// Starting height of first touch [m].

@@ -47,7 +47,8 @@ macro_rules! unit {
                 self.evaluator.subject.nominal_z()
             }
 
-            /// What was mended or is suspect in files of profiles, with the parameter that names each.
+            /// What was mended or is suspect in files of profiles, with the parameter that names
+            /// each.
             fn remarks(&self) -> Vec<(String, String)> {
                 let all = elements(&self.evaluator.subject).iter().flat_map(Element::profile_remarks);
                 let worth_a_look = all.filter(|(_, remark)| remark.is_warning());
@@ -152,7 +153,8 @@ impl WearingWheel {
         self.evaluator.advance(py, &inputs, &durations, &outputs, out)
     }
 
-    /// Points (y, z) of a profile with all wear so far [m]; body 0 is the wheel, 1 and 2 are the rails.
+    /// Points (y, z) of a profile with all wear so far [m]; body 0 is the wheel, 1 and 2 are the
+    /// rails.
     fn profile<'py>(
         &self,
         py: Python<'py>,

@@ -1,4 +1,5 @@
-//! Against closed forms: Hertz, Piotrowski-Kik on a sphere, Kalker's linear theory, full sliding, similarity.
+//! Against closed forms: Hertz, Piotrowski-Kik on a sphere, Kalker's linear theory, full sliding,
+//! similarity.
 
 use crate::tolerance;
 use std::f64::consts::PI;

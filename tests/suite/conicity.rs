@@ -1,4 +1,5 @@
-//! Equivalent conicity: the reference cases of EN 15302 from Δr on, and profiles with closed forms from the profiles on.
+//! Equivalent conicity: the reference cases of EN 15302 from Δr on, and profiles with closed forms
+//! from the profiles on.
 
 use crate::tolerance;
 use std::fmt::Write;

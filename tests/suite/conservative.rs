@@ -1,4 +1,5 @@
-//! Without friction the force of the element does no work around a closed loop, and a wheel without damping bounces as high as it fell.
+//! Without friction the force of the element does no work around a closed loop, and a wheel without
+//! damping bounces as high as it fell.
 
 use crate::tolerance;
 use std::f64::consts::PI;
@@ -54,8 +55,8 @@ impl Bodies {
         [self.output.wheel.force[1], self.output.wheel.force[2]]
     }
 
-    /// Work around an ellipse in (y, z) of random place, `width` and depth, over the energy stored in the contact: the sum over equal steps of
-    /// its angle is exact for smooth forces.
+    /// Work around an ellipse in (y, z) of random place, `width` and depth, over the energy stored
+    /// in the contact: the sum over equal steps of its angle is exact for smooth forces.
     fn loop_work(&mut self, random: &mut Random, width: f64) -> f64 {
         const STEPS: usize = 200;
         let centre = self.turn(random);

@@ -1,4 +1,5 @@
-//! Against results of the boundary element program CONTACT; see the heads of the files under tests/data.
+//! Against results of the boundary element program CONTACT; see the heads of the files under
+//! tests/data.
 
 use crate::common;
 use crate::tolerance;

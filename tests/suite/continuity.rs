@@ -1,5 +1,6 @@
-//! Continuity of the forces: smooth for one patch; how far the normal force jumps where the deepest of several minima changes, as both
-//! normal models have one contact point for each penetrated interval.
+//! Continuity of the forces: smooth for one patch; how far the normal force jumps where the deepest
+//! of several minima changes, as both normal models have one contact point for each penetrated
+//! interval.
 
 use crate::common;
 use crate::tolerance;
@@ -15,7 +16,8 @@ use wheelrail::element::{Element, Input, Output, Parameters};
 /// Lateral range and step of the sweep [m].
 const RANGE: [f64; 2] = [-6e-3, 6e-3];
 const STEP: f64 = 1e-6;
-/// Spacing of the heights of first touch, linear in between: continuous, so that it adds no jump [m].
+/// Spacing of the heights of first touch, linear in between: continuous, so that it adds no jump
+/// [m].
 const HEIGHT_STEP: f64 = 2e-5;
 
 /// The force jump between two neighbouring positions, over the mean of both forces.
@@ -51,7 +53,8 @@ fn touching_heights() -> Vec<f64> {
         .collect()
 }
 
-/// The jumps of a sweep at `depth` below first touch, largest first. What neighbouring steps change as well is no jump.
+/// The jumps of a sweep at `depth` below first touch, largest first. What neighbouring steps change
+/// as well is no jump.
 fn jumps(model: NormalModel, heights: &[f64], depth: f64) -> Vec<Jump> {
     let mut element = normal_element(model);
     let mut output = Output::default();
@@ -121,8 +124,8 @@ fn force_jumps_where_minima_swap_or_merge_are_bounded() {
 /// Moves something by a number.
 type Change = fn(&mut Input, f64);
 
-/// Greatest departure of a second difference of the wheel's force from their mean, which is the curvature of the force itself, over 100 steps of
-/// `change`, over the force.
+/// Greatest departure of a second difference of the wheel's force from their mean, which is the
+/// curvature of the force itself, over 100 steps of `change`, over the force.
 fn roughness(element: &mut Element, input: &Input, change: Change) -> f64 {
     let forces: Vec<[f64; 3]> = (0..100)
         .map(|i| {
@@ -238,7 +241,8 @@ fn creep_forces_do_not_jump_where_the_strips_of_two_zones_join() {
         };
         let (mut low, mut high) = (5e-6, 1.2e-4);
         assert_eq!((at(low).0, at(high).0), (2, 1));
-        // The length of the strip that joins them grows as the root of the approach: nearer than that is seen.
+        // The length of the strip that joins them grows as the root of the approach: nearer than
+        // that is seen.
         while high - low > 1e-12 {
             let middle = 0.5 * (low + high);
             if at(middle).0 == 2 { low = middle } else { high = middle }

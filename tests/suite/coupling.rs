@@ -1,4 +1,5 @@
-//! What holds between the contact and a master that steps: the energy residual, and how long a step may be.
+//! What holds between the contact and a master that steps: the energy residual, and how long a step
+//! may be.
 #![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
@@ -47,7 +48,8 @@ fn equilibrium(host: &Host) -> f64 {
     high
 }
 
-/// Height, velocity and the energy residuals so far of a mass on the contact with forces held over steps of `h` [s].
+/// Height, velocity and the energy residuals so far of a mass on the contact with forces held over
+/// steps of `h` [s].
 fn held(host: &Host, start: [f64; 2], h: f64, steps: u32) -> ([f64; 2], f64) {
     let ([mut z, mut vz], mut residual) = (start, 0.0);
     for i in 0..=steps {
@@ -230,7 +232,8 @@ impl Oscillator {
         }
     }
 
-    /// Growth of the motion in one step, in the long run: the greatest size of an eigenvalue, less 1.
+    /// Growth of the motion in one step, in the long run: the greatest size of an eigenvalue,
+    /// less 1.
     fn growth(self, scheme: Scheme, h: f64) -> f64 {
         // In units in which height, velocity and force are of the same size.
         let rate = (self.k / self.m).sqrt();
@@ -307,7 +310,8 @@ fn without_damping_held_forces_make_every_motion_grow_and_carried_on_ones_do_not
     }
 }
 
-/// Swings about the equilibrium of a mass on the contact: the greatest distance in the last quarter of the run over the first.
+/// Swings about the equilibrium of a mass on the contact: the greatest distance in the last quarter
+/// of the run over the first.
 fn swing(host: &Host, balanced: f64, h: f64, carried_on: bool) -> f64 {
     let (mut z, mut vz) = (balanced + 1e-10, 0.0);
     let steps = 200;

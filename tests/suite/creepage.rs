@@ -1,4 +1,5 @@
-//! Creepage models and linear theory of the whole element: limits, equality where they must be equal, balance of power.
+//! Creepage models and linear theory of the whole element: limits, equality where they must be
+//! equal, balance of power.
 
 use crate::common;
 use crate::tolerance;
@@ -75,7 +76,8 @@ fn linear_forces_know_no_friction_and_vanish_with_the_load() {
     }
 }
 
-/// A wheel whose generating line is straight: the surface under a patch is curved along its circles only.
+/// A wheel whose generating line is straight: the surface under a patch is curved along its circles
+/// only.
 fn cones() -> Vec<Parameters> {
     let mut all = Vec::new();
     for (rail, inclination) in [("arc:0.3", 0.0), ("arc:2", 0.025), ("flat", 0.05)] {
@@ -136,7 +138,8 @@ fn calm(input: &mut Input, share: f64) {
     }
 }
 
-/// Power that the tractions take from wheel and rail [W]: that of all forces less that of the same contact without friction.
+/// Power that the tractions take from wheel and rail [W]: that of all forces less that of the same
+/// contact without friction.
 fn traction_power(all: &Output, frictionless: &Output, input: &Input) -> f64 {
     let difference = |a: Wrench, b: Wrench| Wrench {
         force: [0, 1, 2].map(|i| a.force[i] - b.force[i]),
@@ -185,7 +188,8 @@ fn the_power_of_the_tractions_on_both_bodies_is_the_frictional_power_and_never_f
             for index in 0..400 {
                 let mut input = random_input(&mut element, &mut random);
                 if index % 2 == 0 {
-                    // Close to free rolling, where elastic energy is large against what is dissipated.
+                    // Close to free rolling, where elastic energy is large against what is
+                    // dissipated.
                     calm(&mut input, random.within(0.0, 1.0).powi(6));
                 }
                 let output = evaluate(&mut element, &input);

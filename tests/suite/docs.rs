@@ -1,5 +1,6 @@
-//! The documents do not go stale: the tables of variables in docs/fmi.md and the keywords of the Python package are those of wheel and
-//! wheelset, and every variable that a document names exists. `UPDATE_DOCS=1 cargo test --test suite docs::` writes the tables.
+//! The documents do not go stale: the tables of variables in docs/fmi.md and the keywords of the
+//! Python package are those of wheel and wheelset, and every variable that a document names exists.
+//! `UPDATE_DOCS=1 cargo test --test suite docs::` writes the tables.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -146,7 +147,8 @@ fn range(v: &Variable) -> String {
     }
 }
 
-/// The keywords of the Python package are written by `python/make_keywords.py`, with the package installed.
+/// The keywords of the Python package are written by `python/make_keywords.py`, with the package
+/// installed.
 #[test]
 fn the_keywords_of_python_are_those_of_the_variables() {
     let folder = document("python");

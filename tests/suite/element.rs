@@ -53,7 +53,8 @@ fn assert_opposite_wrenches(parameters: &Parameters) {
 
 #[test]
 fn the_wrench_is_the_sum_of_the_patches_with_normal_forces_on_lines_through_the_axle() {
-    // Strips of a curved patch have tangents of their own: their creep forces have a part along the normal of the patch.
+    // Strips of a curved patch have tangents of their own: their creep forces have a part along the
+    // normal of the patch.
     let creepage_model = CreepageModel::Flat;
     let mut element = element(&Parameters { creepage_model, ..Parameters::default() });
     let mut random = Random::new(4);
@@ -94,7 +95,8 @@ fn moments_of_a_cylinder_on_a_crowned_rail_are_those_worked_out_by_hand() {
     let mut element = element(&parameters);
     let top = rail_marker(&parameters)[1];
     let (radius, depth, aside) = (0.46, 5e-5, 0.012);
-    // The running circle stands 12 mm to the field side of the crown; the wheel brakes and drifts outwards.
+    // The running circle stands 12 mm to the field side of the crown; the wheel brakes and drifts
+    // outwards.
     let mut input = rolling(top + aside - 0.75, 20.0);
     input.wheel.position[0] = 0.3;
     input.wheel.velocity[1] = 0.05;
@@ -114,7 +116,8 @@ fn moments_of_a_cylinder_on_a_crowned_rail_are_those_worked_out_by_hand() {
     // Written out: braking turns the wheel backwards, the load tips it outwards about x.
     let by_hand = [aside * load - radius * fy, radius * fx, aside * fx + patch.spin_moment];
     assert_close(output.wheel.moment, by_hand, allowed, "by hand");
-    // On the rail the same forces act at the crown, within the depth from its marker, with the marker under the wheel's x.
+    // On the rail the same forces act at the crown, within the depth from its marker, with the
+    // marker under the wheel's x.
     let on_rail = [depth * fy, -input.wheel.position[0] * load - depth * fx, 0.3 * -fy];
     let on_rail = add(on_rail, [0.0, 0.0, -patch.spin_moment]);
     assert_close(output.rails[0].moment, on_rail, allowed, "about the rail marker");
@@ -166,7 +169,8 @@ fn a_driving_torque_balances_the_longitudinal_force_times_the_rolling_radius() {
     assert!(output.wheel.force[0] > 0.0 && output.wheel.moment[1] > 0.0);
     let torque = patch.rolling_radius * output.wheel.force[0];
     let rest = output.wheel.moment[1] - torque;
-    // What is left: overlap, and the share of the spin moment in a contact inclined by a few degrees.
+    // What is left: overlap, and the share of the spin moment in a contact inclined by a few
+    // degrees.
     assert!(rest.abs() < tolerance::AXLE_MOMENT * torque, "{rest} of {torque}");
 }
 

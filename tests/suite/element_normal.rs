@@ -9,7 +9,8 @@ use crate::common::{Table, column, read_table, spread, value, write_report};
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// Normal models and their strips: as many as an element starts with for `strips`, which needs fewer than those with a Gauss rule across each zone.
+/// Normal models and their strips: as many as an element starts with for `strips`, which needs
+/// fewer than those with a Gauss rule across each zone.
 const MODELS: [(&str, NormalModel, usize); 4] = [
     ("strips", NormalModel::Strips, 20),
     ("piotrowski_kik", NormalModel::PiotrowskiKik, 30),
@@ -23,7 +24,8 @@ const STEEPEST: f64 = 60.0;
 /// What is compared.
 const QUANTITIES: [&str; 4] = ["normal_force", "max_pressure", "area", "place_mm"];
 
-/// Number of patches and errors in the order of [`QUANTITIES`]: relative, the last a distance along the profile [mm].
+/// Number of patches and errors in the order of [`QUANTITIES`]: relative, the last a distance along
+/// the profile [mm].
 fn compare(element: &mut Element, table: &Table, row: &csv::StringRecord) -> (i32, [f64; 4]) {
     let v = |name: &str| value(table, row, name);
     let mut input = Input::default();
@@ -53,7 +55,8 @@ fn compare(element: &mut Element, table: &Table, row: &csv::StringRecord) -> (i3
     (output.patch_count, errors)
 }
 
-/// Compares the rows at which `chosen` holds, leaves the report and returns median, 95 % and worst of each model and quantity.
+/// Compares the rows at which `chosen` holds, leaves the report and returns median, 95 % and worst
+/// of each model and quantity.
 fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
     let table = read_table("contact_25_1/element_normal.csv");
     let load = column(&table, "load_n");
@@ -70,7 +73,8 @@ fn tabulate(name: &str, chosen: impl Fn(f64) -> bool) -> [[[f64; 3]; 4]; 4] {
             ..Parameters::default()
         });
         let mut all = Vec::new();
-        // On steeper flanges strips turn with the rail, and the reference has one plane; tests/suite/boundary_element has conformal solutions.
+        // On steeper flanges strips turn with the rail, and the reference has one plane;
+        // tests/suite/boundary_element has conformal solutions.
         for row in rows.iter().filter(|row| normal_model != NormalModel::Strips || is_flat(row)) {
             let (patches, errors) = compare(&mut element, &table, row);
             let (y, load) = (value(&table, row, "y_ws_mm"), value(&table, row, "load_n"));

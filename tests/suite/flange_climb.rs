@@ -1,4 +1,5 @@
-//! Nadal's limit of flange climb: the ratio of guiding force to wheel load of a flange that slides down the rail.
+//! Nadal's limit of flange climb: the ratio of guiding force to wheel load of a flange that slides
+//! down the rail.
 
 use crate::common::wheel::{element, evaluate, pressed, rolling, the_patch};
 use crate::tolerance;
@@ -6,7 +7,8 @@ use approx::assert_relative_eq;
 use wheelrail::element::parameters::CreepageModel;
 use wheelrail::element::{Element, Input, Parameters};
 
-/// A wheel `shift` [m] beside the middle that rolls on its flange alone, without longitudinal creepage, and slides down with it.
+/// A wheel `shift` [m] beside the middle that rolls on its flange alone, without longitudinal
+/// creepage, and slides down with it.
 fn sliding(element: &mut Element, shift: f64, friction: f64) -> Input {
     let input = Input { friction, ..rolling(shift, 1.0) };
     let mut input = pressed(element, &input, 5e-5);

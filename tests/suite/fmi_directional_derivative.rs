@@ -1,4 +1,5 @@
-//! `fmi2GetDirectionalDerivative` called as an importer calls it: values, modes, refusals, and that nothing else changes.
+//! `fmi2GetDirectionalDerivative` called as an importer calls it: values, modes, refusals, and that
+//! nothing else changes.
 #![allow(unsafe_code)]
 
 use crate::host::{Arguments, Host, reference};
@@ -234,7 +235,8 @@ fn models_and_places_without_exact_derivatives_answer_by_differences() {
                 let wanted = 2.0 * difference(&host, output, input, step);
                 let scale = if output == "wheel.force.x" { before[0] } else { before[1] }.abs();
                 let error = (found - wanted).abs() / (wanted.abs() + scale);
-                // Boundary elements enter the patch as a whole: over a greater step the force is a little rough.
+                // Boundary elements enter the patch as a whole: over a greater step the force is a
+                // little rough.
                 assert!(error < 3e-2, "{place}: {output} by {input}: {found}, not {wanted}");
             }
         }
@@ -255,7 +257,8 @@ fn stiffness_and_damping_have_derivatives() {
     let found = derivative(&host, &slopes, &[("wheel.z", 1.0)]).unwrap();
     assert!((found[2] + before[0]).abs() < 1e-9 * before[0]);
     for (place, name) in slopes[..2].iter().enumerate() {
-        // A slope bends a little wherever a strip becomes loaded: near by, and over half a micrometre.
+        // A slope bends a little wherever a strip becomes loaded: near by, and over half a
+        // micrometre.
         for (step, most) in [(1.1e-7, 0.03), (4e-7, 0.1)] {
             let wanted = difference(&host, name, "wheel.z", step);
             let error = (found[place] - wanted).abs() / wanted.abs();

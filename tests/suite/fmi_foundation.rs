@@ -1,4 +1,5 @@
-//! Rails on a foundation behind the FMI interface: steps move those with a mass on, and can be taken back.
+//! Rails on a foundation behind the FMI interface: steps move those with a mass on, and can be
+//! taken back.
 #![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
@@ -40,7 +41,8 @@ fn outputs(host: &Host) -> Vec<u64> {
     values.iter().map(|v| v.to_bits()).collect()
 }
 
-/// A wheelset that goes down and up again, its velocity the derivative of its height; all outputs after each step.
+/// A wheelset that goes down and up again, its velocity the derivative of its height; all outputs
+/// after each step.
 fn run(host: &Host, steps: std::ops::Range<u32>) -> Vec<Vec<u64>> {
     let one = |i: u32| {
         let time = 1e-3 * f64::from(i);
@@ -122,7 +124,8 @@ fn a_run_on_moving_rails_is_taken_back_bit_for_bit_here_and_in_another_instance(
     let bytes = host.serialize(state);
     let other = Host::initializing_with(&Arguments::of(&WHEELSET));
     let (start, mut copy) = (bytes.as_ptr().cast::<c_char>(), null_mut());
-    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
+    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state
+    // pointer.
     let read =
         unsafe { fmi2DeSerializeFMUstate(other.component, start, bytes.len(), &raw mut copy) };
     assert_eq!(read, Status::Ok, "{}", other.last());

@@ -1,4 +1,5 @@
-//! The unit as model exchange: its modes, the same forces as in co-simulation, and what belongs to the other type.
+//! The unit as model exchange: its modes, the same forces as in co-simulation, and what belongs to
+//! the other type.
 #![allow(unsafe_code)]
 
 use std::ptr::{null, null_mut};
@@ -40,7 +41,8 @@ fn there_are_no_states_and_no_time_events() {
     let c = host.component;
     let dirty = EventInfo { new_discrete_states_needed: TRUE, ..EventInfo::default() };
     let (mut info, mut number) = (dirty, 0.0);
-    // SAFETY: FMI 2.0, 3.2.2: a pointer to one event info, arrays of as many elements as their counts say.
+    // SAFETY: FMI 2.0, 3.2.2: a pointer to one event info, arrays of as many elements as their
+    // counts say.
     unsafe {
         assert_eq!(fmi2NewDiscreteStates(c, &raw mut info), Status::Ok);
         assert_eq!(info, EventInfo::default());

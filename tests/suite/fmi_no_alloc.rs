@@ -52,7 +52,8 @@ fn a_thousand_steps_taken_back_allocate_nothing() {
         let mut forces = [0.0; 2];
         for force_z in &mut forces {
             let values = [0.75 + 5e-3 * (20.0 * t).sin(), -0.4597];
-            // SAFETY: FMI 2.0, 2.1.7 and 2.1.8: all arrays hold as many elements as their counts say.
+            // SAFETY: FMI 2.0, 2.1.7 and 2.1.8: all arrays hold as many elements as their counts
+            // say.
             let worst = unsafe {
                 fmi2GetFMUstate(c, &raw mut state)
                     .max(fmi2SetReal(c, inputs.as_ptr(), inputs.len(), values.as_ptr()))

@@ -1,5 +1,5 @@
-//! Memory is fixed after initialization: with every option on, from the first call of each kind, warnings and updates of worn profiles included,
-//! nothing is allocated.
+//! Memory is fixed after initialization: with every option on, from the first call of each kind,
+//! warnings and updates of worn profiles included, nothing is allocated.
 #![allow(unsafe_code)]
 
 use crate::allocations;
@@ -34,7 +34,8 @@ struct Silent {
 impl Silent {
     fn new(unit: &'static Unit, fmu_type: i32, settings: &[Setting]) -> Self {
         type Plain = unsafe extern "C" fn(*mut c_void, Text, Status, Text, Text);
-        // SAFETY: a variadic call without variable arguments is that of a plain function on the platforms of the tests.
+        // SAFETY: a variadic call without variable arguments is that of a plain function on the
+        // platforms of the tests.
         let logger = unsafe { std::mem::transmute::<Plain, CallbackLogger>(count) };
         let functions = CallbackFunctions {
             logger: Some(logger),
@@ -44,7 +45,8 @@ impl Silent {
             component_environment: null_mut(),
         };
         let guid = CString::new(unit.guid).unwrap();
-        // SAFETY: FMI 2.0, 2.1.5: null-terminated texts, null for the location, a struct that is filled in.
+        // SAFETY: FMI 2.0, 2.1.5: null-terminated texts, null for the location, a struct that is
+        // filled in.
         let component = unsafe {
             let functions = &raw const functions;
             fmi2Instantiate(c"w".as_ptr(), fmu_type, guid.as_ptr(), null(), functions, FALSE, FALSE)
@@ -114,7 +116,8 @@ fn counted(
     }
 }
 
-/// Rounds of everything that a host may call while it runs: the calls that allocate after initialization, and the number of messages.
+/// Rounds of everything that a host may call while it runs: the calls that allocate after
+/// initialization, and the number of messages.
 fn rounds(
     unit: &'static Unit,
     settings: &[Setting],
@@ -141,7 +144,8 @@ fn rounds(
     for i in 0..count {
         let phase = i * ROUNDS / count;
         let values = [centre + 5e-3 * (0.1 * phase as f64).sin(), height(phase), 0.01];
-        // SAFETY: FMI 2.0, 2.1.7 to 2.1.9 and 4.2.1: all arrays hold as many elements as their counts say.
+        // SAFETY: FMI 2.0, 2.1.7 to 2.1.9 and 4.2.1: all arrays hold as many elements as their
+        // counts say.
         unsafe {
             counted(&mut found, "fmi2SetReal", || {
                 fmi2SetReal(c, inputs.as_ptr(), inputs.len(), values.as_ptr())
@@ -236,7 +240,8 @@ fn every_option_of_a_wheel_runs_in_fixed_memory() {
         }
         let is_left = settings.iter().any(|(name, _)| *name == "side");
         let is_loaded = settings.iter().any(|(name, _)| *name == "vertical.mode");
-        // The wheel that sinks is told; one that stands beside its rail, has no height of its own or takes its rail along does not sink.
+        // The wheel that sinks is told; one that stands beside its rail, has no height of its own
+        // or takes its rail along does not sink.
         assert!(messages > 0 || is_left || is_loaded || is_soft, "{settings:?}");
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));

@@ -1,4 +1,5 @@
-//! Saving, restoring and serializing the state of the unit: rollback is exact, foreign and freed states are refused.
+//! Saving, restoring and serializing the state of the unit: rollback is exact, foreign and freed
+//! states are refused.
 #![allow(unsafe_code)]
 
 use std::ffi::c_char;
@@ -52,7 +53,8 @@ fn free(host: &Host, state: &mut FmuState) -> Status {
 
 fn deserialize(host: &Host, bytes: &[u8], state: &mut FmuState) -> Status {
     let start = bytes.as_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
+    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state
+    // pointer.
     unsafe { fmi2DeSerializeFMUstate(host.component, start, bytes.len(), state) }
 }
 

@@ -1,4 +1,5 @@
-//! Wear in the unit: off until asked for, part of the state, written to files that can be read as profiles.
+//! Wear in the unit: off until asked for, part of the state, written to files that can be read as
+//! profiles.
 #![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
@@ -85,7 +86,8 @@ fn wear_goes_through_bytes_to_another_instance() {
     let other = Host::new();
     let mut copy = null_mut();
     let start = bytes.as_ptr().cast::<c_char>();
-    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
+    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state
+    // pointer.
     let read =
         unsafe { fmi2DeSerializeFMUstate(other.component, start, bytes.len(), &raw mut copy) };
     assert_eq!(read, Status::Ok, "{}", other.last());

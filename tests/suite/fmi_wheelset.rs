@@ -1,4 +1,5 @@
-//! The wheelset behind the FMI interface: the same library, chosen by its GUID, can all that the wheel unit can.
+//! The wheelset behind the FMI interface: the same library, chosen by its GUID, can all that the
+//! wheel unit can.
 #![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
@@ -59,7 +60,8 @@ fn save(host: &Host) -> FmuState {
 
 fn deserialize(host: &Host, bytes: &[u8]) -> Result<FmuState, String> {
     let (start, mut state) = (bytes.as_ptr().cast::<c_char>(), null_mut());
-    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state pointer.
+    // SAFETY: FMI 2.0, 2.1.8: an array of as many bytes as the count says, a pointer to one state
+    // pointer.
     let read =
         unsafe { fmi2DeSerializeFMUstate(host.component, start, bytes.len(), &raw mut state) };
     if read == Status::Ok { Ok(state) } else { Err(host.last()) }

@@ -1,4 +1,5 @@
-//! The table of docs/frames.md takes other codes' quantities to ours: every row belongs together and is right.
+//! The table of docs/frames.md takes other codes' quantities to ours: every row belongs together
+//! and is right.
 
 use crate::tolerance;
 use std::path::Path;
@@ -102,7 +103,8 @@ fn a_wheel_placed_in_their_frame_gives_the_forces_their_frame_expects() {
         let mut output = Output::default();
         element.evaluate(&input, &mut output).unwrap();
         let force = row.force.component_mul(&Vector3::from(output.wheel.force));
-        // The rail pushes a right wheel up and towards the centre; codes that report the rail's force say the opposite.
+        // The rail pushes a right wheel up and towards the centre; codes that report the rail's
+        // force say the opposite.
         let up = place([0.0, 0.0, -1.0]);
         let centre = place([0.0, -1.0, 0.0]);
         let on_rail = if row.code.starts_with("CONTACT") { -1.0 } else { 1.0 };

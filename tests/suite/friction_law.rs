@@ -126,7 +126,8 @@ fn parameters_out_of_range_are_refused_by_name() {
 
 #[test]
 fn sliding_wears_by_what_it_slides_whatever_friction_is_left() {
-    // Archard: the power over what friction is left, so that wear of a wheel that slides as a whole does not depend on friction.
+    // Archard: the power over what friction is left, so that wear of a wheel that slides as a whole
+    // does not depend on friction.
     let worn = |law: FrictionLaw| {
         let mut parameters = Parameters {
             friction_law: law,
@@ -174,7 +175,8 @@ const HOT: FlashTemperature = FlashTemperature {
 #[test]
 fn a_hot_patch_has_the_friction_of_its_temperature() {
     let row = HertzRow::with_ratio(1.0);
-    // Mean of q sqrt(a) over the load of a Hertzian ellipse, whose strips have both in proportion to their chord c: of c^1.5 over c².
+    // Mean of q sqrt(a) over the load of a Hertzian ellipse, whose strips have both in proportion
+    // to their chord c: of c^1.5 over c².
     let mean = |power: f64| {
         let n = 4000;
         let chord = |i: i32| {
@@ -207,9 +209,11 @@ fn what_adheres_stays_cold() {
     }
 }
 
-/// Fall of friction of a patch that slides as a whole, h, with the temperatures of `elements` pieces along each of its strips, `rise` the greatest μ q s
-/// sqrt(a/V)/(2 β) and `fall` what is lost for each kelvin: friction of each piece at its own temperature, summed over a circular patch as CONTACT
-/// sums it (its share of the sources on the piece itself is that of a whole piece, where half of it has passed).
+/// Fall of friction of a patch that slides as a whole, h, with the temperatures of `elements`
+/// pieces along each of its strips, `rise` the greatest μ q s sqrt(a/V)/(2 β) and `fall` what is
+/// lost for each kelvin: friction of each piece at its own temperature, summed over a circular
+/// patch as CONTACT sums it (its share of the sources on the piece itself is that of a whole piece,
+/// where half of it has passed).
 fn as_contact_sums(elements: i32, rise: f64, fall: f64) -> f64 {
     let n = f64::from(elements);
     let (mut load, mut held) = (0.0, 0.0);
@@ -220,7 +224,8 @@ fn as_contact_sums(elements: i32, rise: f64, fall: f64) -> f64 {
             let x = 1.0 - (2.0 * f64::from(k) + 1.0) / n;
             (half * half - x * x).max(0.0).sqrt()
         };
-        // Of the sources that a piece has passed its own friction is asked for: piece after piece from the leading edge.
+        // Of the sources that a piece has passed its own friction is asked for: piece after piece
+        // from the leading edge.
         let mut sources: Vec<f64> = Vec::new();
         for k in 0..elements {
             let piece = 1.0 / n;

@@ -161,7 +161,8 @@ fn sliding() -> Input {
 
 #[test]
 fn a_sliding_patch_has_the_friction_of_each_of_its_strips() {
-    // Friction is linear in the place from 15 to 60 mm beside the top, and so is the force of a patch that slides as a whole.
+    // Friction is linear in the place from 15 to 60 mm beside the top, and so is the force of a
+    // patch that slides as a whole.
     let (a, b) = (0.2, 0.005);
     let line = |slope: f64| {
         format!("place_mm friction\n-60 {}\n15 {}\n", a - slope * -60.0, a - slope * 15.0)
@@ -177,7 +178,8 @@ fn a_sliding_patch_has_the_friction_of_each_of_its_strips() {
         let mut even = tables.element(&with_table("none.csv", base.clone()));
         let mut rising = tables.element(&with_table("rising.csv", base.clone()));
         let input = pressed(&mut even, &sliding(), 8e-5);
-        // The pressure of strips goes on 12 rows of elements, which are as good as a sum of trapezia.
+        // The pressure of strips goes on 12 rows of elements, which are as good as a sum of
+        // trapezia.
         let on_rows = base.normal_model == NormalModel::Strips
             && base.tangential_model == TangentialModel::BoundaryElement;
         let within = if on_rows { 1.0 / 144.0 } else { tolerance::FULL_SLIDING };
@@ -196,7 +198,8 @@ fn a_sliding_patch_has_the_friction_of_each_of_its_strips() {
             let more = rising.creep_force[0].abs() / rising.normal_force - coefficient;
             // Towards the gauge face it rises; the patch is there.
             assert!(more > 0.03, "{more}");
-            // The moment is that of friction that rises across: the even patch has its force at the centroid of the load.
+            // The moment is that of friction that rises across: the even patch has its force at the
+            // centroid of the load.
             let lean = rising.spin_moment - even.spin_moment * (1.0 + more / coefficient);
             // Of a semi-elliptic load per width.
             let expected = 1e3 * b * even.normal_force * even.width.powi(2) / 20.0;
@@ -433,8 +436,9 @@ fn friction_by_inclination_is_that_of_the_contact_program() {
     let mut even = benchmark(base.clone());
     let mut own = with_reference_tables(&folder, &base);
     let mut report = String::from("id,angle_deg,error_constant,error_table,friction_off\n");
-    // Errors over the friction limit with one coefficient and with the table, and by how much the mean over the load of the table differs from
-    // the one coefficient, which is that of the inclination of the plane.
+    // Errors over the friction limit with one coefficient and with the table, and by how much the
+    // mean over the load of the table differs from the one coefficient, which is that of the
+    // inclination of the plane.
     let mut found: Vec<[f64; 3]> = Vec::new();
     for row in &table.rows {
         let v = |name: &str| value(&table, row, name);
@@ -474,7 +478,8 @@ fn friction_by_inclination_is_that_of_the_contact_program() {
         summary.add(&format!("force, Manchester benchmark A-2.2, {name}"), own, "");
     }
     summary.write();
-    // No worse than with one coefficient but for what the coefficients themselves differ by, within what the models are off by in the median.
+    // No worse than with one coefficient but for what the coefficients themselves differ by, within
+    // what the models are off by in the median.
     let [median, _] = median_and_worst(column(0));
     for ([constant, varying, off], row) in found.iter().zip(&table.rows) {
         assert!(*varying <= constant + off + median, "{}: {varying} {constant} {off}", &row[0]);

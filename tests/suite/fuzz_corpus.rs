@@ -1,4 +1,5 @@
-//! The bytes that fuzzing kept, and changes of them, on any compiler: what they do must hold (see `fuzz/subjects`).
+//! The bytes that fuzzing kept, and changes of them, on any compiler: what they do must hold (see
+//! `fuzz/subjects`).
 
 #[path = "../../fuzz/subjects/mod.rs"]
 mod subjects;

@@ -1,7 +1,9 @@
-//! Profiles that are hard on a contact search: noise, kinks, steps, few and many points, overhangs, conforming and cut ones.
+//! Profiles that are hard on a contact search: noise, kinks, steps, few and many points, overhangs,
+//! conforming and cut ones.
 //!
-//! The profiles are made here, from the standards' and from closed forms. What must hold on all of them is asserted; how often a solver
-//! fell back and how far the normal force bends over 0.1 µm (second difference, over the force) stands in target/reports/hard_profiles.csv.
+//! The profiles are made here, from the standards' and from closed forms. What must hold on all of
+//! them is asserted; how often a solver fell back and how far the normal force bends over 0.1 µm
+//! (second difference, over the force) stands in target/reports/hard_profiles.csv.
 
 use crate::tolerance;
 use std::fmt::Write;
@@ -161,7 +163,8 @@ fn rolling(shift: f64, yaw: f64) -> Input {
     input
 }
 
-/// Between these depths are wheels on the rail: at less the depth is rounding, at more the load is beyond a meganewton [m].
+/// Between these depths are wheels on the rail: at less the depth is rounding, at more the load is
+/// beyond a meganewton [m].
 const LOADED: std::ops::RangeInclusive<f64> = 1e-7..=1e-4;
 
 /// Asserts what holds for every evaluation; gives the normal force.

@@ -1,8 +1,8 @@
-//! The packed FMU in importers and masters of others, which the tests install for themselves. They are
-//! heavy: `cargo test --test suite importers:: -- --ignored`.
+//! The packed FMU in importers and masters of others, which the tests install for themselves. They
+//! are heavy: `cargo test --test suite importers:: -- --ignored`.
 //!
-//! Needs Python 3.10 or later with venv, the package indexes of Python and Rust for the first run, and for
-//! ecos the library libtbb12 (`apt install libtbb12`).
+//! Needs Python 3.10 or later with venv, the package indexes of Python and Rust for the first run,
+//! and for ecos the library libtbb12 (`apt install libtbb12`).
 
 use crate::common;
 use crate::packaged;

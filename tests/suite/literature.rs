@@ -6,7 +6,8 @@ use std::fmt::Write;
 use crate::common::{read_table, value, write_report};
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
 
-/// Greatest relative errors of c11, c22, c23 over the rows of the file with a/b in or out of 0.05 to 20.
+/// Greatest relative errors of c11, c22, c23 over the rows of the file with a/b in or out of 0.05
+/// to 20.
 fn greatest_errors(inside: bool, report: &mut String) -> [f64; 3] {
     let table = read_table("kalker_coefficients.csv");
     let mut worst = [0f64; 3];

@@ -1,8 +1,10 @@
 //! Random walks of all inputs, with everything counted that must not happen.
 //!
 //! A short walk in every run of the tests; long ones, in release builds, by
-//! `WHEELRAIL_EVALUATIONS=100000000 cargo test --release --test suite long_runs:: -- --ignored --nocapture`; the table goes to
-//! target/reports/long_runs.csv; `WHEELRAIL_MODELS=cheapest` walks with the four cheapest models alone. Models slower than Piotrowski-Kik get a share that takes them about as long.
+//! `WHEELRAIL_EVALUATIONS=100000000 cargo test --release --test suite
+//! long_runs:: -- --ignored --nocapture`; the table goes to target/reports/long_runs.csv;
+//! `WHEELRAIL_MODELS=cheapest` walks with the four cheapest models alone. Models slower than
+//! Piotrowski-Kik get a share that takes them about as long.
 
 use crate::allocations;
 use crate::tolerance;
@@ -28,11 +30,11 @@ const REACH: [(f64, f64); 9] = [
     (2e-3, 1.0),  // rail, lateral
     (1e-2, 1.0),  // rail, roll
 ];
-/// Share of leaps in short walks and in those of a hundred thousand steps and more. After each the height of first touch is searched, which
-/// takes as long as some fifty evaluations.
+/// Share of leaps in short walks and in those of a hundred thousand steps and more. After each the
+/// height of first touch is searched, which takes as long as some fifty evaluations.
 const LEAPS: [f64; 2] = [0.05, 0.005];
-/// A normal force that moves by more than this share of itself and this much [N] in one step has jumped: all inputs together move the
-/// penetration by a few tenths of a micrometre.
+/// A normal force that moves by more than this share of itself and this much [N] in one step has
+/// jumped: all inputs together move the penetration by a few tenths of a micrometre.
 const JUMP: f64 = 0.05;
 const JUMPING_LOAD: f64 = 1e3;
 
@@ -62,7 +64,8 @@ impl Walk {
         Self { random, leaps: LEAPS[usize::from(steps >= 100_000)], at }
     }
 
-    /// A step of each, back towards the middle at the ends; now and then somewhere else, which is no step.
+    /// A step of each, back towards the middle at the ends; now and then somewhere else, which is
+    /// no step.
     fn step(&mut self) -> bool {
         let leap = self.random.within(0.0, 1.0) < self.leaps;
         for (value, (reach, size)) in self.at.iter_mut().zip(REACH) {
@@ -141,7 +144,8 @@ impl Counters {
 /// The cheapest models, which `WHEELRAIL_MODELS=cheapest` leaves alone.
 const CHEAPEST: usize = 4;
 
-/// Models with the share of the evaluations that each gets, and whether they jump by nature where the deepest of two minima changes.
+/// Models with the share of the evaluations that each gets, and whether they jump by nature where
+/// the deepest of two minima changes.
 fn models() -> [(&'static str, Parameters, f64, bool); 12] {
     use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
     use TangentialModel::{Fastrip, Fastsim, FastsimCorrected, Linear, None, Tables};
@@ -215,7 +219,8 @@ fn report(evaluations: u64, name: &str) {
         assert!(is_linear || c.beyond_friction == 0, "{models}: {c:?}");
         assert!(c.not_finite == 0 && c.feeding == 0 && c.allocations == 0, "{models}: {c:?}");
         assert!(c.touching > count / 8, "{models}: {c:?}");
-        // One wheel in a million poses may find no room or no solution; where it does, the force may jump.
+        // One wheel in a million poses may find no room or no solution; where it does, the force
+        // may jump.
         assert!(c.fallbacks <= 1 + count / 1000, "{models}: {c:?}");
         assert!(jumps_by_nature || c.jumps <= 2 * c.fallbacks, "{models}: {c:?}");
     }

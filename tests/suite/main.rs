@@ -1,5 +1,5 @@
-//! All integration tests, one program: a program each would be linked some seventy times. One idea a module; a part of
-//! them by name: `cargo test --test suite walk::`.
+//! All integration tests, one program: a program each would be linked some seventy times. One idea
+//! a module; a part of them by name: `cargo test --test suite walk::`.
 
 mod allocations;
 mod analytic;

@@ -1,4 +1,5 @@
-//! Manchester contact benchmark, case, against CONTACT: position, angle, creepages and forces.
+//! Manchester contact benchmark, case, against CONTACT: position, angle, creepages and
+//! forces.
 
 use crate::common;
 use crate::tolerance;
@@ -11,13 +12,14 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// Lateral position of the highest point of the right rail with its gauge face at 717.5 mm, which is the origin of the rail
-/// coordinates of the reference [m].
+/// Lateral position of the highest point of the right rail with its gauge face at 717.5 mm, which
+/// is the origin of the rail coordinates of the reference [m].
 const RAIL_ORIGIN: f64 = 0.760_532_6;
 /// Vertical load of each wheel [N].
 const LOAD: f64 = 1e4;
 
-/// One contact, wheel against rail, forces on the wheel, in the frames of the right or the left wheel.
+/// One contact, wheel against rail, forces on the wheel, in the frames of the right or the left
+/// wheel.
 #[derive(Clone, Copy, Debug)]
 struct Contact {
     /// x and y in the track frame [m].
@@ -84,7 +86,8 @@ fn expected(table: &Table, row: &csv::StringRecord, side: Side) -> Contact {
     }
 }
 
-/// What is compared, and the bounds of the median and of the worst; those of where the contact is are for all but the [`EXCEPTIONS`].
+/// What is compared, and the bounds of the median and of the worst; those of where the contact is
+/// are for all but the [`EXCEPTIONS`].
 const QUANTITIES: [(&str, [f64; 2]); 9] = [
     ("position_mm", [tolerance::MANCHESTER_POSITION_MM; 2]),
     ("angle_deg", [tolerance::MANCHESTER_ANGLE_DEG; 2]),

@@ -1,4 +1,5 @@
-//! The library in a host written in C under Valgrind: no memory is read or written that should not be, and none is lost.
+//! The library in a host written in C under Valgrind: no memory is read or written that should not
+//! be, and none is lost.
 //!
 //! Left out, with a word, where there is no Valgrind (`apt install valgrind`).
 

@@ -1,8 +1,9 @@
 //! Whatever the outlines, the normal force stays within what the size of the contact can carry.
 //!
-//! A half-space that is pressed by δ somewhere, over a region of which no point is further away than r, carries N ≤ π E* δ r: the
-//! displacement there is the integral of the pressure over the distance, by π E*. Worn, kinked and yawed outlines, which fold, are those on
-//! which a quadrature of that integral may go wrong.
+//! A half-space that is pressed by δ somewhere, over a region of which no point is further away
+//! than r, carries N ≤ π E* δ r: the displacement there is the integral of the pressure over the
+//! distance, by π E*. Worn, kinked and yawed outlines, which fold, are those on which a quadrature
+//! of that integral may go wrong.
 
 use std::fmt::Write;
 use std::fs;
@@ -49,7 +50,8 @@ fn unworn(_: f64) -> f64 {
     0.0
 }
 
-/// Writes the profile `name` with `depth` taken off along its normal, from flank to tread of a wheel and over the head of a rail.
+/// Writes the profile `name` with `depth` taken off along its normal, from flank to tread of a
+/// wheel and over the head of a rail.
 fn write_worn(path: &Path, name: &str, kind: ProfileKind, depth: Depth) {
     let curve = load_profile("profile", name, kind, 0.0, &[]).unwrap().curve;
     let mut text = String::from("# smoothing_mm 0\ny_mm,z_mm\n");
@@ -84,7 +86,8 @@ fn extent(patches: &[Patch]) -> f64 {
     extent
 }
 
-/// The greatest normal force over E* δ times the extent of the contact, over random poses with outlines worn by `wheel` and `rail`.
+/// The greatest normal force over E* δ times the extent of the contact, over random poses with
+/// outlines worn by `wheel` and `rail`.
 fn greatest_share(model: NormalModel, wheel: Depth, rail: Depth, poses: usize) -> (f64, Input) {
     let folder: TempDir = tempfile::tempdir().unwrap();
     write_worn(&folder.path().join("wheel.csv"), "S1002", ProfileKind::Wheel, wheel);

@@ -1,5 +1,5 @@
-//! Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48: the printed results of the normal problem, and the correction of
-//! the shape of the contact area.
+//! Piotrowski and Kik, Vehicle System Dynamics 46 (2008) 27-48: the printed results of the normal
+//! problem, and the correction of the shape of the contact area.
 
 use crate::common::planar::{HertzRow, steel_case};
 use crate::tolerance;
@@ -14,8 +14,8 @@ use wheelrail::normal::{self, NormalProblem, Strips};
 use wheelrail::planar::{PlanarCase, solve};
 use wheelrail::tangential::{Creepage, RollingState, Tangential};
 
-/// A separation that gives the printed results of table 1: a power of y on either side of the contact point, with a cusp that
-/// no spline carries. It is not the authors' curve.
+/// A separation that gives the printed results of table 1: a power of y on either side of the
+/// contact point, with a cusp that no spline carries. It is not the authors' curve.
 struct Table1;
 
 const VIRTUAL_PENETRATION: f64 = 0.55;
@@ -53,7 +53,8 @@ fn table_1(model: NormalModel, fit: ShapeFit) -> ([f64; 5], [f64; 2]) {
     assert_eq!((left_out, strips.zones.len()), (0, 1));
     let zone = strips.zones[0];
     assert_relative_eq!(strips.width.iter().sum::<f64>(), zone.width, max_relative = 1e-12);
-    // νx = 0.002, νy = 0, φ = 0.001 1/mm and f = 0.4, given at the contact point; FASTSIM with Kalker's three flexibilities.
+    // νx = 0.002, νy = 0, φ = 0.001 1/mm and f = 0.4, given at the contact point; FASTSIM with
+    // Kalker's three flexibilities.
     let (longitudinal, spin) = (0.002, 1.0);
     let creepage = Creepage { longitudinal: longitudinal - spin * zone.y, lateral: 0.0, spin };
     let state =
@@ -89,7 +90,8 @@ fn table_1_of_the_paper_comes_out() {
     for (model, fit, printed) in cases {
         let (found, [fx, fy]) = table_1(model, fit);
         println!("{model:?} {fit:?}: {found:.3?}");
-        // The separation has the normal solution of the paper and not its moments, so that these are not judged.
+        // The separation has the normal solution of the paper and not its moments, so that these
+        // are not judged.
         println!("    Fx {fx:.1}, Fy {fy:.1} kN, together {:.1} kN", fx.hypot(fy));
         for (found, printed) in found.into_iter().zip(printed) {
             assert_relative_eq!(found, printed, max_relative = tolerance::PAPER_TABLE_1);
@@ -129,7 +131,8 @@ fn the_corrected_area_of_hertzian_bodies_has_the_ratio_of_the_hertzian_ellipse()
     assert!(after[0] < tolerance::CORRECTED_FORCE);
 }
 
-/// Normal force of two dents 5 mm apart, one `lower` than the other, with a ridge of `ridge` between them [m].
+/// Normal force of two dents 5 mm apart, one `lower` than the other, with a ridge of `ridge`
+/// between them [m].
 fn two_dents(lower: f64, ridge: f64) -> (f64, usize) {
     let points: Vec<[f64; 2]> = (-120..=240)
         .map(|i| {
@@ -182,14 +185,16 @@ fn the_corrected_force_is_smooth_where_length_and_width_are_equal() {
     assert_relative_eq!(at, 0.5 * (below + above), max_relative = 1e-3);
 }
 
-/// An outline that folds, as that of a yawed wheel with a groove worn into its flank: behind the edge of the groove it turns `back` [m], over
-/// `gap` [m] of its parameter, and comes forward again. Only what lies outside of the crossing is loaded.
+/// An outline that folds, as that of a yawed wheel with a groove worn into its flank: behind the
+/// edge of the groove it turns `back` [m], over `gap` [m] of its parameter, and comes forward
+/// again. Only what lies outside of the crossing is loaded.
 struct Folded {
     gap: f64,
     back: f64,
 }
 
-/// Relative curvatures to the left and to the right of the contact point [1/m], and where the first one ends and the second one begins to be outside [m].
+/// Relative curvatures to the left and to the right of the contact point [1/m], and where the first
+/// one ends and the second one begins to be outside [m].
 const FOLDED_CURVATURES: [f64; 2] = [250.0, 10.0];
 const FIRST_BRANCH: f64 = 5.5e-4;
 const CROSSING: f64 = 4.5e-4;

@@ -1,6 +1,6 @@
-//! The FMU for several platforms, `WHEELRAIL_PLATFORMS=linux64,win64`: what it holds, on what it runs, and
-//! that Windows gets the forces of Linux. Needs the tools that `fmu/build_portable` installs, and wine:
-//! `fmu/build_portable && cargo test --test suite portable:: -- --ignored`.
+//! The FMU for several platforms, `WHEELRAIL_PLATFORMS=linux64,win64`: what it holds, on what it
+//! runs, and that Windows gets the forces of Linux. Needs the tools that `fmu/build_portable`
+//! installs, and wine: `fmu/build_portable && cargo test --test suite portable:: -- --ignored`.
 #![cfg(feature = "package")]
 
 use crate::packaged;

@@ -1,4 +1,5 @@
-//! Profile files as they are found: comments, headings, units, mirrors and stray points are mended and told; rails stand by gauge or by position.
+//! Profile files as they are found: comments, headings, units, mirrors and stray points are mended
+//! and told; rails stand by gauge or by position.
 #![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]

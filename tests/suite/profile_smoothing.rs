@@ -1,7 +1,8 @@
-//! Smoothing chosen from the noise of the points: curvature and greatest pressure against the exact profiles.
+//! Smoothing chosen from the noise of the points: curvature and greatest pressure against the exact
+//! profiles.
 //!
-//! Points of S1002 and 60E1, as they would stand in a file: exact but for their digits, and with noise in both directions.
-//! The table stands in target/reports/profile_smoothing.csv.
+//! Points of S1002 and 60E1, as they would stand in a file: exact but for their digits, and with
+//! noise in both directions. The table stands in target/reports/profile_smoothing.csv.
 
 use crate::tolerance;
 use std::fmt::Write;
@@ -52,7 +53,8 @@ impl Points {
     }
 }
 
-/// Errors of the curvature along the parts that wheels touch, over the exact one: median, 95 % and worst [1/m].
+/// Errors of the curvature along the parts that wheels touch, over the exact one: median, 95 % and
+/// worst [1/m].
 fn curvature_errors(found: &Profile, name: &str, kind: ProfileKind) -> [f64; 3] {
     let exact = load_profile("profile", name, kind, 0.0, &[]).unwrap().curve;
     let middle = exact.end() - exact.start();
@@ -100,7 +102,8 @@ fn chosen(profile: &Profile) -> f64 {
     chosen.unwrap_or(f64::NAN)
 }
 
-/// Measures `cases` with each smoothing and writes the table; the worst errors of the greatest pressure [%], case by case.
+/// Measures `cases` with each smoothing and writes the table; the worst errors of the greatest
+/// pressure [%], case by case.
 fn measure(cases: &[Points], smoothings: &[f64], name: &str) -> Vec<f64> {
     let folder = TempDir::new().unwrap();
     let folders = [folder.path().to_path_buf()];

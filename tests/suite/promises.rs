@@ -1,4 +1,5 @@
-//! What an element promises its host: no needless work, no memory of earlier inputs, refusals by name.
+//! What an element promises its host: no needless work, no memory of earlier inputs, refusals by
+//! name.
 
 use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, pressed, random_input, rolling, the_patch};

@@ -1,7 +1,9 @@
-//! The Python package as a user gets it: a wheel, built from the tree, in an empty virtual environment, without Rust there.
+//! The Python package as a user gets it: a wheel, built from the tree, in an empty virtual
+//! environment, without Rust there.
 //!
-//! Needs Python 3.10 or later with venv and the package index: `cargo test --test suite python_package:: -- --ignored --skip long`. The long test
-//! runs the notebooks, and a million cases on a cluster that loses a worker.
+//! Needs Python 3.10 or later with venv and the package index: `cargo test --test suite
+//! python_package:: -- --ignored --skip long`. The long test runs the notebooks, and a million
+//! cases on a cluster that loses a worker.
 
 use crate::packaged;
 use crate::python;

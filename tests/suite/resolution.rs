@@ -11,7 +11,8 @@ use wheelrail::element::{Input, Output, Parameters};
 const MANY: usize = 120;
 const POSES: usize = 500;
 
-/// The sum of the patches' normal forces and of their areas, the largest of their pressures, and the force on the wheel.
+/// The sum of the patches' normal forces and of their areas, the largest of their pressures, and
+/// the force on the wheel.
 fn summary(output: &Output) -> ([f64; 3], [f64; 3]) {
     let mut sums = [0.0_f64; 3];
     for patch in &output.patches {

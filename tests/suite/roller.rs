@@ -34,7 +34,8 @@ fn element(parameters: &Parameters) -> Element {
     common::wheel::element(parameters)
 }
 
-/// A wheel that stands still and turns on a roller that runs at `speed` as it would at that speed on a rail.
+/// A wheel that stands still and turns on a roller that runs at `speed` as it would at that speed
+/// on a rail.
 fn on_rig(shift: f64, speed: f64) -> Input {
     let mut input = rolling(shift, speed);
     input.wheel.velocity[0] = 0.0;
@@ -99,7 +100,8 @@ fn a_roller_that_turns_under_a_wheel_is_a_rail_under_one_that_rolls_on() {
         let moving = pressed(&mut element, &moving, 1e-4);
         let mut standing = moving;
         standing.wheel.velocity[0] = 0.0;
-        // The roller's surface goes back as fast as the wheel went forward, where it is as far from its axle as at its marker.
+        // The roller's surface goes back as fast as the wheel went forward, where it is as far from
+        // its axle as at its marker.
         standing.rails[0].pitch_rate = 20.0 / ROLLER;
         let (one, other) = (evaluate(&mut element, &moving), evaluate(&mut element, &standing));
         let (one, other) = (one.patches[0], other.patches[0]);
@@ -161,7 +163,8 @@ fn what_wheel_and_roller_lose_is_the_frictional_power() {
             -output.frictional_power / size,
             epsilon = tolerance::SIMILARITY
         );
-        // Normal forces turn a roller by what the centroid of their load is off the line of the axles.
+        // Normal forces turn a roller by what the centroid of their load is off the line of the
+        // axles.
         let turning = (pressing - smooth_push(&smooth, &mut element)).abs();
         // A hundredth of what friction may do.
         assert!(turning < 3e-3 * size, "{turning} {size}");

@@ -12,8 +12,8 @@ use wheelrail::normal::damping::{REFERENCE_PENETRATION, REFERENCE_STIFFNESS};
 
 #[test]
 fn the_running_direction_changes_the_leading_edge_alone() {
-    // A cylinder on a crown has no spin: the same slip both ways gives the same force, and the opposite moment.
-    // Of one contact point: the nodes of strips are not those of a mirror image.
+    // A cylinder on a crown has no spin: the same slip both ways gives the same force, and the
+    // opposite moment. Of one contact point: the nodes of strips are not those of a mirror image.
     let mut parameters = plain_parameters("cylindrical", "arc:0.3");
     parameters.normal_model = NormalModel::PiotrowskiKik;
     let mut element = element(&parameters);
@@ -101,7 +101,8 @@ fn creep_power_is_never_negative_whatever_the_wheel_does() {
     }
 }
 
-/// Greatest change of the creep force between steps while the speed runs from -1 to 1 cm/s in `count` steps.
+/// Greatest change of the creep force between steps while the speed runs from -1 to 1 cm/s in
+/// `count` steps.
 fn greatest_change(element: &mut Element, at: &Input, count: u32) -> f64 {
     let mut before: Option<[f64; 3]> = None;
     let mut greatest: f64 = 0.0;
@@ -220,7 +221,8 @@ fn damping_knows_how_fast_the_penetration_grows() {
     assert!(judged > 150 && flanges > 20, "{judged}, {flanges}");
 }
 
-/// Wheels that yaw and roll on the flange and on the tread, by every normal model, pressed until they carry tens of kilonewtons.
+/// Wheels that yaw and roll on the flange and on the tread, by every normal model, pressed until
+/// they carry tens of kilonewtons.
 fn for_each_frictionless(mut each: impl FnMut(&mut Element, &Parameters, &Input, NormalModel)) {
     use NormalModel::{BoundaryElement, Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
     for normal_model in [Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips, BoundaryElement] {
@@ -264,7 +266,8 @@ fn the_normal_force_has_no_moment_about_the_axle() {
 
 #[test]
 fn a_frictionless_wheel_takes_as_much_power_as_its_contact_gives_back() {
-    // Steady rolling feeds nothing; a motion that presses the bodies together stores what the normal forces take by the way along them.
+    // Steady rolling feeds nothing; a motion that presses the bodies together stores what the
+    // normal forces take by the way along them.
     for_each_frictionless(|element, _, input, model| {
         let mut input = *input;
         for (sideways, down) in [(0.0, 0.0), (0.03, -0.02)] {

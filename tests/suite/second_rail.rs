@@ -15,7 +15,8 @@ use wheelrail::io::load_profile;
 /// Half the width of a 60E1 head, and how far its side leans out below the top edge [m].
 const HALF_HEAD: f64 = 0.036;
 
-/// A check rail whose face is 42 mm from the gauge face and whose top is 30 mm above the running rail.
+/// A check rail whose face is 42 mm from the gauge face and whose top is 30 mm above the running
+/// rail.
 fn with_check_rail() -> Parameters {
     let mut parameters = Parameters::default();
     parameters.rails[1].enabled = true;
@@ -34,7 +35,8 @@ fn with_tongue(lower: f64) -> Parameters {
     parameters
 }
 
-/// The lateral place, to the side of the field, at which the flange back presses on the check rail with `force`.
+/// The lateral place, to the side of the field, at which the flange back presses on the check rail
+/// with `force`.
 fn pulled_against(element: &mut Element, input: &mut Input, force: f64) -> Output {
     let (mut pressing, mut free) = (0.73, 0.755);
     let mut output = Output::default();
@@ -57,7 +59,8 @@ fn a_check_rail_is_touched_by_the_flange_back_and_pulls_the_wheel_to_the_track_c
         let patch = output.patches.iter().find(|p| p.rail == 2).unwrap();
         assert!(patch.contact_angle.to_degrees() > 80.0, "{patch:?}");
         assert!(patch.wheel_y < -0.068, "on the flange back: {patch:?}");
-        // The end of the face that leans towards the check rail: ahead of the axle where the wheel runs to the field side.
+        // The end of the face that leans towards the check rail: ahead of the axle where the wheel
+        // runs to the field side.
         assert!(patch.position[0] * yaw < 0.0 && patch.position[0].abs() > 0.04, "{patch:?}");
         assert!(output.wheel.force[1] > 19e3, "towards the field side");
     }

@@ -76,10 +76,11 @@ fn a_wheelset_meets_the_ramp_and_returns_to_the_middle_of_the_track() {
     }
 }
 
-/// Klingel 1883: a free pair of cones oscillates with the wavelength 2π sqrt(e r / tan γ), e being half the distance of
-/// the contact points and r the rolling radius. Klingel's rails are edges. On heads of radius R the contact moves as the
-/// wheelset rolls over: conicity tan γ (e + R γ)/(e - r γ), and the points at rail level move e/(e - r γ) times as far as
-/// the centre; together the wavelength is sqrt(e/(e + R γ)) times Klingel's, 1 % less here.
+/// Klingel 1883: a free pair of cones oscillates with the wavelength 2π sqrt(e r / tan γ), e being
+/// half the distance of the contact points and r the rolling radius. Klingel's rails are edges. On
+/// heads of radius R the contact moves as the wheelset rolls over: conicity tan γ (e + R γ)/(e - r
+/// γ), and the points at rail level move e/(e - r γ) times as far as the centre; together the
+/// wavelength is sqrt(e/(e + R γ)) times Klingel's, 1 % less here.
 #[test]
 fn free_cones_follow_klingels_wave() {
     const CONICITY: f64 = 0.05;
@@ -205,7 +206,8 @@ fn a_wheelset_runs_over_a_dip_of_the_right_rail_alone() {
     let rows = history(folder.path());
     let start = rows[0]["z_mm"] + 750.0 * 1e-3 * rows[0]["roll_mrad"];
     for row in &rows {
-        // Half of a dip lowers the middle and the other half rolls the axle; slowly, so that wheels stay on their rails.
+        // Half of a dip lowers the middle and the other half rolls the axle; slowly, so that wheels
+        // stay on their rails.
         let station = 1e3 * row["distance_m"] - 400.0;
         let down = row["z_mm"] + 750.0 * 1e-3 * row["roll_mrad"] - start;
         assert!((down + height(station)).abs() < 0.03, "{station}: {down}");

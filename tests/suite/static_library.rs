@@ -1,6 +1,6 @@
-//! The library linked into a program in C, for other processors and another C library. Heavy, and it needs compilers and an emulator:
-//! `apt install gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user musl-tools`, then
-//! `cargo test --test suite static_library:: -- --ignored`.
+//! The library linked into a program in C, for other processors and another C library. Heavy, and
+//! it needs compilers and an emulator: `apt install gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+//! qemu-user musl-tools`, then `cargo test --test suite static_library:: -- --ignored`.
 #![allow(unsafe_code)]
 
 use crate::tolerance;
@@ -18,7 +18,8 @@ const TARGETS: [(&str, &str, Option<&str>); 2] = [
 const OUTPUTS: [&str; 4] =
     ["wheel.force.x", "wheel.force.y", "wheel.force.z", "patch[1].max_pressure"];
 
-/// What a program is linked with besides. Compilers for musl made from one for glibc bring an unwinder that wants glibc: that of Rust takes its place.
+/// What a program is linked with besides. Compilers for musl made from one for glibc bring an
+/// unwinder that wants glibc: that of Rust takes its place.
 fn libraries(target: &str) -> Vec<String> {
     if !target.ends_with("musl") {
         return ["-lpthread", "-lm", "-ldl"].map(String::from).into();

@@ -1,4 +1,5 @@
-//! The strip model on a wheel and a rail: solutions wherever the wheel stands, without jumps, with any number of strips.
+//! The strip model on a wheel and a rail: solutions wherever the wheel stands, without jumps, with
+//! any number of strips.
 
 use crate::tolerance;
 use std::fmt::Write;
@@ -37,7 +38,8 @@ fn a_solution_is_found_wherever_a_wheel_may_stand() {
 /// Random poses of a wheel.
 const POSES: i32 = 1500;
 
-/// Few strips on two lobes once had more unknown shapes than their falls tell apart, and wandered, in one pose of ten thousand.
+/// Few strips on two lobes once had more unknown shapes than their falls tell apart, and wandered,
+/// in one pose of ten thousand.
 #[test]
 fn few_strips_settle_too() {
     for strips in 8..=14 {
@@ -63,7 +65,8 @@ fn few_strips_settle_too() {
     }
 }
 
-/// Greatest change of the normal force over one step of 0.1 µm beyond that of its neighbours, over the force, near `middle` [m].
+/// Greatest change of the normal force over one step of 0.1 µm beyond that of its neighbours, over
+/// the force, near `middle` [m].
 fn jump(model: NormalModel, middle: f64, depth: f64) -> f64 {
     let mut element = wheel(model);
     let mut start = rolling(middle, 20.0);

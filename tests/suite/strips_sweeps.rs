@@ -1,4 +1,5 @@
-//! The largest jumps of the forces on new and worn wheels over long sweeps of one coordinate, by strips and by Piotrowski-Kik.
+//! The largest jumps of the forces on new and worn wheels over long sweeps of one coordinate, by
+//! strips and by Piotrowski-Kik.
 
 use crate::tolerance;
 use std::fmt::Write;
@@ -8,14 +9,16 @@ use crate::common::write_report;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// A sweep of one coordinate of the wheel: what is moved, from where, in which steps and fine steps.
+/// A sweep of one coordinate of the wheel: what is moved, from where, in which steps and fine
+/// steps.
 #[derive(Clone, Copy)]
 struct Sweep {
     name: &'static str,
     from: f64,
     coarse: f64,
     fine: f64,
-    /// Lateral shift [m], yaw angle [rad] and depth below first touch of the coarse place [m] where they are not moved.
+    /// Lateral shift [m], yaw angle [rad] and depth below first touch of the coarse place [m] where
+    /// they are not moved.
     shift: f64,
     yaw: f64,
     depth: f64,
@@ -25,7 +28,8 @@ struct Sweep {
 const POSITIONS: usize = 7500;
 const PLACES: usize = 20;
 
-/// Lengths in steps of 2 and 0.1 µm, heights of 20 and 1 nm, angles of up to 15 mm on the running circle in steps of 1 or 3 and 0.1 µrad.
+/// Lengths in steps of 2 and 0.1 µm, heights of 20 and 1 nm, angles of up to 15 mm on the running
+/// circle in steps of 1 or 3 and 0.1 µrad.
 const SHIFT: Sweep = Sweep {
     name: "shift",
     from: -6e-3,
@@ -41,7 +45,8 @@ const ROLL: Sweep = Sweep { name: "roll", from: -4e-3, coarse: 1e-6, ..SHIFT };
 const YAW: Sweep = Sweep { name: "yaw", from: -1e-2, coarse: 3e-6, yaw: 0.0, ..SHIFT };
 const SWEEPS: [Sweep; 5] = [SHIFT, HEIGHT, ROLL, YAW, Sweep { shift: 6.2e-3, ..YAW }];
 
-/// Sweeps in other places: lateral ones light to heavy, heights from tread to flange, roll and yaw on tread, flange root and flange.
+/// Sweeps in other places: lateral ones light to heavy, heights from tread to flange, roll and yaw
+/// on tread, flange root and flange.
 fn elsewhere() -> Vec<Sweep> {
     let mut sweeps = Vec::new();
     for yaw in [1e-3, -8e-3] {
@@ -65,10 +70,12 @@ const MODELS: [(NormalModel, CreepageModel); 3] = [
     (NormalModel::Strips, CreepageModel::Curved),
 ];
 
-/// The forces looked at, all on the wheel: upwards and lateral over the upward force, longitudinal over the friction limit, and the moment of spin about the
-/// vertical through the wheel marker over the friction limit times 10 mm.
+/// The forces looked at, all on the wheel: upwards and lateral over the upward force, longitudinal
+/// over the friction limit, and the moment of spin about the vertical through the wheel marker over
+/// the friction limit times 10 mm.
 ///
-/// It is the force on the wheel that counts: the sum of the normal forces of the patches falls to that of their resultant where two frames become one.
+/// It is the force on the wheel that counts: the sum of the normal forces of the patches falls to
+/// that of their resultant where two frames become one.
 const FORCES: [&str; 4] = ["N", "Fy", "Fx", "Mz"];
 const FRICTION: f64 = 0.3;
 const ARM: f64 = 1e-2;
@@ -90,7 +97,8 @@ impl Sweep {
         input
     }
 
-    /// The forces, in units of themselves and after them their scales, at `count` positions from `from`, each at its own depth (`level` none) or all at a height.
+    /// The forces, in units of themselves and after them their scales, at `count` positions from
+    /// `from`, each at its own depth (`level` none) or all at a height.
     fn forces(
         &self,
         element: &mut Element,

@@ -1,4 +1,5 @@
-//! Mirror image and reversal bit for bit, with every pair of real-time models: no side and no way along the track is another one's approximation.
+//! Mirror image and reversal bit for bit, with every pair of real-time models: no side and no way
+//! along the track is another one's approximation.
 
 use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, mirrored, random_input, reversed};
@@ -28,7 +29,8 @@ fn real_time_models() -> Vec<Parameters> {
     all
 }
 
-/// `image` is `wrench` in the mirror that turns the signs of forces to `signs`; moments turn the other way.
+/// `image` is `wrench` in the mirror that turns the signs of forces to `signs`; moments turn the
+/// other way.
 fn assert_image(wrench: Wrench, image: Wrench, signs: [f64; 3], what: &str) {
     for (i, sign) in signs.into_iter().enumerate() {
         let pairs =

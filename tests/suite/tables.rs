@@ -1,4 +1,5 @@
-//! The table of creep forces: its limits, its derivatives, its accuracy on ellipses and on real patches.
+//! The table of creep forces: its limits, its derivatives, its accuracy on ellipses and on real
+//! patches.
 
 use crate::common::planar::{STEEL, steel_case};
 use crate::common::random::Random;
@@ -143,7 +144,8 @@ fn extreme_creepages_give_finite_forces() {
 #[test]
 fn derivatives_are_those_of_differences_and_have_no_jumps() {
     let mut random = Random::new(4);
-    // States on the seams of the table, too: no spin, no longitudinal creepage, pure creepages, knots of ln(a/b), the friction limit.
+    // States on the seams of the table, too: no spin, no longitudinal creepage, pure creepages,
+    // knots of ln(a/b), the friction limit.
     let mut states: Vec<(f64, [f64; 3])> =
         (0..400).map(|_| (random_log_ratio(&mut random), random_creepage(&mut random))).collect();
     for (x, y, z) in [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1), (0, -1, 1)]
@@ -244,7 +246,8 @@ fn separation_of(name: &str) -> Vec<[f64; 2]> {
     data.rows.iter().map(row).collect()
 }
 
-/// Errors of force over μ N and of moment over μ N c on real patches, all cases of CONTACT with 40 elements across.
+/// Errors of force over μ N and of moment over μ N c on real patches, all cases of CONTACT with 40
+/// elements across.
 fn planar_errors(data: &Table, base: &PlanarCase) -> [Vec<f64>; 2] {
     let mut errors = [Vec::new(), Vec::new()];
     let mut separation = (String::new(), Vec::new());

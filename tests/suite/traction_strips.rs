@@ -1,4 +1,5 @@
-//! The tangential model strips against Kalker's linear theory, CONTACT's ellipses and boundary elements over all of a wheel's positions on its rail.
+//! The tangential model strips against Kalker's linear theory, CONTACT's ellipses and boundary
+//! elements over all of a wheel's positions on its rail.
 
 use crate::tolerance;
 use std::f64::consts::PI;

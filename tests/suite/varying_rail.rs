@@ -20,7 +20,8 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
-/// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by `stretch` and moved by (`y`, `z`) [mm].
+/// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by
+/// `stretch` and moved by (`y`, `z`) [mm].
 fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
     (-40..=40).fold(String::new(), |text, i| {
         let angle = 0.5 * f64::from(i) / 300.0;
@@ -53,7 +54,8 @@ fn slices_that_are_all_the_same_are_one_profile() {
         let mut random = Random::new(7);
         for _ in 0..100 {
             let mut input = random_input(&mut even, &mut random);
-            // A search ends at a nanometre. On the flank of a yawed wheel, whose line leads there, that turns the frame and the force with it.
+            // A search ends at a nanometre. On the flank of a yawed wheel, whose line leads there,
+            // that turns the frame and the force with it.
             input.wheel.yaw = 0.0;
             input.track_s = random.about(3.0);
             let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
@@ -82,7 +84,8 @@ fn a_wheel_on_a_rail_that_rises_stands_on_its_slope() {
             let touch = element.touching_height(&input);
             let radius = parameters.wheel.nominal_radius;
             let expected = -slope * station - radius * f64::hypot(1.0, slope);
-            // The numbers of the files are rounded at 1e-12 m, and splines go through points of the crown.
+            // The numbers of the files are rounded at 1e-12 m, and splines go through points of the
+            // crown.
             assert_relative_eq!(touch, expected, epsilon = 1e-9);
             input.wheel.position[2] = touch + 1e-4;
             let output = evaluate(&mut element, &input);
@@ -139,7 +142,8 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     parameters.vertical_mode = VerticalMode::Load;
     parameters.wheel.profile = "conical:0.01".into();
     roll_without_jumps(&mut element(&parameters, &folder));
-    // Higher waves are hollow for the wheel, which goes over from crest to crest faster than these steps follow.
+    // Higher waves are hollow for the wheel, which goes over from crest to crest faster than these
+    // steps follow.
     for amplitude in [1e-5, 3e-5] {
         parameters.rails[0].corrugation.amplitude = amplitude;
         roll_without_jumps(&mut element(&parameters, &folder));
@@ -165,14 +169,16 @@ fn roll_without_jumps(element: &mut Element) {
         let allowed = [height, tolerance::WALK_JUMPS[1], tolerance::WALK_JUMPS[1]];
         for (k, allowed) in allowed.into_iter().enumerate() {
             let [a, b, c, d] = [0, 1, 2, 3].map(|i| window[i][k]);
-            // Third differences are those of a jump alone: waves of the surface are 25 mm long, and their curvature bends at a slice.
+            // Third differences are those of a jump alone: waves of the surface are 25 mm long, and
+            // their curvature bends at a slice.
             let jump = (d - 3.0 * c + 3.0 * b - a).abs();
             assert!(jump < allowed, "{k}: {jump}");
         }
     }
 }
 
-/// Median and worst of the errors on a rail by a normal model: height and place [m], pressure and creep force, over the friction limit.
+/// Median and worst of the errors on a rail by a normal model: height and place [m], pressure and
+/// creep force, over the friction limit.
 fn against_contact(rail: &str, normal_model: NormalModel) -> [[f64; 2]; 4] {
     let mut parameters = Parameters { normal_model, ..Parameters::default() };
     if normal_model == NormalModel::BoundaryElement {
@@ -312,7 +318,8 @@ fn corrugation_of_slices_that_are_all_the_same_is_that_of_one_profile() {
         assert!(height <= tolerance::VARYING_HEIGHT, "{amplitude} {wavelength}: {height:e}");
         assert!(place <= tolerance::VARYING_PLACE, "{amplitude} {wavelength}: {place:e}");
         assert!(pressure <= tolerance::VARYING_PRESSURE, "{amplitude} {wavelength}: {pressure:e}");
-        // An even rail's patches lie level, so that creepage is another one by the square of the slope: a twentieth of the limit at a slope of 1:100.
+        // An even rail's patches lie level, so that creepage is another one by the square of the
+        // slope: a twentieth of the limit at a slope of 1:100.
         if TAU * amplitude / wavelength < 5e-3 {
             assert!(force <= tolerance::VARYING_FORCE, "{amplitude} {wavelength}: {force:e}");
         }
@@ -394,8 +401,8 @@ fn text(points: &[[f64; 2]]) -> String {
         .fold(String::from("# mirror_z 0\n"), |text, [y, z]| text + &format!("{y:.9} {z:.9}\n"))
 }
 
-/// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files of their own, and as one rail with three parts, the
-/// groove between them among them.
+/// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files
+/// of their own, and as one rail with three parts, the groove between them among them.
 fn crossing() -> TempDir {
     let folder = TempDir::new().unwrap();
     let wing_at = |s: f64| [-16.0 - 0.03 * s, 0.3 + 1e-3 * s];
@@ -571,7 +578,8 @@ fn a_contact_laid_flat_is_as_round_as_wheel_and_rail_together() {
     input.wheel.position[2] = element.touching_height(&input) + 1e-4;
     let flat = element.flat_contacts(&input).unwrap();
     let radius = 1.0 / (1.0 / parameters.wheel.nominal_radius + 1.0);
-    // Ends of the rail without curvature are ten slices away, each of which leaves a quarter of their effect.
+    // Ends of the rail without curvature are ten slices away, each of which leaves a quarter of
+    // their effect.
     assert_relative_eq!(flat[0].radius, radius, max_relative = 1e-5);
 }
 
@@ -608,7 +616,8 @@ fn evaluations_on_a_crossing_allocate_nothing() {
 
 #[test]
 fn frictionless_forces_on_a_slope_that_bends_have_an_energy() {
-    // The change of the vertical force along the track is that of the longitudinal one with the height.
+    // The change of the vertical force along the track is that of the longitudinal one with the
+    // height.
     let places = (-20..=20).map(|i| 10.0 * f64::from(i));
     let folder = slices(places, |place| crown(1.0, [0.0, 4.0 * (place / 60.0).cos()]));
     let mut parameters = parameters();

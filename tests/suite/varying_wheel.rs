@@ -32,7 +32,8 @@ fn with(profile: &str) -> Parameters {
     parameters
 }
 
-/// A folder with a wheel S1002 in `round.txt`, and in `wheel.slcw` the same by slices every 5 degrees, turning about an axle beside its own: at angle 0 it reaches farthest.
+/// A folder with a wheel S1002 in `round.txt`, and in `wheel.slcw` the same by slices every 5
+/// degrees, turning about an axle beside its own: at angle 0 it reaches farthest.
 fn eccentric() -> TempDir {
     let folder = TempDir::new().unwrap();
     let wheel = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
@@ -90,7 +91,8 @@ fn sections_that_are_all_the_same_are_one_profile() {
         for _ in 0..poses {
             let mut input = random_input(&mut even, &mut random);
             input.wheel.pitch = random.about(20.0);
-            // A search ends at a nanometre. On the flank of a yawed wheel, whose line leads there, that turns the frame and the force with it.
+            // A search ends at a nanometre. On the flank of a yawed wheel, whose line leads there,
+            // that turns the frame and the force with it.
             input.wheel.yaw = 0.0;
             let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
             assert_eq!(one.patch_count, other.patch_count);
@@ -208,7 +210,8 @@ fn a_load_is_carried_all_around_and_nothing_is_remembered() {
 
 #[test]
 fn sections_of_other_outlines_stand_where_wheels_of_them_would() {
-    // At both sections the wheel is even around: it stands as high as a round one, but for its curvature along the rail.
+    // At both sections the wheel is even around: it stands as high as a round one, but for its
+    // curvature along the rail.
     let folder = TempDir::new().unwrap();
     let worn = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles/S1002_worn.txt");
     fs::copy(worn, folder.path().join("worn.txt")).unwrap();

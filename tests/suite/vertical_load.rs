@@ -1,4 +1,5 @@
-//! Given load: the rails carry it, at every place and in every state; what is defined where they cannot.
+//! Given load: the rails carry it, at every place and in every state; what is defined where they
+//! cannot.
 
 use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, mirrored, random_input, rolling};
@@ -50,7 +51,8 @@ fn the_rails_carry_the_load_wherever_the_wheel_is_and_the_height_gives_the_same_
             let miss = (output.wheel.force[2] + input.wheel_load).abs();
             let [share, floor] = tolerance::CARRIED_LOAD;
             if carried.fallbacks() > fallbacks {
-                // At a jump of the model, on the side that carries, or on the other one where that carries more than twice the load.
+                // At a jump of the model, on the side that carries, or on the other one where that
+                // carries more than twice the load.
                 missed += 1;
                 given.wheel.position[2] += 1e-9;
                 let beyond = evaluate(&mut pressed, &given).load_carried;
@@ -129,7 +131,8 @@ fn a_load_is_carried_or_said_not_to_be_and_no_force_is_beyond_its_order() {
         let mut random = Random::new(33);
         let mut missed = 0;
         for _ in 0..poses {
-            // From inside the gauge face to beyond the field side of the rail, where wheels come down beside it or into its sides.
+            // From inside the gauge face to beyond the field side of the rail, where wheels come
+            // down beside it or into its sides.
             let mut input = rolling(random.within(-0.16, 0.12), 0.0);
             (input.wheel.yaw, input.wheel.roll) = (random.about(0.05), random.about(0.05));
             input.rails[0].roll = random.about(0.1);

@@ -1,6 +1,8 @@
-//! Random walks of a wheel on its rail in steps of 0.1 µm: the element as it starts has no jumps, and kinks of its stiffness are small.
+//! Random walks of a wheel on its rail in steps of 0.1 µm: the element as it starts has no jumps,
+//! and kinks of its stiffness are small.
 //!
-//! A walk is made of straight lines from random poses in random directions, along which every coordinate of the wheel changes at an even rate.
+//! A walk is made of straight lines from random poses in random directions, along which every
+//! coordinate of the wheel changes at an even rate.
 
 use crate::tolerance;
 use std::fmt::Write;
@@ -87,7 +89,8 @@ fn walk(lines: usize, seed: u64) {
     assert!(most_kinks <= tolerance::WALK_KINKS, "{report}");
 }
 
-/// Places [mm, mrad] in which two lobes join or part, or a lobe becomes a shoulder: y, z, roll and yaw of S1002 on a rail.
+/// Places [mm, mrad] in which two lobes join or part, or a lobe becomes a shoulder: y, z, roll and
+/// yaw of S1002 on a rail.
 const PLACES: [(&str, [f64; 4]); 9] = [
     ("60E1", [749.983_985_370, -459.822_129_179, -0.607_927_672, 9.160_567_296]),
     ("60E1", [751.658_144_452, -459.842_769_804, 1.592_070_045, 0.463_164_521]),

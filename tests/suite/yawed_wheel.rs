@@ -1,4 +1,5 @@
-//! Wheels at large angles of attack against brute force: the turned surface of revolution over the rail's cylinder.
+//! Wheels at large angles of attack against brute force: the turned surface of revolution over the
+//! rail's cylinder.
 
 use crate::common;
 use crate::common::wheel::{element, evaluate, pressed, rolling};
@@ -21,7 +22,8 @@ fn rail_60e1() -> PlacedRail {
     PlacedRail::by_gauge(&rail.curve, 0.025, 1.435, 0.014, false).unwrap()
 }
 
-/// A point of a wheel that is yawed but not rolled: profile parameter `s`, angle `angle` ahead of down; marker at the origin.
+/// A point of a wheel that is yawed but not rolled: profile parameter `s`, angle `angle` ahead of
+/// down; marker at the origin.
 fn wheel_surface(curve: &Curve, yaw: f64, s: f64, angle: f64) -> [f64; 3] {
     let [profile_y, profile_z] = curve.at(s).point;
     let radius = RADIUS + profile_z;
@@ -30,7 +32,8 @@ fn wheel_surface(curve: &Curve, yaw: f64, s: f64, angle: f64) -> [f64; 3] {
     [cosine * along - sine * profile_y, sine * along + cosine * profile_y, down]
 }
 
-/// The deepest point of the wheel in the rail: distance and place along x, by ever finer scans of the surface.
+/// The deepest point of the wheel in the rail: distance and place along x, by ever finer scans of
+/// the surface.
 fn deepest(
     curve: &Curve,
     rail: &PlacedRail,
@@ -108,15 +111,16 @@ fn the_places_of_contact_at_3_and_6_degrees_are_those_of_the_turned_surface() {
     assert!(worst[1] < tolerance::YAWED_PLACE, "{worst:?}");
 }
 
-/// How much the wheel's surface has receded from its contact plane at `x` beyond the point of the line: brute force along the
-/// normal (y, z) at constant lateral coordinate.
+/// How much the wheel's surface has receded from its contact plane at `x` beyond the point of the
+/// line: brute force along the normal (y, z) at constant lateral coordinate.
 fn recession(curve: &Curve, yaw: f64, line: &ContactLine, u: f64, x: f64) -> f64 {
     let at = line.at(u);
     let length = at.tangent[0].hypot(at.tangent[1]);
     let t = at.tangent.map(|c| c / length);
     let n = [-t[1], t[0]];
     let (sine, cosine) = yaw.sin_cos();
-    // Depth d along the normal at which the point is on the wheel: distance from the axle against the profile there.
+    // Depth d along the normal at which the point is on the wheel: distance from the axle against
+    // the profile there.
     let outside = |d: f64| {
         let point = [at.x + x, at.point[0] + d * n[0], at.point[1] + d * n[1]];
         let along = cosine * point[0] + sine * point[1];

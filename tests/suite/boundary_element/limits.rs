@@ -25,8 +25,8 @@ fn hertz_is_met_from_slender_to_wide_ellipses() {
     common::write_report("boundary_hertz.csv", &report);
 }
 
-/// Kalker's c11, c22 and c23 = -c32 by full adhesion: the straight line through the results of several grids of about `counts` elements
-/// along and across, continued to elements without size.
+/// Kalker's c11, c22 and c23 = -c32 by full adhesion: the straight line through the results of
+/// several grids of about `counts` elements along and across, continued to elements without size.
 fn kalker_coefficients(a_over_b: f64, counts: &[usize]) -> [f64; 3] {
     let (a, b) = (5e-3 * a_over_b.sqrt(), 5e-3 / a_over_b.sqrt());
     let material = Material { young_modulus: 2.5, poisson_ratio: 0.25 };
@@ -42,7 +42,8 @@ fn kalker_coefficients(a_over_b: f64, counts: &[usize]) -> [f64; 3] {
             let inside = (x / a).powi(2) + (y / b).powi(2) < 1.0;
             if inside { 100.0 } else { 0.0 }
         });
-        // Squares have another area than the ellipse: the coefficients are those of one with theirs.
+        // Squares have another area than the ellipse: the coefficients are those of one with
+        // theirs.
         let count = bound.iter().filter(|&&g| g > 0.0).count();
         let area = count as f64 * grid.element_area() / PI;
         let spin = 1.0 / area.sqrt();
@@ -97,8 +98,9 @@ fn small_creepages_give_kalkers_coefficients_from_slender_to_wide() {
     check_kalker(&[0.2, 0.5, 1.0, 2.0, 5.0], &counts, "boundary_kalker.csv");
 }
 
-/// Carter: an endless cylinder of half width `a` = 1 with Hertzian pressure; share of the friction limit at creepage `share` of that
-/// of full sliding, by `count` elements along a row as wide as long cylinders are.
+/// Carter: an endless cylinder of half width `a` = 1 with Hertzian pressure; share of the friction
+/// limit at creepage `share` of that of full sliding, by `count` elements along a row as wide as
+/// long cylinders are.
 fn carter_force(share: f64, count: usize) -> f64 {
     let material = Material { young_modulus: 2.6, poisson_ratio: 0.3 };
     let pair = MaterialPair::new(material, material);
@@ -145,7 +147,8 @@ fn cattaneo_is_approached_with_an_order() {
     let p0 = 1e-3;
     let load = 2.0 / 3.0 * PI * p0 * a * a;
     let share: f64 = 0.6;
-    // Johnson (7.42): δ = 3 μ P (2 - ν)/(16 a G) (1 - (1 - Q/(μ P))^(2/3)) for each body; Q = share μ P.
+    // Johnson (7.42): δ = 3 μ P (2 - ν)/(16 a G) (1 - (1 - Q/(μ P))^(2/3)) for each body; Q = share
+    // μ P.
     let shift_by = 3.0 * friction * load / (16.0 * a * pair.shear_modulus)
         * 4.0
         * (1.0 - (1.0 - share).powf(2.0 / 3.0));

@@ -1,7 +1,7 @@
 //! The boundary element solution against closed forms, Kalker's coefficients and CONTACT.
 //!
-//! The whole sets are behind `--ignored` and want a release build:
-//! `cargo test --release --test suite boundary_element:: -- --ignored`. They leave tables in target/reports.
+//! The whole sets are behind `--ignored` and want a release build: `cargo test --release --test
+//! suite boundary_element:: -- --ignored`. They leave tables in target/reports.
 
 mod limits;
 mod wheel;
@@ -45,7 +45,8 @@ fn separation_of(case: &str) -> Vec<[f64; 2]> {
     table.rows.iter().map(point).collect()
 }
 
-/// Greatest errors of load, pressure and area at 60x60 of the cases with `regions` patches, every so many.
+/// Greatest errors of load, pressure and area at 60x60 of the cases with `regions` patches, every
+/// so many.
 fn normal_errors(every: usize, regions: usize) -> [[f64; 2]; 3] {
     let table = read_table("contact_25_1/planar_normal.csv");
     let mut errors: [Vec<f64>; 3] = Default::default();
@@ -96,7 +97,8 @@ fn all_profiles_are_pressed_together_as_by_contact() {
     check_normal(1, "boundary_normal.csv");
 }
 
-/// The Hertzian pressure of an ellipse under `load` on a grid 1.1 times as large, by boundary elements.
+/// The Hertzian pressure of an ellipse under `load` on a grid 1.1 times as large, by boundary
+/// elements.
 fn ellipse_pressure(a: f64, b: f64, load: f64, count: usize) -> (Grid, Vec<f64>) {
     let grid = Grid::over([-1.1 * a, 1.1 * a], [-1.1 * b, 1.1 * b], count, count);
     let modulus = MaterialPair::new(STEEL, STEEL).contact_modulus;

@@ -1,4 +1,5 @@
-//! Boundary elements on wheels and rails: conformal contact by CONTACT, energy, contacts that share a rail.
+//! Boundary elements on wheels and rails: conformal contact by CONTACT, energy, contacts that share
+//! a rail.
 
 use std::fmt::Write;
 
@@ -21,8 +22,8 @@ fn boundary(elements: usize) -> Parameters {
     }
 }
 
-/// Median, 95 % and worst of the errors of every so many states: greatest pressure, and the force within the reference's plane over the
-/// friction limit.
+/// Median, 95 % and worst of the errors of every so many states: greatest pressure, and the force
+/// within the reference's plane over the friction limit.
 fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
     let table = read_table("contact_25_1/conformal.csv");
     let mut element =
@@ -36,7 +37,8 @@ fn conformal_errors(every: usize, elements: usize) -> [[f64; 3]; 2] {
         assert!(output.normal_residual <= tolerance::BOUNDARY_GAP, "{output:?}");
         assert!(output.tangential_residual <= tolerance::BOUNDARY_SLIP, "{output:?}");
         let pressure = 1e-6 * output.patches[0].max_pressure / v("p1_pmax_MPa") - 1.0;
-        // The tractions of a curved patch turn, and so do its pressures: compared is all force in the reference's plane.
+        // The tractions of a curved patch turn, and so do its pressures: compared is all force in
+        // the reference's plane.
         let (sine, cosine) = v("p1_angle_rad").sin_cos();
         let missed = [("fx_rail_N", 0), ("fy_rail_N", 1), ("fz_rail_total_N", 2)]
             .map(|(name, c)| output.rails[0].force[c] - v(name));
@@ -115,7 +117,8 @@ fn the_frictionless_force_is_the_derivative_of_an_energy() {
         let down = (at(h, 0.0)[2] - at(-h, 0.0)[2]) / (2.0 * h);
         let missed = (across / down - 1.0).abs();
         assert!(missed <= tolerance::BOUNDARY_CONSERVATIVE, "{rail} {shift}: {across} {down}");
-        // Round a square of 10 µm, trapezoids of 2 µm: work over what is stored, two fifths of force times depth.
+        // Round a square of 10 µm, trapezoids of 2 µm: work over what is stored, two fifths of
+        // force times depth.
         let mut work = 0.0;
         let mut before: Option<([f64; 2], [f64; 3])> = None;
         for k in 0..=20 {
@@ -156,7 +159,8 @@ fn without_friction_there_is_no_force_along_the_track_and_no_moment_about_the_ax
 
 #[test]
 fn stretches_of_overlap_about_one_place_of_touch_all_carry() {
-    // The wheel comes nearest to this rail in one place alone, but overlaps it in two stretches, whose patches are 11 mm apart.
+    // The wheel comes nearest to this rail in one place alone, but overlaps it in two stretches,
+    // whose patches are 11 mm apart.
     let mut input = Input::default();
     let wheel = &mut input.wheel;
     (wheel.position[1], wheel.position[2]) = (0.755_970_750_4, -0.460_166_125_9);

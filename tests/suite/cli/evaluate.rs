@@ -211,7 +211,8 @@ fn evaluate_keeps_whole_rows_when_it_is_interrupted() {
     let (folder, path) = written(&format!("wheel.z\n{}", "-0.4597\n".repeat(20_000)));
     let result = folder.path().join("result.csv");
     std::fs::write(&result, "older\n").unwrap();
-    // Where tests run in the background some signals are ignored, which programs inherit and respect.
+    // Where tests run in the background some signals are ignored, which programs inherit and
+    // respect.
     let unignored = "import os, signal, sys\n\
                      for name in ('SIGINT', 'SIGTERM', 'SIGHUP'):\n    \
                          signal.signal(getattr(signal, name), signal.SIG_DFL)\n\

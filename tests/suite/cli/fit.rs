@@ -1,4 +1,5 @@
-//! `wheelrail fit`: laws that synthetic curves were made with come back, and what data leave open is said.
+//! `wheelrail fit`: laws that synthetic curves were made with come back, and what data leave open
+//! is said.
 
 use super::*;
 use crate::common::summary::Summary;
@@ -17,7 +18,8 @@ const LAW: FrictionLaw = FrictionLaw {
 };
 const FRICTION: f64 = 0.36;
 
-/// Points of curves under `law` at these creepages, loads and speeds, with errors of `noise` to either side.
+/// Points of curves under `law` at these creepages, loads and speeds, with errors of `noise` to
+/// either side.
 fn curves(law: &FrictionLaw, creepages: &[f64], speeds: &[f64], noise: f64) -> String {
     let parameters = Parameters {
         normal_model: NormalModel::Hertz,

@@ -1,4 +1,5 @@
-//! The binary as scripts see it: tables in, tables out, and messages that say where a table is wrong.
+//! The binary as scripts see it: tables in, tables out, and messages that say where a table is
+//! wrong.
 
 mod evaluate;
 mod fit;
@@ -309,7 +310,8 @@ fn sweep_tells_a_jump_from_a_slope() {
     assert!(number(force, "jump") <= 0.0 && number(force, "largest") > 1e4, "{force:?}");
     assert!(force["at"].is_empty());
 
-    // Piotrowski and Kik have one contact point for an overlap: where the deepest of two minima changes, the force jumps.
+    // Piotrowski and Kik have one contact point for an overlap: where the deepest of two minima
+    // changes, the force jumps.
     let (folder, path) = written(
         "wheel.y,wheel.z,normal.model\n0.7495,-0.4597,piotrowski_kik\n0.7508,-0.4597,piotrowski_kik\n",
     );

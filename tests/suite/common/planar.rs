@@ -92,9 +92,11 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
     }
 }
 
-/// Wheel radius and separation whose Hertzian ellipse under `load` [N] has the semi-axes a and b [m].
+/// Wheel radius and separation whose Hertzian ellipse under `load` [N] has the semi-axes a and b
+/// [m].
 pub fn hertzian_bodies(a: f64, b: f64, load: f64) -> (f64, Vec<[f64; 2]>) {
-    // The shape depends on the ratio of curvatures alone: find it by bisection in logarithms, then scale the size.
+    // The shape depends on the ratio of curvatures alone: find it by bisection in logarithms, then
+    // scale the size.
     let (mut low, mut high) = (1e-6f64, 1e6f64);
     for _ in 0..200 {
         let ratio = (low * high).sqrt();

@@ -41,7 +41,8 @@ fn cone(angle: f64) -> TempDir {
     folder
 }
 
-/// Errors of the models of `parameters` in all rows of CONTACT's table of rollers, with the name of the row; approach and creepages are the reference's.
+/// Errors of the models of `parameters` in all rows of CONTACT's table of rollers, with the name of
+/// the row; approach and creepages are the reference's.
 pub fn errors_against_contact(parameters: &Parameters) -> Vec<(String, Errors)> {
     let table = read_table("contact_25_1/rollers.csv");
     let folder = cone(0.2);

@@ -1,4 +1,5 @@
-//! Figures that the documents show: a test leaves them, `cargo bench --bench documents` writes them into docs.
+//! Figures that the documents show: a test leaves them, `cargo bench --bench documents` writes them
+//! into docs.
 
 use super::{spread, write_report};
 

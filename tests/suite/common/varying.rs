@@ -12,7 +12,8 @@ use super::planar::STEEL;
 use super::wheel::{evaluate, rolling, the_patch};
 use super::{read_table, value};
 
-/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at 80 degrees [mm].
+/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at
+/// 80 degrees [mm].
 fn head(left: f64, z: f64, corner: f64) -> String {
     let steep = 80_f64.to_radians();
     let mut points = Vec::new();
@@ -58,7 +59,8 @@ pub fn of_slices(parameters: Parameters) -> Parameters {
     parameters
 }
 
-/// The rail of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by 1:10.
+/// The rail of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by
+/// 1:10.
 pub fn rail_of(name: &str) -> TempDir {
     let places = (0..=20).map(|i| 10.0 * f64::from(i));
     match name {
@@ -68,8 +70,9 @@ pub fn rail_of(name: &str) -> TempDir {
     }
 }
 
-/// Errors of the models of `parameters` in all rows of CONTACT's table of the rail `name`: height of the wheel [m], pressure, place [m] and creep force, over the
-/// friction limit; with the name of the row.
+/// Errors of the models of `parameters` in all rows of CONTACT's table of the rail `name`: height
+/// of the wheel [m], pressure, place [m] and creep force, over the friction limit; with the name of
+/// the row.
 pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(String, [f64; 4])> {
     let folder = rail_of(name);
     let mut parameters = of_slices(parameters.clone());
@@ -90,7 +93,8 @@ pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(Strin
         input.wheel.position[0] = -0.75 * yaw.sin();
         input.wheel.position[1] = 0.75 * yaw.cos() + 1e-3 * of("y_ws_mm");
         if name == "nose" {
-            // The velocity at which the slip along the slope is the one that CONTACT has along the track.
+            // The velocity at which the slip along the slope is the one that CONTACT has along the
+            // track.
             input.wheel.velocity[0] *= 1.01;
         }
         let mut output = Output::default();

@@ -27,8 +27,10 @@ pub fn assert_close(found: [f64; 3], expected: [f64; 3], allowed: f64, what: &st
     }
 }
 
-/// Fails where forces and moments on the `right` wheel of an `input` and on rail 1 with its marker at `marker` are not each other's reactions, or those of the `left` one not
-/// their mirror image; within a `share` of the greatest force, and of that at an arm of a metre. Returns what the right wheel has.
+/// Fails where forces and moments on the `right` wheel of an `input` and on rail 1 with its marker
+/// at `marker` are not each other's reactions, or those of the `left` one not their mirror image;
+/// within a `share` of the greatest force, and of that at an arm of a metre. Returns what the right
+/// wheel has.
 pub fn assert_balanced(
     [right, left]: [&mut Element; 2],
     input: &Input,

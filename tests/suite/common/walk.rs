@@ -1,7 +1,8 @@
-//! Straight lines through the poses of a wheel on its rail, along which jumps of the force are looked for.
+//! Straight lines through the poses of a wheel on its rail, along which jumps of the force are
+//! looked for.
 //!
-//! Where the force bends between neighbouring steps the step is halved towards the larger part of the change, until a slope has become small
-//! or a jump is left.
+//! Where the force bends between neighbouring steps the step is halved towards the larger part of
+//! the change, until a slope has become small or a jump is left.
 
 use std::time::Instant;
 
@@ -20,11 +21,13 @@ const HALVINGS: usize = 24;
 const SUSPICIOUS: f64 = 0.3;
 /// Least load that a jump refers to [N]: less is no force of a wheel on its rail.
 const LEAST_LOAD: f64 = 1e3;
-/// Distance of the surface of a wheel from its marker, and of the ends of the patch from each other, that turn angles into lengths [m].
+/// Distance of the surface of a wheel from its marker, and of the ends of the patch from each
+/// other, that turn angles into lengths [m].
 const ARMS: [f64; 2] = [0.46, 0.05];
 pub const FRICTION: f64 = 0.3;
 
-/// Load over normal stiffness of a contact [m], as kinks are over that stiffness: two thirds of an overlap of a tenth of a millimetre.
+/// Load over normal stiffness of a contact [m], as kinks are over that stiffness: two thirds of an
+/// overlap of a tenth of a millimetre.
 const STIFFNESS_LENGTH: f64 = 7e-5;
 
 /// What is moved along a line, by how much for each unit of it.
@@ -70,7 +73,8 @@ pub struct Found {
     /// Largest jump over its scale, and where it is.
     pub jump: f64,
     pub at: f64,
-    /// Largest change of the stiffness along the line from step to step, over the stiffness of the contact.
+    /// Largest change of the stiffness along the line from step to step, over the stiffness of the
+    /// contact.
     pub kink: f64,
 }
 

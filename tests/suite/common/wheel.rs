@@ -140,8 +140,9 @@ pub const FRICTION_TABLES: [&str; 2] = [
     "inclination_deg friction\n-45 0.15\n-25 0.40\n0 0.35\n",
 ];
 
-/// A wheel with S1002 profile and `parameters` on the arcs of the Manchester benchmark's rail, which are within 1.5 µm of its points on the top and
-/// 6 µm at the corners; both of the reference's steel.
+/// A wheel with S1002 profile and `parameters` on the arcs of the Manchester benchmark's rail,
+/// which are within 1.5 µm of its points on the top and 6 µm at the corners; both of the
+/// reference's steel.
 pub fn benchmark(parameters: Parameters) -> Element {
     let mut parameters = parameters;
     parameters.wheel.young_modulus = STEEL.young_modulus;
@@ -179,7 +180,8 @@ pub fn of_wheelset(v: &dyn Fn(&str) -> f64) -> Input {
     input
 }
 
-/// The wheel on a `side` of the Manchester benchmark's wheelset in the state of a row, its centre at (0, y, -R0), turned by R_x(roll) R_z(yaw), under 10 kN.
+/// The wheel on a `side` of the Manchester benchmark's wheelset in the state of a row, its centre
+/// at (0, y, -R0), turned by R_x(roll) R_z(yaw), under 10 kN.
 pub fn of_manchester(v: &dyn Fn(&str) -> f64, side: Side) -> Input {
     let arm = if side == Side::Left { -0.75 } else { 0.75 };
     let (roll, yaw) = (v("roll_rad"), v("yaw_rad"));

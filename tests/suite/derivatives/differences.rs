@@ -1,7 +1,8 @@
 //! Derivatives of an element against central differences.
 //!
-//! Differences cannot resolve everything. Left out are those with a kink within their step, where the slopes to the left and to the right
-//! differ, and errors are taken over no less than rounding leaves: see `Differences`.
+//! Differences cannot resolve everything. Left out are those with a kink within their step, where
+//! the slopes to the left and to the right differ, and errors are taken over no less than rounding
+//! leaves: see `Differences`.
 
 use super::*;
 use crate::common::{median_and_worst, write_report};
@@ -13,10 +14,12 @@ use wheelrail::element::input::INPUT_NAMES;
 const POSES: usize = 8;
 /// Difference of the slopes to either side, over the slope, up to which there is no kink.
 const SMOOTH: f64 = 1e-7;
-/// Most derivatives that differences may leave open: strips have a kink wherever a node begins to carry load.
+/// Most derivatives that differences may leave open: strips have a kink wherever a node begins to
+/// carry load.
 const MOST_OPEN: f64 = 0.15;
 
-/// Greatest of the distances over which differences are taken: short against what forces change over, long against rounding.
+/// Greatest of the distances over which differences are taken: short against what forces change
+/// over, long against rounding.
 fn step(name: &str) -> f64 {
     match name {
         "wheel.load" => 10.0,
@@ -32,7 +35,8 @@ fn step(name: &str) -> f64 {
 /// Numbers of one unit, and the size to which they are rounded if that is more than they are.
 type Group = (f64, Vec<f64>);
 
-/// The numbers of an output that have derivatives but for shares of slip, which FASTSIM counts in elements.
+/// The numbers of an output that have derivatives but for shares of slip, which FASTSIM counts in
+/// elements.
 pub fn groups(output: &Output) -> Vec<Group> {
     let (mut forces, mut moments) = (output.wheel.force.to_vec(), output.wheel.moment.to_vec());
     for rail in &output.rails {
@@ -79,7 +83,8 @@ struct Errors {
     open: usize,
 }
 
-/// Outputs at whole and half of a step to either side of an input, if there are as many patches as there.
+/// Outputs at whole and half of a step to either side of an input, if there are as many patches as
+/// there.
 struct Differences {
     step: f64,
     /// Distance and output.
@@ -99,11 +104,13 @@ impl Differences {
         Some(Self { step, places: [place(-1.0)?, place(-0.5)?, place(0.5)?, place(1.0)?] })
     }
 
-    /// Derivative of number `k` of group `g`, whose value is `value`; nothing where the slopes to both sides differ by more than `most`.
+    /// Derivative of number `k` of group `g`, whose value is `value`; nothing where the slopes to
+    /// both sides differ by more than `most`.
     fn slope(&self, g: usize, k: usize, value: f64, most: f64) -> Option<f64> {
         let at = |n: usize| self.places[n].1[g].1[k];
         let to = |n: usize| (at(n) - value) / self.places[n].0;
-        // Extrapolated from whole and half of the step: what is left is of second order to one side, of fourth to both.
+        // Extrapolated from whole and half of the step: what is left is of second order to one
+        // side, of fourth to both.
         let [left, right] = [2.0 * to(1) - to(0), 2.0 * to(2) - to(3)];
         let both = |a: usize, b: usize| (at(b) - at(a)) / (self.places[b].0 - self.places[a].0);
         ((left - right).abs() <= most).then(|| (4.0 * both(1, 2) - both(0, 3)) / 3.0)
@@ -136,7 +143,8 @@ fn compare(element: &mut Element, input: &Input, noise: f64, errors: &mut Errors
                 let found = (0..smooth.len()).find_map(|n| {
                     let [slope, scale] = smooth[n]?;
                     match smooth.get(n + 1).copied() {
-                        // Of two that agree the longer one may have its bend and the shorter one its rounding.
+                        // Of two that agree the longer one may have its bend and the shorter one
+                        // its rounding.
                         Some(Some(near)) => ((slope - near[0]).abs() <= 2.0 * SMOOTH * near[1])
                             .then(|| (slope, error([slope, scale]).min(error(near)))),
                         Some(None) => None,
@@ -159,9 +167,11 @@ pub fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |most: f64, number| most.max(number.abs()))
 }
 
-/// Judges the Jacobian at random poses of a right and of a left wheel, and at those of `more` besides.
+/// Judges the Jacobian at random poses of a right and of a left wheel, and at those of `more`
+/// besides.
 pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
-    // The height that carries a load is found to 1e-11 of it; Newton's method for strips leaves some 1e-11 of a force.
+    // The height that carries a load is found to 1e-11 of it; Newton's method for strips leaves
+    // some 1e-11 of a force.
     let noise = match (parameters.vertical_mode, parameters.normal_model) {
         (VerticalMode::Load, _) => 100.0,
         (_, NormalModel::Strips) => 10.0,

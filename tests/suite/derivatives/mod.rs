@@ -1,4 +1,5 @@
-//! Derivatives of the outputs by the inputs against central differences, at random poses and by model.
+//! Derivatives of the outputs by the inputs against central differences, at random poses and by
+//! model.
 
 mod differences;
 mod varying_rails;

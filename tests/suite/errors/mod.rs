@@ -1,6 +1,8 @@
-//! The tables of docs/errors.md: every row is provoked, its words compared, and what was asked is as usable afterwards as before.
+//! The tables of docs/errors.md: every row is provoked, its words compared, and what was asked is
+//! as usable afterwards as before.
 //!
-//! `UPDATE_DOCS=1 cargo test --test suite errors::` writes the words that are found into the tables.
+//! `UPDATE_DOCS=1 cargo test --test suite errors::` writes the words that are found into the
+//! tables.
 #![allow(unsafe_code)]
 
 mod calls;
@@ -47,7 +49,8 @@ fn refusal(host: &Host, call: impl FnOnce(&Host) -> Status) -> String {
     message
 }
 
-/// Vertical force of a wheel that is pressed on the rail, wherever in its life the instance is; it steps afterwards.
+/// Vertical force of a wheel that is pressed on the rail, wherever in its life the instance is; it
+/// steps afterwards.
 fn force(host: &Host) -> f64 {
     assert_eq!(fmi2Reset(host.component), Status::Ok);
     assert_eq!(fmi2SetupExperiment(host.component, FALSE, 0.0, 0.0, FALSE, 0.0), Status::Ok);
@@ -74,7 +77,8 @@ fn set(host: &Host, name: &str, value: &str) -> Status {
     }
 }
 
-/// What is said to settings such as `wheel.y = NaN`, when they are set or when initialization mode is left.
+/// What is said to settings such as `wheel.y = NaN`, when they are set or when initialization mode
+/// is left.
 fn refused_settings(settings: &[&str], folder: Option<&Path>) -> String {
     let location = folder.map(|f| format!("file://{}", f.display()));
     let arguments = match location {
@@ -117,7 +121,8 @@ fn variables() {
     compare("Variables", &said.collect::<Vec<_>>());
 }
 
-/// What is warned of in an instance that starts with the settings `start` and then gets `later` ones.
+/// What is warned of in an instance that starts with the settings `start` and then gets `later`
+/// ones.
 fn warned(start: &[&str], later: &[&str]) -> String {
     let host = Host::initializing();
     let set = |settings: &[&str]| {

@@ -1,4 +1,5 @@
-//! Calls in any order, with any references, values and counts: refused or answered, never an internal fault.
+//! Calls in any order, with any references, values and counts: refused or answered, never an
+//! internal fault.
 
 use std::ptr::null_mut;
 

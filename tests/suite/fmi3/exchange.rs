@@ -52,7 +52,8 @@ fn there_are_no_continuous_states() {
     let host = Host3::in_event_mode();
     let c = host.component;
     let (mut states, mut indicators, mut value) = (7, 7, 0.0);
-    // SAFETY: FMI 3.0, 2.3.2 and 3.2.1: pointers to one size each, arrays of as many elements as their counts say.
+    // SAFETY: FMI 3.0, 2.3.2 and 3.2.1: pointers to one size each, arrays of as many elements as
+    // their counts say.
     unsafe {
         assert_eq!(fmi3GetNumberOfContinuousStates(c, &raw mut states), Status::Ok);
         assert_eq!(fmi3GetNumberOfEventIndicators(c, &raw mut indicators), Status::Ok);

@@ -41,7 +41,8 @@ fn runs_in_fixed_memory(unit: &'static Unit, body: &str, centre: f64) {
         let t = 1e-3 * f64::from(i);
         let values = [centre + 5e-3 * (20.0 * t).sin(), -0.4598 + 2e-4 * (50.0 * t).sin(), 0.01];
         let [event, end, early] = flags.each_mut().map(|flag| &raw mut *flag);
-        // SAFETY: FMI 3.0, 2.2.6, 2.2.10, 2.2.11 and 4.2.1: all arrays hold as many elements as their counts say.
+        // SAFETY: FMI 3.0, 2.2.6, 2.2.10, 2.2.11 and 4.2.1: all arrays hold as many elements as
+        // their counts say.
         unsafe {
             worst = worst
                 .max(fmi3SetFloat64(c, inputs.as_ptr(), 3, values.as_ptr(), 3))

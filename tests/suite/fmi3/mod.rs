@@ -1,4 +1,5 @@
-//! The functions of FMI 3.0 under right and wrong use, and that they give what those of FMI 2.0 give.
+//! The functions of FMI 3.0 under right and wrong use, and that they give what those of FMI 2.0
+//! give.
 #![allow(unsafe_code)]
 
 mod any_order;

@@ -13,7 +13,8 @@ const LOAD: f64 = 5e4;
 enum Master {
     /// The force of the beginning is held.
     Held,
-    /// The force goes with the wheel by its exact derivatives, on rails that stay (rule of the trapezoid).
+    /// The force goes with the wheel by its exact derivatives, on rails that stay (rule of the
+    /// trapezoid).
     Implicit,
 }
 

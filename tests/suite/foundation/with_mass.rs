@@ -7,7 +7,8 @@ use wheelrail::element::parameters::{
 };
 use wheelrail::element::{Element, Input, Output, Parameters, TrackState};
 
-/// Stiffness, damping and mass of a soft track, so that all of its motions are in the range of milliseconds.
+/// Stiffness, damping and mass of a soft track, so that all of its motions are in the range of
+/// milliseconds.
 fn with_mass() -> Foundation {
     Foundation { model: FoundationModel::Mass, ..Foundation::default() }
 }
@@ -23,7 +24,8 @@ fn elastic(foundation: Foundation) -> Parameters {
     }
 }
 
-/// A wheel whose height swings about one at which it presses, at `time`; with the velocity that belongs to it.
+/// A wheel whose height swings about one at which it presses, at `time`; with the velocity that
+/// belongs to it.
 fn swinging(element: &mut Element, time: f64) -> Input {
     let mut input = rolling(1e-3, 20.0);
     // 120 Hz.
@@ -42,7 +44,8 @@ fn energy(element: &Element, foundation: &Foundation) -> f64 {
     kinetic + springs.map(|(k, d)| 0.5 * k * d * d).sum::<f64>()
 }
 
-/// What the contact holds between its present approach and none, by pulling the wheel straight up from rails that stay [J].
+/// What the contact holds between its present approach and none, by pulling the wheel straight up
+/// from rails that stay [J].
 fn stored(element: &mut Element, input: &Input) -> f64 {
     let mut rigid = element.clone();
     let state = element.track_state().unwrap();
@@ -71,8 +74,9 @@ fn stored(element: &mut Element, input: &Input) -> f64 {
     sum / f64::from(3 * parts)
 }
 
-/// What is missing from the energy of rails and contact over 10 ms in steps of `h`, as a share of the work of the wheel to and fro; the estimated errors of
-/// all steps together; and the deflection at the end.
+/// What is missing from the energy of rails and contact over 10 ms in steps of `h`, as a share of
+/// the work of the wheel to and fro; the estimated errors of all steps together; and the deflection
+/// at the end.
 fn balance(foundation: Foundation, h: f64) -> (f64, f64, [f64; 2]) {
     let mut element = element(&elastic(foundation));
     let mut input = swinging(&mut element, 0.0);
@@ -88,7 +92,8 @@ fn balance(foundation: Foundation, h: f64) -> (f64, f64, [f64; 2]) {
         let state = element.track_state().unwrap();
         errors += state.step_error;
         let next_force = evaluate(&mut element, &next).wheel.force[2];
-        // Work of the wheel on the contact, and of the dampers, by Simpson's and the trapezoidal rule.
+        // Work of the wheel on the contact, and of the dampers, by Simpson's and the trapezoidal
+        // rule.
         let way = next.wheel.position[2] - input.wheel.position[2];
         let work = -0.5 * (force + next_force) * way;
         (done, moved) = (done + work, moved + work.abs());

@@ -80,7 +80,8 @@ fn search(pair: &mut Pair, pose: &WheelPose) {
     pair.search.search(&line, &pair.rail, &pair.ranges);
 }
 
-/// Signed distance of the line from the rail at steps of 20 µm; up to 0.4 mm where it is beyond a millimetre.
+/// Signed distance of the line from the rail at steps of 20 µm; up to 0.4 mm where it is beyond a
+/// millimetre.
 fn dense_scan(line: &ContactLine, rail: &PlacedRail) -> Vec<[f64; 2]> {
     let [mut u, end] = line.range();
     let mut scan = Vec::new();
@@ -97,7 +98,8 @@ fn deepest(scan: &[[f64; 2]]) -> f64 {
     scan.iter().map(|point| -point[1]).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Poses over the whole range; two in three as deep as real contacts, one in three where a wheel changes from tread to flange.
+/// Poses over the whole range; two in three as deep as real contacts, one in three where a wheel
+/// changes from tread to flange.
 fn random_pose(pair: &mut Pair, random: &mut Random, index: usize) -> WheelPose {
     let (shift, depth) = (random.about(12e-3), random.within(-1e-3, 3e-3));
     let (roll, yaw) = (random.about(0.02), random.about(0.05));
@@ -198,7 +200,8 @@ fn a_flange_that_runs_at_the_rail_touches_ahead_of_the_axle() {
         let line = ContactLine::new(&pair.wheel.curve, RADIUS, &pose);
         let flange = pair.search.contacts.iter().find(|c| c.angle().abs() > 0.6).unwrap();
         let x = line.at(flange.u).x;
-        // r tan(contact angle) sin(yaw), and the lateral coordinate of the flange turned by the yaw.
+        // r tan(contact angle) sin(yaw), and the lateral coordinate of the flange turned by the
+        // yaw.
         let expected =
             -line.wheel_point(flange.u).rolling_radius * flange.angle().tan() * yaw.sin()
                 - line.wheel_point(flange.u).y * yaw.sin();

@@ -3,8 +3,8 @@
 use super::*;
 use wheelrail::geometry::curve::Curve;
 
-/// Circle of the wheel through the profile point of parameter `s`, seen along x: where it is lowest at lateral position `y`.
-/// Returns (x, z).
+/// Circle of the wheel through the profile point of parameter `s`, seen along x: where it is lowest
+/// at lateral position `y`. Returns (x, z).
 fn lowest_on_circle(curve: &Curve, pose: &WheelPose, s: f64, y: f64) -> Option<[f64; 2]> {
     let [profile_y, profile_z] = curve.at(s).point;
     let radius = RADIUS + profile_z;
@@ -39,7 +39,8 @@ fn rotation(pose: &WheelPose) -> [[f64; 3]; 3] {
     [[cy, -sy, 0.0], [cr * sy, cr * cy, -sr], [sr * sy, sr * cy, cr]]
 }
 
-/// Lowest point (x, z) of the whole wheel at lateral position `y`, by scans of all circles ever finer about the lowest.
+/// Lowest point (x, z) of the whole wheel at lateral position `y`, by scans of all circles ever
+/// finer about the lowest.
 fn lowest_of_wheel(curve: &Curve, pose: &WheelPose, y: f64) -> [f64; 2] {
     let (mut from, mut to, mut count) = (curve.start(), curve.end(), 16_000);
     let (mut best, mut at) = ([0.0, f64::NEG_INFINITY], from);
@@ -155,7 +156,8 @@ fn the_derivative_of_the_line_is_that_of_its_points() {
     }
 }
 
-/// Point (x, y) of the whole wheel that lies furthest to the track centre at height `z`, on the profile from its start to `end`.
+/// Point (x, y) of the whole wheel that lies furthest to the track centre at height `z`, on the
+/// profile from its start to `end`.
 fn innermost_of_wheel(curve: &Curve, pose: &WheelPose, end: f64, z: f64) -> [f64; 2] {
     let turn = rotation(pose);
     let (mut from, mut to, mut count) = (curve.start(), end, 40_000);

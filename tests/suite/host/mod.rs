@@ -45,8 +45,8 @@ unsafe extern "C" fn record(
     category: Text,
     format: Text,
 ) {
-    // SAFETY: FMI 2.0, 2.1.5: the environment is the one that `Host::new` handed over, and the texts
-    // are null-terminated.
+    // SAFETY: FMI 2.0, 2.1.5: the environment is the one that `Host::new` handed over, and the
+    // texts are null-terminated.
     let (host, name, category, format) = unsafe {
         let read = |text| CStr::from_ptr(text).to_str().unwrap().to_owned();
         (&*environment.cast::<Host>(), read(name), read(category), read(format))
@@ -63,7 +63,8 @@ unsafe extern "C" fn record(
 
 /// The recording logger in the type of the standard.
 pub fn logger() -> CallbackLogger {
-    // SAFETY: on the platforms of the tests a variadic call without variable arguments is that of a plain function.
+    // SAFETY: on the platforms of the tests a variadic call without variable arguments is that of a
+    // plain function.
     unsafe { std::mem::transmute::<PlainLogger, CallbackLogger>(record) }
 }
 

@@ -29,7 +29,8 @@ unsafe extern "C" fn record(
     category: Text,
     message: Text,
 ) {
-    // SAFETY: FMI 3.0, 2.3.1: the environment is the one that was handed over, and the texts are null-terminated.
+    // SAFETY: FMI 3.0, 2.3.1: the environment is the one that was handed over, and the texts are
+    // null-terminated.
     let (host, category, message) = unsafe {
         let read = |text| CStr::from_ptr(text).to_str().unwrap().to_owned();
         (&*environment.cast::<Host3>(), read(category), read(message))
@@ -232,7 +233,8 @@ impl Host3 {
         }
     }
 
-    /// Makes a step; the status, and what the call says of it: flags that are never set, and the time reached.
+    /// Makes a step; the status, and what the call says of it: flags that are never set, and the
+    /// time reached.
     pub fn step_to(&self, time: f64, step: f64) -> (Status, [Boolean; 3], f64) {
         let ([mut event, mut end, mut early], mut reached) = ([7, 7, 7], f64::NAN);
         // SAFETY: FMI 3.0, 4.2.1: pointers to one value each.

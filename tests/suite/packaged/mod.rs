@@ -1,5 +1,5 @@
-//! The FMU as a release build packs it, in a target directory of its own. Tests that are not of a release build themselves do without
-//! optimisation at link time, which takes minutes on one core.
+//! The FMU as a release build packs it, in a target directory of its own. Tests that are not of a
+//! release build themselves do without optimisation at link time, which takes minutes on one core.
 
 #![allow(dead_code)] // each test crate uses its own part
 
@@ -39,7 +39,8 @@ fn build(folder: &str, platforms: &str) -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
     let mut command = Command::new(env!("CARGO"));
     if cfg!(debug_assertions) {
-        // The build script packs, and builds the library for that by itself: of the rest a check is enough.
+        // The build script packs, and builds the library for that by itself: of the rest a check is
+        // enough.
         command
             .arg("check")
             .env("CARGO_PROFILE_RELEASE_LTO", "off")

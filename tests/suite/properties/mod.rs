@@ -1,4 +1,5 @@
-//! Laws that hold whatever the models: action and reaction, mirror images, friction, dissipation, similarity.
+//! Laws that hold whatever the models: action and reaction, mirror images, friction, dissipation,
+//! similarity.
 
 mod planar;
 
@@ -217,7 +218,8 @@ fn creep_forces_stay_within_friction_and_take_energy() {
             prop_assert!(patch.normal_force >= 0.0 && patch.max_pressure >= 0.0, "{patch:?}");
             prop_assert!(patch.frictional_power >= 0.0, "{patch:?}");
             prop_assert!((0.0..=1.0).contains(&patch.slip_share), "{patch:?}");
-            // The reported power is cut at nothing; that of one creepage for the whole patch can be checked without.
+            // The reported power is cut at nothing; that of one creepage for the whole patch can be
+            // checked without.
             if parameters.creepage_model != CreepageModel::Curved {
                 let [longitudinal, lateral, spin] = patch.creepage;
                 let (x, y, z) = (fx * longitudinal, fy * lateral, patch.spin_moment * spin);

@@ -86,7 +86,8 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
             let limit = friction * load_factor * zone.load;
             let excess = total[0].hypot(total[1]) - limit * (1.0 + 1e-9);
             prop_assert!(excess <= 0.0, "{model:?} {bound:?}: {total:?} beyond {limit}");
-            // The correction of FASTSIM holds for the zone as a whole; a parabola has another bound, of the same sum.
+            // The correction of FASTSIM holds for the zone as a whole; a parabola has another
+            // bound, of the same sum.
             if *model == TangentialModel::FastsimCorrected || *bound == TractionBound::Parabolic {
                 continue;
             }
@@ -125,7 +126,8 @@ struct PlanarShape {
 }
 
 impl PlanarShape {
-    /// Points out to where a parabola is three times as far as the approach, `scale` times as large.
+    /// Points out to where a parabola is three times as far as the approach, `scale` times as
+    /// large.
     fn separation(&self, scale: f64) -> Vec<[f64; 2]> {
         let reach = (3.0 * (self.approach + 1e-5) / self.across).sqrt();
         let f = |y: f64| {

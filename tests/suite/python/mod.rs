@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The Python of the virtual environment `name` with the requirements of a file of the tree installed.
+/// The Python of the virtual environment `name` with the requirements of a file of the tree
+/// installed.
 ///
 /// # Panics
 /// With what is missing if it cannot be made.

@@ -1,4 +1,5 @@
-//! Corrugated rails, out-of-round wheels and flats: places of contact, forces and what follows from them.
+//! Corrugated rails, out-of-round wheels and flats: places of contact, forces and what follows from
+//! them.
 
 mod passage;
 
@@ -60,7 +61,8 @@ fn deviations_that_vanish_change_nothing() {
             let mut input = random_input(&mut even, &mut random);
             input.track_s = random.about(1.0);
             let (a, b) = (evaluate(&mut even, &input), evaluate(&mut uneven, &input));
-            // An overlap without a minimum of its own is taken at a step of the search, which is finer here.
+            // An overlap without a minimum of its own is taken at a step of the search, which is
+            // finer here.
             let same =
                 |k: usize| (a.patches[k].penetration - b.patches[k].penetration).abs() < 1e-9;
             if !(0..8).all(same) {

@@ -69,8 +69,8 @@ fn the_force_has_no_jumps_over_corrugations_and_flats() {
     common::write_report("uneven_jumps.csv", &report);
 }
 
-/// Greatest and least contact force of a wheel of 700 kg under 80 kN, at `speed` [m/s] over a flat of 50 mm, on a rail of 100 kg on a
-/// stiffness of 8e7 N/m.
+/// Greatest and least contact force of a wheel of 700 kg under 80 kN, at `speed` [m/s] over a flat
+/// of 50 mm, on a rail of 100 kg on a stiffness of 8e7 N/m.
 fn impact(shape: FlatShape, speed: f64) -> [f64; 2] {
     let mut parameters = with_flat(0.05, shape);
     parameters.wheel.flat.angle = 0.26;
@@ -111,7 +111,8 @@ fn a_flat_strikes_harder_with_speed_until_the_wheel_leaves_the_rail() {
     let [worn_slow, _, worn_fast] =
         [20.0, 40.0, 80.0].map(|speed| impact(FlatShape::Worn, speed / 3.6));
     println!("fresh {slow:?} {middle:?} {fast:?} {faster:?}, worn {worn_slow:?} {worn_fast:?} N");
-    // Below, the rail follows the wheel; above, the wheel flies and the force hardly grows any more.
+    // Below, the rail follows the wheel; above, the wheel flies and the force hardly grows any
+    // more.
     assert!(slow[1] > 0.0 && fast[1] <= 0.0 && faster[1] <= 0.0);
     assert!(slow[0] > 1.5 * 80e3 && middle[0] > 1.4 * slow[0] && fast[0] > 1.2 * middle[0]);
     let growth = faster[0] / fast[0];

@@ -10,7 +10,8 @@ use wheelrail::geometry::profile::ProfileKind;
 use wheelrail::io::{load_profile, save_profile};
 use wheelrail::wear::depth::wear_depth;
 
-/// Wear depth of the wheel over its cells after a second of sway at given load, with an update every `interval`.
+/// Wear depth of the wheel over its cells after a second of sway at given load, with an update
+/// every `interval`.
 fn swayed(interval: f64, h: f64, distribution: WearDistribution) -> Vec<[f64; 2]> {
     let mut p = parameters(WearModel::FrictionalWork);
     p.vertical_mode = VerticalMode::Load;

@@ -1,4 +1,5 @@
-//! A wheelset that runs evenly through a curve under a lateral force, held by a yaw spring, against its linear equations of equilibrium.
+//! A wheelset that runs evenly through a curve under a lateral force, held by a yaw spring, against
+//! its linear equations of equilibrium.
 
 use super::*;
 use approx::assert_relative_eq;
@@ -26,7 +27,8 @@ struct Guided {
     slack: f64,
 }
 
-/// Cones on rails as crowned as the wheels are round, so that contacts are circles, with linear creep forces.
+/// Cones on rails as crowned as the wheels are round, so that contacts are circles, with linear
+/// creep forces.
 fn cones() -> Wheelset {
     let mut parameters = ElementParameters {
         normal_model: NormalModel::Hertz,
@@ -50,7 +52,8 @@ fn rolling(curvature: f64) -> Input {
     input
 }
 
-/// Lateral shift, yaw and pitch rate at which nothing pushes or turns the wheelset, by Newton's method with the exact derivatives.
+/// Lateral shift, yaw and pitch rate at which nothing pushes or turns the wheelset, by Newton's
+/// method with the exact derivatives.
 fn equilibrium(wheelset: &mut Wheelset, guided: &Guided) -> (Input, Output) {
     let mut input = rolling(guided.curvature);
     let coordinates: [fn(&mut Input) -> &mut f64; 3] = [
@@ -84,10 +87,12 @@ fn equilibrium(wheelset: &mut Wheelset, guided: &Guided) -> (Input, Output) {
     (input, output)
 }
 
-/// The linear equations of a wheelset on cones in a curve: lateral shift, yaw, and longitudinal creep force of the right wheel [m, rad, N].
+/// The linear equations of a wheelset on cones in a curve: lateral shift, yaw, and longitudinal
+/// creep force of the right wheel [m, rad, N].
 ///
-/// The axle rolls by -Λ y/b, which moves the contacts on the crowns R of the rails too: Λ = λ (1 + r λ/b)/(1 - R λ/b). With the creepages ∓(κ b + Λ y/r) along and
-/// -ψ across, and the spins κ ∓ λ/r - Λ y/(b r):
+/// The axle rolls by -Λ y/b, which moves the contacts on the crowns R of the rails too: Λ = λ (1 +
+/// r λ/b)/(1 - R λ/b). With the creepages ∓(κ b + Λ y/r) along and -ψ across, and the spins κ ∓
+/// λ/r - Λ y/(b r):
 ///
 /// ```text
 /// 2 f22 ψ - (2 N - 2 f23/r) Λ y/b = 2 f23 κ - H
@@ -129,7 +134,8 @@ fn a_wheelset_in_a_curve_stands_where_its_linear_equations_have_it() {
         // Free to steer: it rolls without slip along, on the outer side of the track.
         Guided { curvature: 2e-4, force: 0.0, stiffness: 0.0, slack: 0.0 },
         Guided { curvature: 2e-4, force: -3e3, stiffness: 0.0, slack: 0.0 },
-        // In a stiff frame the leading wheelset has an angle of attack and is held by the creep forces of its slip.
+        // In a stiff frame the leading wheelset has an angle of attack and is held by the creep
+        // forces of its slip.
         Guided { curvature: 3e-4, force: -2e3, stiffness: 1e7, slack: 5e-4 },
         Guided { curvature: -2e-4, force: 5e3, stiffness: 3e6, slack: -3e-4 },
     ] {

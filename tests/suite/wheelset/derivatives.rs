@@ -48,7 +48,8 @@ fn judge_derivatives(
     for side in &mut parameters.sides {
         side.foundation.model = foundation;
         (side.vertical_mode, side.tangential_model) = (mode, model);
-        // Without the kinks of strips, which differences of one step do not see: tests/suite/derivatives looks for them.
+        // Without the kinks of strips, which differences of one step do not see:
+        // tests/suite/derivatives looks for them.
         side.normal_model = NormalModel::PiotrowskiKik;
     }
     let mut wheelset = wheelset(&parameters);

@@ -1,4 +1,5 @@
-//! What weight alone does to a wheelset without friction: it swings sideways as a pendulum and turns away from straight ahead.
+//! What weight alone does to a wheelset without friction: it swings sideways as a pendulum and
+//! turns away from straight ahead.
 
 use super::*;
 use approx::assert_relative_eq;
@@ -10,7 +11,8 @@ const WHEEL_ARC: f64 = 0.5;
 const RAIL_ARC: f64 = 0.3;
 const RADIUS: f64 = 0.46;
 
-/// A hollow arc on a crowned rail that touch at `angle` [rad] when the wheelset stands in the middle.
+/// A hollow arc on a crowned rail that touch at `angle` [rad] when the wheelset stands in the
+/// middle.
 fn arcs(angle: f64, normal_model: NormalModel) -> Parameters {
     let mut parameters = ElementParameters {
         normal_model,
@@ -23,7 +25,8 @@ fn arcs(angle: f64, normal_model: NormalModel) -> Parameters {
     Parameters::of_both(&parameters)
 }
 
-/// A wheelset without friction in the middle of the track, at the height where its contacts carry `load` together [N].
+/// A wheelset without friction in the middle of the track, at the height where its contacts carry
+/// `load` together [N].
 fn standing(wheelset: &mut Wheelset, load: f64) -> Input {
     let mut input = Input::default();
     input.sides.iter_mut().for_each(|side| side.friction = 0.0);
@@ -39,7 +42,8 @@ fn standing(wheelset: &mut Wheelset, load: f64) -> Input {
     input
 }
 
-/// Derivative of the forces by a coordinate, of which `coordinate` of an input at rest has the rate 1.
+/// Derivative of the forces by a coordinate, of which `coordinate` of an input at rest has the
+/// rate 1.
 fn rates(wheelset: &mut Wheelset, input: &Input, coordinate: fn(&mut Input) -> &mut f64) -> Wrench {
     let mut direction = Input::at_rest();
     *coordinate(&mut direction) = 1.0;
@@ -48,8 +52,9 @@ fn rates(wheelset: &mut Wheelset, input: &Input, coordinate: fn(&mut Input) -> &
     rates.wheelset
 }
 
-/// Height and roll of the centre at the lateral displacement `y` when the arcs are rigid: the wheelset hangs by two links from the
-/// centres of the rails' arcs to those of the wheels' [m, rad].
+/// Height and roll of the centre at the lateral displacement `y` when the arcs are rigid: the
+/// wheelset hangs by two links from the centres of the rails' arcs to those of the wheels'
+/// [m, rad].
 fn hanging(y: f64, angle: f64) -> [f64; 2] {
     let link = WHEEL_ARC - RAIL_ARC;
     let [mut z, mut roll] = [link * angle.cos() - RADIUS - WHEEL_ARC, 0.0_f64];
@@ -94,8 +99,8 @@ fn a_wheelset_without_friction_swings_as_the_pendulum_of_its_geometry() {
     }
 }
 
-/// Lowest angular frequency of a wheelset of the given mass and moment of inertia under gravity on its contacts, whose stiffness is symmetric to
-/// the share `most` [rad/s].
+/// Lowest angular frequency of a wheelset of the given mass and moment of inertia under gravity on
+/// its contacts, whose stiffness is symmetric to the share `most` [rad/s].
 fn slowest_swing(parameters: &Parameters, [mass, inertia, gravity]: [f64; 3], most: f64) -> f64 {
     let mut wheelset = wheelset(parameters);
     let input = standing(&mut wheelset, mass * gravity);

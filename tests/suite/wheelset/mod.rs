@@ -66,7 +66,8 @@ fn random_input(random: &mut Random) -> Input {
     }
 }
 
-/// The same on a track that turns, on rails that run at an angle, with wheels that turn by themselves.
+/// The same on a track that turns, on rails that run at an angle, with wheels that turn by
+/// themselves.
 fn random_on_track(random: &mut Random) -> Input {
     let mut input = random_input(random);
     for side in &mut input.sides {
@@ -212,7 +213,8 @@ fn a_check_rail_stands_in_mirror_image_on_the_left() {
     let parameters = Parameters::of_both(&one);
     let places = [0, 1].map(|k| parameters.sides[k].rails[1].position[0]);
     assert!((places[0] + places[1]).abs() <= 0.0 && places[0] > 0.0);
-    // Pushed to the right, the flange back of the left wheel meets its check rail and pushes it along.
+    // Pushed to the right, the flange back of the left wheel meets its check rail and pushes it
+    // along.
     let mut wheelset = wheelset(&parameters);
     let mut input = Input::default();
     input.wheelset.position[2] = wheelset.nominal_z();

@@ -1,4 +1,5 @@
-//! A wheelset on a track that turns, on rails that run at an angle, with wheels that turn by themselves.
+//! A wheelset on a track that turns, on rails that run at an angle, with wheels that turn by
+//! themselves.
 
 use super::*;
 use wheelrail::element::parameters::TangentialModel;

@@ -1,4 +1,5 @@
-//! The `fmi` crate: a co-simulation with a fixed step. Arguments and answers as in `client.py` beside.
+//! The `fmi` crate: a co-simulation with a fixed step. Arguments and answers as in `client.py`
+//! beside.
 
 use std::error::Error;
 use std::{env, fs};
