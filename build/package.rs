@@ -37,7 +37,7 @@ pub fn pack(declarations: &[&Declaration]) {
     for source in SOURCES.iter().chain(&LICENSES) {
         println!("cargo::rerun-if-changed={source}");
     }
-    let libraries = platforms::build(&root, &out, &target);
+    let libraries = platforms::libraries(&root, &out, &target);
     let mut shared = Vec::new();
     collect(&root.join("fmu/resources"), "resources", &mut shared);
     collect(&root.join("fmu/documentation"), "documentation", &mut shared);

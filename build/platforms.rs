@@ -3,7 +3,7 @@
 //!
 //! `linux64` asks for a library that runs on the glibc of old distributions too: cargo-zigbuild
 //! links it against 2.17. `win64` needs the standard library for [`WINDOWS`] and the linker of
-//! MinGW-w64.
+//! MinGW-w64. A library that is there already can be packed instead (`WHEELRAIL_LIBRARY`).
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -20,6 +20,8 @@ const WINDOWS: &str = "x86_64-pc-windows-gnu";
 const WINDOWS_LINKER: &str = "x86_64-w64-mingw32-gcc";
 /// Name of the variable that asks for platforms.
 const VARIABLE: &str = "WHEELRAIL_PLATFORMS";
+/// Name of the variable that gives a library for this platform, which is packed as it is.
+const LIBRARY: &str = "WHEELRAIL_LIBRARY";
 
 /// A library to be built.
 struct Job {
@@ -39,8 +41,24 @@ pub struct Library {
     pub tuple: String,
     /// Extension of libraries there.
     pub extension: &'static str,
-    /// Where it was built.
+    /// Where it is.
     pub path: PathBuf,
+}
+
+/// The library that the user gives, or those that are built here; says which there are.
+///
+/// # Panics
+/// As [`build`], or with a message for the user if there is no such file.
+pub fn libraries(root: &Path, out: &Path, target: &str) -> Vec<Library> {
+    println!("cargo::rerun-if-env-changed={LIBRARY}");
+    let Some(path) = env::var_os(LIBRARY).filter(|path| !path.is_empty()).map(PathBuf::from) else {
+        return build(root, out, target);
+    };
+    let shown = path.display();
+    assert!(path.is_file(), "{LIBRARY}: there is no file {shown}");
+    println!("cargo::rerun-if-changed={shown}");
+    println!("cargo::warning=WheelRail.fmu, WheelSet.fmu and their kin hold {shown}");
+    vec![own(target).library(path)]
 }
 
 /// Builds the libraries, each in a target directory of its own, and says which there are.
@@ -48,7 +66,7 @@ pub struct Library {
 /// # Panics
 /// With a message for the user if a platform is not known, or a build fails though its tools are
 /// there.
-pub fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
+fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     println!("cargo::rerun-if-env-changed={VARIABLE}");
     let asked = env::var(VARIABLE).unwrap_or_default();
     let asked: Vec<&str> =
@@ -75,13 +93,19 @@ pub fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     for missing in missing {
         println!("cargo::warning={missing}");
     }
-    let library = |(job, path): (&Job, PathBuf)| Library {
-        platform: job.platform,
-        tuple: tuple(&job.target),
-        extension: job.file.rsplit('.').next().unwrap_or_default(),
-        path,
-    };
-    jobs.iter().zip(libraries).map(library).collect()
+    jobs.iter().zip(libraries).map(|(job, path)| job.library(path)).collect()
+}
+
+impl Job {
+    /// What lies at `path`, for its platform.
+    fn library(&self, path: PathBuf) -> Library {
+        Library {
+            platform: self.platform,
+            tuple: tuple(&self.target),
+            extension: self.file.rsplit('.').next().unwrap_or_default(),
+            path,
+        }
+    }
 }
 
 /// What is built, and what was asked for and is not.

@@ -3,15 +3,11 @@
 //!
 //! Left out, with a word, where there is no Valgrind (`apt install valgrind`).
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
+use crate::packaged;
 use wheelrail::variables::{GUID, find};
-
-/// The library that cargo made beside this test.
-fn library() -> PathBuf {
-    std::env::current_exe().unwrap().with_file_name("libwheelrail.so")
-}
 
 #[test]
 #[cfg(target_os = "linux")]
@@ -30,7 +26,7 @@ fn a_host_in_c_finds_no_memory_error_and_no_leak() {
         .args(["--leak-check=full", "--errors-for-leak-kinds=definite,indirect"])
         .args(["--error-exitcode=99", "--quiet"])
         .arg(&host)
-        .arg(library())
+        .arg(packaged::library())
         .arg(GUID)
         .args(["wheel.z", "wheel.force.z", "wheel.profile"].map(reference))
         .output()

@@ -1,5 +1,5 @@
 //! An allocator that counts what the calling thread asks it for.
-#![allow(unsafe_code, dead_code)] // each test crate uses its own part
+#![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -1,5 +1,5 @@
 //! A host that calls the functions of FMI 3.0 as an importer does and keeps what the logger gets.
-#![allow(unsafe_code, dead_code)]
+#![allow(unsafe_code)]
 // The box fixes the address that the logger gets.
 #![allow(clippy::unnecessary_box_returns)]
 

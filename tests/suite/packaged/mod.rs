@@ -1,8 +1,8 @@
-//! The FMU as a release build packs it, in a target directory of its own. Tests that are not of a
-//! release build themselves do without optimisation at link time, which takes minutes on one core.
+//! The FMU as a release build packs it, in a target directory of its own. Tests of a release build have
+//! the library that users get. Others have the one that cargo made beside them, with the checks of
+//! debug builds in it, which takes no second build.
 
-#![allow(dead_code)] // each test crate uses its own part
-
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -34,17 +34,19 @@ pub fn for_platforms(platforms: &str) -> PathBuf {
     build("portable", platforms)
 }
 
+/// The library that cargo made beside this test.
+pub fn library() -> PathBuf {
+    let name = format!("{DLL_PREFIX}wheelrail{DLL_SUFFIX}");
+    std::env::current_exe().expect("a test has a path").with_file_name(name)
+}
+
 fn build(folder: &str, platforms: &str) -> PathBuf {
     // Not the outer target directory: cargo may hold its lock while the tests run.
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
     let mut command = Command::new(env!("CARGO"));
-    if cfg!(debug_assertions) {
-        // The build script packs, and builds the library for that by itself: of the rest a check is
-        // enough.
-        command
-            .arg("check")
-            .env("CARGO_PROFILE_RELEASE_LTO", "off")
-            .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
+    if cfg!(debug_assertions) && platforms.is_empty() {
+        // The build script packs: of the rest a check is enough.
+        command.arg("check").env("WHEELRAIL_LIBRARY", library());
     } else {
         command.arg("build");
     }

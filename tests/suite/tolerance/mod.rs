@@ -1,8 +1,6 @@
 //! Every tolerance of the integration tests: what it bounds, against what, and why it is as large
 //! as it is.
 
-#![allow(dead_code)] // each test crate uses its own part
-
 /// Exact within rounding of a few operations.
 pub const ROUNDING: f64 = 1e-12;
 
