@@ -1,4 +1,18 @@
 //! Creepage at a point of the contact plane, and the speed it refers to.
+//!
+//! The velocity w of the wheel relative to the rail at the point P, both rigid, and the rotations ω
+//! give in the axes e_x, t (across) and n (into the rail) of the contact
+//!
+//! ```text
+//! w = v_M + ω × (P - M) - (v_rail + ω_rail × (P - M_rail))
+//! ξ = w · e_x / V,   η = w · t / V,   φ = (ω - ω_rail) · n / V
+//! V = max((|v_x| + |ω_pitch| r)/2, floor)
+//! ```
+//!
+//! with M the marker of the wheel, M_rail that of the rail, or a point of the axle of a roller, and
+//! r the rolling radius. Source: kinematics of rigid bodies; ξ, η and φ as Piotrowski and Kik
+//! (2008), section 4, and Kalker (1990) define them, with the sign of wheel minus rail.
+//! docs/theory.md, section 8.
 
 use nalgebra::Vector3;
 

@@ -12,23 +12,40 @@
 //! I2 = ∬ sqrt((x_l² - x²) / (x² + y²)) dx dy = ∫ 2 s (K(m) - E(m)) dy, s² = x_l² + y², m = x_l²/s²
 //! ```
 //!
-//! **The integral I2.** Its integrand has a logarithmic singularity at y = 0. The strips are the
-//! nodes of a Gauss-Legendre rule in the parameter u of the contact line, and what that rule makes
-//! of the same singularity in u, for which there is a closed form, is taken off: the two meet at
-//! the contact point u_c, and away from it the sum stays one over strips, whatever the outline does
-//! there. So it holds where the outline of a yawed wheel folds, y(u) turns back and widths do not
-//! add up to a distance of edges. As each strip gives at least
+//! The displacement of the half-space equals the approach at one point, the contact point, which is
+//! that of least separation. All zones with g > 0 belong to one half-space and act on this point.
+//! With a [`ShapeFit`] the area gets the ratio of length to width of a Hertzian ellipse before its
+//! pressure is found.
+//!
+//! **Pressure and force.** [`solve`] computes p0/x_l(0) = π E* δ/I2, `scale` in the code: times the
+//! half length it is the pressure of a strip. N is the sum over the strips of each zone
+//! (`Strips::summarise`), which is the formula above with I1 as a sum.
+//!
+//! # How the integral I2 is evaluated
+//!
+//! **Sum over strips.** The strips are the nodes u_j of a Gauss-Legendre rule in the parameter u of
+//! the contact line, with the weights w_j. For I2 they are taken as centred above the contact
+//! point, also on a yawed wheel.
+//!
+//! **Singularity.** The integrand has a logarithmic singularity at the contact point u_c. The rule
+//! integrates this logarithm with an error that is known in closed form (`logarithm_error`), and
+//! the sum is corrected by it:
+//!
+//! ```text
+//! I2 = Σ w_j y'(u_j) 2 s_j (K - E)_j + x_l(0) y'(u_c) (Σ w_j ln((u_j - u_c)²) - ∫ ln((u - u_c)²) du)
+//! ```
+//!
+//! The correction needs the outline at u_c only. So it also holds where the outline of a yawed wheel
+//! folds: there y(u) turns back, and the widths do not add up to the distance of the edges.
+//!
+//! **Lower bound.** Each strip gives at least
 //!
 //! ```text
 //! ∫ sqrt((x_l² - x²)/(x² + y²)) dx ≥ π x_l²/(2 s)   and hence   N ≤ π E* δ max(s)
 //! ```
 //!
-//! the sum is not let below that where an outline is kinked between two strips.
-//!
-//! All zones with g > 0 belong to one half-space and to the one contact point at which the
-//! displacement meets the approach. For the influence on that point strips are taken as centred
-//! above it, also on a yawed wheel. With a [`ShapeFit`] the area gets the ratio of length to width
-//! of a Hertzian ellipse before its pressure is found.
+//! Where an outline has a kink between two strips the corrected sum may be less than the sum of
+//! these bounds; the larger of the two is used.
 
 use multiversion::multiversion;
 

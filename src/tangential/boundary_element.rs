@@ -127,7 +127,7 @@ impl LoadedElements {
         let mut rigid = vec![[0.0; 2]; grid.len()];
         for (j, row) in self.rows.iter().enumerate() {
             let Some(row) = row else { continue };
-            let [from, to] = row.strips.map(|j| loaded.bound(j));
+            let [from, to] = row.strips.map(|j| loaded.friction_coefficient(j));
             // From the first on, so that strips alike give the same to the last bit.
             let friction = from + row.share * (to - from);
             let own = j * grid.along..(j + 1) * grid.along;

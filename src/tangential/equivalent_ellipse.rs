@@ -1,7 +1,9 @@
-//! The ellipse that stands for a zone, or for a lobe of it.
+//! The ellipse that stands for a zone, or for a lobe of it, in the table of creep forces: its
+//! moments, creepage and friction, and its force.
 //!
-//! In the table of creep forces it is centred at the centroid of the load and has the second
-//! moments of the load; for the flexibilities of marches it has those of the outline.
+//! It is centred at the centroid of the load and has the second moments of the load. The ellipse of
+//! the flexibilities L1, L2 and L3 has those of the outline instead: that one, and the formulas of
+//! the semi-axes for both, are in [`outline`](super::outline).
 //!
 //! That strips of a yawed wheel are shifted against each other along rolling is left out: particles
 //! cross each of them alone. Of the ellipses tried (moments of load, of area, length to width with

@@ -114,7 +114,7 @@ impl Fastrip {
             for (lane, own) in theory.iter_mut().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
-                let bound = loaded.bound(j) * strips.pressure[j];
+                let bound = loaded.friction_coefficient(j) * strips.pressure[j];
                 if bound <= 0.0 || a <= 0.0 {
                     continue;
                 }

@@ -1,18 +1,32 @@
-//! FASTSIM on the true patch: Kalker's march through each strip from its leading edge.
+//! FASTSIM on the true patch: integration of the traction along each strip, from its leading edge.
 //!
 //! Source: Kalker, Vehicle System Dynamics 11 (1982) 1-13, with three flexibilities; applied to
 //! patches of any outline by Piotrowski and Kik (2008), section 3. With s the distance from the
-//! leading edge of a strip and the rigid slip referred to the centroid of load of the zone
+//! leading edge of a strip, x and y from the centroid of load of the zone, μ the coefficient of
+//! friction ([`LoadedZone::friction_coefficient`]) and p_n the pressure, flat creepage gives
 //!
 //! ```text
-//! dp_x/ds = -(ξ/L1 - y φ/L3),  dp_y/ds = -(η/L2 + x φ/L3),  |p| ≤ bound(x, y)
+//! dp_x/ds = -(ξ/L1 - y φ/L3),  dp_y/ds = -(η/L2 + x φ/L3),  |p| ≤ μ p_n(x, y)
 //! ```
 //!
-//! or with a rigid slip of each strip of its own ([`RigidSlip`]).
+//! With curved creepage each strip j has creepages ξ_j, η_j, φ_j of its own. Their mean over the
+//! zone acts through L1 and L2, what they deviate by through L3, as spin does
+//! ([`rigid_slip`](super::rigid_slip)); t is the place along x from the centre of the strip:
+//!
+//! ```text
+//! dp_x/ds = -(ξ_mean/L1 + (ξ_j - ξ_mean)/L3)
+//! dp_y/ds = -(η_mean/L2 + (η_j - η_mean)/L3 + t φ_j/L3)
+//! ```
+//!
+//! Where ξ_j = ξ - y φ and η_j = η + x φ at the centre of the strip these are the equations above.
 //!
 //! Each strip has its own elements of equal length, so that the result does not depend on a grid
-//! that the patch slides over. The bound of an element is its mean over the element: full sliding
-//! gives the friction limit to rounding.
+//! that the patch slides over. The bound of an element, μ p_n, is its mean over the element: full
+//! sliding gives the friction limit to rounding.
+//!
+//! The step from one element to the next stands twice: forces come from
+//! [`Fastsim::strip_forces`], which takes many strips at once (`march_strips`, and with derivatives
+//! `march_with_slopes`); [`Fastsim::tractions`] serves pictures and tables of the traction.
 
 use multiversion::multiversion;
 
@@ -34,7 +48,7 @@ pub enum TractionBound {
     Parabolic,
 }
 
-/// Strips that are marched together.
+/// Strips that are marched through together, that is integrated along from their leading edges.
 const LANES: usize = 32;
 type Lanes<T> = [T; LANES];
 
@@ -104,7 +118,7 @@ impl Fastsim {
                 march.step_x[lane] = -step * growth.longitudinal;
                 march.step_y[lane] = -step * growth.lateral;
                 march.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
-                march.bound[lane] = loaded.bound(j)
+                march.bound[lane] = loaded.friction_coefficient(j)
                     * match self.bound {
                         TractionBound::Elliptic => strips.pressure(j),
                         TractionBound::Parabolic => parabola * a * a,
@@ -143,7 +157,7 @@ impl Fastsim {
         let a = strips.half_length[j];
         let step = 2.0 * a / self.profile.len() as f64;
         let growth = slip.growth(j, flexibility);
-        let bound = loaded.bound(j) * self.greatest_bound(zone, strips, j);
+        let bound = loaded.friction_coefficient(j) * self.bounding_pressure(zone, strips, j);
         let mut p = [0.0; 2];
         let elements = self.profile.iter().zip(&self.abscissae).enumerate();
         elements
@@ -160,8 +174,8 @@ impl Fastsim {
             .collect()
     }
 
-    /// Greatest bound of strip `j` over the coefficient of friction [Pa].
-    fn greatest_bound(&self, zone: &Zone, strips: &Strips, j: usize) -> f64 {
+    /// The pressure p_n that bounds the traction at the centre of strip `j` [Pa].
+    fn bounding_pressure(&self, zone: &Zone, strips: &Strips, j: usize) -> f64 {
         match self.bound {
             TractionBound::Elliptic => strips.pressure[j],
             TractionBound::Parabolic => {
@@ -205,7 +219,8 @@ impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
     }
 }
 
-/// What the march of up to `LANES` strips needs: traction increments per element and bounds.
+/// What the march of up to `LANES` strips needs: traction increments per element and the bounds μ p_n
+/// at the centres of the strips [Pa].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct March<T> {
     step_x: Lanes<T>,

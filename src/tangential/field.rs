@@ -123,7 +123,7 @@ impl Tangential {
                         let t = (field.grid.x(i) - strips.x[strip]) / strips.half_length[strip];
                         if field.pressure[k] > 0.0 {
                             let (share, slips) = tractions(strip - zone.first, t);
-                            let bound = loaded.bound(strip) * field.pressure[k];
+                            let bound = loaded.friction_coefficient(strip) * field.pressure[k];
                             field.traction[k] = share.map(|share| share * bound);
                             field.adherence[k] = adherence(slips);
                         }

@@ -1,9 +1,10 @@
-//! Friction that falls with the sliding speed, and creep forces that grow more slowly on
+//! Friction that falls with the slip velocity, and creep forces that grow more slowly on
 //! contaminated rails.
 //!
-//! Falling friction, with the sliding speed s of the rigid slip, its root mean square over the
-//! pressure of an ellipse of the zone's length L and width W, so that spin counts too (the sources
-//! have no spin in it):
+//! Falling friction: the coefficient goes from μ₀ without slip to μ_∞ at infinite slip velocity,
+//! A = μ_∞/μ₀ [-], at a rate B [s/m]. The slip velocity s [m/s] is the root mean square of the rigid
+//! slip over the pressure of an ellipse of the zone's length L and width W [m], so that spin counts
+//! too (the sources have no spin in it):
 //!
 //! ```text
 //! μ = μ₀ ((1 - A) f(B s) + A),      s² = V² (ξ² + η² + φ² (L² + W²)/20)
@@ -13,7 +14,7 @@
 //! linear        f(x) = max(1 - x, 0)
 //! ```
 //!
-//! All begin with the slope -μ₀ (1 - A) B.
+//! All begin with the slope dμ/ds = -μ₀ (1 - A) B. V is the reference speed of the creepages.
 //!
 //! Reduced initial slope (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013) 1653-1671),
 //! here of all models: a layer between the bodies makes them seem softer in shear, G k for G,
@@ -22,7 +23,8 @@
 //! k = k₀ (α + (1 - α)/(1 + β ε)),      ε = G π a b k₀ c11 sqrt(ξ² + η²)/(4 μ N)
 //! ```
 //!
-//! with the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for
+//! with k₀ the reduction at vanishing creepage, α the share of it that stays at large creepage, β its
+//! decay [-], and the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for
 //! η where that is greater; spin is left out.
 //!
 //! Kalker's reduction is α = 1: the slope is k₀ times that of clean bodies, whatever the creepage.

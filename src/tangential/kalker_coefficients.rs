@@ -1,10 +1,19 @@
-//! Kalker's linear creep coefficients of an ellipse.
+//! Kalker's creepage coefficients c_ij of an ellipse.
+//!
+//! Source: Kalker's linear theory (On the Rolling Contact of Two Elastic Bodies in the Presence of
+//! Dry Friction, Delft 1967; Three-Dimensional Elastic Bodies in Rolling Contact, 1990): full
+//! adhesion in steady rolling, the limit of vanishing creepage. Force [N] and moment [N m] on the
+//! wheel are
 //!
 //! ```text
 //! Fx = -G c² c11 ξ,  Fy = -G c² (c22 η + c c23 φ),  Mz = -G c³ (c32 η + c c33 φ),  c = sqrt(a b), c32 = -c23
 //! ```
 //!
-//! Instead of Kalker's printed table a polynomial of ln c in t = ln(a/b) and ν, fitted to
+//! with the combined shear modulus G [Pa], the semi-axes a along rolling and b across [m], the
+//! creepages ξ and η [-] and the spin φ [1/m]. The c_ij have no unit; they depend on a/b and on the
+//! combined Poisson ratio ν.
+//!
+//! Instead of Kalker's printed table a polynomial of ln c_ij in t = ln(a/b) and ν, fitted to
 //! coefficients computed from first principles (Galin polynomials of degree 16 to 20) for 0 ≤ ν ≤
 //! 0.5 and 0.05 ≤ a/b ≤ 20; greatest error 0.21, 0.13, 0.48, 1.4 % of c11, c22, c23, c33 (0.10,
 //! 0.08, 0.18, 0.19 % at ν = 0.28). Beyond, it is carried smoothly into the asymptotes of the strip
@@ -17,13 +26,13 @@ use crate::math::real::Real;
 /// The coefficients of longitudinal and lateral creepage and of spin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KalkerCoefficients<T = f64> {
-    /// Longitudinal force for longitudinal creepage.
+    /// Longitudinal force for longitudinal creepage [-].
     pub c11: T,
-    /// Lateral force for lateral creepage.
+    /// Lateral force for lateral creepage [-].
     pub c22: T,
-    /// Lateral force for spin.
+    /// Lateral force for spin, and with the other sign moment for lateral creepage [-].
     pub c23: T,
-    /// Moment for spin.
+    /// Moment for spin [-].
     pub c33: T,
 }
 

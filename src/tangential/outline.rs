@@ -1,5 +1,10 @@
-//! The outline of a zone, or of a lobe of it, and the ellipse with its second moments or those of
-//! the load.
+//! The outline of a zone, or of a lobe of it, and the equivalent ellipse: type and formulas of its
+//! semi-axes a and b from second moments.
+//!
+//! For the flexibilities L1, L2 and L3 the moments are those of the outline, which [`Outline::of`]
+//! sums. For the table of creep forces they are those of the load, which
+//! [`equivalent_ellipse`](super::equivalent_ellipse) sums, together with the creepage and the
+//! friction of that ellipse.
 
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};

@@ -150,7 +150,8 @@ impl Default for LawCoefficients {
                 limits: [100.0, 200.0],
             },
             zobory: Zobory { mild: 7e-10, severe: 21e-10, limit: 4e6 },
-            // Dry, the centres of the ranges of the map.
+            // Dry, centres of the ranges of the map (1 to 10, 30 to 40 and 300 to 400, in 1e-4): 5.5
+            // of the first is rounded to 5.
             archard: Archard {
                 mild: 5e-4,
                 severe: 35e-4,

@@ -1,21 +1,35 @@
 //! The equations of the strips.
 //!
-//! Unknowns are z at each node and χ at each knot. Between nodes z is linear; where it is positive
-//! it is the load per width over the contact modulus E*, and where it is negative it is a gap:
+//! Unknowns are z at each node and χ at each knot. Between nodes z is linear:
 //!
 //! ```text
-//! u(l, χ) - overlap - K max(0, -z)^(3/2) = 0                                                at each node
-//! Σ_i h_k(i) ω_i (2 R (u(0) - u(0.7 a))/(0.7 a)² - 1) + penalty = 0,  ω_i ~ w_i l_i^(3/2)   for each knot k, with its hat h_k
+//! u - overlap - K max(0, -z)^(3/2) = 0                                       at each node
+//! Σ_i h_k(i) ω_i (2 R (u(0) - u(0.7 a))/(0.7 a)² - 1) + penalty = 0          for each knot k
+//! l = max(0, z),   a² = (2/π) l e^-χ,   ω_i ~ w_i l_i^(3/2)
 //! ```
 //!
-//! so that the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map:
+//! | symbol | quantity | unit |
+//! |---|---|---|
+//! | z | load per width over E* where positive; where negative a measure of the gap | m |
+//! | l | load per width over E*, P/E* | m |
+//! | χ | ln(c/E*), c the peak pressure of a strip over its half length | ln 1/m |
+//! | a | half length of a strip | m |
+//! | u, overlap | displacement of both bodies and overlap, along the normal of the node | m |
+//! | K | gap over (-z)^(3/2), [`Scales::gap`] | m^-1/2 |
+//! | R | radius of the normal section of the wheel along x | m |
+//! | h_k | hat function: 1 at knot k, 0 at the others, linear in the number of the node between | - |
+//! | w_i | half of the loaded parts of the two cells beside node i | m |
+//! | ω_i | weight of node i, [`Scales::weight`] | - |
+//! | penalty | on differences of χ between knots, for knots without load | - |
+//!
+//! So the complementarity l ≥ 0, gap ≥ 0, l · gap = 0 is one smooth equation (a normal map:
 //! Robinson, Mathematics of Operations Research 17 (1992) 691), and the edges of contact are the
 //! roots of z: beside an edge the load goes linearly and the gap with the power 3/2, and K is such
-//! that z has no bend there on an ellipse. A source with the load per width l, the half length a,
-//! a² = 2 l/(π c), and the width h displaces a node at the distance d by
+//! that z has no bend there on an ellipse. A source of the width b with l and a displaces a node at
+//! the distance d by
 //!
 //! ```text
-//! u = (2/π²) h l D(d/a)/a     in units of E*, both bodies together
+//! u = (2/π²) b l D(d/a)/a     both bodies together, D of `influence`
 //! ```
 //!
 //! Sources are the points of [`RULE`] in the loaded parts of the two cells beside the node, and the

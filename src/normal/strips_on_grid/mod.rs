@@ -1,22 +1,35 @@
-//! Strips that all satisfy the contact condition.
+//! Strips that all satisfy the contact condition: `normal.model` = strips, the default.
 //!
-//! The semi-elliptical pressure of each strip is that of Piotrowski and Kik; instead of at one
-//! point, the displacement of the half-space meets the overlap of the bodies at every node that
-//! carries load, and its fall along x, to 0.7 of the half length, that of the wheel. The load per
-//! width l is what is sought: it goes to zero linearly where the contact ends, it determines the
-//! displacement far away, and it cannot be negative. The pressure over the half length, c, varies
-//! slowly over a contact region: it is constant on an ellipse.
+//! Each strip has a semi-elliptical pressure, as with Piotrowski and Kik (2008). In their model the
+//! displacement of the half-space equals the overlap of the bodies at one point, here at every node
+//! that carries load:
 //!
 //! ```text
-//! p(x, y) = c(y) sqrt(a(y)² - (x - x_0(y))²),   a² = 2 l/(π c)
-//! l ≥ 0,   u_n - overlap ≥ 0,   l (u_n - overlap) = 0
+//! p(x, y) = c(y) sqrt(a(y)² - (x - x_0(y))²),   P = (π/2) c a²
+//! P ≥ 0,   u_n - overlap ≥ 0,   P (u_n - overlap) = 0
 //! ```
 //!
-//! All overlaps of a rail are one problem on one grid, without a list of regions or edges: these
-//! are read off the solution. The displacement at a node is taken along its own normal.
+//! | symbol | quantity | unit |
+//! |---|---|---|
+//! | x, y | along the track; across, as arc of the rail | m |
+//! | x_0, a | centre and half length of a strip | m |
+//! | c | peak pressure of a strip over its half length | Pa/m |
+//! | P | load per width of a strip | N/m |
+//! | u_n | displacement of both bodies together along the normal of the node | m |
+//! | overlap | of the undeformed bodies, along the same normal | m |
+//! | R | radius of the normal section of the wheel along x | m |
 //!
-//! This is `normal.model` = strips, with which an element starts; docs/theory.md, section 6, has
-//! the equations, docs/validation.md the errors.
+//! Unknown are P and c. P goes to zero linearly where the contact ends and determines the
+//! displacement far away. c varies slowly over a contact region, and is constant on an ellipse; it
+//! follows from a condition along x: the difference of displacement between x = 0 and x = 0.7 a
+//! equals that of the wheel's section, (0.7 a)²/(2 R).
+//!
+//! All overlaps of a rail are one problem on one grid, without a list of regions or edges: contact
+//! zones are extracted from the solution (`zones`).
+//!
+//! The equations in these unknowns are in `equations`, the influence of a strip in `influence`,
+//! units and weights in `scales`; docs/theory.md, section 6, has the derivation,
+//! docs/validation.md the errors.
 
 mod beside;
 mod columns;

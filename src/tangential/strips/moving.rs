@@ -46,7 +46,7 @@ impl TractionStrips {
             for (i, place) in self.moving.layout.places.iter().enumerate() {
                 let j = zone.first + i;
                 let strips = loaded.strips;
-                let bound = to(loaded.bound(j) * strips.pressure[j]);
+                let bound = to(loaded.friction_coefficient(j) * strips.pressure[j]);
                 let sizes = [bound, to(strips.half_length[j]), to(strips.width[j])];
                 let force = self.resultant(sizes, rolling, place, &self.moving.strips);
                 let back = |one: One| {

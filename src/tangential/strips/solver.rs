@@ -102,7 +102,7 @@ impl TractionStrips {
         states: &[Strip<T>],
     ) -> StripForce<T> {
         let strips = loaded.strips;
-        let (bound, a) = (loaded.bound(j) * strips.pressure[j], strips.half_length[j]);
+        let (bound, a) = (loaded.friction_coefficient(j) * strips.pressure[j], strips.half_length[j]);
         self.resultant([bound, a, strips.width[j]], rolling, place, states)
     }
 
@@ -186,7 +186,7 @@ pub(super) fn carrier<T: Real, O: Real>(
         x: to(strips.x[j]) * direction,
         y: to(strips.y[j]),
         half_length: to(strips.half_length[j]),
-        bound: to(loaded.bound(j) * strips.pressure[j]),
+        bound: to(loaded.friction_coefficient(j) * strips.pressure[j]),
         width: to(strips.width[j]),
         creepage: Creepage {
             longitudinal: to(creepage.longitudinal) * direction,
