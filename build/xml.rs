@@ -23,7 +23,7 @@ const PLAIN_PATCHES: usize = 4;
 /// What of a patch it has not: what only laws of friction by place and heat tell.
 const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
-/// What it has nothing of: track that gives way, rollers.
+/// What it has nothing of: elastically supported rails, rollers.
 const PLAIN_LACKS_ALL_OF: [&str; 3] = ["foundation.", ".roller_radius", "].pitch_rate"];
 
 impl Style {

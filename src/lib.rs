@@ -32,7 +32,7 @@
 //! frame lies on the track centre line in the plane of the rail tops.
 //!
 //! ```text
-//!   track centre line       plane of the running circle
+//!   track centre line       plane of the nominal rolling circle
 //!       .                        .
 //!       .     axle ..............M.......          M  wheel marker: y about +0.75 m, z about -(nominal radius)
 //!       .       |                .      |
@@ -56,7 +56,7 @@
 //! - A left wheel is computed as the mirror image of a right one; in- and outputs are those of the
 //!   real left wheel.
 //! - Profiles are those of the right side: y to the field side, z down. Wheel: origin on the
-//!   running circle.
+//!   nominal rolling circle.
 //!
 //! # Units
 //!

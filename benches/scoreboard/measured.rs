@@ -202,8 +202,8 @@ fn on_crossing(element: &mut Element, table: &Table, row: &csv::StringRecord) ->
     Case { name: row[0].to_owned(), errors }
 }
 
-/// Where the running circle of the worn wheel is: from the centre of the wheelset, and below its
-/// axle [m].
+/// Where the nominal rolling circle of the worn wheel is: from the centre of the wheelset, and
+/// below its axle [m].
 const WORN_WHEEL: [f64; 2] = [0.743_70, 0.444];
 
 fn worn_wheel(setting: &Setting) -> Option<Vec<Case>> {

@@ -147,8 +147,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     ) -> T {
         let wheel = &self.input.wheel;
         let load = strips.load();
-        // Uneven bodies may touch in several places at once: their mean closing speed has no jump
-        // where the first one changes.
+        // Uneven bodies may touch in several places at once: their mean approach velocity has no
+        // jump where the first one changes.
         let along = self.rail.along(self.contact.rail_s);
         let x = if (lifting.is_some() || along.is_some()) && load > 0.0 {
             strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
@@ -158,7 +158,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         // The wheel's surface of first touch lies deeper in the rail by the penetration.
         let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
         let normal = self.frame.direction(self.contact.normal());
-        let even = motion.closing_velocity(touch).dot(&normal);
+        let even = motion.approach_velocity(touch).dot(&normal);
         let [forward, ..] = wheel.velocity;
         if let Some(along) = along {
             return even + forward * along.lean;

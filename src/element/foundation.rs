@@ -2,8 +2,8 @@
 //! mass.
 //!
 //! All rails of the side are one body on it, which moves sideways and up and down in their frame.
-//! Without mass they rest in equilibrium with the contact forces (`resting_rails`), and those with
-//! a mass do so until their first step (`moving_rails`).
+//! Without mass they rest in equilibrium with the contact forces (`quasi_static_rails`), and those
+//! with a mass do so until their first step (`moving_rails`).
 
 /// What of the foundation is taken into account.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

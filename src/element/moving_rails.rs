@@ -22,7 +22,7 @@ use super::foundation::TrackState;
 use super::input::{INPUTS, Input, PLACES, VELOCITIES, move_all};
 use super::output::Output;
 use super::parameters::{FoundationModel, Side};
-use super::resting_rails::solve;
+use super::quasi_static_rails::solve;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 

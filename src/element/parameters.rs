@@ -63,7 +63,7 @@ pub enum FrictionDistribution {
 pub struct WheelParameters {
     /// Built-in name or file of the profile; slices or a table of sections where it varies around.
     pub profile: String,
-    /// Radius of the running circle, > 0 [m].
+    /// Radius of the nominal rolling circle, > 0 [m].
     pub nominal_radius: f64,
     /// Young's modulus, > 0 [Pa].
     pub young_modulus: f64,

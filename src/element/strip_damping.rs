@@ -55,7 +55,7 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = [0, 1].map(|axis| point[axis] + overlap * normal[axis]);
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
-        let even = self.motion.closing_velocity(touch).dot(&along);
+        let even = self.motion.approach_velocity(touch).dot(&along);
         let even = self.rail.along(y).map_or(even, |along| even + self.forward * along.lean);
         let even = self.around.map_or(even, |line| {
             even + self.motion.turning_velocity(line.ahead_of_round(u)).dot(&along)

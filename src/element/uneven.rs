@@ -44,7 +44,7 @@ impl Default for OutOfRound {
 /// A flat of a wheel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WheelFlat {
-    /// Length along the running circle, 0 for none [m].
+    /// Length along the nominal rolling circle, 0 for none [m].
     pub length: f64,
     /// Place of its middle: the angle by which the wheel has to roll forward from pitch 0 until it
     /// stands on it [rad].

@@ -90,7 +90,7 @@ pub struct LinePoint<T = f64> {
 
 impl<'a, T: Real> ContactLine<'a, T> {
     /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its
-    /// running circle [m].
+    /// nominal rolling circle [m].
     #[must_use]
     pub fn new(profile: &'a Curve, nominal_radius: f64, pose: &WheelPose<T>) -> Self {
         let (sin_roll, cos_roll) = pose.roll.sin_cos();
@@ -113,7 +113,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
         }
     }
 
-    /// Radius of the running circle [m].
+    /// Radius of the nominal rolling circle [m].
     #[must_use]
     pub fn nominal_radius(&self) -> f64 {
         self.nominal_radius

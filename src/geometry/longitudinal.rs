@@ -42,7 +42,7 @@ pub struct Longitudinal {
     curvature: f64,
     /// Station below the wheel marker [m].
     station: f64,
-    /// Place of the running circle that is straight below the axle [m].
+    /// Place of the nominal rolling circle that is straight below the axle [m].
     turn: f64,
     /// First of the samples [m].
     first: f64,
@@ -50,8 +50,8 @@ pub struct Longitudinal {
 }
 
 impl Longitudinal {
-    /// The deviations of a wheel, over the arc of its running circle with `nominal_radius` [m], and
-    /// of a rail; nothing where both are even.
+    /// The deviations of a wheel, over the arc of its nominal rolling circle with `nominal_radius`
+    /// [m], and of a rail; nothing where both are even.
     #[must_use]
     pub fn new(wheel: Waviness, rail: Waviness, nominal_radius: f64) -> Option<Self> {
         if wheel.is_empty() && rail.is_empty() {
@@ -60,7 +60,7 @@ impl Longitudinal {
         let (w, r) = (wheel.bounds(), rail.bounds());
         let highest = w.range[1] + r.range[1];
         let range = highest - w.range[0] - r.range[0];
-        // Circles of the wheel are at most twice as large as the running circle.
+        // Circles of the wheel are at most twice as large as the nominal rolling circle.
         let largest = 2.0 * nominal_radius;
         let reach = (2.0 * largest * range).sqrt().min(largest * (w.slope + r.slope));
         let spacing = w.spacing.min(r.spacing).min(0.5 * reach).clamp(SPACING[0], SPACING[1]);

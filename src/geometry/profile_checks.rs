@@ -10,7 +10,7 @@ const FEWEST_POINTS: usize = 8;
 const EXTENT: [f64; 2] = [0.010, 1.0];
 /// Diagonal that a profile in another unit than stated must have [m].
 const LIKELY_EXTENT: [f64; 2] = [0.02, 0.5];
-/// A flange rises at least this much over the running circle, and nothing else does [m].
+/// A flange rises at least this much over the nominal rolling circle, and nothing else does [m].
 const FLANGE_RISE: f64 = 0.008;
 /// A rim face is closer to the end of a profile than this; a flange reaches further [m].
 const RIM_FACE: f64 = 0.010;

@@ -195,7 +195,7 @@ pub enum ProfileError {
         /// The line after which the later stretch lies.
         other_line: usize,
     },
-    /// A wheel profile that does not reach its running circle.
+    /// A wheel profile that does not reach its nominal rolling circle.
     #[error(
         "{file}:{line}: the wheel does not reach its running circle, y = 0: it spans y = {from_mm} to {to_mm} mm; \
          shift y so that 0 is the running circle (or the flange back, then all y are positive)"

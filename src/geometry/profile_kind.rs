@@ -5,7 +5,7 @@ use std::fmt;
 /// Of which body a profile is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProfileKind {
-    /// Origin on the running circle: the local rolling radius is the nominal radius plus z.
+    /// Origin on the nominal rolling circle: the local rolling radius is the nominal radius plus z.
     Wheel,
     /// Origin at the top of the rail head, before inclination; text and SIMPACK files as they
     /// stand.

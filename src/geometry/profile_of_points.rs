@@ -12,10 +12,10 @@
 //! they are few.
 //!
 //! **Origin.** A wheel whose points all have y > -5 mm is measured from its flange back, as
-//! `MiniProf` does and some SIMPACK files do: its running circle is 70 mm from y = 0, and z is
-//! counted from the profile there. Any other wheel is taken as it stands, with the running circle
-//! at y = 0 and the nominal radius at z = 0. A rail is taken as it stands; a `MiniProf` rail gets
-//! its origin at its highest point.
+//! `MiniProf` does and some SIMPACK files do: its nominal rolling circle is 70 mm from y = 0, and z
+//! is counted from the profile there. Any other wheel is taken as it stands, with the nominal
+//! rolling circle at y = 0 and the nominal radius at z = 0. A rail is taken as it stands; a
+//! `MiniProf` rail gets its origin at its highest point.
 //!
 //! **Smoothing.** y and z are smoothed as splines over the arc length, so that flanks and vertical
 //! faces fare as well as the tread. The strength is a wavelength L: a wave of that length along the
@@ -38,7 +38,7 @@ use crate::math::spline::{penalty_of_wavelength, smoothing_spline};
 const MERGE_DISTANCE: f64 = 1e-6;
 /// The same as a share of the wavelength, which bounds the condition of the smoothing equations.
 const MERGE_SHARE: f64 = 1e-3;
-/// Distance of the running circle from the flange back [m] (EN 13715).
+/// Distance of the nominal rolling circle from the flange back [m] (EN 13715).
 const RUNNING_CIRCLE: f64 = 0.070;
 /// A wheel with all points at larger y than this is measured from its flange back [m].
 const FLANGE_BACK_TOLERANCE: f64 = -0.005;
@@ -185,7 +185,7 @@ impl ProfilePoints {
     }
 }
 
-/// z where the curve passes the running circle, y = 0, nearest to its field end [m].
+/// z where the curve passes the nominal rolling circle, y = 0, nearest to its field end [m].
 fn height_at_running_circle(curve: &Curve) -> f64 {
     let knots: Vec<f64> = curve.knots().collect();
     let y = |s: f64| curve.at(s).point[0];

@@ -92,7 +92,7 @@ const FLANGE_BACK_TOP: f64 = -20.0;
 /// Distance of the points through which the polynomial zones are laid [mm].
 const POINT_DISTANCE: f64 = 0.25;
 
-/// S1002 with flange back; origin on the running circle, 70 mm from the flange back.
+/// S1002 with flange back; origin on the nominal rolling circle, 70 mm from the flange back.
 ///
 /// Departure from the standard: its digits leave steps of 0.12 and 0.04 µm and breaks of up to 3e-4
 /// degrees where zone C meets D and B. A cubic added over zone C, nowhere above 0.12 µm, closes

@@ -44,7 +44,7 @@ use crate::math::fixed_vec::FixedVec;
 const LEAST_RATE: f64 = 0.1;
 /// Rows of which only one is looked through for the place that lies lowest.
 const STRIDE: usize = 4;
-/// Spacing at which it is looked through, along the running circle [m].
+/// Spacing at which it is looked through, along the nominal rolling circle [m].
 const SCAN: f64 = 2e-3;
 /// Newton steps to the place on a row, the last of them, and the longest [rad].
 const MOST_STEPS: usize = 12;
@@ -120,8 +120,8 @@ struct Place {
 }
 
 impl VaryingWheel {
-    /// The wheel of `slices` over the angle [rad], of a running circle with the radius `radius`
-    /// [m].
+    /// The wheel of `slices` over the angle [rad], of a nominal rolling circle with the radius
+    /// `radius` [m].
     #[must_use]
     pub fn new(slices: &Slices, radius: f64) -> Self {
         let [first, last] = slices.range();

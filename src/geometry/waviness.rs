@@ -1,5 +1,5 @@
 //! Deviation of a surface from its design along one coordinate: corrugation of a rail over its
-//! station, out-of-roundness and flats of a wheel over the arc of its running circle.
+//! station, out-of-roundness and flats of a wheel over the arc of its nominal rolling circle.
 //!
 //! Positive values make the body larger: a rail higher, a wheel's radius greater.
 
@@ -34,9 +34,9 @@ pub enum FlatShape {
 /// A flat of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flat {
-    /// Length along the running circle, > 0 [m].
+    /// Length along the nominal rolling circle, > 0 [m].
     pub length: f64,
-    /// Place of its middle along the running circle [m].
+    /// Place of its middle along the nominal rolling circle [m].
     pub middle: f64,
     /// Greatest depth, > 0 [m]; that of a chord follows from its length.
     pub depth: f64,
@@ -121,7 +121,8 @@ pub struct Waviness {
     /// (coordinate, value) as a curve over the coordinate.
     table: Option<Curve>,
     flat: Option<Flat>,
-    /// Length after which the surface comes again, that of the running circle; none for a rail [m].
+    /// Length after which the surface comes again, that of the nominal rolling circle; none for a
+    /// rail [m].
     period: Option<f64>,
     bounds: Bounds,
 }
@@ -140,7 +141,8 @@ pub struct Bounds {
 }
 
 impl Waviness {
-    /// A surface without deviations; of a wheel, `period` is the length of its running circle [m].
+    /// A surface without deviations; of a wheel, `period` is the length of its nominal rolling
+    /// circle [m].
     #[must_use]
     pub fn new(period: Option<f64>) -> Self {
         let bounds = Bounds { spacing: f64::INFINITY, ..Bounds::default() };

@@ -28,7 +28,7 @@ const MOST_SLOPE: f64 = 0.3;
 
 /// The points (coordinate, deviation) of the file that the parameter `parameter` names [m]: an
 /// absolute path or one that is looked for in `folders`; of a wheel the coordinate is the arc of
-/// its running circle.
+/// its nominal rolling circle.
 ///
 /// # Errors
 /// The parameter, the file and what is wrong with it, with its line.

@@ -16,8 +16,8 @@
 //!
 //! Among the points what follows `#`, `!`, `%` or `"` is a comment.
 //!
-//! **Origin**: wheels are moved to their running circle, 70 mm from the flange back, and rails to
-//! their highest point.
+//! **Origin**: wheels are moved to their nominal rolling circle, 70 mm from the flange back, and
+//! rails to their highest point.
 
 use crate::geometry::point_noise::last_digit;
 use crate::geometry::profile::{ProfileError, ProfileKind};

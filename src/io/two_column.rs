@@ -2,8 +2,8 @@
 //!
 //! Columns are separated by blanks, tabs, commas or semicolons (with semicolons a comma is a
 //! decimal point). What follows `#`, `!`, `%` or `"` is a comment. Headings may stand before the
-//! first point. The points follow the profile, from either end. Wheel: y = 0 on the running circle,
-//! or on the flange back if no y is negative. Rail: any origin.
+//! first point. The points follow the profile, from either end. Wheel: y = 0 on the nominal rolling
+//! circle, or on the flange back if no y is negative. Rail: any origin.
 //!
 //! A comment of its own may state how the file is meant; then nothing is guessed:
 //!

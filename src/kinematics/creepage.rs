@@ -198,7 +198,7 @@ impl<T: Real> RelativeMotion<T> {
     /// Velocity at which the undeformed bodies close at `point`: without the turning about their
     /// axles, which moves no surface, as wheel and roller are round [m/s].
     #[must_use]
-    pub fn closing_velocity(&self, point: Vector3<T>) -> Vector3<T> {
+    pub fn approach_velocity(&self, point: Vector3<T>) -> Vector3<T> {
         self.wheel_velocity + self.attitude_rotation.cross(&(point - self.wheel_marker))
             - self.rail_velocity_at(point)
     }

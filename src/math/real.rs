@@ -1,4 +1,4 @@
-//! Numbers that the mechanics is written for: plain ones, and ones that carry derivatives.
+//! Numbers that the mechanics is written for: plain ones and dual numbers, which carry derivatives.
 
 use std::fmt::Debug;
 use std::iter::Sum;

@@ -1,9 +1,9 @@
 //! Damping of the normal motion.
 //!
-//! Linear in the closing speed, with a coefficient that follows the root of the contact stiffness,
-//! as for a contact of constant damping ratio. Where the contact begins it vanishes faster than the
-//! elastic load, so that neither the force nor its slope jumps there and the pressure stays
-//! bounded; the bodies never pull at each other:
+//! Linear in the approach velocity, with a coefficient that follows the root of the contact
+//! stiffness, as for a contact of constant damping ratio. Where the contact begins it vanishes
+//! faster than the elastic load, so that neither the force nor its slope jumps there and the
+//! pressure stays bounded; the bodies never pull at each other:
 //!
 //! ```text
 //! N = max(0, N_e + c δ'),  c = c_ref sqrt(k/k_ref) δ²/(δ² + δ_ref²),  k = 3 N_e/(2 δ)
@@ -22,8 +22,8 @@ pub const REFERENCE_STIFFNESS: f64 = 5e8;
 pub const REFERENCE_PENETRATION: f64 = 1e-5;
 
 /// Normal force with damping [N] from the elastic load `load` ≥ 0 [N] at `penetration` > 0 [m], the
-/// closing speed [m/s] (positive when approaching) and the coefficient c_ref ≥ 0 at the reference
-/// stiffness [N s/m].
+/// approach velocity [m/s] (positive when approaching) and the coefficient c_ref ≥ 0 at the
+/// reference stiffness [N s/m].
 #[must_use]
 pub fn damped_load<T: Real>(load: T, penetration: T, closing_speed: T, coefficient: f64) -> T {
     if coefficient == 0.0 || load <= 0.0 {

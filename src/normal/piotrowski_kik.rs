@@ -35,8 +35,8 @@
 //! I2 = Σ w_j y'(u_j) 2 s_j (K - E)_j + x_l(0) y'(u_c) (Σ w_j ln((u_j - u_c)²) - ∫ ln((u - u_c)²) du)
 //! ```
 //!
-//! The correction needs the outline at u_c only. So it also holds where the outline of a yawed wheel
-//! folds: there y(u) turns back, and the widths do not add up to the distance of the edges.
+//! The correction needs the outline at u_c only. So it also holds where the outline of a yawed
+//! wheel folds: there y(u) turns back, and the widths do not add up to the distance of the edges.
 //!
 //! **Lower bound.** Each strip gives at least
 //!

@@ -46,14 +46,14 @@ impl ShapeFit {
         let is_long = ratio >= 1.0;
         // A/B ≤ 1 of the paper, and how many times longer one axis is than the other.
         let curvatures = if is_long { ratio.powi(-2) } else { ratio * ratio };
-        let slenderness = match self {
+        let elongation = match self {
             Self::Hertz => axis_ratio(T::from(1.0) / curvatures).0,
             Self::Paper => {
                 let polynomial = curvatures * (curvatures * -0.1053 + 0.5837);
                 T::from(1.0) / (polynomial + curvatures.sqrt() * 0.5184)
             }
         };
-        if is_long { slenderness } else { T::from(1.0) / slenderness }
+        if is_long { elongation } else { T::from(1.0) / elongation }
     }
 }
 

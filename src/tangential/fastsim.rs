@@ -201,7 +201,7 @@ pub trait Marched<T> {
     fn pressure(&self, j: usize) -> T;
 }
 
-/// Strips that do not move can be marched through with derivatives of what does.
+/// Plain strips can be marched through with dual numbers for the creepage.
 impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
     #[inline]
     fn half_length(&self, j: usize) -> T {
@@ -219,8 +219,8 @@ impl<S: Real + Into<T>, T: Real> Marched<T> for Strips<S> {
     }
 }
 
-/// What the march of up to `LANES` strips needs: traction increments per element and the bounds μ p_n
-/// at the centres of the strips [Pa].
+/// What the march of up to `LANES` strips needs: traction increments per element and the bounds μ
+/// p_n at the centres of the strips [Pa].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct March<T> {
     step_x: Lanes<T>,

@@ -11,7 +11,7 @@
 //!
 //! λ the conductivity, c the heat capacity for each volume. Its greatest value is 1.235 μ q s
 //! sqrt(a/V)/(2 β), where J is greatest; what friction falls with is its mean over the pressure of
-//! the strips, with J = 1.572. s is the sliding speed of the laws of slip, one number for each
+//! the strips, with J = 1.572. s is the slip velocity of the laws of slip, one number for each
 //! zone. Friction falls linearly from the rise ϑ₁ on over Δϑ, to the share σ:
 //!
 //! ```text
@@ -23,7 +23,7 @@
 use std::f64::consts::PI;
 
 use super::RollingState;
-use super::friction_law::sliding_speed;
+use super::friction_law::slip_velocity;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -63,7 +63,7 @@ impl FlashTemperature {
     /// friction of one [K].
     #[must_use]
     pub fn rise<T: Real>(&self, zone: &Zone<T>, strips: &Strips<T>, state: &RollingState<T>) -> T {
-        let speed = sliding_speed(zone, state);
+        let speed = slip_velocity(zone, state);
         if speed <= 0.0 || zone.load <= 0.0 {
             return T::from(0.0);
         }

@@ -2,9 +2,9 @@
 //! contaminated rails.
 //!
 //! Falling friction: the coefficient goes from μ₀ without slip to μ_∞ at infinite slip velocity,
-//! A = μ_∞/μ₀ [-], at a rate B [s/m]. The slip velocity s [m/s] is the root mean square of the rigid
-//! slip over the pressure of an ellipse of the zone's length L and width W [m], so that spin counts
-//! too (the sources have no spin in it):
+//! A = μ_∞/μ₀ [-], at a rate B [s/m]. The slip velocity s [m/s] is the root mean square of the
+//! rigid slip over the pressure of an ellipse of the zone's length L and width W [m], so that spin
+//! counts too (the sources have no spin in it):
 //!
 //! ```text
 //! μ = μ₀ ((1 - A) f(B s) + A),      s² = V² (ξ² + η² + φ² (L² + W²)/20)
@@ -23,9 +23,9 @@
 //! k = k₀ (α + (1 - α)/(1 + β ε)),      ε = G π a b k₀ c11 sqrt(ξ² + η²)/(4 μ N)
 //! ```
 //!
-//! with k₀ the reduction at vanishing creepage, α the share of it that stays at large creepage, β its
-//! decay [-], and the ellipse of the zone's length to width and area. Departure: the source puts η + φ a for
-//! η where that is greater; spin is left out.
+//! with k₀ the reduction at vanishing creepage, α the share of it that stays at large creepage, β
+//! its decay [-], and the ellipse of the zone's length to width and area. Departure: the source
+//! puts η + φ a for η where that is greater; spin is left out.
 //!
 //! Kalker's reduction is α = 1: the slope is k₀ times that of clean bodies, whatever the creepage.
 //!
@@ -41,7 +41,7 @@ use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::Zone;
 
-/// How friction falls with the sliding speed.
+/// How friction falls with the slip velocity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FallingLaw {
@@ -59,9 +59,9 @@ pub enum FallingLaw {
 pub struct FrictionLaw<P = f64> {
     /// How friction falls.
     pub falling_law: FallingLaw,
-    /// A: friction at infinite sliding speed over that without sliding, 0 to 1 [-].
+    /// A: friction at infinite slip velocity over that without sliding, 0 to 1 [-].
     pub falling_share: P,
-    /// B: decay with the sliding speed, ≥ 0 [s/m].
+    /// B: decay with the slip velocity, ≥ 0 [s/m].
     pub falling_decay: P,
     /// k₀: initial slope over that of clean bodies, above 0 to 1 [-].
     pub reduction: P,
@@ -111,7 +111,7 @@ impl<P: Real> FrictionLaw<P> {
         if !self.falls() {
             return T::from(1.0);
         }
-        let speed = sliding_speed(zone, state);
+        let speed = slip_velocity(zone, state);
         let (share, decay): (T, T) = (self.falling_share.into(), self.falling_decay.into());
         let left = match self.falling_law {
             FallingLaw::Exponential => (speed * -decay).exp(),
@@ -151,8 +151,8 @@ impl<P: Real> FrictionLaw<P> {
     }
 }
 
-/// Sliding speed s of the rigid slip of `zone` in `state` [m/s].
-pub(super) fn sliding_speed<T: Real>(zone: &Zone<T>, state: &RollingState<T>) -> T {
+/// Slip velocity s of the rigid slip of `zone` in `state` [m/s].
+pub(super) fn slip_velocity<T: Real>(zone: &Zone<T>, state: &RollingState<T>) -> T {
     let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
     let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
     state.speed * slip.hypot(spin)

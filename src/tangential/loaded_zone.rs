@@ -53,8 +53,8 @@ impl<'a, S: RigidSlip<T>, T: Real, L> LoadedZone<'a, S, T, L> {
         LoadedZone { zone, strips, material, slip, friction, own_friction, load_factor }
     }
 
-    /// Coefficient of friction μ of strip `j`, ≥ 0 [-]: its own or that of the zone. It refers to the
-    /// pressure without damping, so that the load factor is in it.
+    /// Coefficient of friction μ of strip `j`, ≥ 0 [-]: its own or that of the zone. It refers to
+    /// the pressure without damping, so that the load factor is in it.
     #[inline]
     pub fn friction_coefficient(&self, j: usize) -> T {
         self.own_friction.coefficient(j).unwrap_or(self.friction) * self.load_factor

@@ -35,7 +35,7 @@ pub struct RollingState<T = f64> {
     pub friction: T,
     /// Normal force with damping over that without, ≥ 0 [-].
     pub load_factor: T,
-    /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the sliding speed
+    /// Speed that creepages refer to, ≥ 0 [m/s]; for friction that falls with the slip velocity
     /// alone.
     pub speed: T,
 }

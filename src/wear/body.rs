@@ -6,7 +6,7 @@ pub enum Body {
     /// A wheel: over the circumference at each place of its profile. Material is where z is
     /// smaller.
     Wheel {
-        /// Radius of the running circle [m].
+        /// Radius of the nominal rolling circle [m].
         nominal_radius: f64,
     },
     /// A rail: over the running distance that it stands for. Material is where z is greater.

@@ -6,7 +6,7 @@
 //! | USFD (Lewis and others; R8T wheel on 900A rail) | strip | rate(X) in µg/(m mm²), X = T-gamma per area in N/mm²: 5.3 X; 55.0 from 10.4; 55.0 + 61.9 (X - 77.2) from 77.2 on |
 //! | British Rail Research | patch | worn area of the section in mm² per km, D in mm: 0.25 Tγ/D; 25/D from 100 N; (1.19 Tγ - 154)/D from 200 N on |
 //! | Zobory | strip | mass flux = k times the frictional power density, k = 7e-10 kg/J below 4 W/mm² and 21e-10 above |
-//! | Archard, KTH map (Jendel) | strip | volume = k N s/H where the surfaces slip; k by pressure and sliding speed |
+//! | Archard, KTH map (Jendel) | strip | volume = k N s/H where the surfaces slip; k by pressure and slip velocity |
 //!
 //! All are experimental: neither equations nor coefficients are checked against the papers they are
 //! ascribed to (docs/theory.md, section 14). What is checked: their dimension, and whether their
@@ -100,7 +100,7 @@ pub struct Zobory {
 /// Coefficients of Archard's law by the KTH map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Archard {
-    /// Wear coefficient below the lower and above the upper sliding speed, ≥ 0 [-].
+    /// Wear coefficient below the lower and above the upper slip velocity, ≥ 0 [-].
     pub mild: f64,
     /// Between the two, ≥ 0 [-].
     pub severe: f64,
@@ -110,7 +110,7 @@ pub struct Archard {
     pub hardness: f64,
     /// Limit of the pressure over the hardness, > 0 [-].
     pub pressure_share: f64,
-    /// Sliding speeds between which wear is severe, ≥ 0 and growing [m/s].
+    /// Slip velocities between which wear is severe, ≥ 0 and growing [m/s].
     pub speeds: [f64; 2],
 }
 
@@ -150,8 +150,8 @@ impl Default for LawCoefficients {
                 limits: [100.0, 200.0],
             },
             zobory: Zobory { mild: 7e-10, severe: 21e-10, limit: 4e6 },
-            // Dry, centres of the ranges of the map (1 to 10, 30 to 40 and 300 to 400, in 1e-4): 5.5
-            // of the first is rounded to 5.
+            // Dry, centres of the ranges of the map (1 to 10, 30 to 40 and 300 to 400, in 1e-4):
+            // 5.5 of the first is rounded to 5.
             archard: Archard {
                 mild: 5e-4,
                 severe: 35e-4,

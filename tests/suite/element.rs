@@ -95,8 +95,8 @@ fn moments_of_a_cylinder_on_a_crowned_rail_are_those_worked_out_by_hand() {
     let mut element = element(&parameters);
     let top = rail_marker(&parameters)[1];
     let (radius, depth, aside) = (0.46, 5e-5, 0.012);
-    // The running circle stands 12 mm to the field side of the crown; the wheel brakes and drifts
-    // outwards.
+    // The nominal rolling circle stands 12 mm to the field side of the crown; the wheel brakes and
+    // drifts outwards.
     let mut input = rolling(top + aside - 0.75, 20.0);
     input.wheel.position[0] = 0.3;
     input.wheel.velocity[1] = 0.05;

@@ -28,8 +28,8 @@ struct Sweep {
 const POSITIONS: usize = 7500;
 const PLACES: usize = 20;
 
-/// Lengths in steps of 2 and 0.1 µm, heights of 20 and 1 nm, angles of up to 15 mm on the running
-/// circle in steps of 1 or 3 and 0.1 µrad.
+/// Lengths in steps of 2 and 0.1 µm, heights of 20 and 1 nm, angles of up to 15 mm on the nominal
+/// rolling circle in steps of 1 or 3 and 0.1 µrad.
 const SHIFT: Sweep = Sweep {
     name: "shift",
     from: -6e-3,

@@ -27,7 +27,7 @@ impl<T: Real> Along<T> {
         }
     }
 
-    /// The same in numbers that do not move, or have derivatives.
+    /// The same in plain numbers, or as dual numbers without derivatives.
     #[must_use]
     pub fn fixed<U: Real>(&self) -> Along<U> {
         let Self { ahead, curvature, lean, drift } = *self;

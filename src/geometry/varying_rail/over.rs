@@ -70,7 +70,7 @@ impl<'a, T: Real> Over<'a, T> {
         }
     }
 
-    /// Radius of the running circle [m].
+    /// Radius of the nominal rolling circle [m].
     pub fn nominal_radius(&self) -> f64 {
         self.line.nominal_radius()
     }

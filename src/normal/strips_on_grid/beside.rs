@@ -11,7 +11,7 @@ pub(super) struct Side {
     /// Loads per width of the nodes at their other ends.
     pub other_loads: Vec<Block>,
     /// 1/c in them, its derivatives by z of the node and of the other one, and those by χ.
-    pub slenderness: [Vec<Block>; 5],
+    pub length_per_pressure: [Vec<Block>; 5],
     /// Where their loaded parts begin and how long they are, as shares, with the derivatives by z
     /// of the node and of the other one.
     pub from: [Vec<Block>; 3],
@@ -27,7 +27,7 @@ pub(super) struct Beside {
     strips: Vec<[Block; 4]>,
     /// The cells on the side under way.
     pub side: Side,
-    /// Derivatives of displacements and falls by z and χ of the node and of those at both other
+    /// Derivatives of displacements and drops by z and χ of the node and of those at both other
     /// ends.
     pub ends: [[Vec<Block>; 2]; 3],
 }
@@ -46,7 +46,7 @@ impl Beside {
             strips: vec![[Block::ZERO; 4]; nodes],
             side: Side {
                 other_loads: blocks(),
-                slenderness: [whole(), blocks(), blocks(), blocks(), blocks()],
+                length_per_pressure: [whole(), blocks(), blocks(), blocks(), blocks()],
                 from: [blocks(), blocks(), blocks()],
                 part: [whole(), blocks(), blocks()],
             },
@@ -59,8 +59,12 @@ impl Beside {
         self.sources.nodes = nodes;
         self.sources.factors.fill(Block::ZERO);
         self.sources.across.fill(Block([1.0; LANES]));
-        let Side { other_loads, slenderness: [mean, slopes @ ..], from, part: [part, parts @ ..] } =
-            &mut self.side;
+        let Side {
+            other_loads,
+            length_per_pressure: [mean, slopes @ ..],
+            from,
+            part: [part, parts @ ..],
+        } = &mut self.side;
         for column in [other_loads].into_iter().chain(slopes).chain(from).chain(parts) {
             column.fill(Block::ZERO);
         }
@@ -98,13 +102,13 @@ impl Beside {
         let nodes = self.sources.nodes;
         for (b, strip) in self.strips[..nodes].iter_mut().enumerate() {
             let (Block(loads), Block(other_loads)) = (rows.loads[b], cells.other_loads[b]);
-            let Block(slender) = cells.slenderness[0][b];
+            let Block(per_pressure) = cells.length_per_pressure[0][b];
             let (Block(from), Block(part)) = (cells.from[0][b], cells.part[0][b]);
             let mut out = [[0.0; LANES]; 4];
             for i in 0..LANES {
                 let load = loads[i] + (other_loads[i] - loads[i]) * t;
                 out[0][i] = load;
-                out[1][i] = 1.0 / Strip::new(load, slender[i], least_square).half_length;
+                out[1][i] = 1.0 / Strip::new(load, per_pressure[i], least_square).half_length;
                 out[2][i] = (from[i] + part[i] * t) / t;
                 out[3][i] = part[i];
             }
@@ -120,8 +124,8 @@ impl Beside {
         for b in 0..nodes {
             let [Block(load), Block(inverse), Block(scale), Block(part)] = strips[b];
             let (Block(loads), Block(other_loads)) = (rows.loads[b], cells.other_loads[b]);
-            let [slender, by_own, by_other, by_own_shape, by_other_shape] =
-                cells.slenderness.each_ref().map(|column| column[b].0);
+            let [per_pressure, by_own, by_other, by_own_shape, by_other_shape] =
+                cells.length_per_pressure.each_ref().map(|column| column[b].0);
             let [_, from_own, from_other] = cells.from.each_ref().map(|column| column[b].0);
             let [_, part_own, part_other] = cells.part.each_ref().map(|column| column[b].0);
             // Factors of the value and of its derivatives by the logarithms of the half length and
@@ -137,15 +141,16 @@ impl Beside {
                 let [own, other] = [(1.0 - t) * own, t * other];
                 factors[0][0][i] = own + load[i] * part_own[i] / part[i];
                 factors[1][0][i] = other + load[i] * part_other[i] / part[i];
-                factors[0][1][i] = load[i] * square * (slender[i] * own + load[i] * by_own[i]);
-                factors[1][1][i] = load[i] * square * (slender[i] * other + load[i] * by_other[i]);
+                factors[0][1][i] = load[i] * square * (per_pressure[i] * own + load[i] * by_own[i]);
+                factors[1][1][i] =
+                    load[i] * square * (per_pressure[i] * other + load[i] * by_other[i]);
                 factors[0][2][i] = load[i] * along * (from_own[i] + part_own[i] * t);
                 factors[1][2][i] = load[i] * along * (from_other[i] + part_other[i] * t);
                 shapes[0][i] = load[i] * load[i] * square * by_own_shape[i];
                 shapes[1][i] = load[i] * load[i] * square * by_other_shape[i];
             }
-            let Block(fall_by_node) = by_node[b];
-            for (row, by_node) in [(b, [0.0; LANES]), (nodes + b, fall_by_node)] {
+            let Block(drop_by_node) = by_node[b];
+            for (row, by_node) in [(b, [0.0; LANES]), (nodes + b, drop_by_node)] {
                 let (Block(value), Block(by_source)) = (values[row], by_sources[row]);
                 let mut out = [own_z[row].0, other_z[row].0, own_shape[row].0, other_shape[row].0];
                 for i in 0..LANES {
@@ -163,7 +168,7 @@ impl Beside {
         }
     }
 
-    /// Adds what falls change by with the half lengths of their own nodes, as errors over the
+    /// Adds what drops change by with the half lengths of their own nodes, as errors over the
     /// weights that they count with.
     #[allow(clippy::inline_always)]
     #[inline(always)]
@@ -173,13 +178,13 @@ impl Beside {
         for b in 0..nodes {
             let widths = rows.widths.each_ref().map(|column| column[b].0);
             let (Block(load), Block(by)) = (rows.loads[b], rows.length_by_load[b]);
-            let (Block(wanted), Block(fallen)) = (rows.wanted[b], sums.values[nodes + b]);
-            let Block(by_node) = sums.fall_by_node[b];
+            let (Block(required), Block(drop)) = (rows.required_drop[b], sums.values[nodes + b]);
+            let Block(by_node) = sums.drop_by_node[b];
             let columns = [&by_z, &by_shape, &by_left, &by_right];
             let mut out = columns.map(|column| column[nodes + b].0);
             for i in 0..LANES {
-                let by_length = (by_node[i] - 2.0 * fallen[i]) * by[i];
-                let error = fallen[i] - wanted[i];
+                let by_length = (by_node[i] - 2.0 * drop[i]) * by[i];
+                let error = drop[i] - required[i];
                 // The weight goes with the power 3/2 of the load, and with the loaded width.
                 let change = by_length + (1.5 / load[i] + widths[0][i]) * error;
                 let is_loaded = load[i] > 0.0;

@@ -59,17 +59,17 @@ pub(super) fn add(factor: f64, column: &[Block], sums: &mut [Block]) {
     }
 }
 
-/// Falls of nodes, taken to the knots by the `shares` that these have in each of them, one block of
-/// knots after the other.
+/// Drops of displacement at nodes, taken to the knots by the `shares` that these have in each of
+/// them, one block of knots after the other.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn project(falls: &[Block], shares: &[Block], knots: &mut [Block]) {
-    let shares = shares.chunks_exact(falls.len() * LANES);
+pub(super) fn project(drops: &[Block], shares: &[Block], knots: &mut [Block]) {
+    let shares = shares.chunks_exact(drops.len() * LANES);
     for (knots, shares) in knots.iter_mut().zip(shares) {
         let mut sum = Block::ZERO;
-        for (Block(falls), shares) in falls.iter().zip(shares.as_chunks::<LANES>().0) {
+        for (Block(drops), shares) in drops.iter().zip(shares.as_chunks::<LANES>().0) {
             for i in 0..LANES {
-                sum = Block::of(|lane| sum.0[lane] + falls[i] * shares[i].0[lane]);
+                sum = Block::of(|lane| sum.0[lane] + drops[i] * shares[i].0[lane]);
             }
         }
         *knots = sum;
@@ -84,10 +84,10 @@ pub(super) struct Rows {
     /// Half lengths and loads per width.
     pub lengths: Vec<Block>,
     pub loads: Vec<Block>,
-    /// Derivatives of the logarithms of half lengths by loads per width, and falls that the wheel
-    /// wants.
+    /// Derivatives of the logarithms of half lengths by loads per width, and drops that the
+    /// wheel requires.
     pub length_by_load: Vec<Block>,
-    pub wanted: Vec<Block>,
+    pub required_drop: Vec<Block>,
     /// Derivatives of the logarithms of loaded widths by z of the node and of those on both sides.
     pub widths: [Vec<Block>; 3],
 }
@@ -101,15 +101,16 @@ impl Rows {
             lengths: blocks(),
             loads: blocks(),
             length_by_load: blocks(),
-            wanted: blocks(),
+            required_drop: blocks(),
             widths: [blocks(), blocks(), blocks()],
         }
     }
 
     /// No nodes.
     pub fn clear(&mut self) {
-        let Self { places: [x, y, a, b], lengths, loads, length_by_load, wanted, widths } = self;
-        let columns = [x, a, b, lengths, loads, length_by_load, wanted];
+        let Self { places: [x, y, a, b], lengths, loads, length_by_load, required_drop, widths } =
+            self;
+        let columns = [x, a, b, lengths, loads, length_by_load, required_drop];
         for column in columns.into_iter().chain(widths) {
             column.fill(Block::ZERO);
         }
@@ -117,23 +118,23 @@ impl Rows {
     }
 }
 
-/// Displacements of all nodes and behind them their falls, by all sources, and the derivatives of
-/// falls by the logarithms of the half lengths of the nodes.
+/// Displacements of all nodes and behind them their drops, by all sources, and the derivatives of
+/// drops by the logarithms of the half lengths of the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Sums {
     pub values: Vec<Block>,
-    pub fall_by_node: Vec<Block>,
+    pub drop_by_node: Vec<Block>,
 }
 
 impl Sums {
     /// For `count` blocks of nodes.
     pub fn new(count: usize) -> Self {
         let blocks = |count| vec![Block::ZERO; count];
-        Self { values: blocks(2 * count), fall_by_node: blocks(count) }
+        Self { values: blocks(2 * count), drop_by_node: blocks(count) }
     }
 
     pub fn clear(&mut self) {
         self.values.fill(Block::ZERO);
-        self.fall_by_node.fill(Block::ZERO);
+        self.drop_by_node.fill(Block::ZERO);
     }
 }

@@ -35,7 +35,7 @@ pub struct GridFollower<T> {
     matrix: FixedVec<f64>,
     factors: Factors,
     right: FixedVec<f64>,
-    slender: FixedVec<T>,
+    per_pressure: FixedVec<T>,
     shapes: FixedVec<T>,
 }
 
@@ -53,7 +53,7 @@ impl<T: Real> GridFollower<T> {
             matrix: FixedVec::new(unknowns * unknowns),
             factors: Factors::with_capacity(unknowns),
             right: FixedVec::new(unknowns),
-            slender: FixedVec::new(nodes),
+            per_pressure: FixedVec::new(nodes),
             shapes: FixedVec::new(nodes),
         }
     }
@@ -88,7 +88,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.shape.extend(solver.newton.unknowns.shape.iter().map(|&shape| Dual::from(shape)));
         for _ in 0..MOST_TURNS {
             let (z, shape) = (&self.z, &self.shape);
-            residuals(grid, &solver.knots, z, shape, &mut self.slender, &mut self.residuals);
+            residuals(grid, &solver.knots, z, shape, &mut self.per_pressure, &mut self.residuals);
             let mut worst = 0.0f64;
             for direction in 0..N {
                 self.right.clear();

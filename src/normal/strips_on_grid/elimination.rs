@@ -1,7 +1,7 @@
 //! Elimination without exchange of rows, for the Newton matrix of the strips.
 //!
 //! Its diagonal needs none: a load displaces its own node most, and so does χ of a knot with the
-//! fall there.
+//! drop there.
 
 use super::columns::{Block, LANES};
 

@@ -79,16 +79,16 @@ pub(super) struct Strip<T = f64> {
 
 impl<T: Real> Strip<T> {
     /// From its load per width and half length over pressure, 1/c [m].
-    pub fn new(load: T, slenderness: T, least_square: T) -> Self {
-        let by_load = slenderness * (1.0 / PI);
+    pub fn new(load: T, length_per_pressure: T, least_square: T) -> Self {
+        let by_load = length_per_pressure * (1.0 / PI);
         let square = load * by_load * 2.0 + least_square;
         Self { load, half_length: square.sqrt(), length_by_load: by_load / square }
     }
 }
 
-/// Fall of the displacement to the station of the strip at a node that the wheel wants: that of
-/// x²/(2 R) [m].
-pub(super) fn wanted_fall<T: Real>(strip: &Strip<T>, node: &Node<T>) -> T {
+/// Drop of displacement between the centre and the station of the strip at a node that the section
+/// of the wheel requires: that of x²/(2 R) [m].
+pub(super) fn required_drop<T: Real>(strip: &Strip<T>, node: &Node<T>) -> T {
     strip.half_length * strip.half_length * (0.5 * STATION * STATION) / node.radius
 }
 
@@ -157,7 +157,7 @@ pub(super) struct Displacement<T = f64> {
 /// How much less that is at the station of the node's own half length, and its derivatives by the
 /// logarithms of the half lengths of the source and of the node.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Fall<T = f64> {
+pub(super) struct DisplacementDrop<T = f64> {
     pub value: T,
     pub by_source: T,
     pub by_node: T,
@@ -173,9 +173,9 @@ impl<T: Real> Displacement<T> {
     }
 }
 
-impl<T: Real> Fall<T> {
+impl<T: Real> DisplacementDrop<T> {
     /// From the influence `centre`, D and d(a D)/da, of a source of half length 1/`inverse` at
-    /// distances `along` and `across` for a node of half length `length`: the mean of the falls to
+    /// distances `along` and `across` for a node of half length `length`: the mean of the drops to
     /// both stations.
     #[allow(clippy::inline_always)]
     #[inline(always)]
@@ -214,17 +214,17 @@ fn influence<T: Real>(
     half_length: T,
     length: T,
     is_skewed: bool,
-) -> (Displacement<T>, Fall<T>) {
+) -> (Displacement<T>, DisplacementDrop<T>) {
     let inverse = T::from(1.0) / half_length;
     let (xi, sigma) = (pair.along * inverse, pair.across * inverse);
     let at = if is_skewed { shifted_at(xi, sigma) } else { centred_at(sigma) };
     let centre = [at.d, at.slope];
-    let fall = if is_skewed {
-        Fall::shifted(centre, pair.along, pair.across, inverse, length)
+    let drop = if is_skewed {
+        DisplacementDrop::shifted(centre, pair.along, pair.across, inverse, length)
     } else {
-        Fall::straight(centre, pair.across, inverse, length)
+        DisplacementDrop::straight(centre, pair.across, inverse, length)
     };
-    (Displacement::of(centre, inverse), fall)
+    (Displacement::of(centre, inverse), drop)
 }
 
 /// The load of a cell: the positive part of the line between z at its ends.
@@ -291,7 +291,7 @@ pub(super) fn loaded_part<T: Real>(own: T, other: T) -> [[T; 3]; 2] {
 
 /// 1/c in a cell with the loads and 1/c of the nodes `a` and `b`: their mean, weighted by the
 /// squares of loads, so that a node without load does not count; and the weight of the first.
-pub(super) fn slenderness<T: Real>([load_a, a]: [T; 2], [load_b, b]: [T; 2]) -> [T; 2] {
+pub(super) fn length_per_pressure<T: Real>([load_a, a]: [T; 2], [load_b, b]: [T; 2]) -> [T; 2] {
     let (square_a, square_b) = (load_a * load_a, load_b * load_b);
     let sum = square_a + square_b;
     if sum > 0.0 {
@@ -309,7 +309,7 @@ pub(super) fn residuals<T: Real>(
     knots: &Knots,
     z: &[T],
     shape: &[T],
-    slender: &mut FixedVec<T>,
+    per_pressure: &mut FixedVec<T>,
     out: &mut Vec<T>,
 ) {
     let scales = Scales::new(&grid.samples);
@@ -317,21 +317,22 @@ pub(super) fn residuals<T: Real>(
     let n = nodes.len();
     let zero = T::from(0.0);
     let is_skewed = T::HAS_SLOPES || grid.is_skewed();
-    slender.clear();
-    slender.extend(nodes.iter().map(|node| (-node.between.value(shape)).exp()));
+    per_pressure.clear();
+    per_pressure.extend(nodes.iter().map(|node| (-node.between.value(shape)).exp()));
     out.clear();
     out.resize(n + knots.count(), zero);
     let end = |node: Option<usize>| node.map_or(-scales.load, |j| z[j]);
-    let of = |node: Option<usize>| node.map_or([zero, zero], |j| [z[j].at_least(0.0), slender[j]]);
+    let of =
+        |node: Option<usize>| node.map_or([zero, zero], |j| [z[j].at_least(0.0), per_pressure[j]]);
     for (i, node) in nodes.iter().enumerate() {
-        let own = Strip::new(z[i].at_least(0.0), slender[i], scales.least_square);
+        let own = Strip::new(z[i].at_least(0.0), per_pressure[i], scales.least_square);
         let length = own.half_length;
-        let (mut displacement, mut fallen, mut moments) = (zero, zero, zero);
+        let (mut displacement, mut total_drop, mut moments) = (zero, zero, zero);
         let mut add = |pair: &Pair<T>, load: T, half_length: T| {
             if load > 0.0 {
-                let (own, fall) = influence(pair, half_length, length, is_skewed);
+                let (own, drop) = influence(pair, half_length, length, is_skewed);
                 displacement += pair.factor * load * own.value;
-                fallen += pair.factor * load * fall.value;
+                total_drop += pair.factor * load * drop.value;
             }
         };
         let [c, d] = node.place.tangent;
@@ -340,26 +341,26 @@ pub(super) fn residuals<T: Real>(
             let (pair, moment) = far_pair([node.place.x, node.y, c, d], cell, scales.length);
             let load = CellLoad::new(cell.nodes.map(end));
             moments += moment * load.moment;
-            let [slender, _] = slenderness(of(cell.nodes[0]), of(cell.nodes[1]));
-            let strip = Strip::new(load.weighted, slender, scales.least_square);
+            let [per_pressure, _] = length_per_pressure(of(cell.nodes[0]), of(cell.nodes[1]));
+            let strip = Strip::new(load.weighted, per_pressure, scales.least_square);
             add(&pair, load.mean, strip.half_length);
         }
         for side in [0, 1] {
             let beside = node.neighbours[side];
             let [[from, ..], [part, ..]] = loaded_part(z[i], end(beside));
             let [[own, _], [other, _]] = [of(Some(i)), of(beside)];
-            let [slender, _] = slenderness(of(Some(i)), of(beside));
+            let [per_pressure, _] = length_per_pressure(of(Some(i)), of(beside));
             for (k, [t, _]) in RULE.into_iter().enumerate() {
                 let pair = near_pair(nodes, i, side, k).in_part((from + part * t) / t, part);
                 let load = own + (other - own) * t;
-                add(&pair, load, Strip::new(load, slender, scales.least_square).half_length);
+                add(&pair, load, Strip::new(load, per_pressure, scales.least_square).half_length);
             }
         }
         let below = (-z[i]).at_least(0.0);
         out[i] = (displacement + moments - node.place.overlap - scales.gap * below.three_halves())
             / grid.samples.depth;
         if z[i] > 0.0 {
-            let error = fallen / wanted_fall(&own, node) - 1.0;
+            let error = total_drop / required_drop(&own, node) - 1.0;
             let [width, ..] = loaded_width(node, z[i], node.neighbours.map(end));
             for (k, share) in node.between.weights() {
                 out[n + k] += scales.weight(width, z[i]) * error * share;

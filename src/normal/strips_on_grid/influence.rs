@@ -13,7 +13,7 @@
 //!
 //! with the spheroidal coordinates ζ ± η = distances from the two ends of the strip over its half
 //! length. Laplace's equation makes the terms up to τ² exact, and with them the logarithm on the
-//! strip itself; those after it are fitted. The fall from the centre, D(0, σ) - D(ξ, σ), is 0.1 %
+//! strip itself; those after it are fitted. The drop from the centre, D(0, σ) - D(ξ, σ), is 0.1 %
 //! off at most, for every ξ and σ.
 
 use crate::math::real::Real;
@@ -191,8 +191,8 @@ mod tests {
         for xi in [0.3, 0.5, STATION, 0.9, 1.1, 1.5, 3.0] {
             for sigma in [0.03, 0.1, 0.3, 1.0, 3.0] {
                 let exact = integral(0.0, sigma) - integral(xi, sigma);
-                let fall = centred_at(sigma).d - shifted_at(xi, sigma).d;
-                assert_relative_eq!(fall, exact, max_relative = 1e-3, epsilon = 1e-5);
+                let drop = centred_at(sigma).d - shifted_at(xi, sigma).d;
+                assert_relative_eq!(drop, exact, max_relative = 1e-3, epsilon = 1e-5);
             }
         }
     }

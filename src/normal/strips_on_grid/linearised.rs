@@ -3,7 +3,7 @@
 
 use super::beside::Beside;
 use super::columns::{Block, LANES, Rows, Sums, add, project, row};
-use super::equations::{Pair, RULE, loaded_part, loaded_width, near_pair, wanted_fall};
+use super::equations::{Pair, RULE, loaded_part, loaded_width, near_pair, required_drop};
 use super::grid::Grid;
 use super::scales::Scales;
 use super::shape::Knots;
@@ -19,20 +19,20 @@ pub(super) struct Linearised {
     far: Sources,
     beside: Beside,
     sums: Sums,
-    /// What each cell does to displacements and falls per load per width, and its derivatives by
+    /// What each cell does to displacements and drops per load per width, and its derivatives by
     /// the logarithm of its half length, by columns.
     by_cells: [Vec<Block>; 2],
-    /// Derivatives of displacements and falls by the load per width and χ of the node under way.
+    /// Derivatives of displacements and drops by the load per width and χ of the node under way.
     by_node: [Vec<Block>; 2],
-    /// Sum of falls, taken to the knots.
-    by_falls: Vec<Block>,
+    /// Sum of drops, taken to the knots.
+    by_drops: Vec<Block>,
     by_length: Vec<Block>,
     /// Displacements by the moments of cells, by columns.
     moments: Vec<Block>,
-    /// Shares of the knots in each node, and what their equations have of its fall: shares of load
-    /// over the fall that is wanted.
+    /// Shares of the knots in each node, and what their equations have of its drop: shares of load
+    /// over the drop that is required.
     shares: Vec<Block>,
-    falls: Vec<Block>,
+    drops: Vec<Block>,
     penalty: Vec<Block>,
     /// Derivatives of all equations by columns, and behind them minus their residuals, which become
     /// the step.
@@ -66,11 +66,11 @@ impl Linearised {
             sums: Sums::new(nodes),
             by_cells: [blocks(cells * 2 * nodes), blocks(cells * 2 * nodes)],
             by_node: [blocks(2 * nodes), blocks(2 * nodes)],
-            by_falls: blocks(behind),
+            by_drops: blocks(behind),
             by_length: blocks(nodes),
             moments: blocks(cells * nodes),
             shares: blocks(nodes * LANES * behind),
-            falls: blocks(nodes * LANES * behind),
+            drops: blocks(nodes * LANES * behind),
             penalty,
             matrix: blocks((n + m + 1) * stride),
             pivots: FixedVec::new(n + m),
@@ -97,7 +97,7 @@ impl Linearised {
                 shares[k / LANES * long + i].0[k % LANES] = share;
             }
         }
-        self.falls[..long * self.behind].fill(Block::ZERO);
+        self.drops[..long * self.behind].fill(Block::ZERO);
     }
 
     /// Where all sources are from all nodes.
@@ -151,20 +151,20 @@ impl Linearised {
         let long = nodes * LANES;
         for (i, node) in grid.nodes.iter().enumerate() {
             let strip = &unknowns.strips[i];
-            let wanted = wanted_fall(strip, node);
+            let required = required_drop(strip, node);
             *row(&mut self.rows.lengths, i) = strip.half_length;
             *row(&mut self.rows.loads, i) = strip.load;
             *row(&mut self.rows.length_by_load, i) = strip.length_by_load;
-            *row(&mut self.rows.wanted, i) = wanted;
+            *row(&mut self.rows.required_drop, i) = required;
             let others = node.neighbours.map(|other| unknowns.end(other, scales));
             let [width, by_width @ ..] = loaded_width(node, unknowns.z[i], others);
             for (column, by) in self.rows.widths.iter_mut().zip(by_width) {
                 *row(column, i) = by / width;
             }
-            let scale = scales.weight(width, strip.load) / wanted;
-            let falls = self.falls[i..long * self.behind].iter_mut().step_by(long);
-            for (fall, share) in falls.zip(self.shares[i..].iter().step_by(long)) {
-                *fall = share.times(scale);
+            let scale = scales.weight(width, strip.load) / required;
+            let drops = self.drops[i..long * self.behind].iter_mut().step_by(long);
+            for (drop, share) in drops.zip(self.shares[i..].iter().step_by(long)) {
+                *drop = share.times(scale);
             }
         }
         self.sums.clear();
@@ -195,15 +195,15 @@ impl Linearised {
             add(1.0, penalty, &mut column[nodes..]);
             self.weights[k] = row(column, long + k).abs();
         }
-        let (displacements, falls) = self.sums.values[..2 * nodes].split_at_mut(nodes);
+        let (displacements, drops) = self.sums.values[..2 * nodes].split_at_mut(nodes);
         for (i, node) in grid.nodes.iter().enumerate() {
             let below = (-unknowns.z[i]).max(0.0);
             let gap = scales.gap * below * below.sqrt();
             *row(right, i) = node.place.overlap + gap - *row(displacements, i);
         }
-        add(-1.0, &self.rows.wanted, falls);
-        project(falls, &self.falls, &mut self.by_falls);
-        add(-1.0, &self.by_falls, &mut right[nodes..stride]);
+        add(-1.0, &self.rows.required_drop, drops);
+        project(drops, &self.drops, &mut self.by_drops);
+        add(-1.0, &self.by_drops, &mut right[nodes..stride]);
     }
 
     /// What the two cells beside each node do to it.
@@ -221,12 +221,13 @@ impl Linearised {
             for (i, node) in grid.nodes.iter().enumerate() {
                 let other = unknowns.end(node.neighbours[side], scales);
                 let [mean, by_z, by_shape] =
-                    unknowns.slenderness_between([Some(i), node.neighbours[side]]);
+                    unknowns.length_per_pressure_between([Some(i), node.neighbours[side]]);
                 let [from, part] = loaded_part(unknowns.z[i], other);
                 let cells = &mut self.beside.side;
                 *row(&mut cells.other_loads, i) = other.max(0.0);
-                let slenderness = [mean[0], by_z[0], by_z[1], by_shape[0], by_shape[1]];
-                for (column, value) in cells.slenderness.iter_mut().zip(slenderness) {
+                let length_per_pressure = [mean[0], by_z[0], by_z[1], by_shape[0], by_shape[1]];
+                for (column, value) in cells.length_per_pressure.iter_mut().zip(length_per_pressure)
+                {
                     *row(column, i) = value;
                 }
                 for ((from_column, from), (part_column, part)) in
@@ -299,15 +300,15 @@ impl Linearised {
                 column[nodes + block].0[lane] += end[nodes + block].0[lane];
             }
         }
-        let (by_nodes, by_falls) = column.split_at_mut(nodes);
+        let (by_nodes, by_drops) = column.split_at_mut(nodes);
         by_nodes.copy_from_slice(&by_z[..nodes]);
-        project(&by_z[nodes..], &self.falls, by_falls);
+        project(&by_z[nodes..], &self.drops, by_drops);
         *row(by_nodes, j) += gap;
-        project(&by_shape[nodes..], &self.falls, &mut self.by_falls);
+        project(&by_shape[nodes..], &self.drops, &mut self.by_drops);
         for (k, share) in grid.nodes[j].between.weights() {
-            let (by_nodes, by_falls) = by_knots[k * stride..][..stride].split_at_mut(nodes);
+            let (by_nodes, by_drops) = by_knots[k * stride..][..stride].split_at_mut(nodes);
             add(share, by_shape, by_nodes);
-            add(share, &self.by_falls, by_falls);
+            add(share, &self.by_drops, by_drops);
         }
     }
 

@@ -25,7 +25,7 @@ const FIRST_STEPS: u64 = 2;
 /// the load: what is left is of the order of their squares, which a search for a given load does
 /// not feel.
 const LAST_CHANGE: f64 = 1e-6;
-/// Greatest fall in one step of z, and rise where there is no load, over itself or the load per
+/// Greatest decrease in one step of z, and rise where there is no load, over itself or the load per
 /// width in the middle of the ellipse, whichever is greater; and greatest change of χ: less than
 /// where the equations have left what their derivatives tell.
 const MOST_CHANGE: [f64; 2] = [0.5, 0.3];

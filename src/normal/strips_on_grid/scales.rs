@@ -28,7 +28,7 @@ pub(super) struct Scales<T = f64> {
     pub gap: T,
     /// Square of the least half length [m²].
     pub least_square: T,
-    /// Its load, which the weights of the fall of the displacement refer to [m²].
+    /// Its load, which the weights of the drop of the displacement refer to [m²].
     pub total: T,
 }
 
@@ -55,7 +55,7 @@ impl<T: Real> Scales<T> {
         }
     }
 
-    /// What the fall of the displacement at a node counts with that has the load per width `load`
+    /// What the drop of the displacement at a node counts with that has the load per width `load`
     /// and half of both loaded parts beside it as its `width`: its share of the load, times the
     /// root of the load, so that a node comes in without a bend.
     pub fn weight(&self, width: T, load: T) -> T {

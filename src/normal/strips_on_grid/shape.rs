@@ -6,12 +6,12 @@
 use crate::math::real::Real;
 
 /// Nodes for each knot, of which a field has some more besides; but two nodes for each at least, or
-/// the falls of few nodes do not tell them apart.
+/// the drops of few nodes do not tell them apart.
 const NODES_PER_KNOT: f64 = 3.5;
 const MORE_KNOTS: usize = 2;
 const LEAST_NODES_PER_KNOT: usize = 2;
 /// Weights of squared second and first differences of the field between knots against squared
-/// relative errors of the fall of the displacement, weighted by the share of load: they matter
+/// relative errors of the drop of the displacement, weighted by the share of load: they matter
 /// where there is no load, and extend the field there.
 const PENALTIES: [f64; 2] = [1e-3, 1e-4];
 

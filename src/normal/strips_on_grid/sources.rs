@@ -2,7 +2,7 @@
 //! the time.
 
 use super::columns::{BEYOND, Block, LANES, Rows, Sums, row};
-use super::equations::{Displacement, Fall, Pair, far_pair};
+use super::equations::{Displacement, DisplacementDrop, Pair, far_pair};
 use super::grid::Cell;
 use super::influence::{centred_at, shifted_at};
 
@@ -67,7 +67,7 @@ impl Sources {
     }
 
     /// What source number `c` does, added to `sums`; and per load per width, with the derivatives
-    /// by the logarithm of the half length of the source, and that of the fall by that of the node
+    /// by the logarithm of the half length of the source, and that of the drop by that of the node
     /// into `own`. `strip` gives for each block of nodes its load per width, the reciprocal of its
     /// half length, by how much its distances are longer and the share with which it counts.
     #[allow(clippy::inline_always)]
@@ -87,10 +87,10 @@ impl Sources {
             let (one, other) = column.split_at_mut(n);
             (&mut one[..n], &mut other[..n])
         };
-        let (value, fall) = halves(value);
-        let (by_source, fall_by_source) = halves(by_source);
+        let (value, drop) = halves(value);
+        let (by_source, drop_by_source) = halves(by_source);
         let (sum, fall_sum) = halves(&mut sums.values);
-        let (lengths, fall_by_node) = (&rows.lengths[..n], &mut sums.fall_by_node[..n]);
+        let (lengths, drop_by_node) = (&rows.lengths[..n], &mut sums.drop_by_node[..n]);
         let own = &mut own[..n];
         let range = c * self.nodes..(c + 1) * self.nodes;
         let (along, across) = (&self.along[range.clone()], &self.across[range.clone()]);
@@ -123,24 +123,26 @@ impl Sources {
             if is_skewed {
                 for i in 0..LANES {
                     let centre = [centre[0][i], centre[1][i]];
-                    let at = Fall::shifted(centre, along[i], across[i], inverse[i], length[i]);
+                    let at = DisplacementDrop::shifted(
+                        centre, along[i], across[i], inverse[i], length[i],
+                    );
                     (out[2][i], out[3][i]) = (factor[i] * at.value, factor[i] * at.by_source);
                     out[4][i] = factor[i] * at.by_node;
                 }
             } else {
                 for i in 0..LANES {
                     let centre = [centre[0][i], centre[1][i]];
-                    let at = Fall::straight(centre, across[i], inverse[i], length[i]);
+                    let at = DisplacementDrop::straight(centre, across[i], inverse[i], length[i]);
                     (out[2][i], out[3][i]) = (factor[i] * at.value, factor[i] * at.by_source);
                     out[4][i] = factor[i] * at.by_node;
                 }
             }
             let [one, two, three, four, by_node] = out.map(Block);
-            (value[b], by_source[b], fall[b], fall_by_source[b]) = (one, two, three, four);
+            (value[b], by_source[b], drop[b], drop_by_source[b]) = (one, two, three, four);
             own[b] = by_node;
             sum[b].add(&load, &one);
             fall_sum[b].add(&load, &three);
-            fall_by_node[b].add(&load, &by_node);
+            drop_by_node[b].add(&load, &by_node);
         }
     }
 }

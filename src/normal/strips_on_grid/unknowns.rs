@@ -1,6 +1,6 @@
 //! The unknowns of Newton's method, and the loads on strips and cells that they mean.
 
-use super::equations::{CellLoad, Strip, slenderness};
+use super::equations::{CellLoad, Strip, length_per_pressure};
 use super::grid::Grid;
 use super::scales::Scales;
 use crate::math::fixed_vec::FixedVec;
@@ -12,7 +12,7 @@ pub(super) struct Unknowns {
     pub shape: Vec<f64>,
     /// χ and 1/c at the nodes, and their strips.
     pub shapes: FixedVec<f64>,
-    slenderness: FixedVec<f64>,
+    length_per_pressure: FixedVec<f64>,
     pub strips: FixedVec<Strip>,
     /// Loads of the cells, their strips, and the derivatives of the logarithms of half lengths by z
     /// and χ at both ends.
@@ -28,7 +28,7 @@ impl Unknowns {
             z: FixedVec::new(nodes),
             shape: vec![0.0; knots],
             shapes: FixedVec::new(nodes),
-            slenderness: FixedVec::new(nodes),
+            length_per_pressure: FixedVec::new(nodes),
             strips: FixedVec::new(nodes),
             cells: vec![CellLoad::default(); cells],
             cell_strips: vec![Strip::default(); cells],
@@ -53,23 +53,22 @@ impl Unknowns {
     pub fn place(&mut self, grid: &Grid, scales: &Scales) {
         self.shapes.clear();
         self.shapes.extend(grid.nodes.iter().map(|node| node.between.value(&self.shape)));
-        self.slenderness.clear();
-        self.slenderness.extend(self.shapes.iter().map(|shape| (-shape).exp()));
+        self.length_per_pressure.clear();
+        self.length_per_pressure.extend(self.shapes.iter().map(|shape| (-shape).exp()));
         self.strips.clear();
-        self.strips.extend(
-            self.z
-                .iter()
-                .zip(self.slenderness.iter())
-                .map(|(&z, &slenderness)| Strip::new(z.max(0.0), slenderness, scales.least_square)),
-        );
+        self.strips.extend(self.z.iter().zip(self.length_per_pressure.iter()).map(
+            |(&z, &length_per_pressure)| {
+                Strip::new(z.max(0.0), length_per_pressure, scales.least_square)
+            },
+        ));
         for (c, cell) in grid.cells.iter().enumerate() {
             let load = CellLoad::new(cell.nodes.map(|node| self.end(node, scales)));
-            let [slender, by_z, by_shape] = self.slenderness_between(cell.nodes);
-            let strip = Strip::new(load.weighted, slender[0], scales.least_square);
-            let by_slender = strip.length_by_load * load.weighted / slender[0];
+            let [per_pressure, by_z, by_shape] = self.length_per_pressure_between(cell.nodes);
+            let strip = Strip::new(load.weighted, per_pressure[0], scales.least_square);
+            let by_per_pressure = strip.length_by_load * load.weighted / per_pressure[0];
             self.cell_lengths[c] = [0, 1].map(|end| {
                 let by_load = strip.length_by_load * load.slopes[end][1];
-                [by_load + by_slender * by_z[end], by_slender * by_shape[end]]
+                [by_load + by_per_pressure * by_z[end], by_per_pressure * by_shape[end]]
             });
             (self.cells[c], self.cell_strips[c]) = (load, strip);
         }
@@ -85,12 +84,12 @@ impl Unknowns {
     /// 1/c between two nodes, and its derivatives by z and by χ of both.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn slenderness_between(&self, nodes: [Option<usize>; 2]) -> [[f64; 2]; 3] {
+    pub fn length_per_pressure_between(&self, nodes: [Option<usize>; 2]) -> [[f64; 2]; 3] {
         let of = |node: Option<usize>| {
-            node.map_or([0.0; 2], |j| [self.z[j].max(0.0), self.slenderness[j]])
+            node.map_or([0.0; 2], |j| [self.z[j].max(0.0), self.length_per_pressure[j]])
         };
         let [a, b] = nodes.map(of);
-        let [mean, share] = slenderness(a, b);
+        let [mean, share] = length_per_pressure(a, b);
         let squares = a[0] * a[0] + b[0] * b[0];
         let by_z = if squares > 0.0 {
             [2.0 * a[0] * (a[1] - mean) / squares, 2.0 * b[0] * (b[1] - mean) / squares]

@@ -102,7 +102,8 @@ impl TractionStrips {
         states: &[Strip<T>],
     ) -> StripForce<T> {
         let strips = loaded.strips;
-        let (bound, a) = (loaded.friction_coefficient(j) * strips.pressure[j], strips.half_length[j]);
+        let (bound, a) =
+            (loaded.friction_coefficient(j) * strips.pressure[j], strips.half_length[j]);
         self.resultant([bound, a, strips.width[j]], rolling, place, states)
     }
 

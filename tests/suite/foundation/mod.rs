@@ -1,4 +1,4 @@
-//! Rails that give way: in equilibrium on springs, and with a mass that runs along.
+//! Elastically supported rails: in equilibrium on springs, and with a mass that runs along.
 
 mod massless;
 mod masters;

@@ -15,7 +15,7 @@ use wheelrail::geometry::profile::{Profile, ProfileKind};
 use wheelrail::io::load_profile;
 
 const RADIUS: f64 = 0.46;
-/// Lateral position of the running circle of a centred wheel in the track [m].
+/// Lateral position of the nominal rolling circle of a centred wheel in the track [m].
 const CENTRED_Y: f64 = 0.75;
 
 /// A wheel, a rail and what tells where they touch.

@@ -178,7 +178,7 @@ pub const ROUGHNESS: f64 = 6e-8;
 /// The same for strips with the table, which have neither: the aim. Worst is 8e-11.
 pub const ROUGHNESS_STRIPS: f64 = 1e-9;
 
-/// Closing speed against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5
+/// Approach velocity against differences of the penetration over 0.2 µs [m/s]: speeds are up to 0.5
 /// m/s.
 pub const CLOSING_SPEED: f64 = 1e-6;
 
@@ -356,8 +356,8 @@ pub const ARC_CONICITY: f64 = 0.01;
 pub const VANISHING_DEVIATIONS: f64 = 3e-5;
 
 /// Depth of contact of uneven bodies against a scan of their surfaces: the wheel's circle as a
-/// parabola over 11 mm, and its angles as arcs of the running circle also on a flange that touches
-/// 10 mm ahead [m].
+/// parabola over 11 mm, and its angles as arcs of the nominal rolling circle also on a flange that
+/// touches 10 mm ahead [m].
 pub const UNEVEN_DEPTH: f64 = 4e-7;
 
 /// Crest and trough of a wave of 0.5 m against wheels of that curvature: the wave is no parabola

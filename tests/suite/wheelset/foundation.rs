@@ -1,4 +1,4 @@
-//! A wheelset on rails that give way.
+//! A wheelset on elastically supported rails.
 
 use super::*;
 use wheelrail::element::parameters::{Foundation, FoundationModel};

@@ -178,7 +178,8 @@ fn the_wheels_stand_as_far_apart_as_the_flange_backs_say() {
         let mut input = Input::default();
         input.wheelset.position[2] = wheelset.nominal_z() + 5e-5;
         let output = evaluate(&mut wheelset, &input);
-        // The running circle on the profile is half of the distance and 70 mm from the centre.
+        // The nominal rolling circle on the profile is half of the distance and 70 mm from the
+        // centre.
         output.sides.map(|side| side.patches[0].position[1].abs() - side.patches[0].wheel_y)
     };
     for distance in [1.357, 1.36, 1.363] {

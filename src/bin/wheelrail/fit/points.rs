@@ -99,7 +99,7 @@ impl Points {
         Ok(points)
     }
 
-    /// Greatest sliding speed of all points [m/s].
+    /// Greatest slip velocity of all points [m/s].
     pub fn fastest(&self) -> f64 {
         let slides = |point: &Point| {
             let [longitudinal, lateral, _] = point.creepage;
