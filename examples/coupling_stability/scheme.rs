@@ -11,7 +11,7 @@ pub const LOAD: f64 = 5e4;
 /// Steps of the unit in one of [`Scheme::SmallSteps`].
 const SMALL_STEPS: u32 = 10;
 /// Rounds after which an iteration ends in any case.
-const MOST_ROUNDS: u32 = 60;
+const MAX_ROUNDS: u32 = 60;
 
 /// What a master does with the forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +111,7 @@ fn iterated(unit: &mut Unit, start: [f64; 2], h: f64) -> Result<[f64; 2], Box<dy
     let mut before = start[1];
     let mut error_before = missing(unit, before)?;
     let mut velocity = before - error_before;
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..MAX_ROUNDS {
         unit.go_back(h)?;
         let error = missing(unit, velocity)?;
         if error.abs() <= 1e-12 * (1e-3 + velocity.abs()) {

@@ -14,7 +14,7 @@ use wheelrail::variables::{Causality, Kind, Unit, WHEEL, WHEELSET};
 use super::values::{any, within};
 
 /// Most calls of one run.
-const MOST_CALLS: usize = 200;
+const MAX_CALLS: usize = 200;
 
 /// The bytes are calls on wheel units.
 pub fn check(data: &[u8]) {
@@ -29,7 +29,7 @@ pub fn check_wheelset(data: &[u8]) {
 fn run(data: &[u8], unit: &'static Unit) {
     let mut host = Host { unit, components: Vec::new(), states: Vec::new(), bytes: Vec::new() };
     let mut u = Unstructured::new(data);
-    for _ in 0..MOST_CALLS {
+    for _ in 0..MAX_CALLS {
         // Bytes that have run out end the run.
         if u.is_empty() || host.call(&mut u).is_err() {
             break;

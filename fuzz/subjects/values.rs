@@ -5,7 +5,7 @@ use wheelrail::element::parameters::{FrictionDistribution, NormalModel, Tangenti
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 /// Greatest coefficient that a file of friction may have.
-const MOST_FRICTION: f64 = 10.0;
+const MAX_FRICTION: f64 = 10.0;
 
 /// Any number, infinities and what is none among them.
 pub fn any(u: &mut Unstructured) -> Result<f64> {
@@ -74,7 +74,7 @@ pub fn evaluate(element: &mut Element, parameters: &Parameters, input: &Input) {
         let friction = match parameters.friction_distribution {
             FrictionDistribution::Uniform => input.friction,
             FrictionDistribution::Regions => input.tread_friction.max(input.gauge_face_friction),
-            FrictionDistribution::Profile => MOST_FRICTION,
+            FrictionDistribution::Profile => MAX_FRICTION,
         };
         // Loads that lie within 60 degrees of their resultant are at most twice as much together.
         let is_bounded = force <= 2.0 * friction * patch.normal_force;

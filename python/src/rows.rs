@@ -10,7 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// Most rows that a thread takes at once: enough to forget the lock.
-const MOST_AT_ONCE: usize = 32;
+const MAX_AT_ONCE: usize = 32;
 /// Shares of each thread in the rows that are left when it takes some: fewer and fewer rows, so
 /// that none waits long for the others at the end.
 const SHARES: usize = 4;
@@ -37,7 +37,7 @@ struct Rows<'a> {
 impl<'a> Rows<'a> {
     /// The next rows, one of `shares` of those that are left.
     fn take(&mut self, width: usize, shares: usize) -> Rows<'a> {
-        let count = (self.states.len() / shares).clamp(1, MOST_AT_ONCE).min(self.states.len());
+        let count = (self.states.len() / shares).clamp(1, MAX_AT_ONCE).min(self.states.len());
         let (numbers, other_numbers) = take(&mut self.numbers).split_at_mut(count * width);
         let (states, other_states) = take(&mut self.states).split_at_mut(count);
         let first = self.first;

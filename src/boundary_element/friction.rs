@@ -42,7 +42,7 @@ pub struct Tractions {
 pub const TOLERANCE: f64 = 1e-4;
 
 /// Sweeps after which the search ends: 10 to 30 are usual.
-const MOST_SWEEPS: usize = 400;
+const MAX_SWEEPS: usize = 400;
 
 /// Sweeps without a new least change after which the damping grows, and by how much.
 const PATIENCE: usize = 8;
@@ -84,7 +84,7 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
     let loaded = bound.iter().any(|&g| g > 0.0);
     let loaded_rows: Vec<bool> = (0..grid.across).map(|j| rows.is_loaded(j)).collect();
     let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
-    while loaded && change > problem.tolerance && sweeps < MOST_SWEEPS {
+    while loaded && change > problem.tolerance && sweeps < MAX_SWEEPS {
         sweeps += 1;
         let (mut moved, mut total) = (0.0, 0.0);
         for j in (0..grid.across).filter(|&j| loaded_rows[j]) {
@@ -252,7 +252,7 @@ mod tests {
     #[test]
     fn sweeps_that_do_not_reach_the_tolerance_say_so() {
         let (_, found) = solved([0.02, 0.01], -1.0);
-        assert!(!found.converged && found.sweeps == MOST_SWEEPS);
+        assert!(!found.converged && found.sweeps == MAX_SWEEPS);
         assert!(found.x.iter().chain(&found.y).all(|p| p.is_finite()));
     }
 

@@ -44,7 +44,7 @@ pub struct PressureSolution {
 pub const TOLERANCE: f64 = 1e-5;
 
 /// Iterations after which the search ends: 15 to 40 are usual.
-const MOST_ITERATIONS: usize = 500;
+const MAX_ITERATIONS: usize = 500;
 
 impl PressureSolver {
     /// For bodies with contact modulus `contact_modulus`, E* [Pa], on the elements of `grid`.
@@ -106,7 +106,7 @@ impl PressureSolver {
         let mut restart = true;
         let mut residual = f64::INFINITY;
         let limit = self.tolerance * approach.abs();
-        for iteration in 0..MOST_ITERATIONS {
+        for iteration in 0..MAX_ITERATIONS {
             // In contact: loaded, or overlapping.
             let mut joined = false;
             let (mut sum, mut elements) = (0.0, 0usize);
@@ -168,7 +168,7 @@ impl PressureSolver {
                 rest[k] = overlap[k] - displacement[k];
             }
         }
-        solution(p, approach, MOST_ITERATIONS, residual, self.tolerance)
+        solution(p, approach, MAX_ITERATIONS, residual, self.tolerance)
     }
 
     /// The displacement under `tractions` [m].

@@ -22,7 +22,7 @@ use super::influence::TangentialInfluence;
 use crate::material::MaterialPair;
 
 /// Elements along and across from which on a coarser grid is solved first.
-const LEAST_NESTED: usize = 24;
+const MIN_NESTED_ELEMENTS: usize = 24;
 
 /// Tractions of bodies of `material` that roll towards +x.
 ///
@@ -35,7 +35,7 @@ pub fn steady_rolling(
     bound: &[f64],
     rigid: &[[f64; 2]],
 ) -> Tractions {
-    let start = (grid.along >= LEAST_NESTED && grid.across >= LEAST_NESTED)
+    let start = (grid.along >= MIN_NESTED_ELEMENTS && grid.across >= MIN_NESTED_ELEMENTS)
         .then(|| Coarse::of(grid, bound, rigid))
         .map(|coarse| {
             let tractions = steady_rolling(&coarse.grid, material, &coarse.bound, &coarse.rigid);

@@ -6,7 +6,7 @@ pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::real::Real;
 
 /// Greatest number that is told from a greater one, whatever its unit.
-const MOST: f64 = 1e100;
+const MAX_NUMBER: f64 = 1e100;
 
 /// All inputs; one field for each FMU input of design section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -210,8 +210,8 @@ impl Input {
         self.admitted().map(|_| ())
     }
 
-    /// The input as it is evaluated: numbers beyond [`MOST`] are taken as that, so that no product
-    /// of them is infinite.
+    /// The input as it is evaluated: numbers beyond [`MAX_NUMBER`] are taken as that, so that no
+    /// product of them is infinite.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -230,7 +230,7 @@ impl Input {
         let all = wheel.as_flattened().iter().chain(rails.as_flattened()).chain(&others);
         let sum: f64 = all.map(|value| value.abs()).sum();
         // Nothing compares with what is not a number.
-        let admitted = if sum <= MOST { *self } else { self.bounded()? };
+        let admitted = if sum <= MAX_NUMBER { *self } else { self.bounded()? };
         if friction.min(tread_friction).min(gauge_face_friction) < 0.0 {
             return Err(self.negative_friction());
         }
@@ -250,7 +250,7 @@ impl Input {
         ContactError::bad_value(name, value, "a finite number, at least 0")
     }
 
-    /// The same with every number within [`MOST`].
+    /// The same with every number within [`MAX_NUMBER`].
     ///
     /// # Errors
     /// The first input that is not finite.
@@ -260,7 +260,7 @@ impl Input {
         if all.iter().any(|value| !value.is_finite()) {
             return Err(self.not_finite());
         }
-        Ok(Self::from_array(all.map(|value| value.clamp(-MOST, MOST))))
+        Ok(Self::from_array(all.map(|value| value.clamp(-MAX_NUMBER, MAX_NUMBER))))
     }
 
     /// The error for the first input that is not finite.

@@ -14,7 +14,7 @@ use crate::normal::strips_on_grid::{Line, LinePlace, NEAR, STATION, walk_across}
 
 /// Least curvature along the track over that of the even wheel: in a trough that is hollow even for
 /// the wheel there is no Hertzian ellipse.
-pub(super) const LEAST_CURVATURE_SHARE: f64 = 0.02;
+pub(super) const MIN_CURVATURE_SHARE: f64 = 0.02;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -86,7 +86,7 @@ impl<'a> LocalLine<'a> {
         let even = self.line.wheel_point(u).section_radius;
         let (at, _, radius) = self.line.lifted_with_derivative(u, deviations);
         let share = radius * deviations.mean_curvature(radius, at.x, self.bridge(even));
-        even / share.max(LEAST_CURVATURE_SHARE)
+        even / share.max(MIN_CURVATURE_SHARE)
     }
 }
 
@@ -100,14 +100,14 @@ impl LocalLine<'_> {
         let on = self.rail.curve().at(y);
         let along = |v: [f64; 2]| v[0] * on.first[0] + v[1] * on.first[1];
         let mut u = guess;
-        for _ in 0..MOST_CROSSINGS {
+        for _ in 0..MAX_CROSSINGS {
             if !(u > start && u < end) {
                 return None;
             }
             let (at, derivative) = self.point(u);
             let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
             let rate = along(derivative);
-            if rate < LEAST_RATE {
+            if rate < MIN_RATE {
                 return None;
             }
             let step = -along(to) / rate;
@@ -119,7 +119,7 @@ impl LocalLine<'_> {
                 let away = [tangent[1], -tangent[0]];
                 let up = |v: [f64; 2]| v[0] * away[0] + v[1] * away[1];
                 let dy = rate / (speed - bending);
-                if !(speed - bending > LEAST_STRAIGHTNESS * speed && dy > LEAST_RATE) {
+                if !(speed - bending > MIN_STRAIGHTNESS * speed && dy > MIN_RATE) {
                     return None;
                 }
                 let overlap_slope = -up(derivative);
@@ -154,7 +154,7 @@ impl Line for LocalLine<'_> {
         let nearest = self.rail.nearest(at.point, guess, NEAREST);
         let along = |v: [f64; 2]| v[0] * derivative[0] + v[1] * derivative[1];
         let tangent = nearest.tangent;
-        let dy = (nearest.ratio * along(tangent)).max(LEAST_RATE);
+        let dy = (nearest.ratio * along(tangent)).max(MIN_RATE);
         self.near = [u, nearest.s, dy];
         let away = [tangent[1], -tangent[0]];
         let [x, cosine] = self.met(nearest.s, at.x);
@@ -192,7 +192,7 @@ impl Line for LocalLine<'_> {
 pub(super) fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
     // The wheel's circle is as round along the lean as it is along the track.
     let share = even * along.curvature * along.shortening() + 1.0;
-    even / (share / (along.drift * along.drift + 1.0)).at_least(LEAST_CURVATURE_SHARE)
+    even / (share / (along.drift * along.drift + 1.0)).at_least(MIN_CURVATURE_SHARE)
 }
 
 /// Distance along the contact line beyond which a nearest point is looked for anew [m].
@@ -200,10 +200,10 @@ const FAR: f64 = 8e-3;
 
 /// Least rate at which the nearest point moves with the contact line: where bodies end it may stand
 /// still.
-const LEAST_RATE: f64 = 0.05;
+const MIN_RATE: f64 = 0.05;
 
 /// Most points tried to find the one on a normal.
-const MOST_CROSSINGS: usize = 6;
+const MAX_CROSSINGS: usize = 6;
 
 /// Least share of the distance from the centre of curvature of the rail.
-const LEAST_STRAIGHTNESS: f64 = 0.2;
+const MIN_STRAIGHTNESS: f64 = 0.2;

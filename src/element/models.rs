@@ -5,19 +5,19 @@ use super::given_tractions::GivenTractions;
 use super::output::Patch;
 use super::parameters::{CreepageModel, Parameters, VerticalMode};
 use super::wear_sums::WearSums;
-use crate::geometry::contact_search::MOST_CONTACTS;
+use crate::geometry::contact_search::MAX_CONTACTS;
 use crate::geometry::varying_rail::MovingOutline;
 use crate::material::MaterialPair;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::normal::strips_on_grid::{GridFollower, GridSolver, LEAST_STRIPS};
+use crate::normal::strips_on_grid::{GridFollower, GridSolver, MIN_STRIPS};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
 /// Most loaded zones of one contact frame.
-const MOST_ZONES: usize = 8;
+const MAX_ZONES: usize = 8;
 
 /// The chosen models and their scratch memory, shared by the rails of an element; with derivatives
 /// where the numbers have them.
@@ -119,10 +119,9 @@ impl Models {
     pub fn new(parameters: &Parameters) -> Self {
         let [wheel, rail] = parameters.materials();
         // Patches of uneven bodies split along the track too.
-        let zones = if parameters.is_uneven() { 2 * MOST_ZONES } else { MOST_ZONES };
+        let zones = if parameters.is_uneven() { 2 * MAX_ZONES } else { MAX_ZONES };
         let is_strips = parameters.normal_model == NormalModel::Strips;
-        let strips =
-            if is_strips { parameters.strips.max(LEAST_STRIPS) } else { parameters.strips };
+        let strips = if is_strips { parameters.strips.max(MIN_STRIPS) } else { parameters.strips };
         // Strips and stretches of uneven bodies may all be in one zone.
         let most_strips = if is_strips || parameters.is_uneven() { zones * strips } else { strips };
         Self {
@@ -155,7 +154,7 @@ impl Models {
             strip_solver: is_strips.then(|| GridSolver::new(strips)),
             rail_strips: Strips::with_capacity(
                 if is_strips || parameters.normal_model == NormalModel::BoundaryElement {
-                    MOST_ZONES
+                    MAX_ZONES
                 } else {
                     0
                 },
@@ -165,7 +164,7 @@ impl Models {
             outline: None,
             given: None,
             turn_of_normals: 0.0,
-            patches: FixedVec::new(parameters.rails.len() * MOST_CONTACTS * zones),
+            patches: FixedVec::new(parameters.rails.len() * MAX_CONTACTS * zones),
             shear_yield: parameters.shear_yield,
             wear: None,
         }

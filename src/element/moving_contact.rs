@@ -2,14 +2,14 @@
 
 use super::contact_setup::{ContactSetup, Damped, relative_motion};
 use super::input::Input;
-use super::local_line::LEAST_CURVATURE_SHARE;
+use super::local_line::MIN_CURVATURE_SHARE;
 use super::models::Models;
 use super::moving_strips;
 use super::number::ElementNumber;
 use super::output::Output;
 use super::rail_contact::RailContact;
 use super::rail_frame::RailFrame;
-use super::strip_contact::{self, MOST_STRIP_DEPTH};
+use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use super::strip_damping::StripDamping;
 use super::work::Work;
 use crate::geometry::contact_line::ContactLine;
@@ -77,7 +77,7 @@ impl RailContact {
         if !self.search_contacts(k, &input.value()) {
             return Ok(());
         }
-        if self.search.contacts.iter().any(|contact| contact.penetration > MOST_STRIP_DEPTH)
+        if self.search.contacts.iter().any(|contact| contact.penetration > MAX_STRIP_DEPTH)
             && found.strip_solver.is_some()
         {
             return Err(TOO_DEEP);
@@ -175,7 +175,7 @@ impl RailContact {
                 radius: outline.radius_along(
                     moving.wheel_point(contact.u).section_radius,
                     contact.rail_s,
-                    LEAST_CURVATURE_SHARE,
+                    MIN_CURVATURE_SHARE,
                 ),
                 contact_modulus: models.material.contact_modulus,
                 contact_u: contact.u,

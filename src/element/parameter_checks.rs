@@ -12,9 +12,9 @@ use crate::error::ContactError;
 use crate::geometry::slices::Slices;
 
 /// Steepest waves that are admitted [-].
-const MOST_SLOPE: f64 = 0.3;
+const MAX_SLOPE: f64 = 0.3;
 /// Least radius of a roller [m]: that of models of rigs in a fifth of the size.
-const LEAST_ROLLER: f64 = 0.1;
+const MIN_ROLLER: f64 = 0.1;
 
 impl Parameters {
     /// Whether every number is in its declared range, and goes with the others.
@@ -60,7 +60,7 @@ impl Parameters {
     fn check_rollers(&self) -> Result<(), ContactError> {
         for (k, rail) in self.rails.iter().enumerate() {
             let radius = rail.roller_radius;
-            if radius != 0.0 && radius < LEAST_ROLLER {
+            if radius != 0.0 && radius < MIN_ROLLER {
                 let name = format!("rail[{}].roller_radius", k + 1);
                 return Err(ContactError::bad_value(
                     name,
@@ -111,7 +111,7 @@ impl Parameters {
             let positive = "a finite number greater than 0";
             require(name("wavelength"), wavelength, wavelength > 0.0, positive)?;
             let slope = TAU * amplitude / wavelength;
-            require(name("wavelength"), wavelength, slope <= MOST_SLOPE, steep)?;
+            require(name("wavelength"), wavelength, slope <= MAX_SLOPE, steep)?;
             require(name("phase"), phase, true, finite)?;
         }
         let OutOfRound { amplitude, order, phase, .. } = self.wheel.out_of_round;
@@ -119,7 +119,7 @@ impl Parameters {
         require(name("amplitude"), amplitude, amplitude >= 0.0, "a finite number, at least 0")?;
         require(name("order"), order as f64, (1..=200).contains(&order), "1 to 200")?;
         let slope = amplitude * order as f64 / radius;
-        require(name("amplitude"), amplitude, slope <= MOST_SLOPE, steep)?;
+        require(name("amplitude"), amplitude, slope <= MAX_SLOPE, steep)?;
         require(name("phase"), phase, true, finite)?;
         let WheelFlat { length, angle, depth, shape } = self.wheel.flat;
         let name = |part: &str| format!("wheel.flat.{part}");

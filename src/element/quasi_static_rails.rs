@@ -25,7 +25,7 @@ use super::wheel_on_rails::Element;
 use crate::math::root::outward;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.
-const MOST_STEPS: usize = 40;
+const MAX_STEPS: usize = 40;
 /// A matrix serves for one more step, with Broyden's correction, where the correction that followed
 /// a step was this share of it or less.
 const KEPT: f64 = 0.1;
@@ -38,7 +38,7 @@ const RESOLUTION: f64 = 1e-14;
 const MISSED: f64 = 1e-7;
 /// Under a given load, longest first way aside, and greatest one that is looked for [m].
 const FIRST_WAY: f64 = 1e-3;
-const MOST_WAY: f64 = 0.05;
+const MAX_WAY: f64 = 0.05;
 /// Load over penetration^(3/2) of a wheel on a rail, for the first guess [N/m^1.5].
 const STIFFNESS: f64 = 7e10;
 
@@ -88,7 +88,7 @@ impl Element {
         // Under a lifted wheel they rest at once.
         let mut left = length(rest);
         let (mut steps, mut kept) = (0, None);
-        while left > RESOLUTION && steps < MOST_STEPS {
+        while left > RESOLUTION && steps < MAX_STEPS {
             steps += 1;
             let matrix = kept
                 .unwrap_or_else(|| self.compliance(&given.with_rails_moved(deflection, [0.0; 2])));
@@ -137,7 +137,7 @@ impl Element {
         };
         let level = missing(0.0);
         let first = level.clamp(-FIRST_WAY, FIRST_WAY);
-        let (y, left) = outward(level, first, MOST_WAY, RESOLUTION, &mut missing);
+        let (y, left) = outward(level, first, MAX_WAY, RESOLUTION, &mut missing);
         ([y, sunk], left, fallbacks)
     }
 

@@ -7,7 +7,7 @@ use super::rail_frame::RailFrame;
 use super::rail_friction::RailFriction;
 use crate::geometry::clearance::Clearance;
 use crate::geometry::contact_line::{ContactLine, WheelPose};
-use crate::geometry::contact_search::{ContactSearch, MOST_PROBES};
+use crate::geometry::contact_search::{ContactSearch, MAX_PROBES};
 use crate::geometry::curve::Curve;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
@@ -54,10 +54,10 @@ pub(super) struct Around {
 const STEEPEST: f64 = 0.05;
 /// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side
 /// and to the length of its arc [m].
-const MOST_WIDER: f64 = 0.01;
-const MOST_LONGER: f64 = 0.1;
+const MAX_ADDED_WIDTH: f64 = 0.01;
+const MAX_ADDED_ARC: f64 = 0.1;
 /// Most stretches of a contact line that are searched apart from each other.
-const MOST_RANGES: usize = 32;
+const MAX_RANGES: usize = 32;
 
 impl RailContact {
     /// Prepares the contact of the wheel with profile `wheel` and a placed rail.
@@ -81,9 +81,9 @@ impl RailContact {
             clearance,
             here,
             around: None,
-            ranges: FixedVec::new(MOST_RANGES),
+            ranges: FixedVec::new(MAX_RANGES),
             search: ContactSearch::new(&wheel.curve),
-            probes: FixedVec::new(MOST_PROBES),
+            probes: FixedVec::new(MAX_PROBES),
             wheel: wheel.clone(),
             rail_name: rail_name.into(),
             nominal_radius,
@@ -99,7 +99,7 @@ impl RailContact {
         let mut clearance = self.clearance.clone();
         clearance.reserve(self.clearance.lower(wheel.sides()));
         self.wheel.curve.reserve(wheel.most_knots());
-        self.search.reserve(MOST_LONGER + wheel.longer());
+        self.search.reserve(MAX_ADDED_ARC + wheel.longer());
         self.around = Some(Box::new(Around { wheel: wheel.clone(), clearance }));
         self
     }
@@ -151,8 +151,8 @@ impl RailContact {
     pub fn reserve_for_wear(&mut self, wheel_knots: usize, rail_knots: usize) {
         self.wheel.curve.reserve(wheel_knots);
         self.rail.reserve(rail_knots);
-        self.clearance.reserve(MOST_WIDER);
-        self.search.reserve(MOST_LONGER);
+        self.clearance.reserve(MAX_ADDED_WIDTH);
+        self.search.reserve(MAX_ADDED_ARC);
     }
 
     /// How far the wheel of `input` (right side) has to be lifted off rail number `k` until no

@@ -5,12 +5,12 @@ use super::boundary_contact;
 use super::contact_setup::{ContactSetup, Damped};
 use super::flattened::FlatContact;
 use super::input::Input;
-use super::local_line::LEAST_CURVATURE_SHARE;
+use super::local_line::MIN_CURVATURE_SHARE;
 use super::models::Models;
 use super::output::Output;
 use super::rail_contact::{RailContact, with};
 use super::rail_frame::RailFrame;
-use super::strip_contact::{self, MOST_STRIP_DEPTH};
+use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use super::work::Work;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, LineSeparation};
@@ -24,7 +24,7 @@ const DEEP: f64 = 5e-3;
 
 /// Depth down to which forces grow [m]: two thirds of a rail's head, below whose middle its
 /// underside is as near as its top.
-const MOST_DEPTH: f64 = 2.5e-2;
+const MAX_DEPTH: f64 = 2.5e-2;
 
 impl RailContact {
     /// The contacts with rail number `k` for `input` (right side), laid flat.
@@ -42,7 +42,7 @@ impl RailContact {
             let radius = RailOutline::at_rest(&self.rail).radius_along(
                 even_radius,
                 contact.rail_s,
-                LEAST_CURVATURE_SHARE,
+                MIN_CURVATURE_SHARE,
             );
             let forces = ContactSetup {
                 k,
@@ -89,7 +89,7 @@ impl RailContact {
         let depth = if looks_sunk { self.depth(k, input) } else { 0.0 };
         let patches = models.patches.len();
         let mut fallbacks = 0;
-        if depth <= MOST_DEPTH {
+        if depth <= MAX_DEPTH {
             fallbacks = self.add_forces(k, input, models, output, work);
         }
         if depth > DEEP && models.patches.len() == patches {
@@ -128,7 +128,7 @@ impl RailContact {
             // What shares its damping lies on the arc of the rail.
             is_on_arc: !matches!(damped, Damped::Alone),
         };
-        let is_deep = self.search.contacts.iter().any(|c| c.penetration > MOST_STRIP_DEPTH);
+        let is_deep = self.search.contacts.iter().any(|c| c.penetration > MAX_STRIP_DEPTH);
         if models.strip_solver.is_some() && !is_deep {
             let (search, probes) = (&self.search, &mut self.probes);
             let deviations = self.deviations.as_ref();
@@ -155,7 +155,7 @@ impl RailContact {
                     RailOutline::at_rest(&self.rail).radius_along(
                         even_radius,
                         contact.rail_s,
-                        LEAST_CURVATURE_SHARE,
+                        MIN_CURVATURE_SHARE,
                     )
                 },
                 |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
@@ -214,5 +214,5 @@ impl RailContact {
 fn local_radius(radius: f64, lifting: &Lifting, x: f64) -> f64 {
     let [_, _, curvature] = lifting.deviations.nearness(x);
     let even = 1.0 / radius;
-    1.0 / (even - lifting.share * curvature).max(LEAST_CURVATURE_SHARE * even)
+    1.0 / (even - lifting.share * curvature).max(MIN_CURVATURE_SHARE * even)
 }

@@ -26,7 +26,7 @@ impl<T: Real> RailPlace<T> {
 const NEAR: f64 = 3e-6;
 /// Cosine of the angle to the frame beyond which a rail has turned away: 81 degrees, steeper than
 /// any flange. Closer to a right angle a step of Newton's method goes too far.
-const LEAST_COSINE: f64 = 0.15;
+const MIN_COSINE: f64 = 0.15;
 
 /// The last place of a walk.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ impl<T: Real> Last<T> {
     fn at(contact: &Contact<T>, y: T, s: T, on: &CurvePoint<T>) -> Self {
         let cosine = across(contact, on.first);
         let steepness =
-            if cosine >= LEAST_COSINE { T::from(1.0) / cosine } else { T::from(f64::NAN) };
+            if cosine >= MIN_COSINE { T::from(1.0) / cosine } else { T::from(f64::NAN) };
         Self { y, s, steepness, bend: across(contact, on.second) }
     }
 }

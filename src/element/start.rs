@@ -20,14 +20,14 @@ const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
 /// Step of the descent onto the rail: no wheel passes through a rail in it [m].
 const DESCENT_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
-const MOST_DESCENT_STEPS: usize = 750;
+const MAX_DESCENT_STEPS: usize = 750;
 /// How far beside a guess of first touch the wheel is tried, as a share of what the height is known
 /// to.
 const LOOK_BESIDE: f64 = 1.0 / 256.0;
 /// Every so many trials the middle is taken, should the guesses be none.
 const BISECT_EVERY: usize = 4;
 /// From the step of the descent to rounding it takes 45 bisections; a dozen trials are the rule.
-const MOST_TRIALS: usize = BISECT_EVERY * 45;
+const MAX_TRIALS: usize = BISECT_EVERY * 45;
 
 impl Element {
     /// Takes `start` as the place in which the wheel starts:
@@ -130,10 +130,10 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> 
     // lost in rounding.
     let height = |step: usize| highest + step as f64 * DESCENT_STEP;
     let (step, mut to_lift) =
-        (1..=MOST_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
+        (1..=MAX_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
     let (mut clear, mut touching) = (height(step - 1), height(step));
     // Down to neighbouring numbers.
-    for trial in 1..=MOST_TRIALS {
+    for trial in 1..=MAX_TRIALS {
         let guess = touching - to_lift;
         let aside = LOOK_BESIDE * (touching - clear);
         // The farther end is brought to just beyond the guess.

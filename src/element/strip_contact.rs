@@ -23,7 +23,7 @@ use crate::normal::strips_on_grid::{Line, LinePlace};
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
 /// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
-pub(super) const MOST_STRIP_DEPTH: f64 = 1e-2;
+pub(super) const MAX_STRIP_DEPTH: f64 = 1e-2;
 
 /// Solves for all zones of one rail into `models.rail_strips`; returns how many found no room.
 pub fn solve(

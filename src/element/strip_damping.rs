@@ -12,7 +12,7 @@ use crate::normal::damping;
 
 /// Least pressure with damping over that without: strips that part keep a trace, by which their
 /// zone has a normal.
-const LEAST_FACTOR: f64 = f64::EPSILON;
+const MIN_FACTOR: f64 = f64::EPSILON;
 
 /// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on
 /// which strips are taken together as a zone.
@@ -64,7 +64,6 @@ impl<T: Real> StripDamping<'_, T> {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]
         });
-        (damping::damped_load(load, penetration, closing, coefficient) / load)
-            .at_least(LEAST_FACTOR)
+        (damping::damped_load(load, penetration, closing, coefficient) / load).at_least(MIN_FACTOR)
     }
 }

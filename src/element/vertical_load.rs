@@ -32,7 +32,7 @@ const LONGEST_STEP: f64 = 2e-3;
 const STIFFNESS: f64 = 7e10;
 /// Steps down, 40 mm, after which no more load is looked for, and steps up where the bounds were
 /// wrong.
-const MOST_STEPS: usize = 27;
+const MAX_STEPS: usize = 27;
 /// Guesses from the power law before the bracketed search.
 const GUESSES: usize = 4;
 /// Difference from the load, as a share of it, that ends the search.
@@ -42,7 +42,7 @@ const ACCURACY: f64 = 1e-11;
 const MISSED: [f64; 2] = [1e-6, 1e-3];
 /// Greatest force at a jump, over the load: those of models are less than half of the force, beyond
 /// it the geometry jumps.
-const MOST_FORCE: f64 = 2.0;
+const MAX_FORCE: f64 = 2.0;
 
 /// Whether rails that carry `carried` carry the `load` of a wheel [N]; a lifted wheel has none.
 pub(crate) fn is_carried(load: f64, carried: f64) -> bool {
@@ -105,7 +105,7 @@ impl Search<'_> {
         if ends[0].force < self.load && ends[1].force >= self.load {
             ends = self.refine(ends);
         }
-        let most = MOST_FORCE * self.load + MISSED[1];
+        let most = MAX_FORCE * self.load + MISSED[1];
         if ends.iter().all(|end| end.force <= 0.0) {
             return None;
         }
@@ -131,7 +131,7 @@ impl Search<'_> {
     fn bracket(&mut self, clear: f64) -> [Trial; 2] {
         let mut step = (self.load / STIFFNESS).powf(2.0 / 3.0).clamp(FIRST_STEP[0], FIRST_STEP[1]);
         let mut above = self.at(clear);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             // The bounds are meant to be clear; a rail that rolls far may make them wrong.
             if above.force < self.load {
                 break;
@@ -140,7 +140,7 @@ impl Search<'_> {
             step = (2.0 * step).min(LONGEST_STEP);
         }
         let mut best = above;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let trial = self.at(above.z + step);
             if trial.force >= self.load {
                 return [above, trial];

@@ -15,7 +15,7 @@ use crate::wear::worn_arc::Body;
 use crate::wear::{ArcState, StripLoad, WornArc};
 
 /// Most nodes at which the interpenetration of a patch is sampled.
-const MOST_NODES: usize = 512;
+const MAX_NODES: usize = 512;
 /// Least and greatest number of cells across a patch; in between they are as wide as those of the
 /// sums.
 const CELLS: [f64; 2] = [16.0, 80.0];
@@ -105,10 +105,10 @@ impl WearSums {
             dissipation: FixedVec::new(strips),
             slip_area: FixedVec::new(strips),
             rates: FixedVec::new(strips),
-            nodes: FixedVec::new(MOST_NODES),
-            interpenetration: FixedVec::new(MOST_NODES),
-            worn: FixedVec::new(MOST_NODES),
-            shares: FixedVec::new(MOST_NODES),
+            nodes: FixedVec::new(MAX_NODES),
+            interpenetration: FixedVec::new(MAX_NODES),
+            worn: FixedVec::new(MAX_NODES),
+            shares: FixedVec::new(MAX_NODES),
         }
     }
 
@@ -252,7 +252,7 @@ impl WearSums {
         let most_worn = wheel.most_pending() + rail.most_pending();
         let mut reach = [0usize; 2];
         if most_worn > 0.0 {
-            let most_beyond = (0.25 * MOST_NODES as f64) as usize - 1;
+            let most_beyond = (0.25 * MAX_NODES as f64) as usize - 1;
             for (end, sign) in [(0, -1.0), (1, 1.0)] {
                 let from = [left, right][end];
                 for i in 1..=most_beyond {

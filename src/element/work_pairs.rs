@@ -6,12 +6,12 @@ use super::output::Wrench;
 /// A component of a force [N] and its velocity [m/s], or of a moment [N m] and its angular velocity
 /// [rad/s], in each pair. Zeros where there are fewer: a wheelset on two rails on each side has
 /// all.
-pub type WorkPairs = [[f64; 2]; MOST_PAIRS];
+pub type WorkPairs = [[f64; 2]; MAX_PAIRS];
 
 const OF_BODY: usize = 6;
 const OF_RAIL: usize = 3;
 /// A body and four rails.
-pub const MOST_PAIRS: usize = OF_BODY + 4 * OF_RAIL;
+pub const MAX_PAIRS: usize = OF_BODY + 4 * OF_RAIL;
 
 /// The pairs of a wheel or a wheelset with its force about its own marker, and of the rails under
 /// it.
@@ -19,7 +19,7 @@ pub fn work_pairs<'a>(
     body: (&WheelMotion, &Wrench),
     rails: impl Iterator<Item = (&'a RailMotion, &'a Wrench)>,
 ) -> WorkPairs {
-    let mut pairs = [[0.0; 2]; MOST_PAIRS];
+    let mut pairs = [[0.0; 2]; MAX_PAIRS];
     let (motion, wrench) = body;
     let turning = motion.angular_velocity();
     for i in 0..3 {

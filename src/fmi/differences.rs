@@ -12,7 +12,7 @@ use crate::variables::{Described, Value, ValuesOf, Variable, admits};
 /// rounding.
 const SHARE: f64 = 1e-3;
 /// The least that half is of the value itself, so that it is not lost in rounding.
-const LEAST_SHARE: f64 = 1e-10;
+const MIN_SHARE: f64 = 1e-10;
 
 /// What a difference is wanted of.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +80,7 @@ impl<S: Described> Beside<S> {
         wanted: Wanted,
     ) -> Result<f64, ContactError> {
         let Value::Real(at) = values.get(known) else { return Ok(0.0) };
-        let step = (SHARE * known.nominal).max(LEAST_SHARE * at.abs());
+        let step = (SHARE * known.nominal).max(MIN_SHARE * at.abs());
         let mut places = [at; 2];
         for ((side, way), place) in
             [(&mut self.low, -step), (&mut self.high, step)].into_iter().zip(&mut places)

@@ -3,7 +3,7 @@
 use super::error::FmiError;
 use super::instance::Instance;
 use super::life_cycle::Purpose;
-use super::snapshot::MOST_ELEMENTS;
+use super::snapshot::MAX_ELEMENTS;
 use crate::element::parameters::FoundationModel;
 use crate::element::subject::Subject;
 use crate::element::{Element, TrackState};
@@ -12,7 +12,7 @@ use crate::variables::Described;
 
 /// Most parts of one step: longer ones are made then, which the method survives and tells as an
 /// error.
-const MOST_PARTS: f64 = 1000.0;
+const MAX_PARTS: f64 = 1000.0;
 
 impl<S: Described> Instance<S> {
     /// Refuses rails with a mass to a host that integrates by itself.
@@ -41,13 +41,13 @@ impl<S: Described> Instance<S> {
     pub(super) fn move_rails(&mut self, step: f64) -> Result<(), FmiError> {
         let Some(element) = &mut self.element else { return Ok(()) };
         let longest = element.elements().iter().map(Element::longest_step);
-        let parts = (step / longest.fold(f64::INFINITY, f64::min)).ceil().clamp(1.0, MOST_PARTS);
+        let parts = (step / longest.fold(f64::INFINITY, f64::min)).ceil().clamp(1.0, MAX_PARTS);
         let start = self.values.input;
-        let mut states = [None; MOST_ELEMENTS];
+        let mut states = [None; MAX_ELEMENTS];
         for (state, element) in states.iter_mut().zip(element.elements()) {
             *state = element.track_state();
         }
-        let mut errors = [0.0_f64; MOST_ELEMENTS];
+        let mut errors = [0.0_f64; MAX_ELEMENTS];
         for part in 1..=parts as u32 {
             let from = std::mem::replace(&mut self.values.input, start);
             let end = if f64::from(part) < parts { step * f64::from(part) / parts } else { step };

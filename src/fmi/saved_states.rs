@@ -4,7 +4,7 @@ use super::error::FmiError;
 use super::instance::Instance;
 use super::life_cycle::Purpose;
 use super::slots::{Key, Slots};
-use super::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
+use super::snapshot::{MAX_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::element::Element;
 use crate::variables::{Described, ValuesOf};
 
@@ -76,9 +76,9 @@ impl<S: Described> Instance<S> {
         }
     }
 
-    fn memories(&self) -> [Memory; MOST_ELEMENTS] {
+    fn memories(&self) -> [Memory; MAX_ELEMENTS] {
         let mut memories =
-            [const { Memory { fallbacks: 0, wear: None, track: None } }; MOST_ELEMENTS];
+            [const { Memory { fallbacks: 0, wear: None, track: None } }; MAX_ELEMENTS];
         for (memory, element) in memories.iter_mut().zip(self.elements()) {
             let (wear, track) = (element.wear_state(), element.track_state());
             *memory = Memory { fallbacks: element.fallbacks(), wear, track };

@@ -29,7 +29,7 @@ pub struct Snapshot<S: Described> {
     /// Whole numbers of the last event.
     pub held: Held,
     /// What each element remembers; default beyond their number.
-    pub memories: [Memory; MOST_ELEMENTS],
+    pub memories: [Memory; MAX_ELEMENTS],
     /// Time span of the experiment.
     pub experiment: Option<Experiment>,
     /// End of the last step [s].
@@ -48,7 +48,7 @@ pub struct Memory {
 }
 
 /// A wheelset has two.
-pub const MOST_ELEMENTS: usize = 2;
+pub const MAX_ELEMENTS: usize = 2;
 
 /// How the outputs of a state are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ pub struct ArcLength<'a> {
 /// Points of the rule on each cubic piece, whose speed is nearly constant.
 const POINTS: usize = 4;
 /// Newton steps to a place, and the step at which it is found [m].
-const MOST_STEPS: usize = 8;
+const MAX_STEPS: usize = 8;
 const LAST_STEP: f64 = 1e-13;
 
 impl<'a> ArcLength<'a> {
@@ -81,7 +81,7 @@ impl<'a> ArcLength<'a> {
         let k = self.arcs.partition_point(|&a| a <= arc).clamp(1, self.arcs.len() - 1) - 1;
         let (a, b) = (self.knots[k], self.knots[k + 1]);
         let mut s = a + (b - a) * (arc - self.arcs[k]) / (self.arcs[k + 1] - self.arcs[k]);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let step = (arc - self.arcs[k] - self.between(a, s)) / self.speed(s);
             s += step;
             if step.abs() <= LAST_STEP {

@@ -29,15 +29,15 @@ use crate::math::real::Real;
 
 /// Below this cosine of the profile's slope (87 degrees) the line is followed by height instead of
 /// by slope.
-const LEAST_SLOPE_COSINE: f64 = 0.05;
+const MIN_SLOPE_COSINE: f64 = 0.05;
 /// Largest |sin α|: contact never comes near the height of the axle.
-const MOST_SINE: f64 = 0.9;
+const MAX_SINE: f64 = 0.9;
 /// Half length of the profile over which its curvature is averaged where it bends the section along
 /// x of a yawed wheel: profiles jump in curvature, and the force must not [m].
 const CURVATURE_REACH: f64 = 2e-3;
 /// Least curvature of the section along x over that of the straight wheel: in a flange root at
 /// large yaw the outline folds.
-const LEAST_SECTION_SHARE: f64 = 0.1;
+const MIN_SECTION_SHARE: f64 = 0.1;
 
 /// The contact line of a wheel in a given pose.
 #[derive(Clone, Copy, Debug)]
@@ -177,7 +177,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn turning(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
-        if on.sine.value().abs() < MOST_SINE && p.first[0] > LEAST_SLOPE_COSINE {
+        if on.sine.value().abs() < MAX_SINE && p.first[0] > MIN_SLOPE_COSINE {
             self.lead * (p.second[1] - on.slope * p.second[0]) * on.flatness
         } else {
             T::from(0.0)
@@ -189,9 +189,9 @@ impl<'a, T: Real> ContactLine<'a, T> {
     #[inline(always)]
     fn circle(&self, p: &CurvePoint<T>) -> OnCircle<T> {
         let radius = p.point[1] + self.nominal_radius;
-        let flatness = T::from(1.0) / p.first[0].at_least(LEAST_SLOPE_COSINE);
+        let flatness = T::from(1.0) / p.first[0].at_least(MIN_SLOPE_COSINE);
         let slope = p.first[1] * flatness;
-        let sine = (slope * self.lead).within(-MOST_SINE, MOST_SINE);
+        let sine = (slope * self.lead).within(-MAX_SINE, MAX_SINE);
         let cosine = (-(sine * sine) + 1.0).sqrt();
         let radial = [
             self.ahead[0] * sine + self.down[0] * cosine,
@@ -236,8 +236,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             return self.rim(s, &p, &self.circle(&p)).wheel_point();
         }
         let radius = p.point[1] + self.nominal_radius;
-        let slope_cosine =
-            (p.first[0] / speed_squared(p.first).sqrt()).at_least(LEAST_SLOPE_COSINE);
+        let slope_cosine = (p.first[0] / speed_squared(p.first).sqrt()).at_least(MIN_SLOPE_COSINE);
         let straight = slope_cosine / radius;
         let section_curvature = if self.is_straight() {
             straight
@@ -246,7 +245,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             let across = self.cosine * self.lead / slope_cosine;
             let bent = straight * on.cosine * self.cosine * self.cosine
                 + self.mean_curvature(s) * across * across / on.cosine;
-            bent.max(straight * LEAST_SECTION_SHARE)
+            bent.max(straight * MIN_SECTION_SHARE)
         };
         let section_curvature = self.section_around(s, section_curvature, straight);
         WheelPoint {
@@ -339,7 +338,7 @@ impl<'a> ContactLine<'a> {
     /// profile is steep and curved [1/m].
     #[must_use]
     pub fn stretch_factor(p: &CurvePoint) -> f64 {
-        if p.first[0] <= LEAST_SLOPE_COSINE {
+        if p.first[0] <= MIN_SLOPE_COSINE {
             return 0.0;
         }
         let slope = p.first[1] / p.first[0];
@@ -351,7 +350,7 @@ impl<'a> ContactLine<'a> {
     /// [`stretch_factor`](Self::stretch_factor) [m].
     #[must_use]
     pub fn stretch_per_factor(&self) -> f64 {
-        let least_cosine = (1.0 - MOST_SINE * MOST_SINE).sqrt();
+        let least_cosine = (1.0 - MAX_SINE * MAX_SINE).sqrt();
         // No profile reaches beyond twice the nominal radius.
         let even = 2.0 * self.nominal_radius * self.lead * self.lead / least_cosine;
         even + self.deviations.map_or(0.0, |d| self.lift_stretch(d))

@@ -27,9 +27,9 @@ use sample::{Sample, hidden_turn};
 use wheel_bounds::{BIN, WheelBounds};
 
 /// Most patches of one wheel on one rail.
-pub const MOST_CONTACTS: usize = 16;
+pub const MAX_CONTACTS: usize = 16;
 /// Most probes of one wheel on one rail.
-pub const MOST_PROBES: usize = 2048;
+pub const MAX_PROBES: usize = 2048;
 /// Depth from which on the nearest point of the rail is looked for all around it [m]: wheels that
 /// are loaded stay far above, and gauge corners are rounded by twice as much.
 const DEEP: f64 = 5e-3;
@@ -46,7 +46,7 @@ const EXTREMUM_BRACKET: f64 = 1e-11;
 /// Last step of interpolation towards a minimum or maximum [m], and most of them; three are the
 /// rule. They get shorter so fast that the last one leaves nothing but rounding.
 const EXTREMUM_STEP: f64 = 1e-10;
-const MOST_INTERPOLATIONS: usize = 6;
+const MAX_INTERPOLATIONS: usize = 6;
 
 /// Finds contacts; keeps what it needs from call to call, but no result.
 #[derive(Clone, Debug)]
@@ -69,9 +69,9 @@ impl ContactSearch {
     pub fn new(wheel: &Curve) -> Self {
         let mut search = Self {
             bounds: WheelBounds::default(),
-            interval: FixedVec::new(MOST_PROBES),
-            probes: FixedVec::new(MOST_PROBES),
-            contacts: FixedVec::new(MOST_CONTACTS),
+            interval: FixedVec::new(MAX_PROBES),
+            probes: FixedVec::new(MAX_PROBES),
+            contacts: FixedVec::new(MAX_CONTACTS),
             evaluations: 0,
             left_out: 0,
         };
@@ -231,7 +231,7 @@ impl ContactSearch {
         let mut before = [left, right];
         let mut near = *from;
         let mut u = from.u - from.slope * (to.u - from.u) / (to.slope - from.slope);
-        for _ in 0..MOST_INTERPOLATIONS {
+        for _ in 0..MAX_INTERPOLATIONS {
             near = self.sample(line, rail, u, near.rail_s + near.rail_rate * (u - near.u), FINE);
             let here = (u, near.slope);
             let step = interpolated_step(before, here);

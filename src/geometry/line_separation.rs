@@ -50,11 +50,11 @@ pub trait RailSeparation<'a, T: Real>: FrameSeparation<T> {
 }
 
 /// Cosine of the angle to the contact frame beyond which a line counts as ended.
-pub(super) const LEAST_COSINE: f64 = 0.15;
+pub(super) const MIN_COSINE: f64 = 0.15;
 /// Distance over which the rail's curve is as good as a parabola [m].
 const OPPOSITE: f64 = 3e-6;
 /// Newton steps for the point of the rail opposite to one of the wheel.
-const MOST_OPPOSITE_STEPS: usize = 24;
+const MAX_OPPOSITE_STEPS: usize = 24;
 
 impl<'a> LineSeparation<'a> {
     /// The separation in the frame of `contact`.
@@ -99,10 +99,10 @@ impl<'a> LineSeparation<'a> {
         let (start, end) = (curve.start(), curve.end());
         let mut s = guess.clamp(start, end);
         let mut good = None;
-        for _ in 0..MOST_OPPOSITE_STEPS {
+        for _ in 0..MAX_OPPOSITE_STEPS {
             let p = curve.at(s);
             let cosine = p.first[0] * tangent[0] + p.first[1] * tangent[1];
-            if cosine < LEAST_COSINE {
+            if cosine < MIN_COSINE {
                 // Too far: half way back to where the rail still faced the normal.
                 s = 0.5 * (s + good?);
                 continue;
@@ -143,11 +143,11 @@ impl<'a> LineSeparation<'a> {
         let y = to[0] * tangent[0] + to[1] * tangent[1];
         let depth = to[0] * normal[0] + to[1] * normal[1];
         let dy = derivative[0] * tangent[0] + derivative[1] * tangent[1];
-        let rail = if dy < LEAST_COSINE { None } else { self.opposite(y) };
+        let rail = if dy < MIN_COSINE { None } else { self.opposite(y) };
         let [_, rail, rise] = rail.unwrap_or([f64::NAN, f64::INFINITY, f64::NAN]);
         let f = rail - depth + self.contact.penetration;
         let rate = rise * dy - (derivative[0] * normal[0] + derivative[1] * normal[1]);
-        (SeparationPoint { y, dy: dy.max(LEAST_COSINE), f, x: at.x }, rate)
+        (SeparationPoint { y, dy: dy.max(MIN_COSINE), f, x: at.x }, rate)
     }
 
     /// Parameter of the rail's curve opposite to the last point that had a finite separation [m].

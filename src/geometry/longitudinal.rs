@@ -24,9 +24,9 @@ use crate::math::fixed_vec::FixedVec;
 /// Least and greatest distance of samples [m].
 const SPACING: [f64; 2] = [2.5e-4, 4e-3];
 /// Distance over that of samples below which differences are no better than the curvature itself.
-pub(in crate::geometry) const LEAST_REACH: f64 = 1e-2;
+pub(in crate::geometry) const MIN_REACH: f64 = 1e-2;
 /// Most samples that are kept for an evaluation.
-const MOST_SAMPLES: usize = 600;
+const MAX_SAMPLES: usize = 600;
 
 /// Deviations of a wheel and a rail, and where both of them stand.
 #[derive(Clone, Debug)]
@@ -65,7 +65,7 @@ impl Longitudinal {
         let reach = (2.0 * largest * range).sqrt().min(largest * (w.slope + r.slope));
         let spacing = w.spacing.min(r.spacing).min(0.5 * reach).clamp(SPACING[0], SPACING[1]);
         let curvature = w.curvature + r.curvature;
-        let samples = FixedVec::new(MOST_SAMPLES);
+        let samples = FixedVec::new(MAX_SAMPLES);
         let (station, turn, first) = (0.0, 0.0, 0.0);
         Some(Self {
             wheel,
@@ -106,7 +106,7 @@ impl Longitudinal {
         self.station = station;
         self.turn = -pitch * self.nominal_radius;
         let wanted = ((self.reach + ahead) / self.spacing).ceil() as usize + 3;
-        let side = wanted.min((MOST_SAMPLES - 1) / 2);
+        let side = wanted.min((MAX_SAMPLES - 1) / 2);
         self.first = -(side as f64) * self.spacing;
         self.samples.clear();
         for i in 0..=2 * side {
@@ -152,7 +152,7 @@ impl Longitudinal {
     #[must_use]
     pub fn mean_curvature(&self, radius: f64, x: f64, reach: f64) -> f64 {
         let even = 1.0 / radius;
-        if reach <= self.spacing * LEAST_REACH {
+        if reach <= self.spacing * MIN_REACH {
             return even - self.nearness(x)[2];
         }
         let [here, ahead, behind] = [x, x + reach, x - reach].map(|x| self.nearness(x)[0]);

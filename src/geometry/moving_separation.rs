@@ -2,7 +2,7 @@
 
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::line_separation::{LEAST_COSINE, Lifting, LineSeparation, RailSeparation};
+use crate::geometry::line_separation::{Lifting, LineSeparation, MIN_COSINE, RailSeparation};
 use crate::geometry::moving_contact::moving_place;
 use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::separation::{FrameSeparation, Probe, Separation, SeparationPoint};
@@ -65,7 +65,7 @@ impl<T: Real> FrameSeparation<T> for MovingSeparation<'_, T> {
         let (at, derivative) = self.line.even_with_derivative(u);
         let [y, depth] = self.in_frame(at.point);
         let tangent = self.contact.tangent;
-        let dy = (derivative[0] * tangent[0] + derivative[1] * tangent[1]).at_least(LEAST_COSINE);
+        let dy = (derivative[0] * tangent[0] + derivative[1] * tangent[1]).at_least(MIN_COSINE);
         let [s, rail, _] = self.opposite(self.values.last_rail_parameter(), y);
         let f = if found.f.is_finite() {
             rail - depth + self.contact.penetration

@@ -6,7 +6,7 @@ use crate::geometry::curve::Curve;
 const COARSE_POINTS: usize = 32;
 
 /// Newton steps for the nearest point; two or three are the rule.
-const MOST_STEPS: usize = 20;
+const MAX_STEPS: usize = 20;
 
 /// The point of a rail nearest to a given point, and the signed distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +68,7 @@ pub(super) fn nearest(curve: &Curve, point: [f64; 2], guess: f64, tolerance: f64
     let mut p = curve.at(s);
     let mut beyond_end = false;
     let mut ratio = 1.0;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let to = [point[0] - p.point[0], point[1] - p.point[1]];
         let along = to[0] * p.first[0] + to[1] * p.first[1];
         let speed = p.first[0] * p.first[0] + p.first[1] * p.first[1];

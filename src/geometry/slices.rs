@@ -234,7 +234,7 @@ impl Slices {
             let begin = rows.parameter.last().map_or(from, |last| *last);
             let between = knots.windows(2).flat_map(|pair| {
                 let (a, length) = (pair[0], pair[1] - pair[0]);
-                let count = (length / MOST_APART).ceil().max(1.0);
+                let count = (length / MAX_ROW_SPACING).ceil().max(1.0);
                 (0..count as usize).map(move |k| a + length * k as f64 / count)
             });
             for (i, s) in between.chain([to]).enumerate() {
@@ -355,7 +355,7 @@ pub(super) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T 
 /// Greatest distance of two rows: where the sections are not alike their curvature changes between
 /// rows, by 1/13 mm at most on rail heads, and the splines between these are then a quarter of a
 /// micrometre off [m].
-const MOST_APART: f64 = 4e-4;
+const MAX_ROW_SPACING: f64 = 4e-4;
 /// Steepest row along the track, as a slope against it, and share of the rows of a part from which
 /// on the part is broken where so many are steeper: the two slices are not of the same shape, as
 /// where a nose begins.

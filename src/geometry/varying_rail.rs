@@ -38,11 +38,11 @@ use self::wheel_table::WheelTable;
 use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::curve::{Curve, CurvePoint, Knot};
-use crate::geometry::longitudinal::LEAST_REACH;
+use crate::geometry::longitudinal::MIN_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
 use crate::geometry::rows::met::Met;
-use crate::geometry::rows::surface::{MOST_OF_ROLLER, Surface};
+use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, Surface};
 use crate::geometry::slices::Slices;
 use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
@@ -110,7 +110,7 @@ impl VaryingRail {
     /// touch it [m].
     #[must_use]
     pub fn range_of_roller(radius: f64) -> [f64; 2] {
-        [-MOST_OF_ROLLER * radius, MOST_OF_ROLLER * radius]
+        [-MAX_SHARE_OF_ROLLER * radius, MAX_SHARE_OF_ROLLER * radius]
     }
 
     /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
@@ -238,7 +238,7 @@ impl VaryingRail {
     #[must_use]
     pub fn bridged(&self, x: f64, reach: f64) -> f64 {
         let waves = &self.surface.corrugation;
-        if waves.is_empty() || reach <= waves.bounds().spacing * LEAST_REACH {
+        if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
             return 0.0;
         }
         let at = self.station + x;

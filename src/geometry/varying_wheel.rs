@@ -41,19 +41,19 @@ use crate::math::fixed_vec::FixedVec;
 
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is
 /// looked for.
-const LEAST_RATE: f64 = 0.1;
+const MIN_RATE: f64 = 0.1;
 /// Rows of which only one is looked through for the place that lies lowest.
 const STRIDE: usize = 4;
 /// Spacing at which it is looked through, along the nominal rolling circle [m].
 const SCAN: f64 = 2e-3;
 /// Newton steps to the place on a row, the last of them, and the longest [rad].
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 const LAST_STEP: f64 = 1e-10;
 const LONGEST_STEP: f64 = 0.04;
 /// Least bend of a row towards its lowest place, over that of a round wheel.
-const LEAST_BEND: f64 = 0.1;
+const MIN_BEND: f64 = 0.1;
 /// Sine of the angle from straight below up to which a round wheel is met.
-const MOST_SINE: f64 = 0.9;
+const MAX_SINE: f64 = 0.9;
 
 /// What a round wheel in the place of a varying one leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -102,7 +102,7 @@ impl Stand {
 
     /// Angle at which a round wheel of this `slope` is met [rad].
     fn round(&self, slope: f64) -> f64 {
-        (slope * self.along_axle / self.across_axle).clamp(-MOST_SINE, MOST_SINE).asin()
+        (slope * self.along_axle / self.across_axle).clamp(-MAX_SINE, MAX_SINE).asin()
     }
 }
 
@@ -234,18 +234,18 @@ impl VaryingWheel {
         let mut psi = round + before.unwrap_or(0.0);
         let mut here = self.place(stand, j, run, psi);
         let [v, _] = stand.seen(here.across);
-        if v < LEAST_RATE * stand.seen(here.across)[1].abs().max(v.abs()) {
+        if v < MIN_RATE * stand.seen(here.across)[1].abs().max(v.abs()) {
             return Some((self.upright(j, &below), None));
         }
         if looks_through || before.is_none() {
             psi = self.lowest(stand, j, run, round, &here);
             here = self.place(stand, j, run, psi);
         }
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let [v, p] = [here.across, here.around].map(|d| stand.seen(d));
             let [vp, pp] = [here.twist, here.bend].map(|d| stand.seen(d));
             // Falls where the outline is farthest out.
-            let least = -LEAST_BEND * here.radius * v[0];
+            let least = -MIN_BEND * here.radius * v[0];
             let slope = (cross(vp, p) + cross(v, pp)).min(least);
             let step = (-cross(v, p) / slope).clamp(-LONGEST_STEP, LONGEST_STEP);
             psi += step;
@@ -344,7 +344,7 @@ impl VaryingWheel {
                 (bend - radius) * cosine - 2.0 * by_angle * sine,
             ],
             radius,
-            slope: by_row / p.value[2].max(LEAST_RATE * by_row.abs()),
+            slope: by_row / p.value[2].max(MIN_RATE * by_row.abs()),
         }
     }
 }

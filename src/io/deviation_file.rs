@@ -24,7 +24,7 @@ pub enum Deviations {
 }
 
 /// Steepest deviations that are admitted [-].
-const MOST_SLOPE: f64 = 0.3;
+const MAX_SLOPE: f64 = 0.3;
 
 /// The points (coordinate, deviation) of the file that the parameter `parameter` names [m]: an
 /// absolute path or one that is looked for in `folders`; of a wheel the coordinate is the arc of
@@ -55,7 +55,7 @@ fn points(content: &str, body: Deviations) -> Result<Vec<[f64; 2]>, String> {
             ("the two columns angle_deg radius_mm", radius.to_radians())
         }
     };
-    let mut points = DeviationRows { columns, unit, most_slope: MOST_SLOPE }.read(content)?;
+    let mut points = DeviationRows { columns, unit, most_slope: MAX_SLOPE }.read(content)?;
     if let Deviations::Wheel { radius } = body {
         let turn = std::f64::consts::TAU * radius;
         let (first, last) = (points[0], points[points.len() - 1]);
@@ -66,10 +66,8 @@ fn points(content: &str, body: Deviations) -> Result<Vec<[f64; 2]>, String> {
         if rest <= 1e-6 {
             // The revolution is closed by its first point, said twice.
             points.pop();
-        } else if (first[1] - last[1]).abs() > MOST_SLOPE * rest {
-            return Err(format!(
-                "deviations no steeper than {MOST_SLOPE} from last to first angle"
-            ));
+        } else if (first[1] - last[1]).abs() > MAX_SLOPE * rest {
+            return Err(format!("deviations no steeper than {MAX_SLOPE} from last to first angle"));
         }
     }
     Ok(points)

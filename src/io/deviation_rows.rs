@@ -18,7 +18,7 @@ pub(super) struct DeviationRows<const COLUMNS: usize> {
 }
 
 /// Shortest step of the coordinate [m].
-const LEAST_STEP: f64 = 1e-6;
+const MIN_STEP: f64 = 1e-6;
 /// Fewest rows that a twice differentiable line goes through.
 const FEWEST: usize = 4;
 
@@ -52,7 +52,7 @@ impl<const COLUMNS: usize> DeviationRows<COLUMNS> {
             }
             if let Some(last) = rows.last() {
                 let step = row[0] - last[0];
-                if step <= LEAST_STEP {
+                if step <= MIN_STEP {
                     return Err(format!(
                         "a first column that grows by a micrometre or more from line to line (line {number})"
                     ));

@@ -15,10 +15,10 @@ use crate::io::named_text::named_text;
 use crate::io::table::{columns, lines, numbers};
 
 /// Greatest coefficient of friction: a number in percent is beyond it.
-const MOST_FRICTION: f64 = 10.0;
+const MAX_FRICTION: f64 = 10.0;
 /// Greatest inclination [deg] and place [mm], both ways.
-const MOST_INCLINATION: f64 = 180.0;
-const MOST_PLACE: f64 = 1000.0;
+const MAX_INCLINATION: f64 = 180.0;
+const MAX_PLACE: f64 = 1000.0;
 
 /// Friction of rail number `rail`, from 1, in the file that the parameter `parameter` names: an
 /// absolute path or one that is looked for in `folders`.
@@ -81,8 +81,8 @@ impl Columns {
     /// Name of the column of places and its greatest number.
     fn place_and_most(&self) -> (&'static str, f64) {
         match self.across {
-            Across::Inclination => ("inclination_deg", MOST_INCLINATION),
-            Across::Place => ("place_mm", MOST_PLACE),
+            Across::Inclination => ("inclination_deg", MAX_INCLINATION),
+            Across::Place => ("place_mm", MAX_PLACE),
         }
     }
 }
@@ -114,8 +114,8 @@ fn profile(content: &str, rail: usize) -> Result<FrictionProfile, String> {
             }
         }
         let friction = row[columns.friction];
-        if !(0.0..=MOST_FRICTION).contains(&friction) {
-            return Err(at(format!("friction from 0 to {MOST_FRICTION}")));
+        if !(0.0..=MAX_FRICTION).contains(&friction) {
+            return Err(at(format!("friction from 0 to {MAX_FRICTION}")));
         }
         let station = columns.station.map_or(0.0, |column| row[column]);
         let place = columns.place.map_or(0.0, |column| row[column]);

@@ -7,7 +7,7 @@ use crate::io::table::{Line, numbers};
 /// What begins a comment, at the beginning of a line or behind data.
 const COMMENT: [char; 4] = ['#', '!', '%', '"'];
 /// Most lines before the first point that are passed over.
-const MOST_HEADINGS: usize = 20;
+const MAX_HEADINGS: usize = 20;
 
 /// A line and its comment, which begins with one of `#`, `!`, `%` and `"`.
 pub(crate) fn parted(text: &str) -> (&str, &str) {
@@ -48,9 +48,7 @@ impl<'a> PointLines<'a> {
         if line.text.is_empty() {
             return Ok(());
         }
-        if self.points.is_empty()
-            && is_no_point(line.text)
-            && self.passed_over.len() < MOST_HEADINGS
+        if self.points.is_empty() && is_no_point(line.text) && self.passed_over.len() < MAX_HEADINGS
         {
             self.passed_over.push(line);
             return Ok(());

@@ -1,7 +1,7 @@
 //! A table of sections: `station_m,profile`, of a wheel `angle_deg,profile`, and a line for each
 //! section.
 
-use super::slice_list::{Entry, Listed, MOST_SLICES, Places};
+use super::slice_list::{Entry, Listed, MAX_SLICES, Places};
 use super::slice_tokens::COMMENT;
 use super::table::{lines, number};
 use crate::geometry::profile::ProfileError;
@@ -47,8 +47,8 @@ pub(super) fn read_table(file: &str, text: &str, places: &Places) -> Result<List
                 format!("\"{}\" is no section; give {wanted} and a profile", line.shown()),
             );
         };
-        if entries.len() == MOST_SLICES {
-            return bad(line.number, format!("there are more than {MOST_SLICES} sections"));
+        if entries.len() == MAX_SLICES {
+            return bad(line.number, format!("there are more than {MAX_SLICES} sections"));
         }
         let (name, place) = (name.clone(), places.heading_size * place);
         entries.push(Entry { line: line.number, place, name, features: Vec::new() });

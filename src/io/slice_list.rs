@@ -3,10 +3,10 @@
 use crate::geometry::profile::{ProfileError, ProfileKind};
 
 /// Most slices of a body.
-pub(super) const MOST_SLICES: usize = 20_000;
+pub(super) const MAX_SLICES: usize = 20_000;
 
 /// Least distance of two slices, in units of their file.
-pub(super) const LEAST_DISTANCE: f64 = 1e-3;
+pub(super) const MIN_DISTANCE: f64 = 1e-3;
 
 /// How the places of slices are given.
 pub(super) struct Places {
@@ -74,10 +74,10 @@ impl Listed {
         for pair in self.entries.windows(2) {
             let [before, entry] = [&pair[0], &pair[1]];
             // Less what rounding leaves of it.
-            if entry.place - before.place < LEAST_DISTANCE * size * (1.0 - 1e-9) {
+            if entry.place - before.place < MIN_DISTANCE * size * (1.0 - 1e-9) {
                 let [own, other] = [entry.place, before.place].map(|x| x / size);
                 let what = format!(
-                    "the slice at {own} {unit} does not lie behind the one before, at {other} {unit}; put the slices in the order of their places, at least {LEAST_DISTANCE} {unit} apart"
+                    "the slice at {own} {unit} does not lie behind the one before, at {other} {unit}; put the slices in the order of their places, at least {MIN_DISTANCE} {unit} apart"
                 );
                 return bad(entry.line, what);
             }

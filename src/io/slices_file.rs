@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 
 use super::profile_file::{bytes_of, find, load_profile};
 use super::section_table::{is_table, read_table};
-use super::slice_list::{Entry, LEAST_DISTANCE, Listed, MOST_SLICES, Places};
+use super::slice_list::{Entry, Listed, MAX_SLICES, MIN_DISTANCE, Places};
 use super::slice_tokens::{Token, Tokens};
 use crate::error::ContactError;
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
@@ -33,7 +33,7 @@ use crate::geometry::slices::{Slice, Slices};
 use crate::geometry::standard_profiles::built_in;
 
 /// Most features of a slice.
-const MOST_FEATURES: usize = 1000;
+const MAX_FEATURES: usize = 1000;
 /// Distance up to which the place in a line of features is that of its slice, over the least
 /// distance of slices.
 const SAME: f64 = 0.5;
@@ -126,10 +126,10 @@ fn read_slices(file: &str, text: &str, places: &Places) -> Result<Listed, Profil
         let what = format!("{name}_SCALE is {scale}; give a number greater than 0");
         return tokens.bad(line, what);
     }
-    let count = tokens.count("the number of slices NSLC", MOST_SLICES)?;
-    let feature_count = tokens.count("the number of features NFEAT", MOST_FEATURES)?;
-    let kinks = tokens.count("the number of kinks NKINK", MOST_FEATURES)?;
-    let accelerations = tokens.count("the number of accelerations NACCEL", MOST_FEATURES)?;
+    let count = tokens.count("the number of slices NSLC", MAX_SLICES)?;
+    let feature_count = tokens.count("the number of features NFEAT", MAX_FEATURES)?;
+    let kinks = tokens.count("the number of kinks NKINK", MAX_FEATURES)?;
+    let accelerations = tokens.count("the number of accelerations NACCEL", MAX_FEATURES)?;
     let (interpolation, line) = tokens.number(&format!("{name}_INTPOL"))?;
     let passes_near = match interpolation.to_string().as_str() {
         "1" => false,
@@ -159,7 +159,7 @@ fn read_slices(file: &str, text: &str, places: &Places) -> Result<Listed, Profil
         for (i, entry) in entries.iter_mut().enumerate() {
             let (u, line) =
                 tokens.number(&format!("the place in line {} of the features", i + 1))?;
-            if (place_of(u) - entry.place).abs() > SAME * LEAST_DISTANCE * places.size {
+            if (place_of(u) - entry.place).abs() > SAME * MIN_DISTANCE * places.size {
                 let what = format!(
                     "the line of features is for the place {u}, slice {} is another; give the features in the order of the slices",
                     i + 1

@@ -139,7 +139,7 @@ pub(crate) fn text(profile: &Profile) -> String {
         let _ = writeln!(text, "{y:.10},{z:.10}");
     };
     for pair in knots.windows(2) {
-        let pieces = ((pair[1] - pair[0]) / MOST_SPACING).ceil().max(1.0);
+        let pieces = ((pair[1] - pair[0]) / MAX_SPACING).ceil().max(1.0);
         for i in 0..pieces as usize {
             write(pair[0] + (pair[1] - pair[0]) * i as f64 / pieces);
         }
@@ -149,7 +149,7 @@ pub(crate) fn text(profile: &Profile) -> String {
 }
 
 /// Greatest distance of the points of a file [m].
-const MOST_SPACING: f64 = 1e-4;
+const MAX_SPACING: f64 = 1e-4;
 
 #[cfg(test)]
 mod tests {

@@ -42,7 +42,7 @@ impl<T: Real> Creepage<T> {
 
 /// Creepages, and spins in 1/m, beyond this are taken as this: the wheel slides far below it
 /// already, and squares of larger ones would overflow.
-const MOST_CREEPAGE: f64 = 1e6;
+const MAX_CREEPAGE: f64 = 1e6;
 
 /// The longitudinal creepage of a wheel with forward velocity `velocity` [m/s] and `pitch_rate`
 /// [rad/s] from its rolling radius [m] alone: (v_x + ω r)/V. Yaw, the turning of the wheel about
@@ -60,7 +60,7 @@ pub fn kinematic_creepage<T: Real>(
 
 /// A creepage [-] or spin [1/m] that is no greater than counts.
 pub fn bounded<T: Real>(creepage: T) -> T {
-    creepage.within(-MOST_CREEPAGE, MOST_CREEPAGE)
+    creepage.within(-MAX_CREEPAGE, MAX_CREEPAGE)
 }
 
 /// The speed to which creepages refer, and the direction of rolling.

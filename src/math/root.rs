@@ -5,7 +5,7 @@
 /// Secant steps with the Anderson-Björck change of the retained end: about 1.7 correct digits more
 /// per digit and evaluation for a smooth function, never outside the bracket, and with bisection
 /// whenever five steps have not brought it to two fifths. Stops when the bracket is narrower than
-/// `tolerance`, when `f` vanishes, or after `MOST_STEPS`, so that it returns a point of the bracket
+/// `tolerance`, when `f` vanishes, or after `MAX_STEPS`, so that it returns a point of the bracket
 /// for any function.
 #[inline]
 pub fn bracketed(
@@ -20,7 +20,7 @@ pub fn bracketed(
     // one.
     let mut reduced = fa;
     // `b` is always the latest point.
-    for step in 1..=MOST_STEPS {
+    for step in 1..=MAX_STEPS {
         if fb == 0.0 || (b - a).abs() <= 2.0 * tolerance {
             break;
         }
@@ -86,7 +86,7 @@ pub fn outward(
 }
 
 /// Steps after which [`bracketed`] returns what it has: its bisections alone gain fifteen digits.
-const MOST_STEPS: usize = 260;
+const MAX_STEPS: usize = 260;
 
 /// The step from the point `last` to the root of a smooth function by inverse quadratic
 /// interpolation through its values (x, f) at `last` and two points before; not finite where two
@@ -128,7 +128,7 @@ mod tests {
         approx::assert_relative_eq!(root, 0.5, max_relative = 1e-3);
         let (root, count) = solve(-1.0, 3.0, |x| if x < 0.7 { -1e-3 } else { 1e6 });
         approx::assert_relative_eq!(root, 0.7, max_relative = 1e-12);
-        assert!(count <= MOST_STEPS);
+        assert!(count <= MAX_STEPS);
     }
 
     #[test]

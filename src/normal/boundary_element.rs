@@ -23,7 +23,7 @@ const COARSE: usize = 24;
 const MARGIN: f64 = 1.0;
 
 /// How often the grid grows when the contact reaches its border.
-const MOST_GROWTHS: usize = 4;
+const MAX_GROWTHS: usize = 4;
 
 /// Fills the empty `strips` with the loaded zones of `problem` on `elements` along and across the
 /// extent of them all.
@@ -42,7 +42,7 @@ pub fn solve(
     let coarse = Grid::over(x, y, COARSE, across);
     let (solution, _) = solve_on(coarse, problem, separation)?;
     let mut extent = extent(&coarse, &solution.pressure).unwrap_or(box_of_overlap);
-    for _ in 0..MOST_GROWTHS {
+    for _ in 0..MAX_GROWTHS {
         let [x, y] = extent;
         let grid = with_margin(x, y, elements);
         let (solution, rows) = solve_on(grid, problem, separation)?;
@@ -148,7 +148,7 @@ const BEYOND: f64 = 1e3;
 /// parameter `u`.
 fn opposite(separation: &mut impl Separation, y: f64, mut u: f64) -> (f64, SeparationPoint) {
     let mut at = separation.at(u);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let step = (y - at.y) / at.dy;
         if !step.is_finite() {
             break;
@@ -163,7 +163,7 @@ fn opposite(separation: &mut impl Separation, y: f64, mut u: f64) -> (f64, Separ
 }
 
 /// Newton steps to the place of a row, and the step at which it is found [m].
-const MOST_STEPS: usize = 20;
+const MAX_STEPS: usize = 20;
 const PLACE: f64 = 1e-9;
 
 /// Leading and trailing edge of row `j`; nothing where it is not loaded.

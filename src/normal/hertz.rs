@@ -93,7 +93,7 @@ fn log_curvature_ratio(log_kappa: f64, c: &Complete) -> (f64, f64) {
 
 /// Least curvature across over that along which is taken as it stands: flatter or conformal pairs
 /// have no Hertzian ellipse and are treated as this flat.
-const LEAST_CURVATURE_RATIO: f64 = 1e-3;
+const MIN_CURVATURE_RATIO: f64 = 1e-3;
 
 /// Fills `strips` with the ellipse at the contact point.
 pub fn solve<T: Real>(
@@ -102,7 +102,7 @@ pub fn solve<T: Real>(
     strips: &mut Strips<T>,
 ) {
     let along = T::from(0.5) / problem.radius;
-    let across = (problem.lateral_curvature * 0.5).max(along * LEAST_CURVATURE_RATIO);
+    let across = (problem.lateral_curvature * 0.5).max(along * MIN_CURVATURE_RATIO);
     let found = ellipse(along, across, problem.approach, problem.contact_modulus);
     let at = separation.point(problem.contact_u);
     let first = strips.y.len();

@@ -115,7 +115,7 @@ pub fn solve<T: Influence>(
         }
         let length = (problem.radius * 2.0 * deepest).sqrt() * 2.0;
         let zone = Zone { first, count, length, ..Zone::default() };
-        let least = longest * LEAST_DISTANCE / contact_dy;
+        let least = longest * MIN_DISTANCE / contact_dy;
         logarithm_error += T::logarithm_error(problem.rule, &edge, problem.contact_u, least);
         // Where the outline folds, edges may lie in the wrong order; what turns back is not loaded.
         let loaded = (first..first + count).filter(|&j| strips.half_length[j] > 0.0);
@@ -160,7 +160,7 @@ pub fn solve<T: Influence>(
 fn influence<T: Real>(half_lengths: &[T], ys: &[T], widths: &[T], longest: T) -> [T; 2] {
     let scale = T::from(1.0) / (longest * longest);
     let term = |half_length: T, y: T, width: T| {
-        let y_squared = (y * y * scale).at_least(LEAST_DISTANCE * LEAST_DISTANCE);
+        let y_squared = (y * y * scale).at_least(MIN_DISTANCE * MIN_DISTANCE);
         let a_squared = half_length * half_length * scale;
         let sum = a_squared + y_squared;
         let complement = y_squared / sum;
@@ -279,4 +279,4 @@ const LANES: usize = 8;
 
 /// Distance of a strip from the contact point, over the longest strip, below which it counts as
 /// this: both logarithms stay finite [-].
-pub(super) const LEAST_DISTANCE: f64 = 1e-12;
+pub(super) const MIN_DISTANCE: f64 = 1e-12;

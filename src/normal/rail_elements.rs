@@ -76,7 +76,7 @@ pub struct RailElements {
 }
 
 /// How often the grid grows when the contact reaches its border.
-const MOST_GROWTHS: usize = 6;
+const MAX_GROWTHS: usize = 6;
 /// Distance left in the contact, over the overlap, at which iterations end [-]: forces of poses 0.1
 /// µm apart then differ by what the poses do. What rounding keeps from that is taken if it is
 /// within the usual tolerance.
@@ -108,7 +108,7 @@ pub fn solve(
     }
     let mut box_of_load = extent_of(&zones)?;
     let size = element_size(&zones, box_of_load, elements);
-    for _ in 0..MOST_GROWTHS {
+    for _ in 0..MAX_GROWTHS {
         let grid = lattice::covering(box_of_load, size);
         let found = section.solve_on(grid, &overlaps, modulus)?;
         match beyond(&found.grid, &found.pressure, box_of_load) {

@@ -107,7 +107,7 @@ fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>, rule: &GaussLegendre) -> [
 
 /// Least derivative of y along the line that is believed in: zones some nanometres wide have no
 /// better one than rounding.
-const LEAST_SLOPE: f64 = 0.1;
+const MIN_SLOPE: f64 = 0.1;
 
 /// Moves the strips of a zone from y to y + (`stretch` - 1)(y + `offset`) and shortens them as much
 /// as they get wider.
@@ -126,7 +126,7 @@ fn stretch_zone<T: Real>(
         let j = first + i;
         let shift = (stretch - 1.0) * (strips.y[j] + offset);
         // Along the tangent: what is left is half the curvature times the square of the shift.
-        let dy = (strips.width[j] / (half_range * rule.weights[i])).at_least(LEAST_SLOPE);
+        let dy = (strips.width[j] / (half_range * rule.weights[i])).at_least(MIN_SLOPE);
         strips.u[j] += shift / dy;
         strips.x[j] = separation.centre_at(strips.u[j]);
         strips.y[j] += shift;

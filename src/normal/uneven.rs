@@ -19,7 +19,7 @@
 
 use std::f64::consts::PI;
 
-use super::piotrowski_kik::{LEAST_DISTANCE, logarithm_error};
+use super::piotrowski_kik::{MIN_DISTANCE, logarithm_error};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::line_separation::{Lifting, LineSeparation};
@@ -29,7 +29,7 @@ use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
 
 /// Most stretches of a strip.
-const MOST_STRETCHES: usize = 16;
+const MAX_STRETCHES: usize = 16;
 /// Points of the quadrature along a stretch, or to either side of the place of first touch.
 const POINTS: usize = 7;
 
@@ -72,7 +72,7 @@ impl UnevenStrips {
             let angle = 0.25 * PI * (1.0 + rule.nodes[i]);
             *node = [angle.sin(), 0.25 * PI * rule.weights[i] * angle.cos()];
         }
-        Self { slopes: [0.0; 2], stretches: FixedVec::new(strips * MOST_STRETCHES), quarter }
+        Self { slopes: [0.0; 2], stretches: FixedVec::new(strips * MAX_STRETCHES), quarter }
     }
 
     /// Fills the empty `strips` with the loaded zones of one contact frame; as
@@ -122,7 +122,7 @@ impl UnevenStrips {
                 let overlap = Overlap::new(lifting, centre, depth - at.f, at.x);
                 left_out += self.add_strip(&across, &overlap, centre + first_touch, &mut sums);
             }
-            let nearest = longest * LEAST_DISTANCE / contact.dy;
+            let nearest = longest * MIN_DISTANCE / contact.dy;
             sums.displacement +=
                 longest * contact.dy * logarithm_error(problem.rule, &edge, middle_u, nearest);
             let deepest = probes
@@ -173,7 +173,7 @@ impl UnevenStrips {
                 return;
             }
             count += 1;
-            if count > MOST_STRETCHES || stretches.len() == stretches.capacity() {
+            if count > MAX_STRETCHES || stretches.len() == stretches.capacity() {
                 left_out += 1;
                 return;
             }
@@ -351,7 +351,7 @@ impl<'a> Overlap<'a> {
 
 /// ∫ sqrt(a² - t²)/sqrt(t² + y²) dt from -a to a = 2 s (K - E), s² = a² + y² [m].
 fn ellipse_influence(half_length: f64, y: f64) -> f64 {
-    let y_squared = (y * y).max((LEAST_DISTANCE * half_length).powi(2));
+    let y_squared = (y * y).max((MIN_DISTANCE * half_length).powi(2));
     let sum = half_length * half_length + y_squared;
     let complement = y_squared / sum;
     let (regular, logarithmic) = first_minus_second_split(complement);

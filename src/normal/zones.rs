@@ -94,7 +94,7 @@ fn root<T: Real>(
 ) -> f64 {
     let mut u = (inside.0 * outside.1 - outside.0 * inside.1) / (outside.1 - inside.1);
     let mut before = 0.0;
-    for _ in 0..MOST_NEWTON_STEPS {
+    for _ in 0..MAX_NEWTON_STEPS {
         let Some([f, rate]) = separation.value_with_rate(u) else { break };
         let above = height(f);
         let step = -above * 2.0 * f.sqrt() / rate;
@@ -123,7 +123,7 @@ fn root<T: Real>(
 const ESTIMATE_MARGIN: f64 = 0.3;
 
 /// Newton steps towards an edge; two are the rule.
-const MOST_NEWTON_STEPS: usize = 6;
+const MAX_NEWTON_STEPS: usize = 6;
 
 /// Newton step that is the last one, and what may be left of an edge after longer ones [m]. Where
 /// the separation has a kink, what is left is a part of the last step.

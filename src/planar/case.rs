@@ -7,7 +7,7 @@ use crate::normal::{NormalModel, ShapeFit};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
-use crate::tangential::strips::MOST_POINTS;
+use crate::tangential::strips::MAX_POINTS;
 use crate::tangential::{Flexibilities, TangentialModel};
 
 /// How deep the bodies are pressed together.
@@ -73,10 +73,10 @@ pub struct PlanarCase<'a> {
 }
 
 /// Approaches beyond this are no contact of wheel and rail [m].
-pub(super) const MOST_APPROACH: f64 = 0.02;
+pub(super) const MAX_APPROACH: f64 = 0.02;
 
 /// Points of a separation beyond this are none of wheel and rail [m].
-const MOST_DISTANCE: f64 = 1e3;
+const MAX_DISTANCE: f64 = 1e3;
 /// Least and greatest radius of a wheel's section [m].
 const RADII: (f64, f64) = (1e-4, 1e6);
 /// Least and greatest Young's modulus [Pa].
@@ -99,8 +99,8 @@ impl PlanarCase<'_> {
         let points = self.separation;
         require("separation", points.len() as f64, points.len() >= 4, "at least 4 points")?;
         for pair in points.windows(2) {
-            require("separation f", pair[0][1], pair[0][1].abs() <= MOST_DISTANCE, distance)?;
-            require("separation y", pair[0][0], pair[0][0].abs() <= MOST_DISTANCE, distance)?;
+            require("separation f", pair[0][1], pair[0][1].abs() <= MAX_DISTANCE, distance)?;
+            require("separation y", pair[0][0], pair[0][0].abs() <= MAX_DISTANCE, distance)?;
             require(
                 "separation y",
                 pair[1][0],
@@ -109,14 +109,14 @@ impl PlanarCase<'_> {
             )?;
         }
         for (name, value) in ["separation y", "separation f"].iter().zip(points[points.len() - 1]) {
-            require(name, value, value.abs() <= MOST_DISTANCE, distance)?;
+            require(name, value, value.abs() <= MAX_DISTANCE, distance)?;
         }
         let (least, most) = RADII;
         let fits = (least..=most).contains(&self.radius);
         require("radius", self.radius, fits, "a radius in metres, 1e-4 to 1e6")?;
         match self.indentation {
             Indentation::Approach(a) => {
-                require("approach", a, a <= MOST_APPROACH, "a finite number up to 20 mm")?;
+                require("approach", a, a <= MAX_APPROACH, "a finite number up to 20 mm")?;
             }
             Indentation::Load(n) => require("load", n, n >= 0.0, "a finite number, at least 0")?,
         }
@@ -181,7 +181,7 @@ impl PlanarCase<'_> {
             counts.contains(&self.elements_along),
             "4 to 200",
         )?;
-        let points = 4..=MOST_POINTS;
+        let points = 4..=MAX_POINTS;
         require("points", self.points as f64, points.contains(&self.points), "4 to 15")?;
         for (name, count) in ["elements_along", "elements_across"].into_iter().zip(self.elements) {
             require(name, count as f64, counts.contains(&count), "4 to 200")?;

@@ -24,10 +24,10 @@ use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
-use crate::normal::strips_on_grid::{GridSolver, LEAST_STRIPS, solve_in_frame};
+use crate::normal::strips_on_grid::{GridSolver, MIN_STRIPS, solve_in_frame};
 use crate::normal::{self, NormalProblem, Strips};
 use crate::tangential::{Creepage, RollingState, Tangential};
-use case::MOST_APPROACH;
+use case::MAX_APPROACH;
 use line::PlanarLine;
 
 /// Solution of a planar contact problem; forces on the wheel.
@@ -57,7 +57,7 @@ pub struct PlanarResult {
 }
 
 /// Most zones of one problem.
-const MOST_ZONES: usize = 64;
+const MAX_ZONES: usize = 64;
 
 /// Solves a planar contact problem.
 ///
@@ -104,7 +104,7 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let mut line = PlanarLine::new(case.separation);
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
-    let mut strips = Strips::with_capacity(MOST_ZONES, case.strips.max(LEAST_STRIPS));
+    let mut strips = Strips::with_capacity(MAX_ZONES, case.strips.max(MIN_STRIPS));
     let mut solver =
         (case.normal_model == NormalModel::Strips).then(|| GridSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
@@ -174,7 +174,7 @@ fn approach_for(
     let (mut low, mut low_load, mut high) = (0.0, 0.0, 1e-6);
     let mut high_load = press(high);
     while high_load < load {
-        if high >= MOST_APPROACH {
+        if high >= MAX_APPROACH {
             return Err(ContactError::bad_value(
                 "load",
                 load,
@@ -182,7 +182,7 @@ fn approach_for(
             ));
         }
         (low, low_load) = (high, high_load);
-        high = (2.0 * high).min(MOST_APPROACH);
+        high = (2.0 * high).min(MAX_APPROACH);
         high_load = press(high);
     }
     Ok(bracketed((low, low_load - load), (high, high_load - load), found, |a| press(a) - load))

@@ -80,7 +80,7 @@ impl<T: Real> LoadedPart<T> {
                 excess += weight * (own - friction);
             }
         }
-        if load <= total * LEAST_SHARE {
+        if load <= total * MIN_SHARE {
             return None;
         }
         let y = y / load;
@@ -100,7 +100,7 @@ impl<T: Real> LoadedPart<T> {
 }
 
 /// Parts that carry less of the load are nothing.
-const LEAST_SHARE: f64 = 1e-9;
+const MIN_SHARE: f64 = 1e-9;
 
 /// An ellipse that rolls under load.
 #[derive(Clone, Copy, Debug)]

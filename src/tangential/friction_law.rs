@@ -85,7 +85,7 @@ impl Default for FrictionLaw {
 }
 
 /// Least shear modulus over that of the bodies: creepages stay finite.
-const LEAST_REDUCTION: f64 = 1e-9;
+const MIN_REDUCTION: f64 = 1e-9;
 
 impl<P: Real> FrictionLaw<P> {
     fn falls(&self) -> bool {
@@ -147,7 +147,7 @@ impl<P: Real> FrictionLaw<P> {
         let over = if slip > 0.0 { stiffness * slip / limit } else { T::from(0.0) };
         let left = (-share + 1.0) / (over * decay + 1.0);
         let k = (left + share) * k0;
-        k.at_least(LEAST_REDUCTION)
+        k.at_least(MIN_REDUCTION)
     }
 }
 

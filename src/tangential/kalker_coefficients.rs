@@ -49,7 +49,7 @@ pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: f64) -> Kalker
 #[must_use]
 pub fn logarithms(t: f64, poisson_ratio: f64) -> [[f64; 2]; 4] {
     // Logarithms far beyond any contact patch keep the asymptotes finite.
-    let inside = t.clamp(-MOST_LOG_RATIO, MOST_LOG_RATIO);
+    let inside = t.clamp(-MAX_LOG_RATIO, MAX_LOG_RATIO);
     let x = (inside.abs() - FIT_END) / (BLEND_END - FIT_END);
     let share = smooth_step(x);
     if share <= 0.0 {
@@ -58,7 +58,7 @@ pub fn logarithms(t: f64, poisson_ratio: f64) -> [[f64; 2]; 4] {
     let limit =
         if inside < 0.0 { wide(inside, poisson_ratio) } else { slender(inside, poisson_ratio) };
     if share >= 1.0 {
-        let slope = if inside.abs() < MOST_LOG_RATIO { 1.0 } else { 0.0 };
+        let slope = if inside.abs() < MAX_LOG_RATIO { 1.0 } else { 0.0 };
         return limit.map(|[c, by_t]| [c, slope * by_t]);
     }
     let share_slope = inside.signum() * smooth_step_slope(x) / (BLEND_END - FIT_END);
@@ -75,7 +75,7 @@ const FIT_END: f64 = 2.995_732_273_553_991;
 /// |ln(a/b)| from which the asymptotes hold alone: a/b = 45.
 const BLEND_END: f64 = 3.806_662_489_770_32;
 /// Larger |ln(a/b)| are taken as this one: a/b = 1e6.
-const MOST_LOG_RATIO: f64 = 13.815_510_557_964_274;
+const MAX_LOG_RATIO: f64 = 13.815_510_557_964_274;
 
 /// Logarithms of the coefficients by the joint fit, with their derivatives by t.
 fn fitted(t: f64, nu: f64) -> [[f64; 2]; 4] {

@@ -25,7 +25,7 @@ pub struct EquivalentEllipse<T = f64> {
 }
 
 /// Greatest ratio of the semi-axes.
-const MOST_RATIO: f64 = 1e6;
+const MAX_RATIO: f64 = 1e6;
 
 impl<T: Real> EquivalentEllipse<T> {
     /// From the means of x_l², of y² about the centroid and of the square of the strips' width over
@@ -39,7 +39,7 @@ impl<T: Real> EquivalentEllipse<T> {
     fn of_moments(along: T, across: T, within: T) -> Self {
         let along = along.sqrt();
         let across = across.max(within / 12.0).sqrt();
-        Self { along, across: across.max(along / MOST_RATIO) }
+        Self { along, across: across.max(along / MAX_RATIO) }
     }
 
     /// c = sqrt(a b) [m].

@@ -6,7 +6,7 @@ use crate::geometry::profile::{Profile, ProfileKind};
 /// Distance of the places at which the depth is measured [m].
 const SPACING: f64 = 1e-4;
 /// Newton steps towards the normal of a place; two or three are the rule.
-const MOST_STEPS: usize = 20;
+const MAX_STEPS: usize = 20;
 /// Last step of those [m].
 const ACCURACY: f64 = 1e-10;
 /// Greatest distance at which a point of the worn profile is looked for [m].
@@ -63,7 +63,7 @@ pub fn wear_depth(unworn: &Profile, worn: &Profile) -> Vec<DepthPoint> {
 /// Parameter at which a curve crosses the normal of a place with `tangent`, from a guess near it.
 fn opposite(curve: &Curve, point: [f64; 2], tangent: [f64; 2], guess: f64) -> Option<f64> {
     let mut s = guess.clamp(curve.start(), curve.end());
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let at = curve.at(s);
         let along = |v: [f64; 2]| v[0] * tangent[0] + v[1] * tangent[1];
         let rate = along(at.first);

@@ -33,7 +33,7 @@ pub fn spread(interpenetration: &[f64], worn: &[f64], shares: &mut Vec<f64>) -> 
     // The area is convex in c and no smaller than wanted where c makes up for all wear: Newton
     // comes down from there.
     let mut shift = worn.iter().copied().fold(0.0, f64::max);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let [found, length] = area(shift, true);
         if found - wanted <= ACCURACY * wanted || length <= 0.0 {
             break;
@@ -54,7 +54,7 @@ pub fn spread(interpenetration: &[f64], worn: &[f64], shares: &mut Vec<f64>) -> 
 }
 
 /// Most Newton steps; five are the rule.
-const MOST_STEPS: usize = 40;
+const MAX_STEPS: usize = 40;
 /// Excess of the area that ends them, as a share.
 const ACCURACY: f64 = 1e-12;
 

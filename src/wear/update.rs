@@ -25,8 +25,8 @@ use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not
 /// taken off.
-const MOST_DEPTH: f64 = 0.01;
-const MOST_OF_RADIUS: f64 = 0.5;
+const MAX_DEPTH: f64 = 0.01;
+const MAX_SHARE_OF_RADIUS: f64 = 0.5;
 
 /// What an update has found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -78,7 +78,7 @@ impl WornArc {
         if !is_worn_through {
             // Volume is close to proportional to the depth: each turn leaves the square of the
             // error.
-            for _ in 0..MOST_TURNS {
+            for _ in 0..MAX_TURNS {
                 if (lost[0] - wanted).abs() <= ACCURACY * wanted {
                     break;
                 }
@@ -120,7 +120,7 @@ impl WornArc {
                     return 0.0;
                 }
                 let [bulge, shrinking] = self.bending[i];
-                let most = MOST_DEPTH.min(MOST_OF_RADIUS / bulge.max(1e-9));
+                let most = MAX_DEPTH.min(MAX_SHARE_OF_RADIUS / bulge.max(1e-9));
                 let layer = |d: f64| {
                     d - (shrinking + bulge) * d * d / 2.0 + shrinking * bulge * d * d * d / 3.0
                 };
@@ -132,7 +132,7 @@ impl WornArc {
                 // The layer grows with the depth throughout: Newton within the bracket.
                 let (mut low, mut high) = (0.0, most);
                 let mut depth = wanted.min(most);
-                for _ in 0..MOST_STEPS {
+                for _ in 0..MAX_STEPS {
                     let excess = layer(depth) - wanted;
                     if excess > 0.0 {
                         high = depth;
@@ -205,7 +205,7 @@ impl WornArc {
             } else {
                 let pair = [&knots[i - 1], &knots[i]];
                 let after = arc_length(pair.map(|k| k.point), pair.map(|k| k.tangent));
-                (after / self.stations[i].length).max(LEAST_STRETCH)
+                (after / self.stations[i].length).max(MIN_STRETCH)
             };
             s += length * stretch;
             knots[i].s = s;
@@ -243,12 +243,12 @@ fn is_bare(depths: &[[f64; 2]]) -> bool {
 }
 
 /// Most turns towards the volume, and the share that may be missing.
-const MOST_TURNS: usize = 3;
+const MAX_TURNS: usize = 3;
 const ACCURACY: f64 = 1e-9;
 /// Most steps towards a depth.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 /// Least length of a worn piece over that of the unworn one: a parameter has to grow.
-const LEAST_STRETCH: f64 = 0.05;
+const MIN_STRETCH: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {

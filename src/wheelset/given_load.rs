@@ -8,7 +8,7 @@
 //! ```
 //!
 //! It is found by bracketed secants, from 0 and never from the roll of the input. Where there is
-//! none up to [`MOST_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
+//! none up to [`MAX_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
 //! fallback.
 
 use super::{Input, LEFT, Output, RIGHT, TrackTurn, Wheelset};
@@ -17,7 +17,7 @@ use crate::error::ContactError;
 use crate::math::root::outward;
 
 /// Greatest roll that is looked at [rad].
-const MOST_ROLL: f64 = 0.1;
+const MAX_ROLL: f64 = 0.1;
 /// First step from 0 [rad].
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-16 m.
@@ -63,7 +63,7 @@ impl Wheelset {
         let level = missing(0.0);
         // What is missing falls with the roll.
         let first = FIRST_STEP.copysign(level);
-        let (_, rest) = outward(level, first, MOST_ROLL, RESOLUTION, &mut missing);
+        let (_, rest) = outward(level, first, MAX_ROLL, RESOLUTION, &mut missing);
         let heights =
             [RIGHT, LEFT].map(|k| trial.sides[k].wheel_z - self.markers[k] * at.wheelset.axle().z);
         at.wheelset.position[2] = 0.5 * (heights[RIGHT] + heights[LEFT]);

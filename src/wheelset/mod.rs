@@ -36,7 +36,7 @@ pub use input::{Input, SideInput};
 pub use output::Output;
 pub use parameters::{Parameters, TAPE_CIRCLE};
 pub use sides::{LEFT, RIGHT, SIDES, name_on_side};
-pub use track::{MOST_SLOPE, MOST_TURN, RailLine, TrackTurn};
+pub use track::{MAX_SLOPE, MAX_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;

@@ -8,10 +8,10 @@ use crate::kinematics::motion::WheelMotion;
 use crate::math::real::Real;
 
 /// Greatest turn of the track frame over a length [rad/m]: no wheelset passes a radius of 10 m.
-pub const MOST_TURN: f64 = 0.1;
+pub const MAX_TURN: f64 = 0.1;
 /// Greatest slope of a rail along the track [-]: five times that of the steepest ramp of a
 /// crossing.
-pub const MOST_SLOPE: f64 = 0.1;
+pub const MAX_SLOPE: f64 = 0.1;
 
 /// How the track frame turns as it goes along the track, about its own axes.
 ///
@@ -91,7 +91,7 @@ impl TrackTurn {
         for (name, value) in
             [("twist", twist), ("vertical_curvature", vertical_curvature), ("curvature", curvature)]
         {
-            if !is_within(value, MOST_TURN) {
+            if !is_within(value, MAX_TURN) {
                 let name = format!("track.{name}");
                 return Err(ContactError::bad_value(name, value, "-0.1 to 0.1 rad/m"));
             }
@@ -108,8 +108,8 @@ impl RailLine {
         for (name, value, most, allowed) in [
             ("y", y, f64::MAX, "a finite number"),
             ("z", z, f64::MAX, "a finite number"),
-            ("y_slope", y_slope, MOST_SLOPE, "-0.1 to 0.1"),
-            ("z_slope", z_slope, MOST_SLOPE, "-0.1 to 0.1"),
+            ("y_slope", y_slope, MAX_SLOPE, "-0.1 to 0.1"),
+            ("z_slope", z_slope, MAX_SLOPE, "-0.1 to 0.1"),
         ] {
             if !is_within(value, most) {
                 let name = format!("{side}.irregularity.{name}");

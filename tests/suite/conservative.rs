@@ -85,7 +85,7 @@ impl Bodies {
     fn bounce(&mut self, random: &mut Random) -> f64 {
         // A bounce lasts some 5 ms.
         const STEP: f64 = 1e-5;
-        const MOST_STEPS: usize = 5000;
+        const MAX_STEPS: usize = 5000;
         let y = self.turn(random);
         let z = self.touching(y);
         let fall = random.within(0.02, 0.1);
@@ -98,7 +98,7 @@ impl Bodies {
         };
         let mut state = [y, z - 1e-9, 0.0, fall];
         let mut has_touched = false;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             // Runge and Kutta's rule of fourth order.
             let first = rate(self, state);
             let second = rate(self, along(state, first, 0.5 * STEP));

@@ -55,7 +55,7 @@ pub struct Arguments {
 }
 
 /// Rows at most.
-const MOST_ROWS: f64 = 1e5;
+const MAX_ROWS: f64 = 1e5;
 /// Amplitude at which conicities are compared [m].
 const REFERENCE_AMPLITUDE: f64 = 3e-3;
 
@@ -113,12 +113,12 @@ fn check(arguments: &Arguments) -> Result<()> {
             bail!("--{name} {value} is not admitted: it must be a finite number above 0");
         }
     }
-    if arguments.range / arguments.step > 0.5 * MOST_ROWS || arguments.range < arguments.step {
+    if arguments.range / arguments.step > 0.5 * MAX_ROWS || arguments.range < arguments.step {
         bail!(
             "--step {} is not admitted: --range {} must hold 1 to {} of them",
             arguments.step,
             arguments.range,
-            0.5 * MOST_ROWS
+            0.5 * MAX_ROWS
         );
     }
     Ok(())

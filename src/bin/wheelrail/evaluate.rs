@@ -131,7 +131,7 @@ struct Evaluator {
 
 /// Elements that a thread keeps. One takes 0.3 MB and 0.6 ms to make; those of boundary elements
 /// take more memory, and nothing against one evaluation: of them only the last is kept.
-const MOST_ELEMENTS: usize = 64;
+const MAX_ELEMENTS: usize = 64;
 
 impl Evaluator {
     fn new(folder: PathBuf) -> Self {
@@ -164,7 +164,7 @@ impl Evaluator {
         } else {
             let element = Element::new(parameters, input, std::slice::from_ref(&self.folder))?;
             found = element.profile_remarks().to_vec();
-            self.elements.truncate(MOST_ELEMENTS - 1);
+            self.elements.truncate(MAX_ELEMENTS - 1);
             if is_slow(parameters.normal_model, parameters.tangential_model) {
                 self.elements.retain(|made| !is_slow(made.0.normal_model, made.0.tangential_model));
             }

@@ -2,14 +2,14 @@
 
 use super::layout::{FORMAT, STATES, TAG, calculated, settable};
 use crate::element::parameters::RAILS;
-use crate::element::work_pairs::MOST_PAIRS;
+use crate::element::work_pairs::MAX_PAIRS;
 use crate::element::{TrackState, WearState};
 use crate::fmi::coupling::LastStep;
 use crate::fmi::error::FmiError;
 use crate::fmi::extrapolation::{Extrapolation, ORDERS};
 use crate::fmi::held::Held;
 use crate::fmi::life_cycle::{Experiment, Purpose, State};
-use crate::fmi::snapshot::{MOST_ELEMENTS, Memory, Outputs, Snapshot};
+use crate::fmi::snapshot::{MAX_ELEMENTS, Memory, Outputs, Snapshot};
 use crate::variables::{Described, Kind, Value, ValuesOf, WHEEL, WHEELSET};
 use crate::wear::ArcState;
 
@@ -115,7 +115,7 @@ impl<'a> Reader<'a> {
 
     fn last_step(&mut self) -> Option<LastStep> {
         let duration = self.amount()?;
-        let mut pairs = [[0.0; 2]; MOST_PAIRS];
+        let mut pairs = [[0.0; 2]; MAX_PAIRS];
         for number in pairs.as_flattened_mut() {
             *number = self.finite()?;
         }
@@ -185,7 +185,7 @@ impl<'a> Reader<'a> {
         let numbers = held.values().map(|_| self.array().map(i32::from_le_bytes));
         let numbers: Vec<i32> = numbers.collect::<Option<_>>()?;
         held.set(numbers.into_iter());
-        let mut memories: [Memory; MOST_ELEMENTS] = Default::default();
+        let mut memories: [Memory; MAX_ELEMENTS] = Default::default();
         for memory in memories.iter_mut().take(S::PREFIXES.len()) {
             *memory = self.memory()?;
         }

@@ -1,6 +1,6 @@
 //! The contact line of a wheel whose section varies around.
 
-use super::{ContactLine, LEAST_SECTION_SHARE, LinePoint};
+use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
 use crate::geometry::surface_point::SurfacePoint;
 use crate::geometry::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;
@@ -40,7 +40,7 @@ impl<T: Real> ContactLine<'_, T> {
         let Some(around) = self.around else { return round };
         let BesideRound { curvature, share_across, .. } = around.beside_round(s.value());
         let section = round + self.mean_curvature(s) * share_across + curvature;
-        section.max(straight * LEAST_SECTION_SHARE)
+        section.max(straight * MIN_SECTION_SHARE)
     }
 }
 

@@ -6,9 +6,9 @@ use crate::math::real::Real;
 
 /// Least share of its parameter by which the line moves: at the fold of a line, where it stands, a
 /// slope over its length has no bound.
-const LEAST_SPEED: f64 = 0.05;
+const MIN_SPEED: f64 = 0.05;
 /// Least share along the normal of a lift, at a face that stands upright.
-const LEAST_SHARE: f64 = 0.05;
+const MIN_SHARE: f64 = 0.05;
 
 impl<'a, T: Real> ContactLine<'a, T> {
     /// Deviations of wheel and rail along the track, where there are any.
@@ -34,7 +34,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
     /// Component along a contact normal (y, z) of a unit of lift [-].
     #[must_use]
     pub fn lifting_share(&self, normal: [T; 2]) -> T {
-        (normal[0] * self.down[0] + normal[1] * self.down[1]).at_least(LEAST_SHARE)
+        (normal[0] * self.down[0] + normal[1] * self.down[1]).at_least(MIN_SHARE)
     }
 
     /// Derivative of the even line's x with respect to its parameter.
@@ -84,7 +84,7 @@ impl ContactLine<'_> {
         let tangent = even.tangent;
         let squared = tangent[0] * tangent[0] + tangent[1] * tangent[1];
         let speed = (derivative[0] * tangent[0] + derivative[1] * tangent[1]) / squared;
-        let speed = if speed.abs() < LEAST_SPEED { LEAST_SPEED.copysign(speed) } else { speed };
+        let speed = if speed.abs() < MIN_SPEED { MIN_SPEED.copysign(speed) } else { speed };
         let rate = (lift.x - even.x) / radius * self.advance(s) / speed;
         let tangent = [0, 1].map(|i| tangent[i] + rate * self.down[i]);
         LinePoint { point, tangent, ..even }

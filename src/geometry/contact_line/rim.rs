@@ -14,7 +14,7 @@
 //! Within some tenths of a milliradian the place therefore moves smoothly from the one end to the
 //! other.
 
-use super::{CURVATURE_REACH, ContactLine, LEAST_SLOPE_COSINE, LinePoint, OnCircle, WheelPoint};
+use super::{CURVATURE_REACH, ContactLine, LinePoint, MIN_SLOPE_COSINE, OnCircle, WheelPoint};
 use crate::geometry::curve::CurvePoint;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -50,7 +50,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub(in crate::geometry) fn follows_rim(&self, p: &CurvePoint<T>) -> bool {
-        p.first[0] < LEAST_SLOPE_COSINE && self.lead != 0.0
+        p.first[0] < MIN_SLOPE_COSINE && self.lead != 0.0
     }
 
     /// The point for the parameter `s` with profile point `p`, a place of which the bound of the
@@ -184,7 +184,7 @@ impl<T: Real> Rim<'_, T> {
             y: self.edge.point[0],
             rolling_radius: self.ahead.hypot(self.height),
             section_radius: T::from(1.0)
-                / (T::from(LEAST_SLOPE_COSINE) / radius + rounding * sine * sine),
+                / (T::from(MIN_SLOPE_COSINE) / radius + rounding * sine * sine),
         }
     }
 }

@@ -14,12 +14,12 @@ use super::ContactLine;
 pub use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a point; three are the rule.
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 /// Newton step that is the last one [m]: what is left is of the order of its square.
 const LAST_STEP: f64 = 1e-8;
 /// Least cosine of the angle between line and normal: lines that graze the wheel meet it nowhere
 /// for sure.
-const LEAST_COSINE: f64 = 0.1;
+const MIN_COSINE: f64 = 0.1;
 
 impl ContactLine<'_> {
     /// Where the line from the point (`x`, `from`) across the track in the unit direction
@@ -39,7 +39,7 @@ impl ContactLine<'_> {
         let [ux, uy, uz] = self.axle;
         let start = [x - self.marker[0], from[0] - self.marker[1], from[1] - self.marker[2]];
         let axial_rate = direction[0] * uy + direction[1] * uz;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if !(s > self.profile.start() && s < self.profile.end()) {
                 return None;
             }
@@ -54,7 +54,7 @@ impl ContactLine<'_> {
             let speed = (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
             let [dy, dz] = p.first.map(|d| d / speed);
             let facing = dy * radial_rate - dz * axial_rate;
-            if facing <= LEAST_COSINE {
+            if facing <= MIN_COSINE {
                 return None;
             }
             let missing = [p.point[0] - axial, p.point[1] + self.nominal_radius - radius];

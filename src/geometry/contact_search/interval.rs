@@ -4,7 +4,7 @@
 use super::sample::Sample;
 
 /// Patches are split where neighbouring normals differ by more [rad].
-const MOST_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
+const MAX_ANGLE: f64 = std::f64::consts::FRAC_PI_6;
 
 /// A probe of an interval and what it is.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub(super) fn last_of_group(interval: &[IntervalProbe], first: usize) -> usize {
             if let Some(before) = minimum {
                 let [a, b] = [before, i].map(|k| interval[k].sample.rail_tangent);
                 let cosine = a[0] * b[0] + a[1] * b[1];
-                if cosine < MOST_ANGLE.cos() && ridge > first && ridge < i {
+                if cosine < MAX_ANGLE.cos() && ridge > first && ridge < i {
                     return ridge;
                 }
             }

@@ -14,13 +14,13 @@ const INSIDE_STEP: f64 = 1.5e-3;
 const KINKED_STEP: f64 = 5e-4;
 
 /// Least step outside [m]; a dip that fits into it is found where the slope changes sign.
-const LEAST_STEP: f64 = 5e-4;
+const MIN_STEP: f64 = 5e-4;
 
 /// Length of the bins for which the concavity of the wheel is kept [m].
 pub(super) const BIN: f64 = 4e-3;
 
 /// Concavity times distance up to which the curvature of a hollow rail bounds the step.
-const MOST_HOLLOW: f64 = 0.5;
+const MAX_HOLLOW: f64 = 0.5;
 
 /// Share of the bound that a step takes: the contact line of a yawed wheel is a little more curved
 /// than the profile.
@@ -99,7 +99,7 @@ impl WheelBounds {
         // From afar a hollow of the rail bends the distance more, 1/(1 - concavity·d), and beyond
         // its centre without bound.
         let hollow = rail_concavity * from.distance;
-        if !from.beyond_end && hollow < MOST_HOLLOW {
+        if !from.beyond_end && hollow < MAX_HOLLOW {
             let concavity = self.concavity[here] + rail_concavity / (1.0 - hollow);
             // A lift may turn from rising to falling at any kink.
             let slope = from.slope - 2.0 * line.most_lift_slope(self.stretch[here]);
@@ -114,7 +114,7 @@ impl WheelBounds {
             let reach = start + (here + 2) as f64 * BIN - from.u;
             step = step.max(STEP_SHARE * bound.min(reach) / stretch_over(here));
         }
-        step.max(LEAST_STEP)
+        step.max(MIN_STEP)
     }
 
     /// Step inside an interval of penetration [m].

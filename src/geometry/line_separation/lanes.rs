@@ -7,7 +7,7 @@
 
 use multiversion::multiversion;
 
-use super::{LEAST_COSINE, LineSeparation};
+use super::{LineSeparation, MIN_COSINE};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::placed_rail::PlacedRail;
@@ -18,7 +18,7 @@ const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
 /// Newton steps for the points of the rail opposite to those of the wheel; one or two are the rule.
-const MOST_STEPS: usize = 5;
+const MAX_STEPS: usize = 5;
 /// Distance over which the rail's curve is a parabola to rounding [m]: the start is the same for
 /// all places, so that steps are not as short as from place to place.
 const NEAR: f64 = 2e-7;
@@ -81,7 +81,7 @@ fn block(
         x[lane] = at.x;
         y[lane] = along(&to, &tangent);
         dy[lane] = along(&derivative, &tangent);
-        let is_ended = line.follows_rim(&p) || dy[lane] < LEAST_COSINE;
+        let is_ended = line.follows_rim(&p) || dy[lane] < MIN_COSINE;
         depth[lane] = if is_ended { f64::NAN } else { along(&to, &normal) };
     }
     let curve = rail.curve();
@@ -89,7 +89,7 @@ fn block(
     let lengthening = curvature * curvature / 6.0;
     let mut s = y.map(|y| curve.within(contact.rail_s + y * (1.0 + lengthening * y * y)));
     let mut opposite = [f64::NAN; LANES];
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let pieces = curve.pieces_at(&s);
         let mut missing = [0.0; LANES];
         for lane in 0..LANES {
@@ -103,7 +103,7 @@ fn block(
             let at_last = along(&to, &normal)
                 + last * (along(&p.first, &normal) + 0.5 * last * along(&p.second, &normal));
             let is_near = step.abs() <= NEAR;
-            let has_turned = cosine < LEAST_COSINE;
+            let has_turned = cosine < MIN_COSINE;
             opposite[lane] = if is_near && !has_turned { at_last } else { f64::NAN };
             missing[lane] = if is_near || has_turned { 0.0 } else { 1.0 };
             // What is found stays, and is found again.

@@ -12,7 +12,7 @@ use crate::math::real::Real;
 /// Greatest difference of places along the track of two rows that are taken for a trend [m].
 pub(in crate::geometry) const TREND: f64 = 5e-3;
 /// Least distance of two rows on the envelope [m].
-const LEAST_ARC: f64 = 1e-6;
+const MIN_ARC: f64 = 1e-6;
 
 /// The outline, and where the wheel meets the rail along it.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ impl<T: Real> Envelope<T> {
             None => rows.parameter[m.row].into(),
             Some(b) => {
                 let reached = arc(b.point, b.direction, m.point, m.direction);
-                if reached.value().is_nan() || reached < LEAST_ARC {
+                if reached.value().is_nan() || reached < MIN_ARC {
                     return;
                 }
                 // As long as the section is that of the pattern the parameter is its own.

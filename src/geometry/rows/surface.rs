@@ -49,10 +49,10 @@ pub(in crate::geometry) struct Surface {
 
 /// Greatest place along the track on a roller, over its radius: a wheel never goes there from above
 /// [-].
-pub(in crate::geometry) const MOST_OF_ROLLER: f64 = 0.8;
+pub(in crate::geometry) const MAX_SHARE_OF_ROLLER: f64 = 0.8;
 /// Least radius of a row of a roller, over that of the marker, and square of the least height above
 /// the axle, over that of the radius [-].
-const LEAST_ROW: f64 = 0.1;
+const MIN_ROW: f64 = 0.1;
 
 impl Surface {
     /// Number of rows.
@@ -146,9 +146,9 @@ impl Surface {
         let radius = self.roller_radius;
         let [y, z, dy, dz] = self.rows.knots[j].value;
         // Rows below the axle lie inside, where nothing touches.
-        let own = (radius - z).max(LEAST_ROW * radius);
+        let own = (radius - z).max(MIN_ROW * radius);
         let zero = T::from(0.0);
-        let root = (-(x * x) + own * own).at_least(LEAST_ROW * own * own).sqrt();
+        let root = (-(x * x) + own * own).at_least(MIN_ROW * own * own).sqrt();
         let steepness = T::from(own) / root;
         let slope = x / root;
         RowPoint {

@@ -13,11 +13,11 @@ const APART: f64 = 3e-4;
 /// Steepest flank of any wheel [-].
 const STEEPEST_FLANK: f64 = 3.0;
 /// Newton steps to a point of the contact line, and the last of them [m].
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 const STRAIGHT: f64 = 1e-6;
 /// Least share of its parameter by which the contact line goes across: a flank is not followed as
 /// if it stood upright.
-const LEAST_RATE: f64 = 0.1;
+const MIN_RATE: f64 = 0.1;
 
 /// The wheel above the rail.
 pub(super) struct Over<'a, T: Real = f64> {
@@ -125,11 +125,11 @@ impl Over<'_> {
     /// the wheel stands upright.
     pub fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
         let [start, end] = self.line.range();
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (at, derivative) = self.line.even_with_derivative(u);
             let to = self.seen_from_marker(at.point);
             let rate = dot(derivative, self.right);
-            if rate < LEAST_RATE {
+            if rate < MIN_RATE {
                 return None;
             }
             let step = ((y - dot(to, self.right)) / rate).clamp(-CELL, CELL);

@@ -13,7 +13,7 @@ use crate::math::real::Real;
 /// Distance of rows over which their places and those of the wheel opposite go on as before [m].
 pub(super) const CLOSE: f64 = 3e-3;
 /// Steps to the place along a row, the last of them, and the longest [m].
-const MOST_STEPS: usize = 20;
+const MAX_STEPS: usize = 20;
 /// What is left of it is of the order of its square over the distance of slices: less than
 /// rounding.
 const LAST_STEP: f64 = 1e-10;
@@ -156,7 +156,7 @@ impl Touch<'_> {
         // may lead beyond where the slope has the other sign.
         let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut chord = 0.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let side = if met.g < 0.0 { &mut behind } else { &mut ahead };
             *side = x;
             let towards = |slope: f64| {

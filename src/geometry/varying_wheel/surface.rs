@@ -13,11 +13,11 @@ use super::{VaryingWheel, dot, in_plane};
 use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a place: three are the rule.
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 /// Newton step that is the last one [m], and least cosine of the angle between line and normal: as
 /// of round wheels.
 const LAST_STEP: f64 = 1e-8;
-const LEAST_COSINE: f64 = 0.1;
+const MIN_COSINE: f64 = 0.1;
 
 impl VaryingWheel {
     /// How far to either side of where a round wheel is met this one may overlap a rail that it
@@ -46,7 +46,7 @@ impl VaryingWheel {
         let at = |depth: f64| [0, 1, 2].map(|i| from[i] + depth * direction[i]);
         let [_, ahead, down] = at(depth);
         let (mut v, mut psi) = (start, ahead.atan2(down));
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if !(v > first && v < last) {
                 return None;
             }
@@ -58,7 +58,7 @@ impl VaryingWheel {
             let normal = normal.map(|n| n / size);
             let facing = dot(normal, direction);
             // Not a number where rows meet in a point.
-            if facing.is_nan() || facing <= LEAST_COSINE {
+            if facing.is_nan() || facing <= MIN_COSINE {
                 return None;
             }
             let to = at(depth);

@@ -68,7 +68,7 @@ pub(super) fn element_size(
         }
     }
     let count = (x[1] - x[0]) / size[0] * (y[1] - y[0]) / size[1];
-    let most = MOST_ELEMENTS * (elements[0] * elements[1]) as f64;
+    let most = MAX_ELEMENTS * (elements[0] * elements[1]) as f64;
     let larger = (count / most).sqrt().max(1.0);
     size.map(|size| ((larger * size).log2() * RUNGS).floor() / RUNGS).map(f64::exp2)
 }
@@ -125,7 +125,7 @@ const NOTABLE: f64 = 0.02;
 const RUNGS: f64 = 4.0;
 /// Most elements of a grid, over those asked for of one zone: zones of different sizes far apart
 /// share one lattice.
-const MOST_ELEMENTS: f64 = 30.0;
+const MAX_ELEMENTS: f64 = 30.0;
 /// Rows and columns beyond the extent that the coarse solution tells.
 const MARGIN: f64 = 2.0;
 /// Growth of a border that the contact reaches, as a share of the extent [-].

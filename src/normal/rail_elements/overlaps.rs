@@ -1,5 +1,5 @@
-//! Where along the arc of a rail the undeformed bodies overlap: the stretches about the contacts that
-//! the search has found.
+//! Where along the arc of a rail the undeformed bodies overlap: the stretches about the contacts
+//! that the search has found.
 
 use super::section::{LAST_STEP, Row, Section};
 use crate::geometry::contact_search::ContactSearch;
@@ -86,7 +86,7 @@ impl Section<'_> {
     /// between.
     fn stretch(&self, row: &Row) -> [f64; 2] {
         let even = self.line.wheel_point(row.u).section_radius;
-        let share = (1.0 + even * row.course.curvature).max(LEAST_CURVATURE_SHARE);
+        let share = (1.0 + even * row.course.curvature).max(MIN_CURVATURE_SHARE);
         let radius = even / share;
         let half = (2.0 * radius * row.overlap.max(0.0)).sqrt();
         let mut stretch = [row.x - half, row.x + half];
@@ -129,4 +129,4 @@ const LONGEST_STEP: f64 = 5e-4;
 const SCAN: f64 = 2e-3;
 /// Least curvature of wheel and rail together along the track, over that of the wheel, by which the
 /// length of a contact is estimated [-].
-const LEAST_CURVATURE_SHARE: f64 = 0.05;
+const MIN_CURVATURE_SHARE: f64 = 0.05;

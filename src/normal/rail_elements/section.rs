@@ -1,5 +1,5 @@
-//! The section of a rail where a wheel meets it: rows of elements, and the wheel opposite to each of
-//! their elements.
+//! The section of a rail where a wheel meets it: rows of elements, and the wheel opposite to each
+//! of their elements.
 
 use crate::boundary_element::grid::Grid;
 use crate::geometry::arc_length::ArcLength;
@@ -95,14 +95,14 @@ impl Section<'_> {
         let tangent = on.first.map(|d| d / speed);
         let [start, end] = self.line.range();
         let along = |v: [f64; 2]| v[0] * tangent[0] + v[1] * tangent[1];
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if !(u > start && u < end) {
                 return None;
             }
             let (at, derivative) = self.line.even_with_derivative(u);
             let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
             let rate = along(derivative);
-            if rate < LEAST_RATE {
+            if rate < MIN_RATE {
                 return None;
             }
             let step = -along(to) / rate;
@@ -178,6 +178,6 @@ impl Section<'_> {
 
 /// Newton steps to the place on a normal of the rail, the last of them [m], and the least rate at
 /// which that goes along with the line.
-const MOST_STEPS: usize = 10;
+const MAX_STEPS: usize = 10;
 pub(super) const LAST_STEP: f64 = 1e-9;
-const LEAST_RATE: f64 = 0.05;
+const MIN_RATE: f64 = 0.05;

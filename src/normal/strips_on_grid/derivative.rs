@@ -22,7 +22,7 @@ use crate::math::real::Real;
 use crate::normal::Strips;
 
 /// Most turns, and the last change of derivatives, over the greatest of the same kind.
-const MOST_TURNS: usize = 20;
+const MAX_TURNS: usize = 20;
 const LAST_CHANGE: f64 = 1e-9;
 
 /// Memory for derivatives of solutions of the strips.
@@ -86,7 +86,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
         self.z.extend(solver.newton.unknowns.z[..count].iter().map(|&z| Dual::from(z)));
         self.shape.clear();
         self.shape.extend(solver.newton.unknowns.shape.iter().map(|&shape| Dual::from(shape)));
-        for _ in 0..MOST_TURNS {
+        for _ in 0..MAX_TURNS {
             let (z, shape) = (&self.z, &self.shape);
             residuals(grid, &solver.knots, z, shape, &mut self.per_pressure, &mut self.residuals);
             let mut worst = 0.0f64;

@@ -14,11 +14,11 @@
 //! that belongs to the load there.
 
 use super::line::{OverlapLine, Place};
-use super::overlap::{MOST_OVERLAPS, Overlaps};
+use super::overlap::{MAX_OVERLAPS, Overlaps};
 use super::samples::{Samples, nodes_between, share_behind};
 use super::scales::Scales;
 use super::shape::{Between, Knots};
-use super::valleys::MOST_VALLEYS;
+use super::valleys::MAX_VALLEYS;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
@@ -66,10 +66,10 @@ impl<T: Real> Grid<T> {
     /// Room for `nodes` nodes; the ends of overlaps are nodes too, and there is one more for each
     /// gap and each valley between lobes.
     pub fn new(nodes: usize) -> Self {
-        let nodes = nodes + 2 * MOST_OVERLAPS + MOST_VALLEYS;
+        let nodes = nodes + 2 * MAX_OVERLAPS + MAX_VALLEYS;
         Self {
             nodes: FixedVec::new(nodes),
-            cells: FixedVec::new(nodes + MOST_OVERLAPS),
+            cells: FixedVec::new(nodes + MAX_OVERLAPS),
             samples: Samples::new(),
         }
     }

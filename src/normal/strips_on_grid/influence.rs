@@ -24,11 +24,11 @@ use crate::math::real::Real;
 /// Pressures that are not quite semi-elliptical are met on the whole, not at the centre alone,
 /// where slender patches would be off.
 pub const STATION: f64 = 0.7;
-/// What squared distances over half lengths are more than they are, so that a cell of no width has
-/// a logarithm.
-const LEAST: f64 = 1e-24;
-/// The same for 1 - η², which rounding may take below zero.
-const LEAST_ACROSS: f64 = 1e-14;
+/// Added to squared distances over squared half lengths, so that a cell of no width has a finite
+/// logarithm [-].
+const SQUARE_OFFSET: f64 = 1e-24;
+/// Added to 1 - η², which rounding may take below zero [-].
+const ACROSS_OFFSET: f64 = 1e-14;
 /// Factors of τ³ and τ⁴.
 const FITTED: [f64; 2] = [0.6, 0.5];
 /// K = P - Q ln c in powers of c = 1 - m, 5e-7 off: P and Q.
@@ -58,7 +58,7 @@ pub(super) struct Influence<T = f64> {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn centred_at<T: Real>(sigma: T) -> Influence<T> {
-    let squared = sigma * sigma + LEAST;
+    let squared = sigma * sigma + SQUARE_OFFSET;
     let sum = squared + 1.0;
     let m = T::from(1.0) / sum;
     let [first, difference] = complete(squared * m, m);
@@ -71,14 +71,14 @@ pub(super) fn centred_at<T: Real>(sigma: T) -> Influence<T> {
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn shifted_at<T: Real>(xi: T, sigma: T) -> Influence<T> {
-    let squared = sigma * sigma + LEAST;
+    let squared = sigma * sigma + SQUARE_OFFSET;
     let far = ((xi + 1.0) * (xi + 1.0) + squared).sqrt();
     let near = ((xi - 1.0) * (xi - 1.0) + squared).sqrt();
     let zeta = (far + near) * 0.5;
     let product = far * near;
     let zeta2 = zeta * zeta;
     // ζ² (1 - η²)
-    let root2_zeta2 = zeta2 - xi * xi + zeta2 * LEAST_ACROSS;
+    let root2_zeta2 = zeta2 - xi * xi + zeta2 * ACROSS_OFFSET;
     // One division for three.
     let all = T::from(1.0) / (zeta * root2_zeta2 * product);
     let inverse = all * root2_zeta2 * product;

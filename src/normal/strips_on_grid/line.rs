@@ -78,7 +78,7 @@ pub trait Line {
 pub fn walk_across(line: &mut (impl Line + ?Sized), y: f64, guess: f64) -> LinePlace {
     let mut place = line.place(guess);
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for _ in 0..MOST_PLACES {
+    for _ in 0..MAX_PLACES {
         let bound = if place.y < y { &mut low } else { &mut high };
         *bound = place.u;
         let step = (y - place.y) / place.dy;
@@ -99,7 +99,7 @@ pub fn walk_across(line: &mut (impl Line + ?Sized), y: f64, guess: f64) -> LineP
 }
 
 /// Most places tried to find one at a given coordinate.
-const MOST_PLACES: usize = 40;
+const MAX_PLACES: usize = 40;
 /// Last step to a place at a given coordinate [m].
 pub const NEAR: f64 = 1e-8;
 

@@ -66,7 +66,7 @@ use unknowns::Unknowns;
 use zones::Loads;
 
 /// Least strips: fewer do not tell the shape of a contact region.
-pub const LEAST_STRIPS: usize = 8;
+pub const MIN_STRIPS: usize = 8;
 
 /// Work of one solver since it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,10 +94,10 @@ pub struct GridSolver {
 }
 
 impl GridSolver {
-    /// A solver with `strips` strips for each rail, at least [`LEAST_STRIPS`].
+    /// A solver with `strips` strips for each rail, at least [`MIN_STRIPS`].
     #[must_use]
     pub fn new(strips: usize) -> Self {
-        let strips = strips.max(LEAST_STRIPS);
+        let strips = strips.max(MIN_STRIPS);
         // The ends of an overlap are nodes too.
         let knots = Knots::new(strips - 2);
         let grid = Grid::new(strips - 2);

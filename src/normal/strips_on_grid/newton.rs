@@ -16,7 +16,7 @@ use super::shape::Knots;
 use super::unknowns::Unknowns;
 
 /// Most Newton steps.
-pub(super) const MOST_STEPS: u64 = 40;
+pub(super) const MAX_STEPS: u64 = 40;
 /// First steps, in which nodes that a yawed wheel has ahead of each other are taken as if side by
 /// side, with two influences for a pair instead of three: the steps after them find what that
 /// leaves out.
@@ -28,10 +28,10 @@ const LAST_CHANGE: f64 = 1e-6;
 /// Greatest decrease in one step of z, and rise where there is no load, over itself or the load per
 /// width in the middle of the ellipse, whichever is greater; and greatest change of χ: less than
 /// where the equations have left what their derivatives tell.
-const MOST_CHANGE: [f64; 2] = [0.5, 0.3];
+const MAX_CHANGE: [f64; 2] = [0.5, 0.3];
 /// Greatest growth in one step of a load that is next to nothing, over that in the middle of the
 /// ellipse; others double at most. The displacement by such a load goes with its square.
-const MOST_GROWTH: f64 = 0.1;
+const MAX_GROWTH: f64 = 0.1;
 /// Share of the way beyond zero that a node takes that begins to carry load: its gap, by which it
 /// goes there, is about as much flatter than its load where both are small, and it would come back
 /// and go again.
@@ -40,7 +40,7 @@ const SHARE_ACROSS: f64 = 0.1;
 /// of the ellipse: a node of little load or little gap has an equation that is flat on both sides,
 /// and moves by no more than some loads of the ellipse. It goes to nothing with the residual, so
 /// that the last steps are Newton's.
-const LEAST_SLOPE: f64 = 0.2;
+const MIN_SLOPE: f64 = 0.2;
 /// Displacement of a node by a load of its own over (2/π²) times width over half length: ln(8 a/h),
 /// for nodes a seventh of a half length apart. What is left of the overlap of a node when its gap
 /// has closed is carried with that slope, and not with that of the gap.
@@ -83,7 +83,7 @@ impl Newton {
         self.unknowns.start(grid, &scales);
         let is_skewed = grid.is_skewed();
         let mut settled = false;
-        for step in 0..MOST_STEPS {
+        for step in 0..MAX_STEPS {
             self.steps += 1;
             let is_first = is_skewed && step < FIRST_STEPS;
             self.linearise(grid, &scales, is_skewed && !is_first);
@@ -121,7 +121,7 @@ impl Newton {
         let (n, stride) = (grid.nodes.len(), self.system.nodes + self.system.behind);
         let (matrix, right) = self.system.matrix.split_at_mut(self.system.pivots.len() * stride);
         let greatest = (0..n).map(|i| row(right, i).abs()).fold(0.0, f64::max);
-        let least = LEAST_SLOPE * greatest.min(grid.samples.depth) / scales.load;
+        let least = MIN_SLOPE * greatest.min(grid.samples.depth) / scales.load;
         let (mut not_carried, mut apart) = (0.0f64, 0.0f64);
         for (i, column) in matrix.chunks_exact_mut(stride).take(n).enumerate() {
             let slope = row(column, i);
@@ -156,8 +156,8 @@ impl Newton {
         for (i, z) in self.unknowns.z.iter_mut().enumerate() {
             let change = *row(change, i);
             let is_loaded = *z > 0.0;
-            let most = MOST_CHANGE[0] * scales.load.max(z.abs());
-            let growth = if is_loaded { z.max(MOST_GROWTH * scales.load) } else { most };
+            let most = MAX_CHANGE[0] * scales.load.max(z.abs());
+            let growth = if is_loaded { z.max(MAX_GROWTH * scales.load) } else { most };
             *z += change.clamp(-most, growth);
             if !is_loaded && *z > 0.0 {
                 *z *= SHARE_ACROSS;
@@ -176,7 +176,7 @@ impl Newton {
             self.unknowns.shape.iter_mut().zip(&self.system.weights).enumerate()
         {
             let change = *row(change, self.system.nodes * LANES + k);
-            *shape += change.clamp(-MOST_CHANGE[1], MOST_CHANGE[1]);
+            *shape += change.clamp(-MAX_CHANGE[1], MAX_CHANGE[1]);
             greatest = greatest.max(change.abs() * weight / heaviest);
         }
         Some(greatest)

@@ -24,9 +24,9 @@ pub(super) struct Overlaps {
 }
 
 /// Most intervals of overlap of one rail.
-pub(super) const MOST_OVERLAPS: usize = 32;
+pub(super) const MAX_OVERLAPS: usize = 32;
 /// Newton steps towards an end before it is bracketed.
-const MOST_STEPS: usize = 6;
+const MAX_STEPS: usize = 6;
 /// Last Newton step towards an end [m]; what is left is of the order of its square.
 const LAST_STEP: f64 = 1e-8;
 /// Bracket of an end that Newton's method does not find [m].
@@ -34,7 +34,7 @@ const BRACKET: f64 = 1e-15;
 
 impl Overlaps {
     pub fn new() -> Self {
-        Self { intervals: FixedVec::new(MOST_OVERLAPS) }
+        Self { intervals: FixedVec::new(MAX_OVERLAPS) }
     }
 
     /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between
@@ -71,7 +71,7 @@ fn crossing(line: &mut impl Line, inside: &Probe, outside: &Probe, level: f64) -
     let (a, b) = ((inside.u, level - inside.f), (outside.u, level - outside.f));
     let (low, high) = (a.0.min(b.0), a.0.max(b.0));
     let mut u = if b.1.is_finite() { a.0 + (b.0 - a.0) * a.1 / (a.1 - b.1) } else { a.0 };
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let place = line.place(u);
         let step = -place.overlap / place.overlap_slope;
         u += step;

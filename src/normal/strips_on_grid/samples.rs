@@ -6,9 +6,9 @@
 //! between, whatever belongs to which interval: where two of them join, nodes stay where they are.
 
 use super::line::OverlapLine;
-use super::overlap::{End, MOST_OVERLAPS, Overlaps};
+use super::overlap::{End, MAX_OVERLAPS, Overlaps};
 use super::turns::turns;
-use super::valleys::{MOST_VALLEYS, Valley};
+use super::valleys::{MAX_VALLEYS, Valley};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
@@ -16,12 +16,12 @@ use crate::math::real::Real;
 /// how far they are apart at most, about as far as points in measured profiles, but in that many
 /// places at most.
 const SPACING: f64 = 1.0 / 24.0;
-const MOST_SPACING: f64 = 5e-4;
-const MOST_PLACES: usize = 256;
+const MAX_SPACING: f64 = 5e-4;
+const MAX_PLACES: usize = 256;
 /// Parts between two of them, in each of which the density is linear.
 const PARTS: usize = 6;
 /// Most samples of all overlaps.
-const MOST_SAMPLES: usize = (MOST_PLACES + 3 * MOST_OVERLAPS) * PARTS + MOST_VALLEYS;
+const MAX_SAMPLES: usize = (MAX_PLACES + 3 * MAX_OVERLAPS) * PARTS + MAX_VALLEYS;
 
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
 const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
@@ -33,7 +33,7 @@ const UNLOADED: f64 = 0.9;
 /// Power of the squared curvature that nodes are laid by.
 const DENSITY_POWER: f64 = 0.2;
 /// Least overlap over the depth where nodes are laid by it.
-const LEAST_OVERLAP: f64 = 1e-3;
+const MIN_OVERLAP: f64 = 1e-3;
 
 /// Share of the nodes wanted where the overlap over the depth is `overlap`, that at the edge of an
 /// ellipse being `level`: fewer where no load is to be expected.
@@ -116,14 +116,14 @@ impl<T: Real> Samples<T> {
     pub fn new() -> Self {
         let zero = T::from(0.0);
         Self {
-            list: FixedVec::new(MOST_SAMPLES),
-            valleys: FixedVec::new(MOST_VALLEYS),
+            list: FixedVec::new(MAX_SAMPLES),
+            valleys: FixedVec::new(MAX_VALLEYS),
             depth: zero,
             half_width: zero,
             radius: zero,
-            ends: FixedVec::new(MOST_OVERLAPS),
-            places: FixedVec::new(MOST_PLACES + 4),
-            integrals: FixedVec::new(MOST_SAMPLES),
+            ends: FixedVec::new(MAX_OVERLAPS),
+            places: FixedVec::new(MAX_PLACES + 4),
+            integrals: FixedVec::new(MAX_SAMPLES),
         }
     }
 
@@ -138,8 +138,7 @@ impl<T: Real> Samples<T> {
         let middle =
             self.ends.iter().map(|&[left, right]| (right - left) * (left + right)).sum::<T>() * 0.5
                 / width;
-        let spacing =
-            (width * SPACING).at_most(MOST_SPACING).max(width * (1.0 / MOST_PLACES as f64));
+        let spacing = (width * SPACING).at_most(MAX_SPACING).max(width * (1.0 / MAX_PLACES as f64));
         // Not in the middle itself, or the ends of a single interval would be places too, on this
         // side or that by rounding.
         for (interval, ends) in intervals.iter().enumerate() {
@@ -258,7 +257,7 @@ impl<T: Real> Samples<T> {
 
     /// Takes a valley, if there is one, behind which is a `peak` [m].
     fn end_valley(&mut self, valley: Option<Valley<T>>, peak: T) {
-        if let Some(valley) = valley.filter(|_| self.valleys.len() < MOST_VALLEYS) {
+        if let Some(valley) = valley.filter(|_| self.valleys.len() < MAX_VALLEYS) {
             self.valleys.push(Valley { peak: peak.min(valley.peak), ..valley });
         }
     }
@@ -275,7 +274,7 @@ impl<T: Real> Samples<T> {
         for k in 0..self.list.len() {
             let sample = self.list[k];
             let near = self.depth_near(sample.y, &mut window);
-            let overlap = (sample.overlap / near).at_least(LEAST_OVERLAP);
+            let overlap = (sample.overlap / near).at_least(MIN_OVERLAP);
             let square = sample.bend * sample.bend + least * least;
             let bend = (square.normal_ln() * DENSITY_POWER).exp();
             // Where the overlap is less deep there are fewer, by the root of its depth besides its

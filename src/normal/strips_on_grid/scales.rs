@@ -8,9 +8,9 @@ use crate::normal::hertz;
 
 /// Least half length over that of the ellipse: strips that hardly carry load stay longer than
 /// nothing.
-const LEAST_LENGTH: f64 = 0.02;
+const MIN_LENGTH: f64 = 0.02;
 /// Range of the ratio of the curvatures of the ellipse.
-const MOST_RATIO: f64 = 1e4;
+const MAX_RATIO: f64 = 1e4;
 
 /// Sizes that the equations are scaled by, from the ellipse of the parabola with the same integrals
 /// of the square and the cube of the overlap.
@@ -36,7 +36,7 @@ impl<T: Real> Scales<T> {
     pub fn new(grid: &Samples<T>) -> Self {
         let along = T::from(0.5) / grid.radius;
         let across = grid.depth / (grid.half_width * grid.half_width);
-        let across = across.max(along / MOST_RATIO).min(along * MOST_RATIO);
+        let across = across.max(along / MAX_RATIO).min(along * MAX_RATIO);
         let ellipse = hertz::ellipse(along, across, grid.depth, 1.0);
         let (a, b) = (ellipse.semi_axis_along, ellipse.semi_axis_across);
         let load = ellipse.max_pressure * a * (0.5 * PI);
@@ -50,7 +50,7 @@ impl<T: Real> Scales<T> {
             shape: (ellipse.max_pressure / a).ln(),
             level,
             gap,
-            least_square: a * a * (LEAST_LENGTH * LEAST_LENGTH),
+            least_square: a * a * (MIN_LENGTH * MIN_LENGTH),
             total: ellipse.load,
         }
     }

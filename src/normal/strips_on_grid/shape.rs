@@ -9,7 +9,7 @@ use crate::math::real::Real;
 /// the drops of few nodes do not tell them apart.
 const NODES_PER_KNOT: f64 = 3.5;
 const MORE_KNOTS: usize = 2;
-const LEAST_NODES_PER_KNOT: usize = 2;
+const MIN_NODES_PER_KNOT: usize = 2;
 /// Weights of squared second and first differences of the field between knots against squared
 /// relative errors of the drop of the displacement, weighted by the share of load: they matter
 /// where there is no load, and extend the field there.
@@ -45,7 +45,7 @@ impl Knots {
     /// Knots for `nodes` nodes.
     pub fn new(nodes: usize) -> Self {
         let wanted = MORE_KNOTS + (nodes as f64 / NODES_PER_KNOT) as usize;
-        Self { nodes, count: wanted.min(nodes / LEAST_NODES_PER_KNOT) }
+        Self { nodes, count: wanted.min(nodes / MIN_NODES_PER_KNOT) }
     }
 
     /// Number of knots.

@@ -6,7 +6,7 @@
 use crate::math::real::Real;
 
 /// Most valleys of one rail; further ones have no node.
-pub(super) const MOST_VALLEYS: usize = 64;
+pub(super) const MAX_VALLEYS: usize = 64;
 /// Overlap in a valley over that at the edge of an ellipse at which half a node is left for it:
 /// hardly loaded, with other nodes near by.
 const SHALLOW: f64 = 0.6;

@@ -8,7 +8,7 @@ use super::equations::dot;
 use super::sizes::{ALL, NODES, PAIR};
 
 /// Most directions.
-const MOST_DIRECTIONS: usize = 40;
+const MAX_DIRECTIONS: usize = 40;
 
 pub(super) type Lane = [f64; NODES];
 pub(super) type Vector = [f64; ALL];
@@ -24,7 +24,7 @@ pub(super) struct Coupling {
 
 impl Coupling {
     pub fn new() -> Self {
-        Self { basis: vec![[0.0; ALL]; MOST_DIRECTIONS + 1] }
+        Self { basis: vec![[0.0; ALL]; MAX_DIRECTIONS + 1] }
     }
 
     /// Solves with the matrix `coupling` by rows, to `share` of the `right` side, which becomes the
@@ -46,12 +46,12 @@ impl Coupling {
         for (b, r) in self.basis[0].iter_mut().zip(right.iter()) {
             *b = r / norm;
         }
-        let mut hessenberg = [[0.0; MOST_DIRECTIONS + 1]; MOST_DIRECTIONS];
-        let mut turns = [[0.0; 2]; MOST_DIRECTIONS];
-        let mut left = [0.0; MOST_DIRECTIONS + 1];
+        let mut hessenberg = [[0.0; MAX_DIRECTIONS + 1]; MAX_DIRECTIONS];
+        let mut turns = [[0.0; 2]; MAX_DIRECTIONS];
+        let mut left = [0.0; MAX_DIRECTIONS + 1];
         left[0] = norm;
         let mut used = 0;
-        while used < MOST_DIRECTIONS {
+        while used < MAX_DIRECTIONS {
             let k = used;
             let mut next = apply(coupling, responses, &self.basis[k]);
             let column = &mut hessenberg[k];

@@ -24,7 +24,7 @@ use crate::math::real::Real;
 pub(super) const RAMP: f64 = 0.5;
 
 /// Rigid slip over bound and shear modulus that counts: squares of it are numbers.
-const MOST_SLIP: f64 = 1e100;
+const MAX_SLIP: f64 = 1e100;
 
 /// State of one strip.
 #[derive(Clone, Copy, Debug)]
@@ -113,7 +113,7 @@ impl<T: Real> Equations<'_, T> {
                 [node.creepage.longitudinal * scale, zero],
                 [node.creepage.lateral * scale, node.creepage.spin * node.half_length * scale],
             ]
-            .map(|slip| slip.map(|s| s.within(-MOST_SLIP, MOST_SLIP)));
+            .map(|slip| slip.map(|s| s.within(-MAX_SLIP, MAX_SLIP)));
             for (component, g) in g.iter_mut().enumerate() {
                 for k in 0..MOMENTS {
                     let z = gradients[(component * MOMENTS + k) * n + i] * inverse;

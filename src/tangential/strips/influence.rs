@@ -9,7 +9,7 @@
 
 use super::kernel::{FIRST, POLES, SECOND, THIRD, WIDTHS, inside};
 use super::layout::Node;
-use super::points::{LANES, MOMENTS, MOST_POINTS, PLACES, Points, Row};
+use super::points::{LANES, MAX_POINTS, MOMENTS, PLACES, Points, Row};
 use super::sizes::{ALL, NODES};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
@@ -73,7 +73,7 @@ impl<T: Real> Influence<T> {
     fn fill_own(&mut self, node: &Node<T>, points: &Points, poisson_ratio: f64) {
         let (count, zero) = (points.count, T::from(0.0));
         // By coefficients of U_k.
-        let mut by_power = [[[zero; LANES]; MOST_POINTS]; 2];
+        let mut by_power = [[[zero; LANES]; MAX_POINTS]; 2];
         for (by_power, factor) in by_power.iter_mut().zip([1.0 - poisson_ratio, 1.0]) {
             for (row, singular) in by_power.iter_mut().zip(&points.singular) {
                 for (value, &whole) in row.iter_mut().zip(singular) {

@@ -74,7 +74,7 @@ pub(super) struct Layout<T = f64> {
 }
 
 /// Least bound over the greatest one: what has no friction slides.
-const LEAST_BOUND: f64 = 1e-9;
+const MIN_BOUND: f64 = 1e-9;
 
 impl<T: Real> Layout<T> {
     /// Room for zones of `strips` strips.
@@ -120,7 +120,7 @@ impl<T: Real> Layout<T> {
                 let [a, b] = [&self.carriers[next - 1], &self.carriers[next]];
                 a.between(b, (wanted - a.passed) / (b.passed - a.passed))
             };
-            self.nodes[i] = Node { bound: node.bound.at_least(LEAST_BOUND * most), ..node };
+            self.nodes[i] = Node { bound: node.bound.at_least(MIN_BOUND * most), ..node };
         }
         self.share_out([left, right]);
         self.reach();

@@ -24,6 +24,6 @@ mod sizes;
 mod solver;
 
 pub use newton::Settled;
-pub use points::MOST_POINTS;
+pub use points::MAX_POINTS;
 pub use scratch::Scratch;
 pub use solver::TractionStrips;

@@ -12,7 +12,7 @@ use super::sizes::{ALL, NODES, PAIR};
 use crate::tangential::convergence::Convergence;
 
 /// Most steps.
-const MOST_STEPS: usize = 30;
+const MAX_STEPS: usize = 30;
 /// Largest part of the bound that is left of the equations.
 const LEFT: f64 = 1e-10;
 /// What is left of the system that couples strips, as a share of its right side, at least and at
@@ -23,10 +23,10 @@ const LARGEST: f64 = 1.5;
 
 /// Part of what is left that a whole step has to take off, as a share of it a part of one (Armijo's
 /// rule).
-const LEAST_GAIN: f64 = 0.05;
+const MIN_GAIN: f64 = 0.05;
 /// Share of a step from which on it is taken although it gains nothing: what is left falls again
 /// once other points adhere.
-const LEAST_SHARE: f64 = 0.05;
+const MIN_SHARE: f64 = 0.05;
 
 /// How a solution was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -76,7 +76,7 @@ impl Newton {
         equations.begin(&mut self.strips);
         let [mut left, mut norm] = equations.evaluate(&mut self.strips);
         let mut steps = 0;
-        while steps < MOST_STEPS && left > LEFT && left.is_finite() {
+        while steps < MAX_STEPS && left > LEFT && left.is_finite() {
             steps += 1;
             let share = left.clamp(COUPLING_LEFT[0], COUPLING_LEFT[1]);
             self.direction(equations, share, |_, strip| strip.left());
@@ -84,7 +84,7 @@ impl Newton {
             loop {
                 self.advance(equations, share);
                 let [new_left, new_norm] = equations.evaluate(&mut self.tried);
-                if new_norm < (1.0 - LEAST_GAIN * share) * norm || share < LEAST_SHARE {
+                if new_norm < (1.0 - MIN_GAIN * share) * norm || share < MIN_SHARE {
                     (left, norm) = (new_left, new_norm);
                     break;
                 }

@@ -16,7 +16,7 @@ pub(super) const PLACES: usize = 4;
 pub(super) const LANES: usize = 16;
 pub(super) type Row<T = f64> = [T; LANES];
 /// Most tractions along a strip; there is one gradient more.
-pub const MOST_POINTS: usize = LANES - 1;
+pub const MAX_POINTS: usize = LANES - 1;
 
 /// Points of tractions and of gradients along a strip, in half lengths from its middle; the leading
 /// edge is at 1.
@@ -45,9 +45,9 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// `count` tractions along a strip, 4 to [`MOST_POINTS`].
+    /// `count` tractions along a strip, 4 to [`MAX_POINTS`].
     pub fn new(count: usize) -> Self {
-        let count = count.clamp(4, MOST_POINTS);
+        let count = count.clamp(4, MAX_POINTS);
         let n = (count + 1) as f64;
         let angle = |l: usize| PI * (l + 1) as f64 / n;
         let between = |m: usize| PI * (m as f64 + 0.5) / n;

@@ -48,7 +48,7 @@ impl Moving {
 }
 
 impl TractionStrips {
-    /// With `points` along each strip, 4 to [`MOST_POINTS`], for zones of up to `strips` strips;
+    /// With `points` along each strip, 4 to [`MAX_POINTS`], for zones of up to `strips` strips;
     /// larger ones allocate.
     #[must_use]
     pub fn new(points: usize, strips: usize) -> Self {

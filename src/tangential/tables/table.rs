@@ -25,7 +25,7 @@ const FILE: &[u8] = include_bytes!("creep_forces.table");
 const END: f64 = 0.1;
 
 /// Creepages beyond this are full sliding to rounding.
-const MOST_CREEPAGE: f64 = 1e60;
+const MAX_CREEPAGE: f64 = 1e60;
 
 /// The table in memory.
 #[derive(Clone, Debug)]
@@ -265,6 +265,6 @@ fn slip_slopes(
 /// squares vanish.
 fn within_range(scales: &Scales, v: [f64; 3]) -> Option<([f64; 3], [f64; 3])> {
     let most = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let v = if most > MOST_CREEPAGE { v.map(|v| v / most * MOST_CREEPAGE) } else { v };
+    let v = if most > MAX_CREEPAGE { v.map(|v| v / most * MAX_CREEPAGE) } else { v };
     (most > 1e-60).then(|| (v, scales.scaled(v)))
 }

@@ -20,7 +20,7 @@ const HALVINGS: usize = 24;
 /// Share of what is admitted as a jump from which on the bend between two steps is looked into.
 const SUSPICIOUS: f64 = 0.3;
 /// Least load that a jump refers to [N]: less is no force of a wheel on its rail.
-const LEAST_LOAD: f64 = 1e3;
+const MIN_LOAD: f64 = 1e3;
 /// Distance of the surface of a wheel from its marker, and of the ends of the patch from each
 /// other, that turn angles into lengths [m].
 const ARMS: [f64; 2] = [0.46, 0.05];
@@ -110,12 +110,12 @@ pub fn follow(
         if k < 2 {
             continue;
         }
-        let load = last[1][2].abs().max(LEAST_LOAD);
+        let load = last[1][2].abs().max(MIN_LOAD);
         let scale = share * load;
         let [a, b, c] = last;
         let bend = (0..3).map(|i| (a[i] - 2.0 * b[i] + c[i]).abs()).fold(0.0, f64::max);
         // A contact that opens or closes has a stiffness that bends without end, as Hertz's has.
-        if last.iter().all(|force| force[2].abs() > LEAST_LOAD) {
+        if last.iter().all(|force| force[2].abs() > MIN_LOAD) {
             found.kink = found.kink.max(bend / (load * STEP / STIFFNESS_LENGTH));
         }
         if bend < SUSPICIOUS * most * scale {

@@ -16,7 +16,7 @@ const POSES: usize = 8;
 const SMOOTH: f64 = 1e-7;
 /// Most derivatives that differences may leave open: strips have a kink wherever a node begins to
 /// carry load.
-const MOST_OPEN: f64 = 0.15;
+const MAX_OPEN: f64 = 0.15;
 
 /// Greatest of the distances over which differences are taken: short against what forces change
 /// over, long against rounding.
@@ -203,7 +203,7 @@ pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
     let line = format!("{name},{count},{median:.1e},{worst:.1e},{open}\n");
     println!("{line}");
     write_report(&format!("derivatives_{name}.csv"), &line);
-    let most_open = if noise > 10.0 { 2.0 * MOST_OPEN } else { MOST_OPEN };
+    let most_open = if noise > 10.0 { 2.0 * MAX_OPEN } else { MAX_OPEN };
     assert!(count > 1000 && share < most_open, "{name}: {open} open of {count}");
     assert!(worst < tolerance::DERIVATIVES, "{name}: {worst:e}");
 }

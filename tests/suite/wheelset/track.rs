@@ -3,7 +3,7 @@
 
 use super::*;
 use wheelrail::element::parameters::TangentialModel;
-use wheelrail::wheelset::{MOST_SLOPE, MOST_TURN};
+use wheelrail::wheelset::{MAX_SLOPE, MAX_TURN};
 
 const SPEED: f64 = 20.0;
 
@@ -244,11 +244,11 @@ fn what_no_track_can_do_is_refused_by_name() {
         assert!(error.contains(message), "{error}");
         assert_eq!(output, Output::default());
     };
-    refuse(&|input| input.track.twist = 1.01 * MOST_TURN, "track.twist = 0.101");
+    refuse(&|input| input.track.twist = 1.01 * MAX_TURN, "track.twist = 0.101");
     refuse(&|input| input.track.curvature = f64::NAN, "track.curvature = NaN");
     refuse(&|input| input.track.vertical_curvature = -1.0, "track.vertical_curvature = -1");
     refuse(
-        &|input| input.sides[LEFT].line.y_slope = -2.0 * MOST_SLOPE,
+        &|input| input.sides[LEFT].line.y_slope = -2.0 * MAX_SLOPE,
         "left.irregularity.y_slope = -0.2",
     );
     refuse(&|input| input.sides[RIGHT].line.z = f64::INFINITY, "right.irregularity.z = inf");

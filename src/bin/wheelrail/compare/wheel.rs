@@ -19,7 +19,7 @@ const REPEATS: usize = 5;
 /// Share of the load to which boundary elements carry it.
 const LOAD_ACCURACY: f64 = 1e-5;
 /// Heights tried for that.
-const MOST_HEIGHTS: usize = 30;
+const MAX_HEIGHTS: usize = 30;
 
 /// Both solutions of the case `values`; profile files are looked for in `folder`.
 ///
@@ -102,7 +102,7 @@ fn carrying_height(element: &mut Element, input: &Input, near: f64) -> Result<f6
     let goal = bent(load);
     let (mut low, mut high) = ([touching, -goal], None::<[f64; 2]>);
     let mut z = near;
-    for _ in 0..MOST_HEIGHTS {
+    for _ in 0..MAX_HEIGHTS {
         let mut at = *input;
         at.wheel.position[2] = z;
         element.evaluate(&at, &mut output)?;

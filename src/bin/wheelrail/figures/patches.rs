@@ -17,7 +17,7 @@ const COLUMNS: usize = 400;
 const SCALE_WIDTH: u32 = 110;
 const SCALE_STEPS: u32 = 64;
 /// Least range of the colours: smaller differences of force are not worth a colour [kN].
-const LEAST_SCALE: f64 = 10.0;
+const MIN_SCALE: f64 = 10.0;
 
 /// Lightness grows evenly from dark violet to yellow (matplotlib's viridis, CC0, nine of its
 /// colours).
@@ -50,7 +50,7 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
     let shown = thinned(records, COLUMNS);
     let forces =
         shown.iter().flat_map(|r| r.patches.iter().flatten()).map(|p| 1e-3 * p.normal_force);
-    let forces_range = range_of(forces, LEAST_SCALE);
+    let forces_range = range_of(forces, MIN_SCALE);
 
     let cells = charts.split_evenly((2, 2));
     // The left wheel on the left; records hold the right one first.

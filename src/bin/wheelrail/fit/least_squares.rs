@@ -107,7 +107,7 @@ const UNKNOWN: f64 = 0.5;
 /// Correlation from which on two parameters are known together only.
 const TOGETHER: f64 = 0.98;
 /// Adhesion is not measured better than this: the noise of data without any.
-const LEAST_NOISE: f64 = 1e-5;
+const MIN_NOISE: f64 = 1e-5;
 /// Distance from the end of its range at which a share is there.
 const BOUND: f64 = 1e-3;
 /// Coordinates stay within this, so that values stay within the range of the variables.
@@ -241,7 +241,7 @@ fn starts(points: &Points) -> Vec<[f64; 6]> {
 
 fn summary(problem: &Problem, squares: f64) -> Option<Fit> {
     let (n, count) = (problem.points.all.len(), problem.fitted.len());
-    let noise = (squares / (n - count) as f64).sqrt().max(LEAST_NOISE);
+    let noise = (squares / (n - count) as f64).sqrt().max(MIN_NOISE);
     // What the data do not see has no inverse: a little of everything is added, far beyond what is
     // known.
     let floor = (noise / (20.0 * UNKNOWN)).powi(2);

@@ -15,14 +15,14 @@ pub const STATES: [&str; 9] =
 const POSITIONS: usize = 4;
 
 /// Steps after which the search for the equilibrium gives up; five are usual.
-const MOST_STEPS: usize = 30;
+const MAX_STEPS: usize = 30;
 /// Unbalanced force at which it ends, as a share of the load.
 const ACCURACY: f64 = 1e-10;
 /// Overlap of wheel and rail at which it begins [m].
 const FIRST_PENETRATION: f64 = 1e-4;
 /// Greatest step of the height [m] and of the pitch rate, as a share of it: creep forces are linear
 /// in small ones only.
-const MOST_STEP: [f64; 2] = [5e-5, 5e-4];
+const MAX_STEP: [f64; 2] = [5e-5, 5e-4];
 
 /// The system matrix A of s' = A s.
 pub type SystemMatrix = SMatrix<f64, 9, 9>;
@@ -57,7 +57,7 @@ impl LinearWheelset<'_> {
         down.wheelset.position[2] = 1.0;
         let mut turning = Input::at_rest();
         turning.wheelset.pitch_rate = 1.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             self.contact.evaluate(&input, &mut output)?;
             let forces =
                 |output: &Output| Vector2::new(output.wheelset.force[2], output.wheelset.moment[1]);
@@ -72,11 +72,11 @@ impl LinearWheelset<'_> {
             });
             let slopes = Matrix2::from_columns(&[by_height?, by_rate?]);
             let Some(step) = slopes.lu().solve(&-rest) else { break };
-            let most = [MOST_STEP[0], MOST_STEP[1] * input.wheelset.pitch_rate.abs()];
+            let most = [MAX_STEP[0], MAX_STEP[1] * input.wheelset.pitch_rate.abs()];
             input.wheelset.position[2] += step.x.clamp(-most[0], most[0]);
             input.wheelset.pitch_rate += step.y.clamp(-most[1], most[1]);
         }
-        bail!("no equilibrium found at {speed} m/s in {MOST_STEPS} steps")
+        bail!("no equilibrium found at {speed} m/s in {MAX_STEPS} steps")
     }
 
     /// The system matrix about that equilibrium.

@@ -56,7 +56,7 @@ pub struct Arguments {
 }
 
 /// Speeds at most.
-const MOST_SPEEDS: u32 = 10_000;
+const MAX_SPEEDS: u32 = 10_000;
 /// The critical speed is found to this [m/s].
 const RESOLUTION: f64 = 1e-6;
 const COLUMNS: [&str; 5] = ["speed_m_s", "number", "growth_1_s", "frequency_hz", "damping_ratio"];
@@ -122,8 +122,8 @@ fn check(arguments: &Arguments) -> Result<()> {
     if arguments.to < arguments.from {
         bail!("--to {} is not admitted: it is below --from {}", arguments.to, arguments.from);
     }
-    if !(1..=MOST_SPEEDS).contains(&arguments.speeds) {
-        bail!("--speeds {} is not admitted: 1 to {MOST_SPEEDS}", arguments.speeds);
+    if !(1..=MAX_SPEEDS).contains(&arguments.speeds) {
+        bail!("--speeds {} is not admitted: 1 to {MAX_SPEEDS}", arguments.speeds);
     }
     if !(arguments.friction.is_finite() && arguments.friction > 0.0) {
         bail!(

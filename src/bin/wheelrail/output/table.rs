@@ -10,7 +10,7 @@ use anyhow::{Context, Result, anyhow};
 use wheelrail::io::Draft;
 
 /// Lines are held back until there are that many bytes of them …
-const MOST_HELD_BACK: usize = 1 << 16;
+const MAX_BUFFERED: usize = 1 << 16;
 /// … or for that time.
 const LONGEST_HELD_BACK: Duration = Duration::from_millis(200);
 /// What a shell reports of a program that an interrupt has ended.
@@ -82,8 +82,7 @@ impl Table {
         let mut lines = self.lines();
         lines.held_back.extend(line);
         lines.held_back_count += 1;
-        if lines.held_back.len() < MOST_HELD_BACK && lines.last_write.elapsed() < LONGEST_HELD_BACK
-        {
+        if lines.held_back.len() < MAX_BUFFERED && lines.last_write.elapsed() < LONGEST_HELD_BACK {
             return Ok(());
         }
         lines.flush()

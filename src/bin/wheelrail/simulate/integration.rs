@@ -14,7 +14,7 @@ use crate::wheelset::record::Record;
 /// Steps between two looks at the progress bar.
 const STEPS_A_TICK: u64 = 2000;
 /// Rows of the history at most: a gigabyte of them.
-const MOST_ROWS: u64 = 2_000_000;
+const MAX_ROWS: u64 = 2_000_000;
 /// Beyond this lateral position against the track the wheelset has left the rails [m].
 const DERAILED: f64 = 0.06;
 
@@ -42,9 +42,9 @@ pub fn integrate(
     let steps_a_record =
         (arguments.record_every / (arguments.speed * step)).round().max(1.0) as u64;
     let rows = steps / steps_a_record + 1;
-    if rows > MOST_ROWS {
+    if rows > MAX_ROWS {
         bail!(
-            "--record-every {}: {rows} rows of history.csv, and at most {MOST_ROWS} are kept",
+            "--record-every {}: {rows} rows of history.csv, and at most {MAX_ROWS} are kept",
             arguments.record_every
         );
     }

@@ -10,7 +10,7 @@ use crate::figures::sweep::{self as figure, Curve};
 use crate::output;
 
 /// Jumps below this share of the largest value are not marked in figures.
-const LEAST_DRAWN: f64 = 1e-9;
+const MIN_MARKED_JUMP: f64 = 1e-9;
 
 /// What one value of the parameter that is varied gave.
 pub struct Swept {
@@ -90,7 +90,7 @@ impl Results<'_> {
     pub fn draw(&self, file: &Path) -> Result<()> {
         let curve = |swept: &Swept, output: &str, name: String| {
             let column = self.outputs.iter().position(|v| v.name == output);
-            let drawn = |f: &&Found| f.variable.name == output && f.jump > LEAST_DRAWN;
+            let drawn = |f: &&Found| f.variable.name == output && f.jump > MIN_MARKED_JUMP;
             let jump = swept.found.iter().find(drawn);
             Curve {
                 name,

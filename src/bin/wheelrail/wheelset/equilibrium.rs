@@ -6,14 +6,14 @@ use super::body::State;
 use super::{Moment, Wheel, Wheelset};
 
 /// Steps after which the search gives up; six are usual.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 /// Unbalanced force at which the search ends, as a share of the load.
 const ACCURACY: f64 = 1e-8;
 /// Overlap of wheel and rail at which the search begins, more than usual loads give [m].
 const FIRST_PENETRATION: f64 = 1e-4;
 /// Difference of roll by which its stiffness is found, and its longest step [rad].
 const ROLL: f64 = 1e-8;
-const MOST_ROLL: f64 = 1e-4;
+const MAX_ROLL: f64 = 1e-4;
 
 impl<W: Wheel> Wheelset<W> {
     /// Finds height and pitch rate at which the centred wheelset rolls without vertical
@@ -39,7 +39,7 @@ impl<W: Wheel> Wheelset<W> {
         // nothing: steps are limited, and the limit shrinks when the root is overrun.
         let mut largest_turn = 0.005 * state.pitch_rate.abs();
         let mut last_moment = 0.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (force, [roll, moment]) = self.unbalanced(&state)?;
             let turned = roll.abs() >= ACCURACY * weight * radius;
             if force.abs() < ACCURACY * weight
@@ -69,7 +69,7 @@ impl<W: Wheel> Wheelset<W> {
                     self.unbalanced(&State { roll: state.roll + ROLL, ..state })?;
                 let stiffness = (roll - beside) / ROLL;
                 if stiffness > 0.0 {
-                    state.roll += (roll / stiffness).clamp(-MOST_ROLL, MOST_ROLL);
+                    state.roll += (roll / stiffness).clamp(-MAX_ROLL, MAX_ROLL);
                 }
             }
             state.z += (force / stiffness).clamp(-0.5 * FIRST_PENETRATION, FIRST_PENETRATION);
@@ -80,7 +80,7 @@ impl<W: Wheel> Wheelset<W> {
         }
         let (force, [_, moment]) = self.unbalanced(&state)?;
         bail!(
-            "no equilibrium found in {MOST_STEPS} steps: {force:.3} N and {moment:.3} N m remain at z = {:.6} m",
+            "no equilibrium found in {MAX_STEPS} steps: {force:.3} N and {moment:.3} N m remain at z = {:.6} m",
             state.z
         )
     }
