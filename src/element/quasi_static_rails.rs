@@ -1,4 +1,5 @@
-//! Rails on springs without mass: where they rest under a wheel.
+//! Elastically supported rails without mass, quasi-static: where they rest on their springs under a
+//! wheel.
 //!
 //! The deflection d is that at which the springs hold what the contacts put on the rails,
 //!
