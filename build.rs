@@ -1,5 +1,6 @@
-//! Makes from `modelDescription` the variable tables of the library, and in release builds with the feature
-//! `package` the archives `WheelRail.fmu`, `WheelSet.fmu` and their kin beside the binaries.
+//! Makes from `modelDescription` the variable tables of the library, and with the feature `package` the archives
+//! `WheelRail.fmu`, `WheelSet.fmu` and their kin: in release builds beside the binaries, in others without the
+//! library in `OUT_DIR`, for the tests.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -58,7 +59,5 @@ fn main() {
             .unwrap_or_else(|e| panic!("WHEELRAIL_HEADER: cannot write {}: {e}", path.display()));
     }
     #[cfg(feature = "package")]
-    if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
-        package::pack(&[&wheel, &wheelset]);
-    }
+    package::pack(&[&wheel, &wheelset]);
 }

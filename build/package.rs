@@ -3,6 +3,9 @@
 //! the library once more without the packaging, and puts it into an archive for each description,
 //! with profiles, documentation, icon and licences.
 //!
+//! Other builds than release ones build no library: it is an empty file in their archives, which
+//! lie in `OUT_DIR`. The tests put the one that was made beside them in its place.
+//!
 //! The library of this very build does not exist yet when its build script runs, hence the inner
 //! build. It has a target directory of its own, or it would wait for the lock of the outer one for
 //! ever. The same sources give the same bytes wherever they lie: paths are remapped, entries
@@ -21,11 +24,12 @@ use crate::platforms::{self, Library};
 use crate::xml::{self, Style};
 use crate::{terminals, xml3};
 
-/// What goes into the archives, beside what `src` and the declaration become.
-const SOURCES: [&str; 7] =
-    ["src", "modelDescription", "build", "build.rs", "fmu", "Cargo.toml", "Cargo.lock"];
+/// What the archives are made of, beside the library.
+const SOURCES: [&str; 4] = ["modelDescription", "build", "build.rs", "fmu"];
+/// What the library is made of besides.
+const SOURCES_OF_LIBRARY: [&str; 3] = ["src", "Cargo.toml", "Cargo.lock"];
 
-/// Builds the library and writes an archive for each declaration beside the binaries.
+/// Builds the library, if this is a release build, and writes an archive for each declaration.
 ///
 /// # Panics
 /// With a message for the user if the inner build fails or a file cannot be read or written.
@@ -34,10 +38,19 @@ pub fn pack(declarations: &[&Declaration]) {
     let out = folder("OUT_DIR");
     let target = env::var("TARGET").expect("cargo sets TARGET");
     let version = env::var("CARGO_PKG_VERSION").expect("cargo sets CARGO_PKG_VERSION");
-    for source in SOURCES.iter().chain(&LICENSES) {
+    let is_release = env::var("PROFILE").is_ok_and(|profile| profile == "release");
+    let mut sources: Vec<&str> = SOURCES.into_iter().chain(LICENSES).collect();
+    if is_release {
+        sources.extend(SOURCES_OF_LIBRARY);
+    }
+    for source in &sources {
         println!("cargo::rerun-if-changed={source}");
     }
-    let libraries = platforms::libraries(&root, &out, &target);
+    let (libraries, folder_of_archives) = if is_release {
+        (platforms::libraries(&root, &out, &target), profile_folder(&out))
+    } else {
+        (platforms::without_file(&target), out)
+    };
     let mut shared = Vec::new();
     collect(&root.join("fmu/resources"), "resources", &mut shared);
     collect(&root.join("fmu/documentation"), "documentation", &mut shared);
@@ -52,7 +65,7 @@ pub fn pack(declarations: &[&Declaration]) {
     {
         // `modelIdentifier`: name of the library in the archive.
         let identifier = &declaration.model.name;
-        let archive = profile_folder(&out).join(format!("{identifier}{suffix}.fmu"));
+        let archive = folder_of_archives.join(format!("{identifier}{suffix}.fmu"));
         // An archive that somebody deleted is made again.
         println!("cargo::rerun-if-changed={}", archive.display());
         let mut entries = shared.clone();
@@ -73,10 +86,11 @@ pub fn pack(declarations: &[&Declaration]) {
         entries.push(("modelDescription.xml".into(), description));
         for Library { platform, tuple, extension, path } in &libraries {
             let folder = if form == Form::Fmi3 { tuple } else { *platform };
-            entries.push((format!("binaries/{folder}/{identifier}.{extension}"), read(path)));
+            let library = path.as_deref().map(read).unwrap_or_default();
+            entries.push((format!("binaries/{folder}/{identifier}.{extension}"), library));
         }
         let bytes = zip(entries).unwrap_or_else(|e| panic!("packing {}: {e}", archive.display()));
-        write(&archive, &bytes, newest(&root));
+        write(&archive, &bytes, newest(&root, &sources));
     }
 }
 
@@ -145,14 +159,16 @@ fn write(archive: &Path, bytes: &[u8], date: SystemTime) {
     written.unwrap_or_else(|e| panic!("cannot write {}: {e}", archive.display()));
 }
 
-/// When the newest source was last changed.
-fn newest(root: &Path) -> SystemTime {
+/// When the newest of `sources` was last changed.
+fn newest(root: &Path, sources: &[&str]) -> SystemTime {
     fn of(path: &Path) -> SystemTime {
         let modified = |path: &Path| fs::metadata(path).and_then(|m| m.modified());
         let own = modified(path).unwrap_or(SystemTime::UNIX_EPOCH);
         let Ok(files) = fs::read_dir(path) else { return own };
         files.flatten().map(|file| of(&file.path())).fold(own, SystemTime::max)
     }
-    let sources = SOURCES.iter().chain(&LICENSES);
-    sources.map(|source| of(&root.join(source))).fold(SystemTime::UNIX_EPOCH, SystemTime::max)
+    sources
+        .iter()
+        .map(|source| of(&root.join(source)))
+        .fold(SystemTime::UNIX_EPOCH, SystemTime::max)
 }

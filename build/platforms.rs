@@ -41,8 +41,13 @@ pub struct Library {
     pub tuple: String,
     /// Extension of libraries there.
     pub extension: &'static str,
-    /// Where it is.
-    pub path: PathBuf,
+    /// Where it is; nowhere in an archive that gets it later.
+    pub path: Option<PathBuf>,
+}
+
+/// That of this platform, which is not built.
+pub fn without_file(target: &str) -> Vec<Library> {
+    vec![own(target).library(None)]
 }
 
 /// The library that the user gives, or those that are built here; says which there are.
@@ -58,7 +63,7 @@ pub fn libraries(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     assert!(path.is_file(), "{LIBRARY}: there is no file {shown}");
     println!("cargo::rerun-if-changed={shown}");
     println!("cargo::warning=WheelRail.fmu, WheelSet.fmu and their kin hold {shown}");
-    vec![own(target).library(path)]
+    vec![own(target).library(Some(path))]
 }
 
 /// Builds the libraries, each in a target directory of its own, and says which there are.
@@ -93,12 +98,12 @@ fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     for missing in missing {
         println!("cargo::warning={missing}");
     }
-    jobs.iter().zip(libraries).map(|(job, path)| job.library(path)).collect()
+    jobs.iter().zip(libraries).map(|(job, path)| job.library(Some(path))).collect()
 }
 
 impl Job {
     /// What lies at `path`, for its platform.
-    fn library(&self, path: PathBuf) -> Library {
+    fn library(&self, path: Option<PathBuf>) -> Library {
         Library {
             platform: self.platform,
             tuple: tuple(&self.target),

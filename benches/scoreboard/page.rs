@@ -74,7 +74,7 @@ const LEFT_OUT: [(&str, &str); 15] = [
     ),
     (
         "Outlines of planar contacts",
-        "three of the planar problems above; drawn beside the models by `cargo run --no-default-features --example outlines`",
+        "three of the planar problems above; drawn beside the models by `cargo run --no-default-features --example figures -- outlines`",
     ),
     (
         "EN 15302",

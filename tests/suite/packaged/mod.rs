@@ -1,11 +1,16 @@
-//! The FMU as a release build packs it, in a target directory of its own. Tests of a release build have
-//! the library that users get. Others have the one that cargo made beside them, with the checks of
-//! debug builds in it, which takes no second build.
+//! The FMUs as the build script packs them. Tests of a release build have the units that users get, from a
+//! target directory of their own. Others complete the archives of their own build with the library that cargo
+//! made beside them, which has the checks of debug builds in it and takes no second build.
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
+use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 /// Path of `WheelRail.fmu`, packed from the sources as they are for this platform.
 ///
@@ -13,7 +18,8 @@ use std::sync::OnceLock;
 /// With cargo's messages if it cannot be built.
 pub fn fmu() -> PathBuf {
     static FMU: OnceLock<PathBuf> = OnceLock::new();
-    FMU.get_or_init(|| build("fmu", "")).clone()
+    let unit = || if cfg!(debug_assertions) { completed() } else { build("fmu", "") };
+    FMU.get_or_init(unit).clone()
 }
 
 /// Path of `WheelSet.fmu`, packed with it.
@@ -40,19 +46,53 @@ pub fn library() -> PathBuf {
     std::env::current_exe().expect("a test has a path").with_file_name(name)
 }
 
-fn build(folder: &str, platforms: &str) -> PathBuf {
-    // Not the outer target directory: cargo may hold its lock while the tests run.
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
-    let mut command = Command::new(env!("CARGO"));
-    if cfg!(debug_assertions) && platforms.is_empty() {
-        // The build script packs: of the rest a check is enough.
-        command.arg("check").env("WHEELRAIL_LIBRARY", library());
-    } else {
-        command.arg("build");
+/// The archives that the build script left without a library, with it.
+fn completed() -> PathBuf {
+    let library = fs::read(library()).expect("cargo made the library beside this test");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("units");
+    fs::create_dir_all(&folder).expect("the folder of the units can be made");
+    let entries = fs::read_dir(env!("OUT_DIR")).expect("the build script left its folder");
+    for path in entries.map(|entry| entry.expect("the folder can be read").path()) {
+        if path.extension().is_some_and(|extension| extension == "fmu") {
+            let name = path.file_name().expect("an archive has a name");
+            complete(&path, &folder.join(name), &library).unwrap_or_else(|e| {
+                panic!("{} cannot be completed: {e}", path.display());
+            });
+        }
     }
-    let output = command
+    let fmu = folder.join("WheelRail.fmu");
+    assert!(fmu.is_file(), "{} was not packed: build with the feature package", fmu.display());
+    fmu
+}
+
+/// Copies the archive `from` to `to`, with `library` in its empty place. It is stored as it is:
+/// deflating a library with the checks of debug builds takes seconds.
+fn complete(from: &Path, to: &Path, library: &[u8]) -> zip::result::ZipResult<()> {
+    let mut archive = ZipArchive::new(File::open(from)?)?;
+    let mut writer = ZipWriter::new(File::create(to)?);
+    for index in 0..archive.len() {
+        let entry = archive.by_index_raw(index)?;
+        let name = entry.name()?.into_owned();
+        if !name.starts_with("binaries/") {
+            writer.raw_copy_file(entry)?;
+            continue;
+        }
+        assert_eq!(entry.size(), 0, "{name} is filled already");
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        writer.start_file(name, options)?;
+        writer.write_all(library)?;
+    }
+    writer.finish()?;
+    Ok(())
+}
+
+/// The archives of a release build in a target directory of its own: cargo may hold the lock of the
+/// outer one while the tests run.
+fn build(folder: &str, platforms: &str) -> PathBuf {
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    let output = Command::new(env!("CARGO"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["--release", "--no-default-features", "--features", "package"])
+        .args(["build", "--release", "--no-default-features", "--features", "package"])
         .arg("--target-dir")
         .arg(&target)
         .env_remove("CARGO_BUILD_TARGET")

@@ -1,12 +1,9 @@
 //! Where does a wheel touch at angles of attack of 0, 3 and 6 degrees? Its contact lines, seen
-//! along the rail and from above. `cargo run --release --no-default-features --example
-//! yawed_wheel -- yawed_wheel.svg`
-
-mod chart;
+//! along the rail and from above.
 
 use std::error::Error;
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::geometry::contact_line::{ContactLine, LinePoint, WheelPose};
 use wheelrail::geometry::profile::ProfileKind;
@@ -14,7 +11,7 @@ use wheelrail::io::load_profile;
 
 const DEGREES: [f64; 3] = [0.0, 3.0, 6.0];
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let wheel = load_profile("wheel.profile", "S1002", ProfileKind::Wheel, 0.0, &[])?;
     let (mut seen, mut above, mut contacts) = (Vec::new(), Vec::new(), Vec::new());
     println!("yaw_deg,shift_mm,patch,wheel_y_mm,ahead_mm,angle_deg,penetration_um");
@@ -49,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         contacts.extend(touching(yaw)?);
     }
     above.push(Series::dots("patches on 60E1, wheel at -3, 2 and 6 mm", contacts));
-    if let Some(path) = std::env::args().nth(1) {
+    if let Some(path) = arguments.first() {
         let (y, x) = ("lateral coordinate from the wheel marker [mm]", "ahead of the axle [mm]");
         let z = "below the axle [mm]";
         let title = "S1002 turned about z: what the rail sees of it";

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use plotters::prelude::*;
 
-use crate::scheme::Scheme;
+use super::scheme::Scheme;
 
 /// Errors of one scheme.
 pub struct Curve {

@@ -2,17 +2,13 @@
 //! profiles that wear while it goes on (Piotrowski and Kik 2008, section 6): a wheelset that
 //! flanges on the left rail at an angle of attack of 25 mrad, and the same one swaying along
 //! straight track, both driven by 6 kN m. Then the same one run after the other, a new profile
-//! after each. `cargo run --release --no-default-features --example wear_two_load_cases -- wear.svg
-//! 1000`: figure, updates of the profiles
-
-mod chart;
-mod driven_wheelset;
+//! after each. Arguments: figure, updates of the profiles.
 
 use std::error::Error;
 use std::time::Instant;
 
-use chart::{Chart, Corner, Series};
-use driven_wheelset::{DrivenWheelset, Guidance};
+use super::chart::{self, Chart, Corner, Series};
+use super::driven_wheelset::{DrivenWheelset, Guidance};
 use wheelrail::element::parameters::WearModel;
 use wheelrail::element::{Parameters, WornBody};
 use wheelrail::geometry::profile::Profile;
@@ -31,10 +27,9 @@ const WEAR: [f64; 2] = [2e-9, 2e-10];
 /// Runs one after the other that are really made; the time of 1000 follows.
 const SEQUENTIAL_RUNS: usize = 3;
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let figure = arguments.next();
-    let updates: usize = arguments.next().map_or(Ok(1000), |text| text.parse())?;
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let figure = arguments.first();
+    let updates: usize = arguments.get(1).map_or(Ok(1000), |text| text.parse())?;
     let cases = || -> Result<[DrivenWheelset; 2], Box<dyn Error>> {
         let sway = Guidance::Sway { amplitude: 2.5e-3, wavelength: 20.0 };
         let mut cases = [

@@ -1,6 +1,4 @@
-//! Line charts as SVG, one under the other, for the examples that draw.
-
-#![allow(dead_code)] // each example uses its own part
+//! Line charts as SVG, one under the other, for the figures.
 
 use std::error::Error;
 use std::path::Path;

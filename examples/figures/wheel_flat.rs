@@ -1,12 +1,9 @@
 //! Impact of wheel flats at different speeds: a wheel under its suspension on a rail that gives
-//! way, rolling over a flat. `cargo run --release --no-default-features --example wheel_flat --
-//! wheel_flat.svg > wheel_flat.csv`
-
-mod chart;
+//! way, rolling over a flat.
 
 use std::error::Error;
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use wheelrail::element::parameters::{FlatShape, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -22,7 +19,7 @@ const LENGTH: f64 = 0.05;
 const ANGLE: f64 = 0.26;
 const STEP: f64 = 2e-5;
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let mut impacts = Vec::new();
     let mut histories = Vec::new();
     println!("shape,length_mm,speed_km_h,peak_kn,least_kn");
@@ -45,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         impacts.push(Series::line(name, peaks));
     }
-    if let Some(path) = std::env::args().nth(1) {
+    if let Some(path) = arguments.first() {
         let chart = |title, x, legend, series| Chart {
             title,
             x,

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use crate::unit::Unit;
+use super::unit::Unit;
 
 /// Half of a wheelset [kg].
 pub const MASS: f64 = 700.0;

@@ -1,13 +1,10 @@
 //! Does summing up wear dig holes? A wheel that wanders irregularly over a rail and wears in few,
 //! long steps, with the wear of each step left where the strips lie, and spread as Piotrowski and
-//! Kik (2008, section 6) do it. `cargo run --release --no-default-features --example
-//! wear_distribution -- wear_distribution.svg`
-
-mod chart;
+//! Kik (2008, section 6) do it.
 
 use std::error::Error;
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use wheelrail::element::parameters::{VerticalMode, WearDistribution, WearModel};
 use wheelrail::element::{Element, Input, Output, Parameters, WornBody};
 
@@ -17,7 +14,7 @@ const UPDATES: [usize; 2] = [10, 200];
 /// Waves shorter than this are waviness [m].
 const SHORT: f64 = 2e-3;
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     // As good as a profile that changes all the time.
     let (reference, _) = run(WearDistribution::Interpenetration, 1)?;
     println!("steps_between_updates,distribution,waviness_um,off_the_reference_um,force_jump");
@@ -50,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             series,
         });
     }
-    std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts))
+    arguments.first().map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
 /// Wear depth over y on the wheel's profile [m] after a run, and the greatest jump of the lateral

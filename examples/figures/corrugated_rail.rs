@@ -1,19 +1,16 @@
 //! Lateral creep force of pure spin on a corrugated rail: the example of Piotrowski and Kik (2008),
-//! figure 27. `cargo run --release --no-default-features --example corrugated_rail --
-//! corrugated_rail.svg > corrugated_rail.csv`
-
-mod chart;
+//! figure 27.
 
 use std::error::Error;
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
 const LOAD: f64 = 50e3;
 const SPEED: f64 = 20.0;
 const WAVELENGTH: f64 = 0.033;
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let (mut forces, mut lengths) = (Vec::new(), Vec::new());
     println!("amplitude_mm,position_mm,lateral_force_kn,patches,length_mm,area_mm2,ahead_mm,fx_kn");
     for amplitude in [0.0, 2e-5, 4e-5, 6e-5] {
@@ -71,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         forces.push(Series::line(&name, force));
         lengths.push(Series::line(&name, length));
     }
-    if let Some(path) = std::env::args().nth(1) {
+    if let Some(path) = arguments.first() {
         let x = "station of the axle [mm], crest at 0";
         let chart = |title, y, series| Chart {
             title,

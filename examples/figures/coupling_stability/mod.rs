@@ -126,13 +126,13 @@ impl Rest {
     }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let rest = Rest::new()?;
     println!(
         "scheme,longest_step_ms,longest_step_without_damping_ms,energy_error_percent,\
          energy_error_without_damping_percent,forces_per_step,derivatives_per_step"
     );
-    let file = std::env::args().nth(1);
+    let file = arguments.first();
     let damped = rest.left(Scheme::Iterated, 1e5, 10_000)?;
     let mut panels = [Vec::new(), Vec::new()];
     for scheme in SCHEMES {
@@ -171,5 +171,5 @@ fn main() -> Result<(), Box<dyn Error>> {
             f64::from(unit.derivatives) / 100.0,
         );
     }
-    file.map_or(Ok(()), |file| figure::save(&file, &panels))
+    file.map_or(Ok(()), |file| figure::save(file, &panels))
 }

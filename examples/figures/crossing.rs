@@ -1,15 +1,12 @@
 //! Impact of a wheel at a crossing: from a wing rail that leads off to a nose that rises, at three
-//! speeds, beside the formula for a dip. `cargo run --release --no-default-features --example
-//! crossing -- FOLDER > crossing.csv` leaves the rails as files and the figure in FOLDER.
-
-mod chart;
+//! speeds, beside the formula for a dip. The rails are left as files in the folder of the figure.
 
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use wheelrail::element::parameters::{Placement, TangentialModel, VerticalMode};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -26,8 +23,8 @@ const KEPT: usize = 4;
 /// Where the run begins and ends, and from where forces count [m].
 const STRETCH: [f64; 3] = [-0.5, 0.7, -0.1];
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let asked = std::env::args().nth(1).map(PathBuf::from);
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let asked = arguments.first().map(PathBuf::from);
     let scratch = std::env::temp_dir().join("wheelrail-crossing");
     let folder = asked.clone().unwrap_or(scratch);
     fs::create_dir_all(&folder)?;
@@ -51,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         forces.push(Series::line(format!("{speed} km/h, formula {formula:.0} kN"), history));
     }
     if asked.is_some() {
-        draw(&folder.join("crossing.svg"), &rolled, forces)?;
+        save(&folder.join("crossing.svg"), &rolled, forces)?;
     }
     Ok(())
 }
@@ -235,7 +232,7 @@ fn roll(folder: &Path, speed: f64) -> Result<Vec<[f64; 2]>, Box<dyn Error>> {
     Ok(history)
 }
 
-fn draw(path: &Path, rolled: &[Rolled], forces: Vec<Series>) -> Result<(), Box<dyn Error>> {
+fn save(path: &Path, rolled: &[Rolled], forces: Vec<Series>) -> Result<(), Box<dyn Error>> {
     let chart = |title, y, series| Chart {
         title,
         x: "station from the tip of the nose [mm]",

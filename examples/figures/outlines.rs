@@ -1,13 +1,10 @@
 //! Outlines of contact patches of the model `strips` beside those of CONTACT: tread, two regions,
-//! slender flange. `cargo run --release --no-default-features --example outlines -- outlines.svg`:
-//! figure; prints distances of the leading edges
-
-mod chart;
+//! slender flange. Prints distances of the leading edges.
 
 use std::error::Error;
 use std::path::Path;
 
-use chart::{Chart, Corner, Series};
+use super::chart::{self, Chart, Corner, Series};
 use csv::{Reader, ReaderBuilder, StringRecord};
 use wheelrail::material::Material;
 use wheelrail::planar::{
@@ -33,7 +30,7 @@ type Ends = [f64; 3];
 /// Rows of one region, in growing y.
 type Region = Vec<Ends>;
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let outlines = read("planar_outlines.csv", ["y_mm", "x_min_mm", "x_max_mm"])?;
     let mut charts = Vec::new();
     println!("case,model,regions,regions_of_contact,rows,median_mm,greatest_mm");
@@ -71,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ],
         });
     }
-    std::env::args().nth(1).map_or(Ok(()), |path| chart::save(path, &charts))
+    arguments.first().map_or(Ok(()), |path| chart::save(path, &charts))
 }
 
 /// Names and numbers.

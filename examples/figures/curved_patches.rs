@@ -1,14 +1,10 @@
 //! Does it matter that contact patches are curved? A free wheelset behind a lateral ramp of 5 mm
-//! (Piotrowski and Kik 2008, section 5). `cargo run --release --no-default-features --example
-//! curved_patches -- curved_patches.svg 40`: figure, distance [m]
-
-mod chart;
-mod free_wheelset;
+//! (Piotrowski and Kik 2008, section 5). Arguments: figure, distance [m].
 
 use std::error::Error;
 
-use chart::{Chart, Corner, Series};
-use free_wheelset::{FreeWheelset, SPEED};
+use super::chart::{self, Chart, Corner, Series};
+use super::free_wheelset::{FreeWheelset, SPEED};
 use wheelrail::conicity::{RollingRadiusDifference, TrackedWheelset};
 use wheelrail::element::Parameters;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
@@ -18,10 +14,9 @@ const STEP: f64 = 1e-3;
 const RAMP: f64 = 5e-3;
 const ARCS: [f64; 2] = [0.5, 0.3];
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let figure = arguments.next();
-    let length: f64 = arguments.next().map_or(Ok(40.0), |text| text.parse())?;
+pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let figure = arguments.first();
+    let length: f64 = arguments.get(1).map_or(Ok(40.0), |text| text.parse())?;
     let real = paper();
     let radii = TrackedWheelset::new(&real, 1.5, &[])?.sweep(1e-4, 5e-6);
     let conicity = RollingRadiusDifference::of(&radii).and_then(|d| d.equivalent_conicity(5e-5));
