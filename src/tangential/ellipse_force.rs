@@ -30,7 +30,7 @@ pub struct Corrected {
     /// What is right on the ellipse.
     pub table: &'static CreepForceTable,
     /// A circle to stretch to the ellipse.
-    pub circle: EllipseStrips,
+    pub circle: Box<EllipseStrips>,
 }
 
 impl<T: CreepNumber> ZoneModel<T> for Tabulated {

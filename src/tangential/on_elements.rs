@@ -49,7 +49,6 @@ impl OnElements {
     /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of
     /// `elements`.
     pub(super) fn draw(
-        &self,
         RollingZone { loaded, .. }: &RollingZone<'_, impl RigidSlip>,
         elements: &LoadedElements,
         field: &mut ContactField,

@@ -6,7 +6,6 @@ use super::creep_number::CreepNumber;
 use super::ellipse_force::{Corrected, Tabulated};
 use super::fastrip::Fastrip;
 use super::fastsim::{Fastsim, TractionBound};
-use super::fastsim_correction::EllipseStrips;
 use super::field::ContactField;
 use super::flash_temperature::FlashTemperature;
 use super::forces::{CreepForce, StripForce};
@@ -91,7 +90,7 @@ impl Tangential {
             TangentialModel::FastsimCorrected => Model::FastsimCorrected(Corrected {
                 march: fastsim,
                 table: table(),
-                circle: EllipseStrips::default(),
+                circle: Box::default(),
             }),
             TangentialModel::BoundaryElement => {
                 Model::BoundaryElement(OnElements { count: elements, otherwise: fastsim })
@@ -264,7 +263,7 @@ impl Tangential {
             | Model::FastsimCorrected(Corrected { march, .. }) => {
                 march.draw(&zone, &elements, &mut field);
             }
-            Model::BoundaryElement(model) => model.draw(&zone, &elements, &mut field),
+            Model::BoundaryElement(_) => OnElements::draw(&zone, &elements, &mut field),
             Model::Strips(model) => model.draw(&zone, &elements, &mut field),
             Model::None | Model::Linear(_) | Model::Fastrip(_) => {}
         }
