@@ -21,8 +21,8 @@ pub struct Tabulated {
     pub shown: March<Fastsim>,
 }
 
-/// The model that marches through the zone by FASTSIM and corrects the force by what FASTSIM is
-/// wrong by on the ellipse of the zone.
+/// The model that marches through the zone by FASTSIM and corrects the force by the error of FASTSIM
+/// on the ellipse of the zone.
 #[derive(Clone, Debug)]
 pub struct Corrected {
     /// The march, in the zone and in the ellipse.

@@ -1,4 +1,4 @@
-//! `wheelrail fit`: the law of friction that measured creep curves tell.
+//! `wheelrail fit`: the law of friction of measured creep curves.
 
 mod least_squares;
 mod points;
