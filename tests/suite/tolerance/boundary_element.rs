@@ -1,6 +1,6 @@
 //! Tolerances of the boundary elements.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Boundary elements 60x60 against Hertz, load, greatest pressure, area: a third of the target
     /// of 0.3 % against CONTACT; the area is that of whole elements.
     BOUNDARY_HERTZ: [f64; 3] = [1e-3, 1e-3, 0.01];

@@ -1,6 +1,6 @@
 //! Tolerances of the normal models.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Hertz model against the closed form: the model is the closed form, its quadrature is not.
     HERTZ: f64 = 1e-6;
 

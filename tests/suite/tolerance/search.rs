@@ -1,6 +1,6 @@
 //! Tolerances of profiles, contact lines, the contact search and conicity.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Deepest penetration of the contact search against a scan at steps of 20 µm [m]: a thousandth
     /// of what a wheel load has.
     DEEPEST_PENETRATION: f64 = 1e-7;

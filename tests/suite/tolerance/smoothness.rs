@@ -1,6 +1,6 @@
 //! Tolerances of continuity, derivatives and energy.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Greatest change of a force when the step is a quarter, over that before: a continuous one
     /// changes by a quarter, or by half where it has a root.
     SHRINKING: f64 = 0.35;

@@ -1,6 +1,6 @@
 //! Tolerances of the tangential models.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Linear limit of FASTSIM against Kalker's coefficients at 20 elements: middle rule along the
     /// strips.
     FASTSIM_LINEAR: f64 = 5e-3;

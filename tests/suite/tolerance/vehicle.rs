@@ -1,6 +1,6 @@
 //! Tolerances of wheelsets, tracks and hosts, and of what is the same elsewhere.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// What is exact: within rounding of a few operations.
     ROUNDING: f64 = 1e-12;
 

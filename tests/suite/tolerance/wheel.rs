@@ -1,6 +1,6 @@
 //! Tolerances of a wheel on its rails.
 
-super::tolerances! {
+super::entry::tolerances! {
     /// Prescribed vertical load of the Manchester benchmark: the search ends there.
     PRESCRIBED_LOAD: f64 = 1e-10;
 
