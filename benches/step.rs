@@ -6,7 +6,6 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use wheelrail::element::input::INPUTS;
 use wheelrail::element::parameters::{
     CreepageModel, NormalModel, TangentialModel, VerticalMode, WearDistribution, WearModel,
 };
@@ -156,7 +155,7 @@ fn derivatives(c: &mut Criterion) {
         let parameters = Parameters { tangential_model, vertical_mode, ..paper() };
         for case in &SCENES[1..] {
             let (mut element, input) = scene(case, &parameters);
-            let mut direction = Input::from_array([0.0; INPUTS]);
+            let mut direction = Input::at_rest();
             direction.wheel.position[1] = 1.0;
             let (mut output, mut columns) = (Output::default(), Vec::new());
             let id = |what: &str| format!("{name}/{}/{what}", case.name);

@@ -53,7 +53,7 @@ def main():
     lines = [
         "# S1002 with a hollow tread and a thinned flange: an example, not a measured wheel.",
         "# Made by fmu/make_worn_profile.py from the formulas of EN 13715. Licence: MIT OR Apache-2.0.",
-        "# Right wheel, running circle at the origin: y to the field side, z down.",
+        "# Right wheel, nominal rolling circle at the origin: y to the field side, z down.",
         "# y_mm z_mm",
     ]
     for y, z in map(worn, ys):

@@ -1,4 +1,4 @@
-//! What can be wrong with what a caller hands over.
+//! Errors: why parameters, profiles, inputs and files are refused.
 //!
 //! No contact is a value, not an error; a broken invariant is a `debug_assert!`. Kernels over
 //! strips and elements cannot fail: everything is validated where it enters.

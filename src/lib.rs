@@ -113,6 +113,7 @@ mod friction;
 pub mod geometry;
 pub mod io;
 pub mod material;
+mod open;
 pub mod planar;
 pub mod variables;
 pub mod wear;

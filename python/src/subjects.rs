@@ -68,7 +68,7 @@ const FEW: usize = 2;
 
 impl InBulk for Element {
     fn no_rates() -> Input {
-        Input::from_array([0.0; INPUT_NAMES.len()])
+        Input::at_rest()
     }
 
     fn derivatives(

@@ -155,7 +155,7 @@ def test_bulk_is_the_whole_piece_by_piece(tmp_path, kind):
 def test_profiles_are_points():
     wheel = wheelrail.profile("S1002", points=500)
     assert wheel.shape == (500, 2)
-    # The running circle is the origin.
+    # The nominal rolling circle is the origin.
     tread = wheel[np.abs(wheel[:, 0]) < 0.5e-3]
     assert np.abs(tread[:, 1]).max() < 1e-4
     assert wheelrail.profile("S1002_worn.txt").shape == (1000, 2)

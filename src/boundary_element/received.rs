@@ -1,8 +1,9 @@
-//! What elements receive from the tractions of all others, row after row with the newest tractions.
+//! Displacements of elements under the tractions of all others, row after row with the newest
+//! tractions.
 //!
 //! Gauss-Seidel needs the sum for one element after the other, each with the newest tractions,
 //! which a transform of the whole grid cannot give. Rows can: while one is visited the others stay,
-//! and what they give to it is one product of spectra along x for each of them and one transform
+//! and their influence on it is one product of spectra along x for each of them and one transform
 //! back. Sums within the row are direct. For M rows of N elements a sweep takes M² N + M N²
 //! products instead of M² N².
 

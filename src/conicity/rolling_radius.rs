@@ -46,8 +46,8 @@ impl RollingRadii {
 }
 
 impl TrackedWheelset {
-    /// A wheelset of two wheels of `parameters`, whose running circles are `running_circles` apart
-    /// [m]; profiles are looked for in the folders as in [`Element::new`].
+    /// A wheelset of two wheels of `parameters`, whose nominal rolling circles are
+    /// `running_circles` apart [m]; profiles are looked for in the folders as in [`Element::new`].
     ///
     /// # Errors
     /// The parameter or profile at fault, by its FMU name.

@@ -40,7 +40,7 @@ impl Element {
     /// let mut element = Element::new(&Parameters::default(), &input, &[])?;
     /// input.wheel.position[2] = element.nominal_wheel_z() + 1e-4;
     /// // Stiffness of the contact: the change of the vertical force with the height.
-    /// let mut down = Input::from_array([0.0; 31]);
+    /// let mut down = Input::at_rest();
     /// down.wheel.position[2] = 1.0;
     /// let mut rates = Output::default();
     /// element.directional_derivative(&input, &down, &mut rates)?;

@@ -5,6 +5,8 @@
 //! Without mass they rest in equilibrium with the contact forces (`quasi_static_rails`), and those
 //! with a mass do so until their first step (`moving_rails`).
 
+use crate::open::Open;
+
 /// What of the foundation is taken into account.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -31,6 +33,8 @@ pub struct Foundation {
     pub mass: f64,
     /// Longest step in which rails with a mass are moved on by the units, > 0 [s].
     pub longest_step: f64,
+    #[doc(hidden)]
+    pub open: Open,
 }
 
 impl Default for Foundation {
@@ -42,6 +46,7 @@ impl Default for Foundation {
             damping: [5e4, 1e5],
             mass: 150.0,
             longest_step: 1e-4,
+            open: Open::default(),
         }
     }
 }

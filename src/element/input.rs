@@ -4,11 +4,13 @@ use super::parameters::RAILS;
 use crate::error::ContactError;
 pub use crate::kinematics::motion::{RailMotion, WheelMotion};
 use crate::math::real::Real;
+use crate::open::Open;
 
 /// Greatest number that is told from a greater one, whatever its unit.
 const MAX_NUMBER: f64 = 1e100;
 
-/// All inputs; one field for each FMU input of design section 3.
+/// All inputs; one field for each FMU input of docs/fmi.md. A literal ends with
+/// `..Input::default()`, as there may be more of them in later versions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input<T = f64> {
     /// The wheel.
@@ -26,6 +28,8 @@ pub struct Input<T = f64> {
     pub tread_friction: T,
     /// Coefficient of friction of their gauge faces, ≥ 0 [-].
     pub gauge_face_friction: T,
+    #[doc(hidden)]
+    pub open: Open,
 }
 
 impl Default for Input {
@@ -49,6 +53,7 @@ impl Default for Input {
             friction: 0.3,
             tread_friction: 0.3,
             gauge_face_friction: 0.3,
+            open: Open::default(),
         }
     }
 }
@@ -85,6 +90,7 @@ impl<T: Real> Input<T> {
 
 impl<T: Real> Input<T> {
     /// All inputs, in the order of [`INPUT_NAMES`].
+    #[doc(hidden)]
     #[must_use]
     pub fn to_array(&self) -> [T; INPUTS] {
         let Self { wheel: w, wheel_load, rails: [r, s], track_s, friction, .. } = self;
@@ -125,6 +131,7 @@ impl<T: Real> Input<T> {
     }
 
     /// The inputs of [`to_array`](Self::to_array).
+    #[doc(hidden)]
     #[must_use]
     pub fn from_array(all: [T; INPUTS]) -> Self {
         let rail = |k: usize, pitch_rate: usize| RailMotion {
@@ -153,7 +160,14 @@ impl<T: Real> Input<T> {
             friction: all[25],
             tread_friction: all[27],
             gauge_face_friction: all[28],
+            open: Open::default(),
         }
+    }
+
+    /// All numbers zero: no rates.
+    #[must_use]
+    pub fn at_rest() -> Self {
+        Self::from_array([T::from(0.0); INPUTS])
     }
 
     /// The values without derivatives.
@@ -164,11 +178,15 @@ impl<T: Real> Input<T> {
 }
 
 /// Number of inputs.
+#[doc(hidden)]
 pub const INPUTS: usize = 31;
 
-/// FMU names of the inputs.
+/// FMU names of the inputs, in the order of the columns of a
+/// [`jacobian`](super::Element::jacobian).
+pub const INPUT_NAMES: &[&str] = &NAMES;
+
 #[rustfmt::skip]
-pub const INPUT_NAMES: [&str; INPUTS] = [
+const NAMES: [&str; INPUTS] = [
     "wheel.x", "wheel.y", "wheel.z", "wheel.roll", "wheel.yaw", "wheel.pitch",
     "wheel.vx", "wheel.vy", "wheel.vz", "wheel.roll_rate", "wheel.yaw_rate", "wheel.pitch_rate",
     "rail[1].y", "rail[1].z", "rail[1].roll", "rail[1].vy", "rail[1].vz", "rail[1].roll_rate",

@@ -12,6 +12,8 @@ pub use crate::tangential::friction_law::{FallingLaw, FrictionLaw};
 pub use crate::tangential::{Flexibilities, TangentialModel};
 pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
 
+use crate::open::Open;
+
 /// On which side of the track the wheel runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
@@ -75,6 +77,8 @@ pub struct WheelParameters {
     pub flat: WheelFlat,
     /// File for the worn profile at the end of a run of the FMU; empty for none.
     pub worn_file: String,
+    #[doc(hidden)]
+    pub open: Open,
 }
 
 /// What says where a rail stands.
@@ -116,9 +120,27 @@ pub struct RailParameters {
     pub corrugation: Corrugation,
     /// File for the worn profile at the end of a run of the FMU; empty for none.
     pub worn_file: String,
+    #[doc(hidden)]
+    pub open: Open,
 }
 
-/// Everything fixed over a run; one field for each FMU parameter of design section 3.
+/// Everything fixed over a run; one field for each FMU parameter of docs/fmi.md.
+///
+/// There may be more fields in later versions, so that a literal names some and takes the rest from
+/// others:
+///
+/// ```
+/// use wheelrail::element::Parameters;
+/// use wheelrail::element::parameters::{NormalModel, TangentialModel};
+///
+/// let mut parameters = Parameters {
+///     normal_model: NormalModel::PiotrowskiKik,
+///     tangential_model: TangentialModel::Fastsim,
+///     strips: 12,
+///     ..Parameters::default()
+/// };
+/// parameters.wheel.nominal_radius = 0.5;
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
     /// Side of the track.
@@ -186,10 +208,27 @@ pub struct Parameters {
     pub shear_yield: f64,
     /// Wear.
     pub wear: WearParameters,
+    #[doc(hidden)]
+    pub open: Open,
 }
 
 /// Number of rails an element can carry.
 pub const RAILS: usize = 2;
+
+impl Default for WheelParameters {
+    fn default() -> Self {
+        Self {
+            profile: "S1002".into(),
+            nominal_radius: 0.46,
+            young_modulus: 2.1e11,
+            poisson_ratio: 0.28,
+            out_of_round: OutOfRound::default(),
+            flat: WheelFlat::default(),
+            worn_file: String::new(),
+            open: Open::default(),
+        }
+    }
+}
 
 impl Default for RailParameters {
     fn default() -> Self {
@@ -203,6 +242,7 @@ impl Default for RailParameters {
             mirrored: false,
             corrugation: Corrugation::default(),
             worn_file: String::new(),
+            open: Open::default(),
         }
     }
 }
@@ -211,15 +251,7 @@ impl Default for Parameters {
     fn default() -> Self {
         Self {
             side: Side::Right,
-            wheel: WheelParameters {
-                profile: "S1002".into(),
-                nominal_radius: 0.46,
-                young_modulus: 2.1e11,
-                poisson_ratio: 0.28,
-                out_of_round: OutOfRound::default(),
-                flat: WheelFlat::default(),
-                worn_file: String::new(),
-            },
+            wheel: WheelParameters::default(),
             rails: [
                 RailParameters::default(),
                 // A check rail.
@@ -259,6 +291,7 @@ impl Default for Parameters {
             flash_temperature: FlashTemperature::default(),
             shear_yield: 3e8,
             wear: WearParameters::default(),
+            open: Open::default(),
         }
     }
 }

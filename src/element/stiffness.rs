@@ -40,7 +40,7 @@ impl Element {
         let mut rates = Output::default();
         let mut slopes = [0.0; 2];
         for (slope, number) in slopes.iter_mut().zip(VERTICAL) {
-            let mut direction = Input::from_array([0.0; super::input::INPUTS]);
+            let mut direction = Input::at_rest();
             *number(&mut direction) = 1.0;
             self.directional_derivative(input, &direction, &mut rates)?;
             *slope = -rates.wheel.force[2];

@@ -219,13 +219,13 @@ mod tests {
     }
 
     #[test]
-    fn a_wheel_without_flange_needs_none_but_needs_its_running_circle() {
+    fn a_wheel_without_flange_needs_none_but_needs_its_nominal_rolling_circle() {
         let points = sampled("conical:0.05", WHEEL, 1e-3);
         assert!(points_of(&points).into_profile(WHEEL, 0.0).is_ok());
         let off: Vec<_> = points.iter().map(|p| [p[0] - 0.1, p[1]]).collect();
         let error = refused(&off, WHEEL, 0.0);
         assert!(matches!(error, ProfileError::OffRunningCircle { line: 1, .. }), "{error}");
-        assert!(error.to_string().contains("running circle"), "{error}");
+        assert!(error.to_string().contains("nominal rolling circle"), "{error}");
     }
 
     #[test]

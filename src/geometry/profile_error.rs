@@ -197,8 +197,8 @@ pub enum ProfileError {
     },
     /// A wheel profile that does not reach its nominal rolling circle.
     #[error(
-        "{file}:{line}: the wheel does not reach its running circle, y = 0: it spans y = {from_mm} to {to_mm} mm; \
-         shift y so that 0 is the running circle (or the flange back, then all y are positive)"
+        "{file}:{line}: the wheel does not reach its nominal rolling circle, y = 0: it spans y = {from_mm} to {to_mm} mm; \
+         shift y so that 0 is the nominal rolling circle (or the flange back, then all y are positive)"
     )]
     OffRunningCircle {
         /// The file.

@@ -79,7 +79,7 @@ impl ProfilePoints {
         };
         let raw = profile(&knots);
         let origin = if from_flange_back {
-            [0.0, height_at_running_circle(&raw.curve)]
+            [0.0, height_at_rolling_circle(&raw.curve)]
         } else if kind == ProfileKind::Rail && self.is_measured_rail {
             raw.curve.at(raw.highest()).point
         } else {
@@ -186,7 +186,7 @@ impl ProfilePoints {
 }
 
 /// z where the curve passes the nominal rolling circle, y = 0, nearest to its field end [m].
-fn height_at_running_circle(curve: &Curve) -> f64 {
+fn height_at_rolling_circle(curve: &Curve) -> f64 {
     let knots: Vec<f64> = curve.knots().collect();
     let y = |s: f64| curve.at(s).point[0];
     let Some(pair) = knots.windows(2).rev().find(|p| y(p[0]) <= 0.0 && y(p[1]) > 0.0) else {
@@ -357,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wheel_measured_from_its_flange_back_is_moved_to_its_running_circle() {
+    fn a_wheel_measured_from_its_flange_back_is_moved_to_its_nominal_rolling_circle() {
         let points = sampled("S1002", ProfileKind::Wheel, 3e-4);
         let shifted: Vec<_> = points.iter().map(|p| [p[0] + 0.070, p[1] + 0.001]).collect();
         let wheel = points_of(&shifted).into_profile(ProfileKind::Wheel, 0.0).unwrap();

@@ -1,4 +1,4 @@
-//! What normal models are told, and which there are.
+//! The normal contact problem, and the list of normal models.
 
 use crate::math::quadrature::GaussLegendre;
 

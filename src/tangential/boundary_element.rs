@@ -144,9 +144,12 @@ impl LoadedElements {
         rolling_tractions(grid, material, &bound, &rigid, rolling)
     }
 
-    /// The strip nearest to each row, for rows that are loaded.
-    pub fn nearest_strips(&self) -> impl Iterator<Item = Option<usize>> {
-        self.rows.iter().map(|row| row.as_ref().map(Row::nearest))
+    /// The rows on `zone`, each with the strip nearest to it.
+    pub fn rows_of(&self, zone: &Zone) -> impl Iterator<Item = (usize, usize)> {
+        let own = zone.first..zone.first + zone.count;
+        let rows = self.rows.iter().enumerate();
+        let nearest = rows.filter_map(|(j, row)| Some((j, row.as_ref()?.nearest())));
+        nearest.filter(move |(_, strip)| own.contains(strip))
     }
 
     /// Hands the force of each row of `zone` on the wheel to `each`, shared by the strips between

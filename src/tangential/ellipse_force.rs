@@ -1,90 +1,129 @@
 //! Forces that a zone gets from the ellipse that stands for it: those of the table, and the
 //! correction of FASTSIM.
 
+use super::convergence::Convergence;
 use super::equivalent_ellipse::{LoadedPart, RollingEllipse};
+use super::fastsim::Fastsim;
+use super::fastsim_correction::EllipseStrips;
+use super::march::March;
 use super::neck::{Lobes, Side};
 use super::rigid_slip::RigidSlip;
 use super::tables::CreepForceTable;
-use super::{CreepForce, CreepNumber, LoadedZone, Rolling, RollingState, StripForce, Tangential};
+use super::zone_model::{RollingZone, ZoneModel};
+use super::{CreepForce, CreepNumber, LoadedZone, StripForce};
 
-impl Tangential {
-    /// Hands the force of the ellipse that stands for the zone of `loaded`, or of those for its
-    /// `lobes` where it has a neck, to `each`, strip by strip in proportion to the load; where
-    /// FASTSIM marches through the zone, what corrects the forces `marched` of the same parts,
-    /// which holds the sum to the friction limit. `state.creepage` is the mean creepage. Nothing
-    /// without friction or without a table.
-    pub(super) fn ellipse_force<T: CreepNumber>(
+/// The model that takes the force of a zone from the table.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// The table.
+    pub table: &'static CreepForceTable,
+    /// FASTSIM, whose tractions are shown: the table has none.
+    pub shown: March<Fastsim>,
+}
+
+/// The model that marches through the zone by FASTSIM and corrects the force by the error of FASTSIM
+/// on the ellipse of the zone.
+#[derive(Clone, Debug)]
+pub struct Corrected {
+    /// The march, in the zone and in the ellipse.
+    pub march: March<Fastsim>,
+    /// What is right on the ellipse.
+    pub table: &'static CreepForceTable,
+    /// A circle to stretch to the ellipse.
+    pub circle: Box<EllipseStrips>,
+}
+
+impl<T: CreepNumber> ZoneModel<T> for Tabulated {
+    fn strip_forces(
         &self,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
-        lobes: Option<&Lobes<T>>,
-        state: &RollingState<T>,
-        marched: &[CreepForce<T>; 3],
-        mut each: impl FnMut(usize, StripForce<T>),
-    ) -> Option<()> {
-        let table = self.table?;
-        let &LoadedZone { zone, strips, .. } = loaded;
-        let limit = state.friction_limit(zone);
-        (limit > 0.0).then_some(())?;
-        let mut add =
-            |part: &LoadedPart<T>, weight: T, marched: &CreepForce<T>, member: &dyn Fn(T) -> T| {
-                let mut force = CreepForce::default();
-                self.add_part(&mut force, table, loaded, part, state, weight);
-                if self.is_corrected() {
-                    // What slips is what slips on the zone.
-                    force.slip_area = T::from(0.0);
-                    force.keep_within(limit * part.share * part.friction * weight, marched);
-                }
-                force.spread_by_load(zone, strips, member, &mut each);
-            };
-        let share = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
-        if share < 1.0 {
-            let part = LoadedPart::whole(zone, strips, state.creepage);
-            add(&part, -share + 1.0, &marched[0], &|_| T::from(1.0));
-        }
-        let Some(Lobes { neck, parts }) = lobes else { return Some(()) };
-        for ((part, marched), side) in
-            parts.iter().zip(&marched[1..]).zip([Side::Left, Side::Right])
-        {
-            if let Some(part) = part {
-                add(part, share, marched, &|y| neck.member(side, y));
-            }
-        }
-        Some(())
+        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        each: &mut dyn FnMut(usize, StripForce<T>),
+    ) -> Convergence {
+        let lobes = Lobes::of(&zone.loaded);
+        let force = |_: usize, part: &LoadedPart<T>, weight: T| {
+            part_force(zone, part, weight, |ellipse, area| {
+                ellipse.tabulated_force(self.table, area)
+            })
+        };
+        spread_parts(zone, lobes.as_ref(), force, each);
+        Convergence::default()
     }
+}
 
-    /// Adds `weight` times the tabulated force of one part, about its centroid; where FASTSIM
-    /// marches through the zone, less what FASTSIM has on the ellipse of the part.
-    fn add_part<T: CreepNumber>(
+impl<T: CreepNumber> ZoneModel<T> for Corrected {
+    fn strip_forces(
         &self,
-        total: &mut CreepForce<T>,
-        table: &CreepForceTable,
-        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
-        part: &LoadedPart<T>,
-        state: &RollingState<T>,
-        weight: T,
-    ) {
-        let &LoadedZone { zone, material, .. } = loaded;
-        let LoadedPart { share, ellipse, creepage, friction, .. } = *part;
-        let limit = share * friction * state.friction * zone.load * state.load_factor;
-        if limit <= 0.0 {
-            return;
-        }
-        let directions = [
-            (Rolling::Forward, state.forward_share),
-            (Rolling::Backward, -state.forward_share + 1.0),
-        ];
-        for (rolling, direction) in directions {
-            let weight = weight * direction;
-            if weight <= 0.0 {
-                continue;
-            }
-            let rolling = RollingEllipse { ellipse, material, creepage, rolling, limit };
-            let mut force = rolling.tabulated_force(table, share * zone.area);
-            if let Some(circle) = &self.ellipse_strips {
-                let approximate = circle.force(&self.fastsim, self.flexibilities, &rolling);
+        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        each: &mut dyn FnMut(usize, StripForce<T>),
+    ) -> Convergence {
+        let &LoadedZone { zone: whole, strips, .. } = &zone.loaded;
+        let lobes = Lobes::of(&zone.loaded);
+        let mut marched = [CreepForce::<T>::default(); 3];
+        self.march.part_forces(zone, lobes.as_ref(), |part, j, force| {
+            marched[part].add(whole, strips, j, &force);
+            each(j, force);
+        });
+        let March { rule: fastsim, flexibilities } = &self.march;
+        let correction = |n: usize, part: &LoadedPart<T>, weight: T| {
+            let mut force = part_force(zone, part, weight, |ellipse, area| {
+                let mut force = ellipse.tabulated_force(self.table, area);
+                let approximate = self.circle.force(fastsim, *flexibilities, ellipse);
                 force.add_share(&approximate, T::from(-1.0));
-            }
-            total.add_share(&force, weight);
+                force
+            });
+            // What slips is what slips on the zone.
+            force.slip_area = T::from(0.0);
+            force.keep_within(zone.limit * part.share * part.friction * weight, &marched[n]);
+            force
+        };
+        spread_parts(zone, lobes.as_ref(), correction, each);
+        Convergence::default()
+    }
+}
+
+/// Hands the force of the part that is the whole `zone`, or of those that are its `lobes` where it
+/// has a neck, to `each`, strip by strip in proportion to the load. `force` tells that of a part
+/// from its number (the whole, the left, the right), the part and its weight.
+fn spread_parts<T: CreepNumber>(
+    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    lobes: Option<&Lobes<T>>,
+    force: impl Fn(usize, &LoadedPart<T>, T) -> CreepForce<T>,
+    each: &mut dyn FnMut(usize, StripForce<T>),
+) {
+    let &LoadedZone { zone: whole, strips, .. } = &zone.loaded;
+    let share = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
+    if share < 1.0 {
+        let part = LoadedPart::whole(whole, strips, zone.state.creepage);
+        let force = force(0, &part, -share + 1.0);
+        force.spread_by_load(whole, strips, |_| T::from(1.0), &mut *each);
+    }
+    let Some(Lobes { neck, parts }) = lobes else { return };
+    for (n, (part, side)) in parts.iter().zip([Side::Left, Side::Right]).enumerate() {
+        if let Some(part) = part {
+            let force = force(1 + n, part, share);
+            force.spread_by_load(whole, strips, |y| neck.member(side, y), &mut *each);
         }
     }
+}
+
+/// `weight` times the force of one part, about its centroid, of both directions in which `zone`
+/// rolls; `of_ellipse` tells that of the ellipse of the part, whose zone has the given area [m²].
+fn part_force<T: CreepNumber>(
+    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    part: &LoadedPart<T>,
+    weight: T,
+    of_ellipse: impl Fn(&RollingEllipse<'_, T>, T) -> CreepForce<T>,
+) -> CreepForce<T> {
+    let mut total = CreepForce::default();
+    let RollingZone { loaded: LoadedZone { zone: whole, material, .. }, state, .. } = zone;
+    let LoadedPart { share, ellipse, creepage, friction, .. } = *part;
+    let limit = share * friction * state.friction * whole.load * state.load_factor;
+    if limit <= 0.0 {
+        return total;
+    }
+    for (rolling, direction) in zone.directions() {
+        let ellipse = RollingEllipse { ellipse, material, creepage, rolling, limit };
+        total.add_share(&of_ellipse(&ellipse, share * whole.area), weight * direction);
+    }
+    total
 }

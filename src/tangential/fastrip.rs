@@ -33,6 +33,7 @@ use multiversion::multiversion;
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::{Growth, RigidSlip};
+use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -89,18 +90,17 @@ impl Fastrip {
         };
         Self { elements: (0..elements).map(element).collect() }
     }
+}
 
-    /// Hands the force of each strip of `loaded`, whose friction is above 0, on the wheel to
-    /// `each`.
-    ///
-    /// Strip theory has the three flexibilities of `flexibility`, the march of FASTSIM those of
-    /// `marching`.
-    pub fn strip_forces<T: Marching>(
+impl<T: Marching> Rule<T> for Fastrip {
+    /// Strip theory has the flexibilities `three`, the march of FASTSIM those of `blended`. The
+    /// friction of `loaded` is above 0.
+    fn strip_forces(
         &self,
         loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
         rolling: Rolling,
-        flexibility: &ZoneFlexibility<T>,
-        marching: &ZoneFlexibility<T>,
+        three: &ZoneFlexibility<T>,
+        blended: &ZoneFlexibility<T>,
         mut each: impl FnMut(usize, StripForce<T>),
     ) {
         let &LoadedZone { zone, strips, material, slip, .. } = loaded;
@@ -118,17 +118,17 @@ impl Fastrip {
                 if bound <= 0.0 || a <= 0.0 {
                     continue;
                 }
-                let growth = slip.growth(j, marching);
+                let growth = slip.growth(j, blended);
                 march.bound[lane] = bound;
                 march.step_x[lane] = a * -step * growth.longitudinal;
                 march.step_y[lane] = a * -step * growth.lateral;
                 march.step_y_per_abscissa[lane] = a * -step * direction * a * growth.twist;
-                let growth = slip.growth(j, flexibility);
+                let growth = slip.growth(j, three);
                 // However little the bound is, its inverse can be squared.
                 let per_bound = (a / bound).at_most(1e60);
-                let twist = flexibility.semi_axis_along * direction * growth.twist;
+                let twist = three.semi_axis_along * direction * growth.twist;
                 *own = StripTheory::new(&growth, twist, per_bound, material.poisson_ratio)
-                    .on_strip(flexibility.semi_axis_along / a);
+                    .on_strip(three.semi_axis_along / a);
                 march.adhesion_x[lane] = own.kappa;
                 march.adhesion_y[lane] = own.lambda;
                 march.spin[lane] = own.spin;

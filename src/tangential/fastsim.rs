@@ -32,6 +32,7 @@ use multiversion::multiversion;
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
+use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -140,6 +141,19 @@ impl Fastsim {
                 );
             }
         }
+    }
+}
+
+impl<T: Marching> Rule<T> for Fastsim {
+    fn strip_forces(
+        &self,
+        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        rolling: Rolling,
+        _: &ZoneFlexibility<T>,
+        blended: &ZoneFlexibility<T>,
+        each: impl FnMut(usize, StripForce<T>),
+    ) {
+        self.strip_forces(loaded, rolling, blended, each);
     }
 }
 

@@ -1,4 +1,5 @@
-//! What FASTSIM is wrong by on an ellipse, to be taken off its force on a zone that is like it.
+//! FASTSIM on the equivalent ellipse of a zone. Its error there, against the force of the table,
+//! corrects FASTSIM on the zone.
 //!
 //! FASTSIM marches over the ellipse of the zone with the bound, the resolution along and the way of
 //! blending flexibilities that it has on the zone itself. The strips of all ellipses are those of

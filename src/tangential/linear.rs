@@ -15,31 +15,41 @@
 
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
+use super::rule::Rule;
 use super::{LoadedZone, Rolling, StripForce};
 use crate::math::real::Real;
 
-/// Hands the force of each strip of `loaded` to `each`; without friction.
-pub fn strip_forces<T: Real>(
-    loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
-    rolling: Rolling,
-    flexibility: &ZoneFlexibility<T>,
-    mut each: impl FnMut(usize, StripForce<T>),
-) {
-    let &LoadedZone { zone, strips, slip, .. } = loaded;
-    for j in zone.first..zone.first + zone.count {
-        let a = strips.half_length[j];
-        let growth = slip.growth(j, flexibility);
-        let square = strips.width[j] * 2.0 * a * a;
-        // Backwards the strip is the same seen in a mirror along x.
-        let cube = square * rolling.direction() * a / 3.0;
-        each(
-            j,
-            StripForce {
-                longitudinal: -square * growth.longitudinal,
-                lateral: -square * growth.lateral - cube * growth.twist,
-                moment: cube * growth.lateral,
-                slip_area: T::from(0.0),
-            },
-        );
+/// Full adhesion, without friction.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear;
+
+impl<T: Real> Rule<T> for Linear {
+    const IS_BOUNDED: bool = false;
+
+    fn strip_forces(
+        &self,
+        loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+        rolling: Rolling,
+        three: &ZoneFlexibility<T>,
+        _: &ZoneFlexibility<T>,
+        mut each: impl FnMut(usize, StripForce<T>),
+    ) {
+        let &LoadedZone { zone, strips, slip, .. } = loaded;
+        for j in zone.first..zone.first + zone.count {
+            let a = strips.half_length[j];
+            let growth = slip.growth(j, three);
+            let square = strips.width[j] * 2.0 * a * a;
+            // Backwards the strip is the same seen in a mirror along x.
+            let cube = square * rolling.direction() * a / 3.0;
+            each(
+                j,
+                StripForce {
+                    longitudinal: -square * growth.longitudinal,
+                    lateral: -square * growth.lateral - cube * growth.twist,
+                    moment: cube * growth.lateral,
+                    slip_area: T::from(0.0),
+                },
+            );
+        }
     }
 }

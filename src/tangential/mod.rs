@@ -19,14 +19,18 @@ mod loaded_zone;
 mod march;
 mod model;
 pub(crate) mod neck;
+mod on_elements;
+mod on_strips;
 mod outline;
 mod own_friction;
 pub mod rigid_slip;
 mod rolling;
+mod rule;
 mod solve;
 pub(crate) mod strips;
 pub mod tables;
 mod under_law;
+mod zone_model;
 
 pub use crate::kinematics::creepage::Creepage;
 pub use convergence::Convergence;

@@ -15,7 +15,7 @@ pub enum TangentialModel {
     /// The force of the ellipse with the same moments of load, from a table of boundary element
     /// solutions; no tractions.
     Tables,
-    /// FASTSIM on the true patch, its force corrected by what it is wrong by on that ellipse.
+    /// FASTSIM on the true patch, its force corrected by its error on that ellipse.
     #[default]
     FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.

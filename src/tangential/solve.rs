@@ -1,21 +1,27 @@
 //! The chosen tangential model: from a loaded zone and how it rolls to its creep force.
 
+use super::boundary_element::LoadedElements;
 use super::convergence::Convergence;
 use super::creep_number::CreepNumber;
+use super::ellipse_force::{Corrected, Tabulated};
 use super::fastrip::Fastrip;
 use super::fastsim::{Fastsim, TractionBound};
-use super::fastsim_correction::EllipseStrips;
+use super::field::ContactField;
 use super::flash_temperature::FlashTemperature;
 use super::forces::{CreepForce, StripForce};
 use super::friction_law::FrictionLaw;
+use super::linear::Linear;
 use super::loaded_zone::LoadedZone;
+use super::march::March;
 use super::model::{Flexibilities, TangentialModel};
-use super::neck::Lobes;
+use super::on_elements::OnElements;
+use super::on_strips::OnStrips;
 use super::rigid_slip::{FlatSlip, RigidSlip};
-use super::rolling::{Rolling, RollingState};
+use super::rolling::RollingState;
 use super::strips::Scratch;
 use super::tables::CreepForceTable;
 use super::under_law::UnderLaw;
+use super::zone_model::{RollingZone, ZoneModel};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
@@ -26,20 +32,26 @@ const STRIP_POINTS: usize = 15;
 /// The chosen tangential model with its settings.
 #[derive(Clone, Debug)]
 pub struct Tangential {
-    pub(super) model: TangentialModel,
-    pub(super) flexibilities: Flexibilities,
-    pub(super) fastsim: Fastsim,
-    pub(super) elements: [usize; 2],
-    pub(super) fastrip: Fastrip,
-    /// The table and a circle to stretch, for the models that use them.
-    pub(super) table: Option<&'static CreepForceTable>,
-    pub(super) ellipse_strips: Option<EllipseStrips>,
-    /// The solver of the strip model.
-    pub(super) traction_strips: Option<Scratch>,
+    model: Model,
+    /// Elements along and across a zone whose pressure is not yet on a grid.
+    elements: [usize; 2],
     /// Of tread and gauge face, where slip changes friction or bodies are not clean.
-    pub(super) laws: Option<[FrictionLaw; 2]>,
+    laws: Option<[FrictionLaw; 2]>,
     /// Where heat changes friction.
-    pub(super) flash_temperature: Option<FlashTemperature>,
+    flash_temperature: Option<FlashTemperature>,
+}
+
+/// The models, one [`ZoneModel`] each.
+#[derive(Clone, Debug)]
+enum Model {
+    None,
+    Linear(March<Linear>),
+    Fastsim(March<Fastsim>),
+    Fastrip(March<Fastrip>),
+    Tables(Tabulated),
+    FastsimCorrected(Corrected),
+    BoundaryElement(OnElements),
+    Strips(OnStrips),
 }
 
 /// How the tractions of a zone were found.
@@ -63,29 +75,42 @@ impl Tangential {
         elements_along: usize,
         elements: [usize; 2],
     ) -> Self {
-        Self {
-            model,
-            flexibilities,
-            fastsim: Fastsim::new(elements_along, bound),
-            fastrip: Fastrip::new(elements_along),
-            elements,
-            table: matches!(model, TangentialModel::Tables | TangentialModel::FastsimCorrected)
-                .then(CreepForceTable::shared),
-            ellipse_strips: (model == TangentialModel::FastsimCorrected)
-                .then(EllipseStrips::default),
-            traction_strips: (model == TangentialModel::Strips)
-                .then(|| Scratch::new(STRIP_POINTS, elements[1])),
-            laws: None,
-            flash_temperature: None,
-        }
+        let fastsim = March { rule: Fastsim::new(elements_along, bound), flexibilities };
+        let table = CreepForceTable::shared;
+        let model = match model {
+            TangentialModel::None => Model::None,
+            TangentialModel::Linear => {
+                Model::Linear(March { rule: Linear, flexibilities: Flexibilities::Three })
+            }
+            TangentialModel::Fastsim => Model::Fastsim(fastsim),
+            TangentialModel::Fastrip => {
+                Model::Fastrip(March { rule: Fastrip::new(elements_along), flexibilities })
+            }
+            TangentialModel::Tables => Model::Tables(Tabulated { table: table(), shown: fastsim }),
+            TangentialModel::FastsimCorrected => Model::FastsimCorrected(Corrected {
+                march: fastsim,
+                table: table(),
+                circle: Box::default(),
+            }),
+            TangentialModel::BoundaryElement => {
+                Model::BoundaryElement(OnElements { count: elements, otherwise: fastsim })
+            }
+            TangentialModel::Strips => Model::Strips(OnStrips {
+                solver: Scratch::new(STRIP_POINTS, elements[1]),
+                otherwise: fastsim,
+            }),
+        };
+        Self { model, elements, laws: None, flash_temperature: None }
     }
 
     /// The same with `points` along each strip of the strip model, 4 to 15, in zones of up to
     /// `strips` strips; larger ones allocate.
     #[must_use]
-    pub fn with_points(self, points: usize, strips: usize) -> Self {
-        let is_strips = self.model == TangentialModel::Strips;
-        Self { traction_strips: is_strips.then(|| Scratch::new(points, strips)), ..self }
+    pub fn with_points(mut self, points: usize, strips: usize) -> Self {
+        if let Model::Strips(OnStrips { solver, .. }) = &mut self.model {
+            *solver = Scratch::new(points, strips);
+        }
+        self
     }
 
     /// The same with another law of friction everywhere.
@@ -106,16 +131,25 @@ impl Tangential {
         Self { flash_temperature: heat.is_on().then_some(heat), ..self }
     }
 
-    /// The model.
+    /// Which model it is.
     #[must_use]
     pub fn model(&self) -> TangentialModel {
-        self.model
+        match &self.model {
+            Model::None => TangentialModel::None,
+            Model::Linear(_) => TangentialModel::Linear,
+            Model::Fastsim(_) => TangentialModel::Fastsim,
+            Model::Fastrip(_) => TangentialModel::Fastrip,
+            Model::Tables(_) => TangentialModel::Tables,
+            Model::FastsimCorrected(_) => TangentialModel::FastsimCorrected,
+            Model::BoundaryElement(_) => TangentialModel::BoundaryElement,
+            Model::Strips(_) => TangentialModel::Strips,
+        }
     }
 
     /// Whether the forces of the strips are corrected as a whole.
     #[must_use]
     pub fn is_corrected(&self) -> bool {
-        self.model == TangentialModel::FastsimCorrected
+        matches!(self.model, Model::FastsimCorrected(_))
     }
 
     /// `zone` of `strips` in `state` under the laws of friction.
@@ -171,10 +205,6 @@ impl Tangential {
     /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`,
     /// which adds them up: a strip may come twice. Nothing where there was nothing to compute.
     /// `law` is that of the mean creepage of `slip`.
-    ///
-    /// Between forward and backward rolling, which only the floor of the reference speed and wheels
-    /// that spin against their motion leave room for, the forces of both directions are mixed, so
-    /// that the force has no jump.
     pub fn strip_forces<T: CreepNumber>(
         &self,
         zone: &Zone<T>,
@@ -185,63 +215,58 @@ impl Tangential {
     ) -> Option<Solved<T>> {
         let state = law.state;
         let limit = state.friction_limit(zone);
-        let is_bounded = self.model != TangentialModel::Linear;
-        let load = zone.load * state.load_factor;
-        if self.model == TangentialModel::None || load <= 0.0 || (is_bounded && limit <= 0.0) {
+        let is_bounded = !matches!(self.model, Model::Linear(_));
+        if zone.load * state.load_factor <= 0.0 || (is_bounded && limit <= 0.0) {
             return None;
         }
         let loaded = LoadedZone::new(zone, strips, slip, law);
-        // Strips know no ellipse, and need no lobes.
-        let is_strips = self.model == TangentialModel::Strips;
-        let lobes = if is_strips { None } else { Lobes::of(&loaded) };
-        let mut solved = Solved { limit, convergence: Convergence::default() };
-        if self.model == TangentialModel::Tables {
-            let none = [CreepForce::default(); 3];
-            self.ellipse_force(&loaded, lobes.as_ref(), &state, &none, each)?;
-            return Some(solved);
+        let zone = RollingZone { loaded, state, limit };
+        let convergence = match &self.model {
+            Model::None => return None,
+            Model::Linear(model) => model.strip_forces(&zone, &mut each),
+            Model::Fastsim(model) => model.strip_forces(&zone, &mut each),
+            Model::Fastrip(model) => model.strip_forces(&zone, &mut each),
+            Model::Tables(model) => model.strip_forces(&zone, &mut each),
+            Model::FastsimCorrected(model) => model.strip_forces(&zone, &mut each),
+            Model::BoundaryElement(model) => model.strip_forces(&zone, &mut each),
+            Model::Strips(model) => model.strip_forces(&zone, &mut each),
+        };
+        Some(Solved { limit, convergence })
+    }
+
+    /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
+    /// the normal model has boundary elements. FASTSIM, strips and boundary elements have tractions
+    /// to show, the tables and corrected FASTSIM those of FASTSIM without correction, other models
+    /// pressure alone.
+    #[must_use]
+    pub fn field(
+        &self,
+        zone: &Zone,
+        strips: &Strips,
+        material: &MaterialPair,
+        state: &RollingState,
+    ) -> ContactField {
+        let law = self.under_law(zone, strips, material, state);
+        let state = law.state;
+        let elements = LoadedElements::of(zone, strips, self.elements);
+        let mut field = ContactField::of_pressure(elements.grid, elements.pressure.clone());
+        let friction = state.friction * state.load_factor;
+        if friction <= 0.0 || state.creepage.is_zero() {
+            return field;
         }
-        let elements = (self.model == TangentialModel::BoundaryElement)
-            .then(|| T::elements(zone, strips, self.elements))
-            .flatten();
-        let backward_share = -state.forward_share + 1.0;
-        let parts = self.marched_parts(&loaded, lobes.as_ref(), limit);
-        let mut marched = [CreepForce::<T>::default(); 3];
-        for (rolling, share) in
-            [(Rolling::Forward, state.forward_share), (Rolling::Backward, backward_share)]
-        {
-            if share <= 0.0 {
-                continue;
+        let slip = FlatSlip { zone, strips, creepage: state.creepage };
+        let limit = state.friction_limit(zone);
+        let zone = RollingZone { loaded: LoadedZone::new(zone, strips, &slip, &law), state, limit };
+        match &self.model {
+            Model::Fastsim(march)
+            | Model::Tables(Tabulated { shown: march, .. })
+            | Model::FastsimCorrected(Corrected { march, .. }) => {
+                march.draw(&zone, &elements, &mut field);
             }
-            if let Some(elements) = &elements {
-                let add = |j, force: StripForce<T>| each(j, force.times(share));
-                if T::on_elements(elements, &loaded, rolling, add) {
-                    continue;
-                }
-                solved.convergence = solved.convergence.and(Convergence::failed());
-            }
-            if let Some(solver) = &self.traction_strips {
-                let add = |j, force: StripForce<T>| each(j, force.times(share));
-                let settled = T::on_strips(&mut solver.lend(), &loaded, rolling, add);
-                let convergence =
-                    settled.map_or(Convergence::failed(), |settled| settled.convergence());
-                solved.convergence = solved.convergence.and(convergence);
-                if settled.is_some() {
-                    continue;
-                }
-            }
-            // Damping that takes load away takes creep force away, so that a lost contact has none.
-            let share = if is_bounded { share } else { share * state.load_factor.at_most(1.0) };
-            self.march(&loaded, rolling, &parts, |part, j, force| {
-                let force = force.times(share);
-                if self.is_corrected() {
-                    marched[part].add(zone, strips, j, &force);
-                }
-                each(j, force);
-            });
+            Model::BoundaryElement(_) => OnElements::draw(&zone, &elements, &mut field),
+            Model::Strips(model) => model.draw(&zone, &elements, &mut field),
+            Model::None | Model::Linear(_) | Model::Fastrip(_) => {}
         }
-        if self.is_corrected() {
-            self.ellipse_force(&loaded, lobes.as_ref(), &state, &marched, each);
-        }
-        Some(solved)
+        field
     }
 }

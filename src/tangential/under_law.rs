@@ -1,5 +1,5 @@
-//! A zone under the laws of friction: what slip and heat make of its coefficients, and slip of the
-//! stiffness of the bodies.
+//! A zone under the laws of friction: its coefficients as slip velocity and heat change them, and
+//! the stiffness of the bodies as slip does.
 
 use super::flash_temperature::FlashTemperature;
 use super::friction_law::FrictionLaw;

@@ -81,6 +81,7 @@ impl SideInput {
             friction,
             tread_friction,
             gauge_face_friction,
+            ..element::Input::at_rest()
         }
     }
 }
@@ -120,7 +121,7 @@ impl Input {
     /// All numbers zero: no rates.
     #[must_use]
     pub fn at_rest() -> Self {
-        let input = element::Input::from_array([0.0; element::input::INPUTS]);
+        let input = element::Input::at_rest();
         let sides = [SideInput::of(&input); 2];
         let track = TrackTurn::default();
         Self { wheelset: input.wheel, sides, track_s: input.track_s, track }

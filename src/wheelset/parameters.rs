@@ -4,6 +4,7 @@ use super::sides::{LEFT, RIGHT};
 use crate::element;
 use crate::element::parameters::Side;
 use crate::error::ContactError;
+use crate::open::Open;
 
 /// Distance of the tape circle, the origin of the wheel profiles, from the flange back [m].
 pub const TAPE_CIRCLE: f64 = 0.07;
@@ -19,6 +20,8 @@ pub struct Parameters {
     pub irregularity_file: String,
     /// Right and left wheel with their rails; each `side` is that of its place, whatever it says.
     pub sides: [element::Parameters; 2],
+    #[doc(hidden)]
+    pub open: Open,
 }
 
 impl Default for Parameters {
@@ -33,7 +36,12 @@ impl Parameters {
     #[must_use]
     pub fn of_both(one: &element::Parameters) -> Self {
         let sides = [Side::Right, Side::Left].map(|side| one.on_side(side));
-        Self { flange_back_distance: 1.36, irregularity_file: String::new(), sides }
+        Self {
+            flange_back_distance: 1.36,
+            irregularity_file: String::new(),
+            sides,
+            open: Open::default(),
+        }
     }
 
     /// Distance of each wheel marker from the centre, positive to the right [m].

@@ -65,7 +65,7 @@ fn cones_have_the_conicity_of_their_angle_whatever_the_rail() {
 fn arcs_on_arcs_have_the_rolling_radii_of_their_closed_form() {
     let (wheel, rail) = (0.5, 0.3);
     let mut parameters = plain_parameters("arc:0.5", "arc:0.3");
-    // Rail heads inside the running circles: contacts towards the flange.
+    // Rail heads inside the nominal rolling circles: contacts towards the flange.
     parameters.gauge = 1.41;
     let top = rail_marker(&parameters)[1];
     let (difference, conicity) = swept(&parameters);

@@ -124,13 +124,17 @@ fn measure(count: usize, seed: u64) {
     let mut summary = Summary::new("conservative");
     let mut beyond = Vec::new();
     let mut judge = |kind: &str, limits: [f64; 2], test: fn(&mut Bodies, &mut Random) -> f64| {
-        let aim = ["1e-4 of the energy", "1e-3 of the energy"][usize::from(kind == "bounces")];
+        let aim = ["1e-4", "1e-3"][usize::from(kind == "bounces")];
         let mut all = Vec::new();
         for (k, pair) in PAIRS.into_iter().enumerate() {
             let (mut bodies, mut random) = (Bodies::new(pair), Random::new(seed + k as u64));
             let misses: Vec<f64> = (0..count).map(|_| test(&mut bodies, &mut random)).collect();
             let [wheel, rail] = pair;
-            summary.add(&format!("{kind}; {wheel} on {rail}"), misses.iter().copied(), aim);
+            summary.add(
+                &format!("{kind} [of the energy]; {wheel} on {rail}"),
+                misses.iter().copied(),
+                aim,
+            );
             all.extend(misses);
         }
         let [median, worst] = median_and_worst(all);

@@ -70,7 +70,7 @@ fn pressed() -> Input {
 /// What the element says.
 fn expected() -> Vec<f64> {
     let input = pressed();
-    let mut direction = Input::from_array([0.0; 31]);
+    let mut direction = Input::at_rest();
     (direction.wheel.position[2], direction.wheel.yaw) = (0.3, -2.0);
     (direction.wheel.velocity[1], direction.friction) = (1.5, -0.7);
     let mut element = Element::new(&Parameters::default(), &Input::default(), &[]).unwrap();
@@ -122,7 +122,7 @@ fn the_station_on_a_rail_that_varies_has_the_derivatives_of_the_element() {
     let mut parameters = Parameters::default();
     parameters.rails[0].profile = table.into();
     let input = Input { track_s: 0.4, ..pressed() };
-    let mut direction = Input::from_array([0.0; 31]);
+    let mut direction = Input::at_rest();
     direction.track_s = 2.0;
     let mut element = Element::new(&parameters, &input, &[]).unwrap();
     let mut rates = Output::default();

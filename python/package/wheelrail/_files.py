@@ -77,7 +77,7 @@ def profile(
     Returns
     -------
     ndarray, shape (points, 2)
-        y to the field side and z down [m]; of a wheel from the running circle.
+        y to the field side and z down [m]; of a wheel from the nominal rolling circle.
     """
     count = admitted_count("points", points, *POINTS)
     return _native.profile_points(os.fspath(name), body, smoothing, folders(), count)

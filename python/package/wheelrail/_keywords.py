@@ -90,7 +90,7 @@ class ElementParameters(TypedDict, total=False):
     wheel_profile: str | os.PathLike[str]
     """Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     wheel_nominal_radius: float
-    """Radius of the running circle [m]."""
+    """Radius of the nominal rolling circle [m]."""
     wheel_young_modulus: float
     """Young's modulus of the wheel [Pa]."""
     wheel_poisson_ratio: float
@@ -146,7 +146,7 @@ class ElementParameters(TypedDict, total=False):
     wheel_out_of_round_phase: float
     """Phase of that wave at the point that is lowest at pitch 0: with 0 the radius is greatest there [rad]."""
     wheel_flat_length: float
-    """Length of a flat of the wheel along the running circle; 0 for none [m]."""
+    """Length of a flat of the wheel along the nominal rolling circle; 0 for none [m]."""
     wheel_flat_angle: float
     """Angle by which the wheel has to roll forward from pitch 0 until it stands on the middle of the flat [rad]."""
     wheel_flat_depth: float
@@ -216,7 +216,7 @@ class ElementParameters(TypedDict, total=False):
     friction_profile: str | os.PathLike[str]
     """File with friction over the surface of the rails and along the track, found like wheel.profile: friction, and where they are needed rail, station_m, inclination_deg or place_mm; with friction.distribution profile, empty for none."""
     friction_falling_law: Literal["exponential", "rational", "linear"]
-    """How friction falls with the sliding speed; where friction.distribution is not uniform, on the tread."""
+    """How friction falls with the slip velocity; where friction.distribution is not uniform, on the tread."""
     friction_gauge_face_falling_law: Literal["exponential", "rational", "linear"]
     """As friction.falling.law, on the gauge face; not with friction.distribution uniform."""
     friction_changeover_inclination: float
@@ -234,9 +234,9 @@ class ElementParameters(TypedDict, total=False):
     friction_gauge_face_reduction_decay: float
     """As friction.reduction.decay, on the gauge face; not with friction.distribution uniform [-]."""
     friction_falling_share: float
-    """Friction at infinite sliding speed over that without sliding; 1 is constant friction [-]."""
+    """Friction at infinite slip velocity over that without sliding; 1 is constant friction [-]."""
     friction_falling_decay: float
-    """Rate at which friction begins to fall with the sliding speed, over what falls; 0 is constant friction [s/m]."""
+    """Rate at which friction begins to fall with the slip velocity, over what falls; 0 is constant friction [s/m]."""
     friction_reduction_initial: float
     """Initial slope of the creep forces over that of clean bodies, for contaminated rails [-]."""
     friction_reduction_share: float
@@ -300,9 +300,9 @@ class ElementParameters(TypedDict, total=False):
     wear_wheel_zobory_limit: float
     """Law zobory: frictional power density that divides the regimes [W/m2]."""
     wear_wheel_archard_mild: float
-    """Law archard: wear coefficient below the lower and above the upper sliding speed [-]."""
+    """Law archard: wear coefficient below the lower and above the upper slip velocity [-]."""
     wear_wheel_archard_severe: float
-    """Law archard: wear coefficient between the two sliding speeds [-]."""
+    """Law archard: wear coefficient between the two slip velocities [-]."""
     wear_wheel_archard_seizure: float
     """Law archard: wear coefficient where the pressure is beyond its limit [-]."""
     wear_wheel_archard_hardness: float
@@ -310,9 +310,9 @@ class ElementParameters(TypedDict, total=False):
     wear_wheel_archard_pressure_share: float
     """Law archard: limit of the pressure over the hardness [-]."""
     wear_wheel_archard_speed1: float
-    """Law archard: sliding speed above which wear is severe [m/s]."""
+    """Law archard: slip velocity above which wear is severe [m/s]."""
     wear_wheel_archard_speed2: float
-    """Law archard: sliding speed above which wear is mild again [m/s]."""
+    """Law archard: slip velocity above which wear is mild again [m/s]."""
     wear_rail_density: float
     """Density of the rails [kg/m3]."""
     wear_rail_frictional_work_coefficient: float
@@ -346,9 +346,9 @@ class ElementParameters(TypedDict, total=False):
     wear_rail_zobory_limit: float
     """Law zobory: frictional power density that divides the regimes [W/m2]."""
     wear_rail_archard_mild: float
-    """Law archard: wear coefficient below the lower and above the upper sliding speed [-]."""
+    """Law archard: wear coefficient below the lower and above the upper slip velocity [-]."""
     wear_rail_archard_severe: float
-    """Law archard: wear coefficient between the two sliding speeds [-]."""
+    """Law archard: wear coefficient between the two slip velocities [-]."""
     wear_rail_archard_seizure: float
     """Law archard: wear coefficient where the pressure is beyond its limit [-]."""
     wear_rail_archard_hardness: float
@@ -356,9 +356,9 @@ class ElementParameters(TypedDict, total=False):
     wear_rail_archard_pressure_share: float
     """Law archard: limit of the pressure over the hardness [-]."""
     wear_rail_archard_speed1: float
-    """Law archard: sliding speed above which wear is severe [m/s]."""
+    """Law archard: slip velocity above which wear is severe [m/s]."""
     wear_rail_archard_speed2: float
-    """Law archard: sliding speed above which wear is mild again [m/s]."""
+    """Law archard: slip velocity above which wear is mild again [m/s]."""
     wear_wheel_file: str | os.PathLike[str]
     """File to which fmi2Terminate writes the worn profile of the wheel, two columns y_mm, z_mm that can be read as wheel.profile; relative to the working directory; empty for none."""
     wear_rail1_file: str | os.PathLike[str]
@@ -568,7 +568,7 @@ class WheelSetParameters(TypedDict, total=False):
     """Parameters and starting inputs of `wheelrail.WheelSet`."""
 
     flange_back_distance: float
-    """Distance of the flange backs of the two wheels; the wheel markers, in the planes of the running circles, are 0.07 m farther out on each side [m]."""
+    """Distance of the flange backs of the two wheels; the wheel markers, in the planes of the nominal rolling circles, are 0.07 m farther out on each side [m]."""
     track_irregularity_file: str | os.PathLike[str]
     """File with the irregularities of both rails over the station, found like right.wheel.profile: columns station_m, right_y_mm, right_z_mm, left_y_mm, left_z_mm (y to the right, z down), on top of the inputs; empty for none."""
     wheel_young_modulus: float
@@ -632,7 +632,7 @@ class WheelSetParameters(TypedDict, total=False):
     friction_distribution: Literal["uniform", "regions", "profile"]
     """How friction is spread over the surface of the rails."""
     friction_falling_law: Literal["exponential", "rational", "linear"]
-    """How friction falls with the sliding speed; where friction.distribution is not uniform, on the tread."""
+    """How friction falls with the slip velocity; where friction.distribution is not uniform, on the tread."""
     friction_gauge_face_falling_law: Literal["exponential", "rational", "linear"]
     """As friction.falling.law, on the gauge face; not with friction.distribution uniform."""
     friction_changeover_inclination: float
@@ -650,9 +650,9 @@ class WheelSetParameters(TypedDict, total=False):
     friction_gauge_face_reduction_decay: float
     """As friction.reduction.decay, on the gauge face; not with friction.distribution uniform [-]."""
     friction_falling_share: float
-    """Friction at infinite sliding speed over that without sliding; 1 is constant friction [-]."""
+    """Friction at infinite slip velocity over that without sliding; 1 is constant friction [-]."""
     friction_falling_decay: float
-    """Rate at which friction begins to fall with the sliding speed, over what falls; 0 is constant friction [s/m]."""
+    """Rate at which friction begins to fall with the slip velocity, over what falls; 0 is constant friction [s/m]."""
     friction_reduction_initial: float
     """Initial slope of the creep forces over that of clean bodies, for contaminated rails [-]."""
     friction_reduction_share: float
@@ -716,9 +716,9 @@ class WheelSetParameters(TypedDict, total=False):
     wear_wheel_zobory_limit: float
     """Law zobory: frictional power density that divides the regimes [W/m2]."""
     wear_wheel_archard_mild: float
-    """Law archard: wear coefficient below the lower and above the upper sliding speed [-]."""
+    """Law archard: wear coefficient below the lower and above the upper slip velocity [-]."""
     wear_wheel_archard_severe: float
-    """Law archard: wear coefficient between the two sliding speeds [-]."""
+    """Law archard: wear coefficient between the two slip velocities [-]."""
     wear_wheel_archard_seizure: float
     """Law archard: wear coefficient where the pressure is beyond its limit [-]."""
     wear_wheel_archard_hardness: float
@@ -726,9 +726,9 @@ class WheelSetParameters(TypedDict, total=False):
     wear_wheel_archard_pressure_share: float
     """Law archard: limit of the pressure over the hardness [-]."""
     wear_wheel_archard_speed1: float
-    """Law archard: sliding speed above which wear is severe [m/s]."""
+    """Law archard: slip velocity above which wear is severe [m/s]."""
     wear_wheel_archard_speed2: float
-    """Law archard: sliding speed above which wear is mild again [m/s]."""
+    """Law archard: slip velocity above which wear is mild again [m/s]."""
     wear_rail_density: float
     """Density of the rails [kg/m3]."""
     wear_rail_frictional_work_coefficient: float
@@ -762,9 +762,9 @@ class WheelSetParameters(TypedDict, total=False):
     wear_rail_zobory_limit: float
     """Law zobory: frictional power density that divides the regimes [W/m2]."""
     wear_rail_archard_mild: float
-    """Law archard: wear coefficient below the lower and above the upper sliding speed [-]."""
+    """Law archard: wear coefficient below the lower and above the upper slip velocity [-]."""
     wear_rail_archard_severe: float
-    """Law archard: wear coefficient between the two sliding speeds [-]."""
+    """Law archard: wear coefficient between the two slip velocities [-]."""
     wear_rail_archard_seizure: float
     """Law archard: wear coefficient where the pressure is beyond its limit [-]."""
     wear_rail_archard_hardness: float
@@ -772,15 +772,15 @@ class WheelSetParameters(TypedDict, total=False):
     wear_rail_archard_pressure_share: float
     """Law archard: limit of the pressure over the hardness [-]."""
     wear_rail_archard_speed1: float
-    """Law archard: sliding speed above which wear is severe [m/s]."""
+    """Law archard: slip velocity above which wear is severe [m/s]."""
     wear_rail_archard_speed2: float
-    """Law archard: sliding speed above which wear is mild again [m/s]."""
+    """Law archard: slip velocity above which wear is mild again [m/s]."""
     coupling_monitor: bool
     """Whether contact.stiffness and contact.damping are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
     right_wheel_profile: str | os.PathLike[str]
     """Right side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     right_wheel_nominal_radius: float
-    """Right side: Radius of the running circle [m]."""
+    """Right side: Radius of the nominal rolling circle [m]."""
     right_rail1_profile: str | os.PathLike[str]
     """Right side: Profile of rail 1: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     right_rail2_profile: str | os.PathLike[str]
@@ -832,7 +832,7 @@ class WheelSetParameters(TypedDict, total=False):
     right_wheel_out_of_round_phase: float
     """Right side: Phase of that wave at the point that is lowest at pitch 0: with 0 the radius is greatest there [rad]."""
     right_wheel_flat_length: float
-    """Right side: Length of a flat of the wheel along the running circle; 0 for none [m]."""
+    """Right side: Length of a flat of the wheel along the nominal rolling circle; 0 for none [m]."""
     right_wheel_flat_angle: float
     """Right side: Angle by which the wheel has to roll forward from pitch 0 until it stands on the middle of the flat [rad]."""
     right_wheel_flat_depth: float
@@ -854,7 +854,7 @@ class WheelSetParameters(TypedDict, total=False):
     left_wheel_profile: str | os.PathLike[str]
     """Left side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     left_wheel_nominal_radius: float
-    """Left side: Radius of the running circle [m]."""
+    """Left side: Radius of the nominal rolling circle [m]."""
     left_rail1_profile: str | os.PathLike[str]
     """Left side: Profile of rail 1: a built-in name or a file, found like wheel.profile; slices (.slcs) or a table of sections where it varies along the track."""
     left_rail2_profile: str | os.PathLike[str]
@@ -906,7 +906,7 @@ class WheelSetParameters(TypedDict, total=False):
     left_wheel_out_of_round_phase: float
     """Left side: Phase of that wave at the point that is lowest at pitch 0: with 0 the radius is greatest there [rad]."""
     left_wheel_flat_length: float
-    """Left side: Length of a flat of the wheel along the running circle; 0 for none [m]."""
+    """Left side: Length of a flat of the wheel along the nominal rolling circle; 0 for none [m]."""
     left_wheel_flat_angle: float
     """Left side: Angle by which the wheel has to roll forward from pitch 0 until it stands on the middle of the flat [rad]."""
     left_wheel_flat_depth: float

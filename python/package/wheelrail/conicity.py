@@ -43,7 +43,7 @@ def table(
     step : float
         Step of the displacement [m].
     running_circles : float
-        Distance of the running circles [m].
+        Distance of the nominal rolling circles [m].
     **parameters
         Of both wheels, as for `wheelrail.Element`: ``wheel_profile="S1002"``, ``rail1_inclination=0.05``.
 

@@ -43,7 +43,7 @@ pub struct Arguments {
     /// Profiles and what else is set.
     #[command(flatten)]
     pub contact: ContactOptions,
-    /// Distance of the running circles [m]
+    /// Distance of the nominal rolling circles [m]
     #[arg(long, value_name = "M", default_value_t = 1.5, help_heading = "Contact")]
     pub running_circles: f64,
     /// Greatest displacement to either side, and greatest amplitude [m]

@@ -1,4 +1,4 @@
-//! `wheelrail fit`: the law of friction that measured creep curves tell.
+//! `wheelrail fit`: the law of friction of measured creep curves.
 
 mod least_squares;
 mod points;
@@ -18,7 +18,7 @@ use points::Points;
 
 /// Fit the law of friction to measured creep curves
 ///
-/// Friction, its fall with the sliding speed and the reduction of the initial slope, by least
+/// Friction, its fall with the slip velocity and the reduction of the initial slope, by least
 /// squares of the adhesion: the force of a rolling contact over its normal force. The bodies touch
 /// in an ellipse; steel, unless --set says otherwise.
 ///

@@ -1,6 +1,5 @@
-//! What FMI 3.0 knows and the unit has none of: variables of other types, clocks, structural
-//! parameters, dependencies of single elements, partitions. Each of these functions explains itself
-//! to the logger.
+//! Functions of FMI 3.0 for what the unit does not have: variables of other types, clocks,
+//! structural parameters, dependencies of single elements, partitions. Each says so to the logger.
 
 use super::calls;
 use super::types::{Binary, Boolean, Component, Status, ValueReference};

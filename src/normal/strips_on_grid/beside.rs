@@ -1,5 +1,5 @@
-//! What the two cells beside each node do to it: their loads end where the contact does, so that
-//! they are integrated by a rule of their own.
+//! Influence of the two cells beside each node on it: their loads end where the contact does, so
+//! that they are integrated by a rule of their own.
 
 use super::columns::{Block, LANES, Rows, Sums};
 use super::equations::{Pair, Strip};

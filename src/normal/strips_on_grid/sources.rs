@@ -1,5 +1,5 @@
-//! What a source of pressure does to all nodes, by columns: the part of a Newton step that takes
-//! the time.
+//! Influence of each source of pressure on all nodes, by columns: the part of a Newton step that
+//! takes the time.
 
 use super::columns::{BEYOND, Block, LANES, Rows, Sums, row};
 use super::equations::{Displacement, DisplacementDrop, Pair, far_pair};

@@ -1,4 +1,4 @@
-//! Where the overlap is greatest or least beside itself, from samples at equal distances.
+//! Local maxima and minima of the overlap, from samples at equal distances.
 //!
 //! The samples are joined by cubics whose slopes are the central differences (Catmull and Rom). The
 //! turns of these cubics, all of which are known, move with the samples without jumps, and come and

@@ -1,4 +1,4 @@
-//! Valleys of the overlap, and how much of a node stands in each.
+//! Valleys of the overlap, and the share of a node in each.
 //!
 //! Where two intervals of overlap join, a node stays between them. It fades as the valley fills up
 //! or becomes one with a peak beside it, so that nodes do not jump.

@@ -1,4 +1,4 @@
-//! Steady rolling on the strips that are there: `tangential.model` = strips.
+//! Steady rolling on the strips of the true patch: `tangential.model` = strips.
 //!
 //! Tractions in a few points along a few strips, which lie between those of the normal problem
 //! (`layout`). Within a strip the gradient of displacement is that of boundary elements on

@@ -1,4 +1,4 @@
-//! A solver that is lent out: one at a time, without allocating.
+//! One solver for all who share a model, behind a lock, so that no step allocates.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -1,4 +1,4 @@
-//! What the table tells of an ellipse.
+//! Creep force of an ellipse, as the table has it.
 
 /// Creep force of an ellipse over μ N (moment over μ N c), on the body whose creepage is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

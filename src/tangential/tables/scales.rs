@@ -1,4 +1,4 @@
-//! What creepages and linear forces of an ellipse are scaled by.
+//! Scales of the creepages and the linear forces of an ellipse.
 
 use super::super::kalker_coefficients;
 use super::nodes::SPIN_BY_WIDTH;

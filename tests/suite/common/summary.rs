@@ -17,7 +17,8 @@ impl Summary {
         Self { name: name.into(), rows }
     }
 
-    /// A row of the absolute values of `errors`, with what is aimed at.
+    /// A row of the absolute values of `errors`, with what is aimed at: median, 95 % and worst as in
+    /// `0.1 / - / 0.8`, or the worst alone. docs/validation.md lists what is beyond.
     pub fn add(&mut self, quantity: &str, errors: impl IntoIterator<Item = f64>, aim: &str) {
         let errors: Vec<f64> = errors.into_iter().map(f64::abs).collect();
         self.row(quantity, errors.len(), spread(errors), aim);

@@ -19,7 +19,7 @@ fn described(words: &str) -> String {
     };
     let points = match words {
         "60E1 in inches" => changed(&rail, |p| p.map(|x| x / 25.4)),
-        "S1002 a metre off its running circle" => changed(&wheel, |[y, z]| [y - 1000.0, z]),
+        "S1002 a metre off its nominal rolling circle" => changed(&wheel, |[y, z]| [y - 1000.0, z]),
         "60E1 without its sides" => rail.into_iter().filter(|[_, z]| *z < 8.0).collect(),
         "60E1 sorted by y" => {
             let mut points = rail;

@@ -1,7 +1,6 @@
 //! Half of a wheelset on rails with a mass, under two masters.
 
 use crate::common::wheel::{element, evaluate, rolling};
-use wheelrail::element::input::INPUTS;
 use wheelrail::element::parameters::{Foundation, FoundationModel, NormalModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -54,7 +53,7 @@ impl Bounce {
         let mut slopes = [0.0; 2];
         if let Master::Implicit = master {
             for (k, slope) in slopes.iter_mut().enumerate() {
-                let mut direction = Input::from_array([0.0; INPUTS]);
+                let mut direction = Input::at_rest();
                 let wheel = &mut direction.wheel;
                 *[&mut wheel.position[2], &mut wheel.velocity[2]][k] = 1.0;
                 let mut rates = Output::default();

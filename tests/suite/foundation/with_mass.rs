@@ -224,7 +224,7 @@ fn derivatives_are_those_on_rails_that_stay() {
     let mut moving = element(&parameters);
     let [a, b] = [0.0, 1e-3].map(|time| swinging(&mut moving, time));
     moving.move_rails(&a, &b, 1e-3).unwrap();
-    let mut direction = Input::from_array([0.0; wheelrail::element::input::INPUTS]);
+    let mut direction = Input::at_rest();
     (direction.wheel.position[2], direction.rails[0].vy) = (1.0, 0.3);
     let mut rates = Output::default();
     moving.directional_derivative(&b, &direction, &mut rates).unwrap();

@@ -36,6 +36,7 @@ fn by_hand(input: &Input, side: usize, along: f64) -> element::Input {
         friction: input.sides[side].friction,
         tread_friction: input.sides[side].tread_friction,
         gauge_face_friction: input.sides[side].gauge_face_friction,
+        ..element::Input::default()
     }
 }
 

@@ -1,5 +1,5 @@
-//! `wheelrail linearize`: how a wheelset swings about the middle of the track, and from which speed
-//! on it hunts.
+//! `wheelrail linearize`: eigenmodes of a wheelset about the middle of the track, and its critical
+//! speed.
 
 mod linear_wheelset;
 

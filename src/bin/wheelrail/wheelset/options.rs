@@ -22,7 +22,7 @@ pub struct WheelsetOptions {
     /// Force of the wheelset on the track, its own weight included [N]
     #[arg(long, value_name = "N", default_value_t = 100e3, help_heading = "Wheelset")]
     pub axle_load: f64,
-    /// Distance of the running circles [m]
+    /// Distance of the nominal rolling circles [m]
     #[arg(long, value_name = "M", default_value_t = 1.5, help_heading = "Wheelset")]
     pub running_circles: f64,
 

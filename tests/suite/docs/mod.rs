@@ -1,40 +1,26 @@
 //! The documents do not go stale: the tables of variables in docs/fmi.md and the keywords of the
-//! Python package are those of wheel and wheelset, and every variable that a document names exists.
+//! Python package are those of wheel and wheelset, every variable that a document names exists, and
+//! what falls short of its target is listed.
 //! `UPDATE_DOCS=1 cargo test --test suite docs::` writes the tables.
 
+mod short_of_target;
+
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
 
 use wheelrail::variables::{
     Causality, Enumeration, Kind, VARIABLES, Value, Variable, WHEELSET, find,
 };
 
+use crate::common::document;
+
 const TABLE: [&str; 2] = ["<!-- variables -->\n", "<!-- end of variables -->"];
 const WHEELSET_TABLE: [&str; 2] =
     ["<!-- variables of the wheelset -->\n", "<!-- end of variables of the wheelset -->"];
 
-fn document(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
-}
-
 #[test]
 fn the_tables_of_variables_are_those_of_wheel_and_wheelset() {
-    let path = document("docs/fmi.md");
-    let old = std::fs::read_to_string(&path).unwrap();
-    let mut text = old.clone();
-    for (marks, table) in [(TABLE, table()), (WHEELSET_TABLE, own_of_the_wheelset())] {
-        let start = text.find(marks[0]).expect("a line that starts the table") + marks[0].len();
-        let end = text.find(marks[1]).expect("a line that ends the table");
-        text.replace_range(start..end, &table);
-    }
-    if text == old {
-        return;
-    }
-    if std::env::var_os("UPDATE_DOCS").is_some() {
-        std::fs::write(&path, text).unwrap();
-        return;
-    }
-    panic!("docs/fmi.md is stale: run UPDATE_DOCS=1 cargo test --test suite docs::");
+    let tables = [(TABLE, table()), (WHEELSET_TABLE, own_of_the_wheelset())];
+    document::assert_holds("docs/fmi.md", &tables);
 }
 
 /// What a wheelset has besides what its sides have, and what is not a wheel's.
@@ -151,7 +137,7 @@ fn range(v: &Variable) -> String {
 /// installed.
 #[test]
 fn the_keywords_of_python_are_those_of_the_variables() {
-    let folder = document("python");
+    let folder = document::path("python");
     if !folder.is_dir() {
         // The crate as it is packed comes without the Python package.
         return;
@@ -199,7 +185,7 @@ fn every_variable_that_a_document_names_exists() {
         "docs/benchmarks.md",
         "CHANGELOG.md",
     ] {
-        let text = std::fs::read_to_string(document(file)).unwrap();
+        let text = std::fs::read_to_string(document::path(file)).unwrap();
         // In tables a bar is written \\|.
         for name in text.replace("\\|", "|").split('`').skip(1).step_by(2) {
             let is_name = name.split_once(['.', '[']).is_some_and(|n| roots.contains(&n.0))

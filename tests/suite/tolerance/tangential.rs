@@ -1,0 +1,111 @@
+//! Tolerances of the tangential models.
+
+super::entry::tolerances! {
+    /// Linear limit of FASTSIM against Kalker's coefficients at 20 elements: middle rule along the
+    /// strips.
+    FASTSIM_LINEAR: f64 = 5e-3;
+
+    /// Linear theory against FASTSIM with friction 1e9 and 200 elements along: middle rule, 1/(2
+    /// n²).
+    LINEAR_LIMIT: f64 = 1e-4;
+
+    /// Full sliding against friction times normal force: nobody knows friction to a hundredth.
+    FULL_SLIDING: f64 = 1e-3;
+
+    /// Direction of the creep force of a wheel that slides, share of the friction limit: spin turns
+    /// it a little.
+    SLIDING_DIRECTION: f64 = 0.02;
+
+    /// Fits of Kalker's coefficients against the exact ones inside a/b 0.05 to 20, for c11, c22,
+    /// c23: what polynomials of the logarithm leave.
+    KALKER_FIT: [f64; 3] = [2.1e-3, 1.4e-3, 5.0e-3], kept;
+
+    /// The same for a/b 0.03 to 0.05 and 20 to 33: the fits go over into asymptotes that are
+    /// themselves a few per cent off.
+    KALKER_ENDS: [f64; 3] = [2.2e-2, 1.6e-2, 2.1e-2], kept;
+
+    /// FASTSIM (elliptic bound, blended flexibilities, 20x20) against CONTACT on 300 ellipses,
+    /// force over the friction limit, mean and 95 %: the error of the simplified theory.
+    FASTSIM_ELLIPSES: [f64; 2] = [0.022, 0.055], kept;
+
+    /// FaStrip on these ellipses, 20x20, blended, mean, 95 % and worst: the error of the theory;
+    /// CONTACT's own FaStrip on 22x22 has 0.017, 0.048, 0.067.
+    FASTRIP_ELLIPSES: [f64; 3] = [0.0125, 0.04, 0.062], kept;
+
+    /// Nodes of the table of creep forces, errors estimated from two grids, over the friction
+    /// limit, mean and worst: less than half of the target of all sets.
+    TABLE_NODES: [f64; 2] = [1.5e-3, 0.012];
+
+    /// Full sliding with spin, interpolated between exact values, a/b 0.055 to 18, mean and worst,
+    /// force over μ N and moment over μ N c: the worst are ellipses of a/b near 18 that turn about
+    /// a point beside their longer axis.
+    TABLE_SLIDING: [[f64; 2]; 2] = [[5e-4, 6e-3], [5e-4, 1.6e-2]], kept;
+
+    /// Derivatives of the table against central differences over 1e-6 of the creepage: the third
+    /// derivative times the square of the step.
+    TABLE_SLOPES: f64 = 1e-7;
+
+    /// The table against boundary elements of 12 and 18 across between its nodes, over the friction
+    /// limit, mean and worst: the error of the coarse grids.
+    TABLE_BETWEEN: [f64; 2] = [2e-3, 1e-2];
+
+    /// The same for ν = 0 and 0.5: the linear coefficients alone know of it.
+    TABLE_POISSON: [f64; 2] = [1e-2, 6e-2], kept;
+
+    /// The table against CONTACT on 300 ellipses, over the friction limit, mean, 95 %, worst: the
+    /// reference itself is uncertain by 0.003 in the mean, 0.014 at worst.
+    TABLE_ELLIPSES: [f64; 3] = [0.0032, 0.0065, 0.03];
+
+    /// Strips with tables against CONTACT on 656 states of 8 real patches, force over the friction
+    /// limit, mean, 95 %, worst: an ellipse stands for each patch.
+    TABLE_PROFILES: [f64; 3] = [0.010, 0.030, 0.055];
+
+    /// The same, mean of the spin moment over the limit times c: an ellipse stands for each patch.
+    TABLE_PROFILES_MOMENT: f64 = 0.008;
+
+    /// Strips with corrected FASTSIM against CONTACT on 656 states of 8 real patches, force over
+    /// the friction limit, mean, 95 %, worst: to be no worse than tables; the target is that of an
+    /// element as it starts.
+    CORRECTED_PROFILES: [f64; 3] = [0.010, 0.030, 0.055], target [0.007, 0.022, 0.04];
+
+    /// The same, spin moment: to be no worse than tables.
+    CORRECTED_PROFILES_MOMENT: f64 = 0.008;
+
+    /// Strips for both problems on these states, force over the friction limit, mean, 95 %, worst:
+    /// to be no worse than tables; what is left of the target is what 25 strips have of the
+    /// pressure.
+    STRIPS_PROFILES: [f64; 3] = [0.010, 0.030, 0.055], target [0.004, 0.012, 0.03];
+
+    /// The same, spin moment: to be no worse than tables.
+    STRIPS_PROFILES_MOMENT: f64 = 0.008;
+
+    /// Strips against Kalker's linear theory for a/b from 0.2 to 2, c11, c22, c23 from the force,
+    /// c33, c23 from the moment: the tractions between ten strips are linear, those of spin beyond
+    /// the outer ones constant, and those of full adhesion have a singularity at the trailing edge,
+    /// which moments feel; nothing of it is left once anything slips.
+    STRIPS_KALKER: [f64; 5] = [0.015, 0.02, 0.04, 0.05, 0.08], target 0.01;
+
+    /// Strips against CONTACT on 300 ellipses, force over the friction limit, mean, 95 %, worst:
+    /// the target of all sets.
+    STRIPS_ELLIPSES: [f64; 3] = [0.004, 0.012, 0.03];
+
+    /// Strips against boundary elements over the positions of a wheel on its rail, force over the
+    /// friction limit, mean, 95 %, worst: the target of all sets.
+    STRIPS_POSITIONS: [f64; 3] = [0.004, 0.012, 0.03];
+
+    /// What tractions on strips are away from the law of friction, over their bound: where the
+    /// iteration ends.
+    STRIPS_SLIP: f64 = 1e-10;
+
+    /// Forces and moments of a cone with flat and with curved creepage, over the force: the same
+    /// sums in another order.
+    CONE_FLAT_AND_CURVED: f64 = 1e-9;
+
+    /// Frictional power against the power of the tractions on both bodies, over force times speed:
+    /// sums in another order.
+    POWER_BALANCE: f64 = 1e-12;
+
+    /// Power that tractions feed into the bodies, over what friction could turn into heat: friction
+    /// feeds none.
+    POWER_FED: f64 = 0.0;
+}
