@@ -199,7 +199,8 @@ impl VaryingRail {
         let count = parameter.len();
         let mut before: Option<Met> = None;
         let (mut kept, mut looked) = (None, None);
-        let is_wavy = !surface.corrugation.is_empty() || over.waves().is_some();
+        let is_wavy =
+            !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
         for j in 0..count {
             let below = below(bounds.of(j, over.within.slice), wheel, over);
             let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];

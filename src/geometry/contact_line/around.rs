@@ -104,12 +104,12 @@ impl<'a> ContactLine<'a> {
         self.axes().map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
     }
 
-    /// Places along the track between which a wheel that is met at parameter `s` and overlaps a
-    /// rail by up to `depth` [m] there may do so [m].
+    /// Places along the track between which a wheel that is met at parameter `s` and the place `met`
+    /// and overlaps a rail by up to `depth` there may do so, all [m].
     #[must_use]
-    pub fn reach(&self, s: f64, depth: f64) -> Option<[f64; 2]> {
+    pub fn reach(&self, s: f64, met: f64, depth: f64) -> Option<[f64; 2]> {
         let reach = self.around?.reach(depth);
-        let x = self.round().even_at(s).x;
+        let x = met - self.ahead_of_round(s);
         Some([x - reach, x + reach])
     }
 }

@@ -38,7 +38,7 @@ impl Bounds {
         let (rail, wheel) = (surface.corrugation.bounds(), wheel.bounds());
         Self {
             all: bounds(rows, radius, rail.range[1] + wheel.range[1]),
-            hollows: hollows(rows, radius, rail.curvature + wheel.curvature),
+            hollows: hollows(rows, radius, rail.curvature),
             count: surface.count(),
         }
     }
@@ -95,7 +95,7 @@ fn bounds(rows: &Rows, radius: f64, crest: f64) -> Vec<Bound> {
 }
 
 /// For each row and slice the number of slices up to it between which the row may be hollow for a
-/// wheel of `radius` [m], where the waves of both are curved by up to `waves` [1/m].
+/// wheel of `radius` [m], where corrugation is curved by up to `waves` [1/m].
 fn hollows(rows: &Rows, radius: f64, waves: f64) -> Vec<u32> {
     let count = rows.parameter.len();
     let most = HOLLOW_SHARE / radius;

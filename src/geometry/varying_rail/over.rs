@@ -156,6 +156,11 @@ impl Over<'_> {
         self.line.varies_around()
     }
 
+    /// Whether the wheel may be hollow for a rail.
+    pub fn is_hollow(&self) -> bool {
+        self.varies_around() || self.waves.is_some_and(|waves| waves.is_hollow())
+    }
+
     /// How far ahead of its contact line or behind a wheel whose section varies around may be met
     /// on an even rail; 0 for others [m].
     pub fn reach_around(&self) -> f64 {

@@ -150,7 +150,7 @@ impl Touch<'_> {
             x = centre.clamp(from, to);
         }
         let mut other = None;
-        if looks_through && (self.bounds.is_hollow(j, over.within.ends) || over.varies_around()) {
+        if looks_through && (self.bounds.is_hollow(j, over.within.ends) || over.is_hollow()) {
             (x, other) = self.valleys(j, run, over, (x, &p), &opposite, [from, to]);
         }
         if (x - start).abs() > 0.0 {

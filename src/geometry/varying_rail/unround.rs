@@ -14,6 +14,7 @@
 
 use super::over::{Opposite, Over};
 use crate::geometry::rows::plane::dot;
+use crate::geometry::rows::surface::REACH;
 use crate::geometry::waviness::Waviness;
 
 /// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
@@ -24,14 +25,34 @@ pub(super) struct Waves<'a> {
     below: f64,
     /// Parts of forward in the plane of the rolling circles along the track and to the right [-].
     forward: [f64; 2],
+    /// Whether the wheel may be hollow within reach.
+    is_hollow: bool,
 }
+
+/// Curvature of deviations from which on the wheel may be hollow for a rail that is not hollow for
+/// a round one, over that of the wheel [-].
+const HOLLOW_SHARE: f64 = 0.25;
+/// Farthest place of touch along the nominal rolling circle [m].
+const FARTHEST: f64 = 1.2 * REACH;
 
 impl<'a> Waves<'a> {
     /// Those of `waves` on a wheel turned by `pitch` and `yaw` [rad] with the radius
     /// `nominal_radius` [m].
     pub fn new(waves: &'a Waviness, nominal_radius: f64, [pitch, yaw]: [f64; 2]) -> Self {
         let (sine, cosine) = yaw.sin_cos();
-        Self { waves, below: -pitch * nominal_radius, forward: [cosine, sine] }
+        let below = -pitch * nominal_radius;
+        let spacing = waves.bounds().spacing.min(REACH);
+        let count = (FARTHEST / spacing).ceil();
+        let samples = (0..=2 * count as usize).map(|i| below + (i as f64 - count) * spacing);
+        let most = HOLLOW_SHARE / nominal_radius;
+        let is_hollow = waves.bounds().curvature > most
+            && samples.map(|place| waves.at(place)[2]).any(|curvature| curvature > most);
+        Self { waves, below, forward: [cosine, sine], is_hollow }
+    }
+
+    /// Whether the wheel may be hollow within reach.
+    pub fn is_hollow(&self) -> bool {
+        self.is_hollow
     }
 
     /// Distance of samples between which at most one wave is [m].
@@ -61,7 +82,7 @@ impl Over<'_> {
         if self.varies_around() {
             return self.around(x, [y, z], wheel).unwrap_or_default();
         }
-        let Some(Waves { waves, below, forward: [cosine, sine] }) = self.waves() else {
+        let Some(Waves { waves, below, forward: [cosine, sine], .. }) = self.waves() else {
             return Deviation::default();
         };
         let ahead = x * cosine + y * sine;

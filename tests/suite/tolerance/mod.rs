@@ -38,6 +38,12 @@ pub const ECCENTRIC: [[f64; 2]; 2] = [[1e-5, 1e-3]; 2];
 /// The same by boundary elements, whose lattice counts from the marker, half a millimetre
 /// elsewhere: the aim for loads.
 pub const ECCENTRIC_ELEMENTS: [[f64; 2]; 2] = [[1e-2; 2]; 2];
+/// A wheel that varies around on a rail of equal slices against that on one profile, worst, over the
+/// greatest force: the target of 1e-9 but for rows that are met within 1e-10 m of their place.
+pub const EQUAL_SLICES: f64 = 1e-8;
+/// The same by boundary elements, on slices or under sections that are all the same: their rows are
+/// found to a nanometre, over depths of some 0.05 mm.
+pub const EQUAL_SLICES_ELEMENTS: f64 = 1e-5;
 /// Angle from the middle of the flat of the tests beyond which the edge of its hollow is flat
 /// enough for elements of 0.2 mm [rad]: nearer to the middle the pressure has a peak along it that
 /// grows with their number.
