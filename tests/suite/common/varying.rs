@@ -223,7 +223,7 @@ pub fn roll_without_jumps(element: &mut Element, step: f64) {
         last.push([output.wheel_z, output.wheel.force[0] / limit, output.wheel.force[1] / limit]);
     }
     // The height at which a ball would carry as much more or less as a force may jump.
-    let height = the_patch(&output).penetration * tolerance::WALK_JUMPS[0] / 1.5;
+    let height = output.patches[0].penetration * tolerance::WALK_JUMPS[0] / 1.5;
     for window in last.windows(4) {
         let allowed = [height, tolerance::WALK_JUMPS[1], tolerance::WALK_JUMPS[1]];
         for (k, allowed) in allowed.into_iter().enumerate() {
