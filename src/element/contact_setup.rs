@@ -18,6 +18,7 @@ use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, RailSeparation};
 use crate::geometry::rail_outline::RailOutline;
+use crate::geometry::varying_rail::Along;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion};
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone, damping};
@@ -113,11 +114,13 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     pub(super) fn met_surface(&self, zone: &Zone<T>, models: &Models<T>) -> ZoneSurface<T> {
         let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line.round());
         let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
-        if self.line.varies_around() {
+        let Some(along) = self.rail.along(self.contact.rail_s) else {
             return ZoneSurface::beside_round(zone, &models.strips, centre);
-        }
+        };
         let share = line.lifting_share(self.contact.normal());
-        ZoneSurface::met(share, line.lifting_radius(zone.u), zone, &models.strips, centre)
+        let line_ahead = self.line.ahead_of_round(self.contact.u);
+        let radius = line.lifting_radius(zone.u);
+        ZoneSurface::met(share, radius, &along, line_ahead, zone, &models.strips, centre)
     }
 
     /// Normal force with damping over that without [-].
@@ -160,12 +163,10 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.approach_velocity(touch).dot(&normal);
         let [forward, ..] = wheel.velocity;
-        if let Some(along) = along {
-            return even + forward * along.lean;
-        }
-        if self.line.varies_around() {
-            let ahead = self.line.ahead_of_round(self.contact.u);
-            return even + motion.turning_velocity(ahead).dot(&normal);
+        if along.is_some() || self.line.varies_around() {
+            let Along { lean, lever, .. } = along.unwrap_or_default();
+            let ahead = self.line.ahead_of_round(self.contact.u) + lever;
+            return even + forward * lean + motion.turning_velocity(ahead).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };
         let radius = self.line.nominal_radius();

@@ -190,9 +190,7 @@ impl Line for LocalLine<'_> {
 /// Radius of the section of wheel and rail together along the rows of a rail that varies, for a
 /// wheel whose even section has the radius `even` [m].
 pub(super) fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
-    // The wheel's circle is as round along the lean as it is along the track.
-    let share = even * along.curvature * along.shortening() + 1.0;
-    even / (share / (along.drift * along.drift + 1.0)).at_least(MIN_CURVATURE_SHARE)
+    even / (along.relative(even) / (along.drift * along.drift + 1.0)).at_least(MIN_CURVATURE_SHARE)
 }
 
 /// Distance along the contact line beyond which a nearest point is looked for anew [m].

@@ -171,9 +171,6 @@ impl Parameters {
                 "where there is rail[k].roller_radius: a roller has one profile all around",
             );
         }
-        if self.wheel_is_uneven() {
-            return refuse("where there is wheel.flat or wheel.out_of_round");
-        }
         if radius != 0.0 && self.is_corrugated(k) {
             return refuse("where there is rail[k].corrugation");
         }
@@ -188,23 +185,22 @@ impl Parameters {
         Ok(())
     }
 
-    /// Whether the models go with a wheel whose section varies around as `slices` say;
-    /// `rail_varies` if the section of a rail varies too.
-    pub(super) fn check_around(
-        &self,
-        slices: &Slices,
-        rail_varies: bool,
-    ) -> Result<(), ContactError> {
+    /// Whether the models go with a wheel whose section varies around as `slices` say.
+    pub(super) fn check_around(&self, slices: &Slices) -> Result<(), ContactError> {
         let refuse = |why: &str| {
             let (name, value) = ("wheel.profile".to_owned(), slices.name.clone());
             let allowed = format!("one profile for all the circle {why}");
             Err(ContactError::BadText { name, value, allowed })
         };
-        if rail_varies || self.rails.iter().any(|r| r.enabled && r.roller_radius != 0.0) {
-            return refuse("on rails whose section varies and on rollers");
+        if self.wheel_is_uneven() {
+            return refuse("where there is wheel.flat or wheel.out_of_round");
         }
-        if self.is_uneven() {
-            return refuse("where there is wheel.flat, wheel.out_of_round or rail[k].corrugation");
+        if self.friction_distribution == FrictionDistribution::Profile
+            && (0..self.rails.len()).any(|k| self.is_corrugated(k))
+        {
+            return refuse(
+                "where there is rail[k].corrugation and friction.distribution is profile",
+            );
         }
         if self.wear.model != WearModel::Off {
             return refuse("as wear.model is not off: what wears is one profile");

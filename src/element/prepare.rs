@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::deviations::{deviations, rail_deviations};
+use super::deviations::{deviations, rail_deviations, wheel_deviations};
 use super::input::Input;
 use super::models::Models;
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
@@ -15,8 +15,12 @@ use crate::error::ContactError;
 use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
 use crate::geometry::slices::Slices;
+use crate::geometry::varying_rail::WheelAbove;
 use crate::geometry::varying_wheel::VaryingWheel;
 use crate::io::{load_profile, load_slices};
+
+/// Stations between which a rail is given that is the same all along: beyond them it goes on [m].
+const EVEN_STRETCH: [f64; 2] = [-1.0, 1.0];
 
 impl Element {
     /// Loads the profiles (a relative file name is looked for in `profile_folders`, in order),
@@ -89,7 +93,7 @@ impl Element {
             }
         }
         if let Some(around) = around {
-            parameters.check_around(around, slices.iter().any(Option::is_some))?;
+            parameters.check_around(around)?;
         }
         let radius = parameters.wheel.nominal_radius;
         let sections = around.iter().flat_map(|slices| slices.slices()).map(|s| &s.profile);
@@ -103,23 +107,28 @@ impl Element {
             }
         }
         let around = around.map(|slices| VaryingWheel::new(slices, radius));
+        let above = WheelAbove {
+            profile: &wheel.curve,
+            nominal_radius: radius,
+            waves: wheel_deviations(parameters, folders)?,
+            around: around.as_ref(),
+        };
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
             let placed = placed(k, profile, parameters)?;
             let roller = parameters.rails[k].roller_radius;
-            let placed = match &slices[k] {
+            // A corrugated rail under a wheel that varies around has the same section all along.
+            let even = (around.is_some() && parameters.is_corrugated(k))
+                .then(|| Slices::even(profile, EVEN_STRETCH));
+            let (placed, deviations) = match slices[k].as_ref().or(even.as_ref()) {
                 // Its corrugation is part of its surface.
                 Some(slices) => {
                     let corrugation = rail_deviations(parameters, k, folders)?;
-                    placed.varying(slices, corrugation, &wheel.curve, radius)
+                    (placed.varying(slices, corrugation, &above), None)
                 }
-                None if roller > 0.0 => placed.on_roller(profile, &wheel.curve, radius, roller),
-                None => placed,
-            };
-            let deviations = match &slices[k] {
-                Some(_) => None,
-                None => deviations(parameters, k, folders)?,
+                None if roller > 0.0 => (placed.on_roller(profile, &above, roller), None),
+                None => (placed, deviations(parameters, k, folders)?),
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;

@@ -6,6 +6,7 @@ use super::rail_frame::RailFrame;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::rail_outline::RailOutline;
+use crate::geometry::varying_rail::Along;
 use crate::kinematics::creepage::RelativeMotion;
 use crate::math::real::Real;
 use crate::normal::damping;
@@ -56,10 +57,9 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.approach_velocity(touch).dot(&along);
-        let even = self.rail.along(y).map_or(even, |along| even + self.forward * along.lean);
-        let even = self.around.map_or(even, |line| {
-            even + self.motion.turning_velocity(line.ahead_of_round(u)).dot(&along)
-        });
+        let Along { lean, lever, .. } = self.rail.along(y).unwrap_or_default();
+        let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
+        let even = even + self.forward * lean + self.motion.turning_velocity(ahead).dot(&along);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]

@@ -1,6 +1,7 @@
 //! Place and direction of a patch on bodies that are not even along the track.
 
 use crate::geometry::line_separation::Lifting;
+use crate::geometry::varying_rail::Along;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -36,23 +37,28 @@ impl<T: Real> ZoneSurface<T> {
         Self { ahead: ahead(zone, strips, centre), ..Self::even() }
     }
 
-    /// The surface of a round wheel at the centroid of load of `zone` on a rail that meets it ahead
-    /// of the contact line or behind: it leans as the circle of the `radius` does there, so that
-    /// the normal force has no moment about the axle. `share` is the component of a unit of height
-    /// along the normal, `centre` as of [`new`](Self::new).
+    /// The surface of a wheel at the centroid of load of `zone` on a rail that meets it `along` the
+    /// track ahead of the contact line or behind: it leans as the circle of the `radius` does
+    /// there, so that the normal force of a round wheel has no moment about the axle, and less by
+    /// as much as it passes ahead of the axle. The contact line itself lies `line_ahead` of that of
+    /// a round wheel. `share` is the component of a unit of height along the normal, `centre` as of
+    /// [`new`](Self::new), of a round wheel.
     #[must_use]
     pub fn met(
         share: T,
         radius: T,
+        along: &Along<T>,
+        line_ahead: T,
         zone: &Zone<T>,
         strips: &Strips<T>,
         centre: impl Fn(T) -> T,
     ) -> Self {
-        let zero = T::from(0.0);
-        let to = ahead(zone, strips, centre);
+        let Along { raised, lever, .. } = *along;
+        let ahead = ahead(zone, strips, centre);
+        let to = ahead - line_ahead;
         let height = (radius * radius - to * to).at_least(0.0).sqrt();
-        let lean = if height > 0.0 { share * to / height } else { zero };
-        Self { depth: share * (height - radius), radius: zero, lean, ahead: to }
+        let lean = if height > 0.0 { share * (to - lever) / height } else { T::from(0.0) };
+        Self { depth: share * (height - radius + raised), radius: raised, lean, ahead }
     }
 }
 

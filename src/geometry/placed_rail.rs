@@ -7,7 +7,7 @@ pub use crate::geometry::nearest_point::Nearest;
 use crate::geometry::nearest_point::{CoarsePoints, nearest};
 use crate::geometry::profile::Profile;
 use crate::geometry::slices::Slices;
-use crate::geometry::varying_rail::VaryingRail;
+use crate::geometry::varying_rail::{VaryingRail, WheelAbove};
 use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
 
@@ -186,38 +186,24 @@ impl PlacedRail {
     }
 
     /// The rail whose section varies as `slices` say, which stands as that of their first one does,
-    /// with its `corrugation` over the station on top, under wheels with the profile `wheel` and
-    /// the radius `nominal_radius` [m].
+    /// with its `corrugation` over the station on top, under the `wheel`.
     #[must_use]
-    pub fn varying(
-        self,
-        slices: &Slices,
-        corrugation: Waviness,
-        wheel: &Curve,
-        nominal_radius: f64,
-    ) -> Self {
-        self.of_slices(slices, wheel, nominal_radius, 0.0, corrugation)
+    pub fn varying(self, slices: &Slices, corrugation: Waviness, wheel: &WheelAbove) -> Self {
+        self.of_slices(slices, wheel, 0.0, corrugation)
     }
 
     /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame
-    /// `radius` [m] below the marker, under wheels as in [`varying`](Self::varying).
+    /// `radius` [m] below the marker, under the `wheel`.
     #[must_use]
-    pub fn on_roller(
-        self,
-        profile: &Profile,
-        wheel: &Curve,
-        nominal_radius: f64,
-        radius: f64,
-    ) -> Self {
+    pub fn on_roller(self, profile: &Profile, wheel: &WheelAbove, radius: f64) -> Self {
         let slices = Slices::even(profile, VaryingRail::range_of_roller(radius));
-        self.of_slices(&slices, wheel, nominal_radius, radius, Waviness::new(None))
+        self.of_slices(&slices, wheel, radius, Waviness::new(None))
     }
 
     fn of_slices(
         mut self,
         slices: &Slices,
-        wheel: &Curve,
-        nominal_radius: f64,
+        wheel: &WheelAbove,
         roller_radius: f64,
         corrugation: Waviness,
     ) -> Self {
@@ -227,7 +213,6 @@ impl PlacedRail {
             |direction| self.placed_direction(direction),
             self.hand < 0.0,
             wheel,
-            nominal_radius,
             roller_radius,
             corrugation,
         );
@@ -279,11 +264,12 @@ impl PlacedRail {
     }
 
     /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above
-    /// `station` [m], meets it; nothing for others. False where there is no rail within reach.
-    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, station: f64) -> bool {
+    /// a station [m] at a pitch [rad], both as `place`, meets it; nothing for others. False where
+    /// there is no rail within reach.
+    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, place: [f64; 2]) -> bool {
         let Self { curve, coarse, varying, .. } = self;
         let Some(varying) = varying else { return true };
-        let is_there = varying.pass(line, pose, station, curve);
+        let is_there = varying.pass(line, pose, place, curve);
         coarse.take(curve);
         is_there
     }

@@ -66,6 +66,6 @@ impl<'a, T: Real> RailOutline<'a, T> {
     #[must_use]
     pub fn radius_along(&self, radius: T, s: T, least: f64) -> T {
         let Some(along) = self.along(s) else { return radius };
-        radius / (radius * along.curvature * along.shortening() + 1.0).at_least(least)
+        radius / along.relative(radius).at_least(least)
     }
 }

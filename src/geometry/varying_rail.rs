@@ -29,11 +29,15 @@
 mod bounds;
 mod over;
 mod touch;
+mod unround;
+mod wheel_above;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
 use self::over::Over;
 use self::touch::{CLOSE, Touch};
+use self::unround::Waves;
+pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::ContactLine;
@@ -63,30 +67,32 @@ pub struct VaryingRail {
     surface: Surface,
     bounds: Bounds,
     wheel: WheelTable,
+    /// Deviations of the wheel over the arc of its nominal rolling circle, with a radius [m].
+    waves: Waviness,
+    nominal_radius: f64,
     envelope: Envelope,
     met: FixedVec<Met>,
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
     top: usize,
-    /// Station above which the wheel passed last [m].
+    /// Station above which the wheel passed last [m], and its pitch [rad].
     station: f64,
+    pitch: f64,
 }
 
 impl VaryingRail {
     /// The rail of `slices`, whose points and directions `point` and `direction` put where it
-    /// stands, turned left to right if `turned`, under wheels with the profile `wheel` and the
-    /// radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes
-    /// around a roller whose axle is at station 0, and they end where a wheel leaves that.
-    /// `corrugation` is the height of the rail over the station on top of that of the slices.
+    /// stands, turned left to right if `turned`, under the `wheel`. With a `roller_radius` [m]
+    /// above 0 the first of them goes around a roller whose axle is at station 0, and they end
+    /// where a wheel leaves that. `corrugation` is the height of the rail over the station on top
+    /// of that of the slices.
     #[must_use]
-    #[allow(clippy::too_many_arguments)] // a surface, its place and the wheel on it
     pub fn new(
         slices: &Slices,
         point: impl Fn([f64; 2]) -> [f64; 2],
         direction: impl Fn([f64; 2]) -> [f64; 2],
         turned: bool,
-        wheel: &Curve,
-        nominal_radius: f64,
+        wheel: &WheelAbove,
         roller_radius: f64,
         corrugation: Waviness,
     ) -> Self {
@@ -97,12 +103,15 @@ impl VaryingRail {
         Self {
             arcs,
             top,
-            bounds: Bounds::new(&surface, nominal_radius),
-            wheel: WheelTable::new(wheel),
+            bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
+            wheel: WheelTable::new(wheel.profile, wheel.sides()),
+            waves: wheel.waves.clone(),
+            nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
             met: FixedVec::new(surface.count()),
             surface,
             station: 0.0,
+            pitch: 0.0,
         }
     }
 
@@ -130,19 +139,21 @@ impl VaryingRail {
         self.surface.faces()
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into
-    /// `curve`; allocates nothing within the room that it has. False where there is no rail within
-    /// reach.
+    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], turned
+    /// by `pitch` [rad], into `curve`; allocates nothing within the room that it has. False where
+    /// there is no rail within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
         pose: &WheelPose,
-        station: f64,
+        [station, pitch]: [f64; 2],
         curve: &mut Curve,
     ) -> bool {
-        self.station = station;
-        let over = Over::new(line, pose, station, self.surface.within(station));
-        self.meet_rows(&over);
+        (self.station, self.pitch) = (station, pitch);
+        if line.varies_around() {
+            self.wheel.follow(line.profile());
+        }
+        self.meet_rows(line, pose);
         let is_there = self.envelope.lay(&self.surface, &self.met);
         if is_there {
             curve.put_through(self.envelope.knots());
@@ -176,15 +187,20 @@ impl VaryingRail {
     }
 
     /// Fills `met` with all rows that may touch, and with a few of the others.
-    fn meet_rows(&mut self, over: &Over) {
-        let Self { surface, bounds, wheel, met, .. } = self;
+    fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
+        let Self { surface, bounds, wheel, met, waves, .. } = self;
+        let within = surface.within(self.station);
+        let turn = [self.pitch, pose.yaw];
+        let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
+        let over = &Over::new(line, pose, self.station, within).with_waves(waves);
         met.clear();
         let touch = Touch { surface, bounds, wheel };
         let (parameter, parts) = (&surface.rows.parameter, &surface.rows.parts);
         let count = parameter.len();
         let mut before: Option<Met> = None;
         let (mut kept, mut looked) = (None, None);
-        let is_corrugated = !surface.corrugation.is_empty();
+        let is_wavy =
+            !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
         for j in 0..count {
             let below = below(bounds.of(j, over.within.slice), wheel, over);
             let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
@@ -197,7 +213,7 @@ impl VaryingRail {
                 met.extend(touch.aside(over, j));
                 continue;
             }
-            let looks = is_corrugated || looked.is_none_or(|k: usize| j - k >= STRIDE);
+            let looks = is_wavy || looked.is_none_or(|k: usize| j - k >= STRIDE);
             if looks {
                 looked = Some(j);
             }
@@ -226,24 +242,28 @@ impl VaryingRail {
         nearest.map_or([0.0; 2], |(k, row)| [self.envelope.knots()[k].s, self.arcs[row]])
     }
 
-    /// How far corrugation lifts the rail at most [m].
+    /// How far waves of rail and wheel bring both nearer to each other at most [m].
     #[must_use]
     pub fn highest(&self) -> f64 {
-        self.surface.corrugation.bounds().range[1]
+        self.surface.corrugation.bounds().range[1] + self.waves.bounds().range[1]
     }
 
-    /// How much more curved corrugation is at the place `x` from the marker of the wheel that
-    /// passed last than over the distance `reach` to either side of it, positive where it bulges
-    /// more [1/m].
+    /// How much more curved waves of rail and wheel are at the place `x` from the marker of the
+    /// wheel that passed last than over the distance `reach` to either side of it, positive where
+    /// they bulge more [1/m].
     #[must_use]
     pub fn bridged(&self, x: f64, reach: f64) -> f64 {
-        let waves = &self.surface.corrugation;
-        if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
-            return 0.0;
-        }
-        let at = self.station + x;
-        let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
-        (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
+        let below = -self.pitch * self.nominal_radius;
+        let surfaces = [(&self.surface.corrugation, self.station), (&self.waves, below)];
+        let bridged = surfaces.map(|(waves, origin)| {
+            if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
+                return 0.0;
+            }
+            let at = origin + x;
+            let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
+            (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
+        });
+        bridged[0] + bridged[1]
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.

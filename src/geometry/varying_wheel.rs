@@ -26,6 +26,7 @@
 
 mod surface;
 
+pub use self::surface::Below;
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::curve::{Curve, Knot};
@@ -107,6 +108,7 @@ impl Stand {
 }
 
 /// A place of a row, in coordinates along the axle, forward and down.
+#[derive(Clone, Copy)]
 struct Place {
     point: [f64; 3],
     /// Derivatives by row and angle.
@@ -305,6 +307,7 @@ impl VaryingWheel {
             curvature: curvature - around_round,
             lean: 0.0,
             drift: a * a * vv - (m / radial) * (m / radial),
+            ..Along::default()
         };
         Met {
             row: j,

@@ -73,6 +73,7 @@ mod tables;
 mod tolerance;
 mod traction_strips;
 mod uneven;
+mod varying_both;
 mod varying_rail;
 mod varying_wheel;
 mod vertical_load;

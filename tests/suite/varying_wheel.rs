@@ -341,7 +341,7 @@ fn what_does_not_go_with_sections_around_is_refused_by_name() {
     };
     refused(&|p| p.wheel.out_of_round.amplitude = 1e-4, "wheel.out_of_round");
     refused(&|p| p.wear.model = WearModel::Archard, "wear.model");
-    refused(&|p| p.rails[0].roller_radius = 0.5, "rollers");
+    refused(&|p| p.wheel.flat.length = 0.03, "wheel.flat");
     let mut wheel = element(&with("wheel.slcw"), &folder);
     let (input, mut rates) = (rolling(0.0, 20.0), Output::default());
     let asked = wheel.directional_derivative(&input, &input, &mut rates);

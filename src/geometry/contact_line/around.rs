@@ -2,7 +2,7 @@
 
 use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
 use crate::geometry::surface_point::SurfacePoint;
-use crate::geometry::varying_wheel::{BesideRound, VaryingWheel};
+use crate::geometry::varying_wheel::{Below, BesideRound, VaryingWheel};
 use crate::math::real::Real;
 
 impl<T: Real> ContactLine<'_, T> {
@@ -60,26 +60,56 @@ impl<'a> ContactLine<'a> {
         direction: [f64; 2],
         guess: [f64; 2],
     ) -> Option<SurfacePoint> {
-        let axes = [
-            self.axle,
-            [self.cosine, self.ahead[0], self.ahead[1]],
-            [0.0, self.down[0], self.down[1]],
-        ];
-        let seen = |v: [f64; 3]| axes.map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2]);
-        let [mx, my, mz] = self.marker;
-        let start = seen([x - mx, from[0] - my, from[1] - mz]);
-        let met = around.surface_along(start, seen([0.0, direction[0], direction[1]]), guess)?;
+        let axes = self.axes();
+        let start =
+            self.seen([x - self.marker[0], from[0] - self.marker[1], from[1] - self.marker[2]]);
+        let met =
+            around.surface_along(start, self.seen([0.0, direction[0], direction[1]]), guess)?;
         let normal =
             [0, 1, 2].map(|i| axes.iter().zip(met.normal).map(|(axis, n)| n * axis[i]).sum());
         Some(SurfacePoint { normal, ..met })
     }
 
-    /// Places along the track between which a wheel that is met at parameter `s` and overlaps a
-    /// rail by up to `depth` [m] there may do so [m].
+    /// The surface of a wheel whose section varies around below the point (`x`, `from`), with the
+    /// directions (y, z) to the right and down, sought near the parameter of the line and the depth
+    /// of `guess`; nothing where it is not there.
     #[must_use]
-    pub fn reach(&self, s: f64, depth: f64) -> Option<[f64; 2]> {
+    pub fn wheel_below(
+        &self,
+        x: f64,
+        from: [f64; 2],
+        [right, down]: [[f64; 2]; 2],
+        guess: [f64; 2],
+    ) -> Option<Below> {
+        let start =
+            self.seen([x - self.marker[0], from[0] - self.marker[1], from[1] - self.marker[2]]);
+        let directions = [[1.0, 0.0, 0.0], [0.0, right[0], right[1]], [0.0, down[0], down[1]]];
+        self.around?.below(start, directions.map(|way| self.seen(way)), guess)
+    }
+
+    /// How far ahead of where a round wheel would be met or behind one whose section varies around
+    /// may be met on an even rail [m].
+    #[must_use]
+    pub fn reach_around(&self) -> f64 {
+        self.around.map_or(0.0, |around| around.reach(0.0))
+    }
+
+    /// Directions along the axle, forward and down.
+    fn axes(&self) -> [[f64; 3]; 3] {
+        [self.axle, [self.cosine, self.ahead[0], self.ahead[1]], [0.0, self.down[0], self.down[1]]]
+    }
+
+    /// The parts of a vector along the axle, forward and down.
+    fn seen(&self, v: [f64; 3]) -> [f64; 3] {
+        self.axes().map(|a| a[0] * v[0] + a[1] * v[1] + a[2] * v[2])
+    }
+
+    /// Places along the track between which a wheel that is met at parameter `s` and the place `met`
+    /// and overlaps a rail by up to `depth` there may do so, all [m].
+    #[must_use]
+    pub fn reach(&self, s: f64, met: f64, depth: f64) -> Option<[f64; 2]> {
         let reach = self.around?.reach(depth);
-        let x = self.round().even_at(s).x;
+        let x = met - self.ahead_of_round(s);
         Some([x - reach, x + reach])
     }
 }

@@ -1,4 +1,4 @@
-//! Where along the track two bodies are nearest, of which one varies.
+//! Where along the track two bodies are nearest, of which one or both vary.
 
 use crate::math::real::Real;
 
@@ -14,6 +14,14 @@ pub struct Along<T = f64> {
     pub lean: T,
     /// How fast its rows drift across there [-].
     pub drift: T,
+    /// By how much farther from its axle than the round wheel of the contact line the wheel is
+    /// there [m].
+    pub raised: T,
+    /// How far ahead of the axle of that round wheel the normal of the wheel passes it [m].
+    pub lever: T,
+    /// Curvature of the wheel beyond that of its section on the contact line, along its normal;
+    /// positive where it bulges more [1/m].
+    pub bulge: T,
 }
 
 impl<T: Real> Along<T> {
@@ -24,21 +32,35 @@ impl<T: Real> Along<T> {
             curvature: value(|a| a.curvature),
             lean: value(|a| a.lean),
             drift: value(|a| a.drift),
+            raised: value(|a| a.raised),
+            lever: value(|a| a.lever),
+            bulge: value(|a| a.bulge),
         }
     }
 
     /// The same in plain numbers, or as dual numbers without derivatives.
     #[must_use]
     pub fn fixed<U: Real>(&self) -> Along<U> {
-        let Self { ahead, curvature, lean, drift } = *self;
-        let [ahead, curvature, lean, drift] =
-            [ahead, curvature, lean, drift].map(|x| U::from(x.value()));
-        Along { ahead, curvature, lean, drift }
+        let number = |x: T| U::from(x.value());
+        Along {
+            ahead: number(self.ahead),
+            curvature: number(self.curvature),
+            lean: number(self.lean),
+            drift: number(self.drift),
+            raised: number(self.raised),
+            lever: number(self.lever),
+            bulge: number(self.bulge),
+        }
     }
 
-    /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
+    /// Curvature of both bodies together along the lean of a wheel whose section on the contact
+    /// line has the radius `even` [m], over that of the section [-].
+    ///
+    /// A curvature along the track is cos³ of the lean of that along it; the wheel's circle is as
+    /// round along the lean as it is along the track.
     #[must_use]
-    pub fn shortening(&self) -> T {
-        T::from(1.0) / (self.lean * self.lean + 1.0).three_halves()
+    pub fn relative(&self, even: T) -> T {
+        let shortening = T::from(1.0) / (self.lean * self.lean + 1.0).three_halves();
+        even * (self.curvature * shortening + self.bulge) + 1.0
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::geometry::rows::surface::{REACH, Surface};
 use crate::geometry::slices::Rows;
+use crate::geometry::waviness::Waviness;
 
 /// Radius of the lowest points of any wheel over its nominal one [-].
 pub(super) const LARGEST: f64 = 1.1;
@@ -31,13 +32,13 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Bounds under a wheel of `radius` [m].
-    pub fn new(surface: &Surface, radius: f64) -> Self {
+    /// Bounds under a wheel of `radius` [m] with the deviations `wheel` over its arc.
+    pub fn new(surface: &Surface, radius: f64, wheel: &Waviness) -> Self {
         let rows = &surface.rows;
-        let waves = surface.corrugation.bounds();
+        let (rail, wheel) = (surface.corrugation.bounds(), wheel.bounds());
         Self {
-            all: bounds(rows, radius, waves.range[1]),
-            hollows: hollows(rows, radius, waves.curvature),
+            all: bounds(rows, radius, rail.range[1] + wheel.range[1]),
+            hollows: hollows(rows, radius, rail.curvature),
             count: surface.count(),
         }
     }
@@ -54,7 +55,7 @@ impl Bounds {
     }
 }
 
-/// Bounds of all rows, which corrugation lifts by up to `crest`, under a wheel of `radius` between
+/// Bounds of all rows, which waves of rail and wheel lift by up to `crest`, under a wheel of `radius` between
 /// each slice and the next [m].
 fn bounds(rows: &Rows, radius: f64, crest: f64) -> Vec<Bound> {
     let Rows { places, knots, .. } = rows;

@@ -1,5 +1,6 @@
 //! The wheel above a rail, as its rows meet it.
 
+use super::unround::Waves;
 use super::wheel_table::CELL;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::rows::met::Met;
@@ -23,10 +24,13 @@ const MIN_RATE: f64 = 0.1;
 pub(super) struct Over<'a, T: Real = f64> {
     line: &'a ContactLine<'a, T>,
     marker: [T; 2],
+    /// Deviations of the wheel over its angle, where it has any.
+    waves: Option<Waves<'a>>,
     /// Directions to the right and down in the plane across the track [-].
     pub right: [T; 2],
     pub down: [T; 2],
-    yaws: bool,
+    /// Whether the contact line may lie ahead of the axle or behind.
+    leads: bool,
     /// How far to either side and below a yawed and rolled wheel may be beyond its table [m].
     pub margin: [f64; 2],
     /// Place of the axle [m].
@@ -63,11 +67,27 @@ impl<'a, T: Real> Over<'a, T> {
             marker: [pose.marker[1], pose.marker[2]],
             right: [cosine, sine],
             down: [-sine, cosine],
-            yaws: T::HAS_SLOPES || yaw != 0.0,
+            waves: None,
+            leads: T::HAS_SLOPES || yaw != 0.0 || line.varies_around(),
             margin: [CELL + yawed, APART + 0.5 * STEEPEST_FLANK * yawed],
             station,
             within,
         }
+    }
+
+    /// The same with deviations over its angle.
+    pub fn with_waves(self, waves: Option<Waves<'a>>) -> Self {
+        Self { waves, ..self }
+    }
+
+    /// The contact line.
+    pub fn line(&self) -> &'a ContactLine<'a, T> {
+        self.line
+    }
+
+    /// Deviations of the wheel over its angle, where it has any.
+    pub fn waves(&self) -> Option<Waves<'a>> {
+        self.waves
     }
 
     /// Radius of the nominal rolling circle [m].
@@ -80,10 +100,20 @@ impl<'a, T: Real> Over<'a, T> {
         [y - self.marker[0], z - self.marker[1]]
     }
 
-    /// Coordinates to the right and down from the marker in the plane across the track [m].
-    pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
-        let to = self.seen_from_marker([p.value[0], p.value[1]]);
+    /// The point across the track at `y` to the right of the marker [m].
+    pub fn beside_marker(&self, y: T) -> [T; 2] {
+        [0, 1].map(|i| self.marker[i] + y * self.right[i])
+    }
+
+    /// A point across the track by its coordinates to the right and down from the marker [m].
+    pub fn from_marker(&self, point: [T; 2]) -> [T; 2] {
+        let to = self.seen_from_marker(point);
         [self.right, self.down].map(|axis| dot(to, axis))
+    }
+
+    /// The same of a place of a row [m].
+    pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
+        self.from_marker([p.value[0], p.value[1]])
     }
 
     /// Row `j` at `x`, where nothing touches it.
@@ -108,10 +138,10 @@ impl<'a, T: Real> Over<'a, T> {
         let size = derivative[0].hypot(derivative[1]);
         let [ty, tz] = derivative.map(|d| d / size);
         let zero = T::from(0.0);
-        let advance = if self.yaws { self.line.advance(u) } else { zero };
+        let advance = if self.leads { self.line.advance(u) } else { zero };
         let opposite = Opposite {
             u,
-            x: if self.yaws { at.x } else { zero },
+            x: if self.leads { at.x } else { zero },
             advance: advance / rate,
             normal: [-tz, ty],
             curvature: self.line.curvature(u),
@@ -121,6 +151,27 @@ impl<'a, T: Real> Over<'a, T> {
 }
 
 impl Over<'_> {
+    /// Whether the section of the wheel varies around.
+    pub fn varies_around(&self) -> bool {
+        self.line.varies_around()
+    }
+
+    /// Whether the wheel may be hollow for a rail.
+    pub fn is_hollow(&self) -> bool {
+        self.varies_around() || self.waves.is_some_and(|waves| waves.is_hollow())
+    }
+
+    /// How far ahead of its contact line or behind a wheel whose section varies around may be met
+    /// on an even rail; 0 for others [m].
+    pub fn reach_around(&self) -> f64 {
+        self.line.reach_around()
+    }
+
+    /// Distance of samples between which the wheel has at most one wave [m].
+    pub fn spacing(&self) -> f64 {
+        self.waves.map_or(f64::INFINITY, |waves| waves.spacing())
+    }
+
     /// The point of the contact line at `y` across, from the parameter `u` near it; nothing where
     /// the wheel stands upright.
     pub fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
@@ -142,8 +193,8 @@ impl Over<'_> {
                 let [ty, tz] = derivative.map(|d| d / size);
                 let turn = -curvature * size * step;
                 let tangent = [ty - turn * tz, tz + turn * ty];
-                let advance = if self.yaws { self.line.advance(u) } else { 0.0 };
-                let x = if self.yaws { at.x + advance * step } else { 0.0 };
+                let advance = if self.leads { self.line.advance(u) } else { 0.0 };
+                let x = if self.leads { at.x + advance * step } else { 0.0 };
                 let normal = [-tangent[1], tangent[0]];
                 return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
             }

@@ -2,6 +2,7 @@
 
 use super::bounds::{Bounds, LARGEST};
 use super::over::{Opposite, Over};
+use super::unround::Deviation;
 use super::wheel_table::WheelTable;
 use crate::geometry::rows::along::Along;
 use crate::geometry::rows::met::Met;
@@ -32,24 +33,38 @@ struct State<T> {
     curvature: T,
     drift: T,
     lean: T,
+    /// Component of the normal down [-].
+    share: T,
+    /// Distance from the axle of the round wheel [m].
+    radius: T,
+    deviation: Deviation<T>,
 }
 
 impl<T: Real> State<T> {
-    /// The condition of touch at `x` on a row, opposite to a point of the wheel.
-    fn new(over: &Over<T>, p: &RowPoint<T>, x: T, wheel: &Opposite<T>) -> Self {
+    /// The condition of touch at `x` on a row, opposite to a point of the wheel with a `deviation`
+    /// there.
+    fn new(
+        over: &Over<T>,
+        p: &RowPoint<T>,
+        x: T,
+        wheel: &Opposite<T>,
+        deviation: Deviation<T>,
+    ) -> Self {
         let first = [p.first[0], p.first[1]];
         let across = [p.value[2], p.value[3]];
         let [_, z] = over.in_wheel(p);
         let away = x - wheel.x;
         let radius = away.hypot(z);
         let (sine, cosine) = (away / radius, z / radius);
-        let down = radius - z;
+        let down = radius - z - deviation.raised;
         // D along a direction of the surface: by its height, and by the place of the contact line.
+        let [more_along, more_right, more_down] = deviation.slopes;
         let lowered = |v: [T; 2]| {
-            dot(v, over.down) * (cosine - 1.0) - sine * wheel.advance * dot(v, over.right)
+            dot(v, over.down) * (cosine - 1.0 - more_down)
+                - (sine * wheel.advance + more_right) * dot(v, over.right)
         };
         let by_row = lowered(across);
-        let along = sine + lowered(first);
+        let along = sine - more_along + lowered(first);
         let normal = wheel.normal;
         let tangent = [normal[1], -normal[0]];
         let share = dot(normal, over.down);
@@ -60,17 +75,29 @@ impl<T: Real> State<T> {
             direction: [0, 1].map(|i| across[i] + by_row * over.down[i]),
             first: [0, 1].map(|i| first[i] + along * over.down[i]),
             g: dot(normal, first) + share * along,
-            bend: rail + share * cosine * cosine / radius,
+            bend: rail + share * (cosine * cosine / radius - deviation.bend),
             curvature: rail,
             drift,
             lean: -dot(normal, first),
+            share,
+            radius,
+            deviation,
         }
     }
 
-    /// What is met at `x` of row `row`, which is at `y` of the wheel.
-    fn met(self, row: usize, x: T, wheel: &Opposite<T>, y: T) -> Met<T> {
-        let Self { point, direction, first, curvature, lean, drift, .. } = self;
-        let along = Along { ahead: x - wheel.x, curvature, lean, drift };
+    /// What is met at `x` of row `row`, which is at `y` of the wheel, whose curvature along the
+    /// track is by `bulge` that of more than its section on the contact line.
+    fn met(self, row: usize, x: T, wheel: &Opposite<T>, y: T, bulge: T) -> Met<T> {
+        let Self { point, direction, first, curvature, lean, drift, deviation, .. } = self;
+        let along = Along {
+            ahead: x - wheel.x,
+            curvature,
+            lean,
+            drift,
+            raised: deviation.raised,
+            lever: self.radius * deviation.slopes[0],
+            bulge: self.share * bulge,
+        };
         Met { row, point, direction, first, x, along, opposite: Some([wheel.u, y]) }
     }
 }
@@ -123,8 +150,8 @@ impl Touch<'_> {
             x = centre.clamp(from, to);
         }
         let mut other = None;
-        if looks_through && self.bounds.is_hollow(j, over.within.ends) {
-            (x, other) = self.valleys(j, run, over, (x, &p), [centre, from, to]);
+        if looks_through && (self.bounds.is_hollow(j, over.within.ends) || over.is_hollow()) {
+            (x, other) = self.valleys(j, run, over, (x, &p), &opposite, [from, to]);
         }
         if (x - start).abs() > 0.0 {
             p = at(x);
@@ -150,8 +177,12 @@ impl Touch<'_> {
         [from, to]: [f64; 2],
     ) -> Met {
         let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let state = |p: &RowPoint, x: f64, opposite: &Opposite| {
+            let deviation = over.deviation(x, over.in_wheel(p), opposite);
+            State::new(over, p, x, opposite, deviation)
+        };
         let mut p = at(x);
-        let mut met = State::new(over, &p, x, &opposite);
+        let mut met = state(&p, x, &opposite);
         // A chord tells more than what is about the slope, but one across a place where slices bend
         // may lead beyond where the slope has the other sign.
         let (mut behind, mut ahead) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -173,16 +204,18 @@ impl Touch<'_> {
             p = at(x);
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
             let before = met.g;
-            met = State::new(over, &p, x, &opposite);
+            met = state(&p, x, &opposite);
             if moved.abs() < LAST_STEP {
                 break;
             }
             chord = (met.g - before) / moved;
         }
-        met.met(j, x, &opposite, over.in_wheel(&p)[0])
+        let place = over.in_wheel(&p);
+        let bulge = over.bulge(&met.deviation, place, &opposite);
+        met.met(j, x, &opposite, place[0], bulge)
     }
 
-    /// The row that was `found`, as it moves with the wheel; `fixed` is the same wheel at rest.
+    /// The row that was `found`, as it moves with a round wheel; `fixed` is the same wheel at rest.
     pub fn moving<T: Real>(&self, over: &Over<T>, fixed: &Over<Dual<2>>, found: &Met) -> Met<T> {
         let (j, slice) = (found.row, over.within.slice);
         let mut x = T::from(found.x);
@@ -212,7 +245,7 @@ impl Touch<'_> {
             T::moving(u, (rates[1] * a - rates[0] * c) * inverse)
         };
         let (p, opposite, state, _) = self.equations(over, j, run, x, u);
-        state.met(j, x, &opposite, over.in_wheel(&p)[0])
+        state.met(j, x, &opposite, over.in_wheel(&p)[0], T::from(0.0))
     }
 
     /// Row `j` at `x`, the point `u` of the wheel, what holds there, and what the wheel is beside
@@ -227,7 +260,7 @@ impl Touch<'_> {
     ) -> (RowPoint<T>, Opposite<T>, State<T>, [T; 2]) {
         let p = self.surface.at(j, run, over.station + x, over.within.slice);
         let (opposite, missing) = over.on_line(u, over.in_wheel(&p)[0]);
-        let state = State::new(over, &p, x, &opposite);
+        let state = State::new(over, &p, x, &opposite, Deviation::default());
         let g = state.g;
         (p, opposite, state, [missing, g])
     }
@@ -240,21 +273,31 @@ impl Touch<'_> {
         run: [usize; 2],
         over: &Over,
         (place, here): (f64, &RowPoint),
-        [centre, from, to]: [f64; 3],
+        opposite: &Opposite,
+        [from, to]: [f64; 2],
     ) -> (f64, Option<f64>) {
         let normal = [-here.value[3], here.value[2]];
+        let (centre, [across, below]) = (opposite.x, over.in_wheel(here));
         // No farther than where a wheel stands higher than the row ever rises.
-        let rise = (here.value[1] - self.bounds.of(j, over.within.slice).least).max(0.0);
-        let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt() + (place - centre).abs();
+        let own = if over.varies_around() {
+            0.0
+        } else {
+            over.deviation(place, [across, below], opposite).raised
+        };
+        let rise = (here.value[1] - own - self.bounds.of(j, over.within.slice).least).max(0.0);
+        let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt()
+            + (place - centre).abs()
+            + over.reach_around();
         let [from, to] = [from.max(centre - far).min(to), to.min(centre + far).max(from)];
-        let spacing = SCAN.min(self.surface.corrugation.bounds().spacing);
+        let spacing = SCAN.min(self.surface.corrugation.bounds().spacing).min(over.spacing());
         let count = ((to - from) / spacing).ceil().max(1.0) as usize;
         let at = |i: usize| from + (to - from) * i as f64 / count as f64;
         let height = |i: usize| -> f64 {
             let x = at(i);
             let p = self.surface.at(j, run, over.station + x, over.within.slice);
             let [_, z] = over.in_wheel(&p);
-            let down = (x - centre).hypot(z) - z;
+            let raised = over.deviation(x, [across, z], opposite).raised;
+            let down = (x - centre).hypot(z) - z - raised;
             [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum()
         };
         // Bottom by the parabola through three samples, how far below it may be, and the sample.

@@ -9,7 +9,7 @@
 //!
 //! by Newton's method: d by the plane tangent at the last place, v and ψ by what is left within it.
 
-use super::{VaryingWheel, dot, in_plane};
+use super::{Place, VaryingWheel, dot, in_plane};
 use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a place: three are the rule.
@@ -18,6 +18,18 @@ const MAX_STEPS: usize = 12;
 /// of round wheels.
 const LAST_STEP: f64 = 1e-8;
 const MIN_COSINE: f64 = 0.1;
+
+/// The surface of the wheel straight below a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Below {
+    /// How far below [m].
+    pub depth: f64,
+    /// Derivatives of that along the track and to the right [-].
+    pub slopes: [f64; 2],
+    /// Second derivative along the track, but for what the section is curved across a wheel that
+    /// yaws [1/m].
+    pub bend: f64,
+}
 
 impl VaryingWheel {
     /// How far to either side of where a round wheel is met this one may overlap a rail that it
@@ -36,8 +48,39 @@ impl VaryingWheel {
         &self,
         from: [f64; 3],
         direction: [f64; 3],
-        [s, mut depth]: [f64; 2],
+        guess: [f64; 2],
     ) -> Option<SurfacePoint> {
+        self.met_along(from, direction, guess).map(|(point, _)| point)
+    }
+
+    /// The surface below the point `from`, with the directions along the track, to the right and
+    /// down, sought near the parameter s of its outline and the depth of `guess`, all as of
+    /// [`surface_along`](Self::surface_along).
+    #[must_use]
+    pub fn below(
+        &self,
+        from: [f64; 3],
+        [forward, right, down]: [[f64; 3]; 3],
+        guess: [f64; 2],
+    ) -> Option<Below> {
+        let (SurfacePoint { depth, normal, .. }, place) = self.met_along(from, down, guess)?;
+        let facing = dot(normal, down);
+        let slopes = [forward, right].map(|way| -dot(normal, way) / facing);
+        // The way along the track on the surface by the tangents of row and circle.
+        let way = [0, 1, 2].map(|i| forward[i] + slopes[0] * down[i]);
+        let [a, b] = in_plane(way, place.across, place.around);
+        let bend =
+            (2.0 * a * b * dot(normal, place.twist) + b * b * dot(normal, place.bend)) / facing;
+        Some(Below { depth, slopes, bend })
+    }
+
+    /// As [`surface_along`](Self::surface_along), and the place itself.
+    fn met_along(
+        &self,
+        from: [f64; 3],
+        direction: [f64; 3],
+        [s, mut depth]: [f64; 2],
+    ) -> Option<(SurfacePoint, Place)> {
         let Self { stand, surface, radius, .. } = self;
         let parameter = &surface.rows.parameter;
         let (first, last) = (parameter[0], parameter[parameter.len() - 1]);
@@ -71,7 +114,7 @@ impl VaryingWheel {
             psi += around;
             if step.abs() + along_row.abs() + (radius * around).abs() <= LAST_STEP {
                 // The parameter of the outline moves as the rows do.
-                return Some(SurfacePoint { s: s + v - start, depth, normal });
+                return Some((SurfacePoint { s: s + v - start, depth, normal }, here));
             }
         }
         None

@@ -91,9 +91,9 @@ impl Section<'_> {
         let half = (2.0 * radius * row.overlap.max(0.0)).sqrt();
         let mut stretch = [row.x - half, row.x + half];
         // A wheel that varies around may overlap again beyond what its curvature tells.
-        let reach = self.line.reach(row.u, row.overlap).filter(|_| row.overlap > 0.0);
+        let reach = self.line.reach(row.u, row.x, row.overlap).filter(|_| row.overlap > 0.0);
         for (side, last) in reach.into_iter().flatten().enumerate() {
-            let (first, mut guess) = (stretch[side], [row.u, row.overlap]);
+            let (first, mut guess) = (stretch[side], [row.u, row.overlap - row.course.lift]);
             let sign = if side == 0 { -1.0 } else { 1.0 };
             let steps = (sign * (last - first) / SCAN).ceil().max(0.0) as usize;
             for i in 1..=steps {
@@ -102,7 +102,7 @@ impl Section<'_> {
                     break;
                 };
                 guess = [at.s, at.depth];
-                if at.depth > 0.0 {
+                if at.depth + row.course.more(x - row.x) > 0.0 {
                     stretch[side] = x + sign * SCAN;
                 }
             }

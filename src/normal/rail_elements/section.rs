@@ -59,7 +59,7 @@ pub struct Course {
 
 impl Course {
     /// What overlaps more than with an even rail, at `x` ahead of where the bodies are nearest [m].
-    fn more(&self, x: f64) -> f64 {
+    pub(super) fn more(&self, x: f64) -> f64 {
         self.lift + x * (self.lean - 0.5 * self.curvature * x)
     }
 

@@ -91,6 +91,21 @@ super::entry::tolerances! {
     /// elsewhere: the target for loads.
     ECCENTRIC_ELEMENTS: [[f64; 2]; 2] = [[1e-2; 2]; 2];
 
+    /// A wheel that varies around on a rail of equal slices against that on one profile, worst, over
+    /// the greatest force: rows are met within 1e-10 m of their place.
+    EQUAL_SLICES: f64 = 1e-8, target 1e-9;
+
+    /// The same by boundary elements, on slices or under sections that are all the same: their rows
+    /// are found to a nanometre, over depths of some 0.05 mm.
+    EQUAL_SLICES_ELEMENTS: f64 = 1e-5, target 1e-9;
+
+    /// Height of a wheel with waves by sections against the same as a wheel that is out of round
+    /// [m]: a tenth of the target for heights.
+    BRIDGED_HEIGHT: f64 = 1e-7;
+
+    /// The same, greatest pressure: a third of the target for pressures.
+    BRIDGED_PRESSURE: f64 = 0.01;
+
     /// Angle from the middle of the flat of the tests beyond which the edge of its hollow is flat
     /// enough for elements of 0.2 mm [rad]: nearer to the middle the pressure has a peak along it
     /// that grows with their number.
