@@ -142,7 +142,7 @@ const REAL_TIME: [NormalModel; 3] =
 #[test]
 fn equal_sections_around_are_a_round_wheel_on_a_rail_that_varies() {
     let folder = folder(25.0);
-    let elements = (NormalModel::BoundaryElement, 5, tolerance::EQUAL_SLICES_ELEMENTS);
+    let elements = (NormalModel::BoundaryElement, 3, tolerance::EQUAL_SLICES_ELEMENTS);
     let models = REAL_TIME.map(|model| (model, 60, tolerance::SIMILARITY));
     for (normal_model, poses, allowed) in models.into_iter().chain([elements]) {
         let [mut round, mut around] = ["S1002", "same.csv"].map(|wheel| {
@@ -167,7 +167,7 @@ fn equal_sections_around_are_a_round_wheel_on_a_rail_that_varies() {
 fn a_rail_of_equal_slices_is_one_profile_for_a_wheel_that_varies() {
     let folder = folder(25.0);
     eccentric(&folder);
-    let elements = (NormalModel::BoundaryElement, 5, tolerance::EQUAL_SLICES_ELEMENTS);
+    let elements = (NormalModel::BoundaryElement, 3, tolerance::EQUAL_SLICES_ELEMENTS);
     let models = REAL_TIME.map(|model| (model, 60, tolerance::EQUAL_SLICES));
     for (normal_model, poses, allowed) in models.into_iter().chain([elements]) {
         let [mut even, mut varying] = ["60E1", "even.csv"].map(|rail| {
@@ -264,7 +264,7 @@ fn an_eccentric_wheel_on_a_crossing_is_a_round_one_beside_its_axle() {
         let (mut around, mut wave) = (of("wheel.slcw", 0.0), of("round.txt", ECCENTRICITY));
         let mut random = Random::new(5);
         let (mut errors, mut heights) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
-        for _ in 0..60 {
+        for _ in 0..30 {
             let mut moved = anyhow(&mut round, &mut random);
             moved.friction = 0.0;
             let pitch = random.about(PI);
@@ -289,15 +289,23 @@ fn an_eccentric_wheel_on_a_crossing_is_a_round_one_beside_its_axle() {
             let [force, moment] = apart(&one, &evaluate(&mut around, &input));
             errors[0].push(force);
             errors[1].push(moment);
+            if normal_model != NormalModel::Strips {
+                continue;
+            }
             let touch = round.touching_height(&moved) - to[2];
             heights[0].push((around.touching_height(&input) - touch).abs());
             heights[1].push((wave.touching_height(&input) - touch).abs());
         }
-        let (errors, heights) = (errors.map(spread), heights.map(spread));
-        println!("{normal_model:?}: {errors:?} heights {heights:?}");
+        let errors = errors.map(spread);
+        println!("{normal_model:?}: {errors:?}");
         for (found, allowed) in errors.into_iter().zip(tolerance::ECCENTRIC) {
             assert!(found[0] <= allowed[0] && found[2] <= allowed[1], "{normal_model:?} {found:?}");
         }
+        if normal_model != NormalModel::Strips {
+            continue;
+        }
+        let heights = heights.map(spread);
+        println!("heights: {heights:?}");
         assert!(heights[0][2] <= 1e-8, "{heights:?}");
         // A wave of one harmonic is a circle but for ε²/2R, a quarter of a micrometre.
         assert!(heights[1][2] <= tolerance::VARYING_HEIGHT, "{heights:?}");
@@ -367,6 +375,11 @@ fn a_wheel_with_a_flat_first_touches_a_crossing_where_a_dense_search_finds() {
         for (element, errors) in elements.iter_mut().zip(&mut errors) {
             errors.push((element.touching_height(&input) - wanted).abs());
         }
+        println!(
+            "signed {:.2e} {:.2e}",
+            elements[0].touching_height(&input) - wanted,
+            elements[1].touching_height(&input) - wanted
+        );
     }
     let errors = errors.map(spread);
     println!("by sections {:?}, by parameters {:?}", errors[0], errors[1]);

@@ -106,14 +106,14 @@ impl<'a, T: Real> Over<'a, T> {
     }
 
     /// A point across the track by its coordinates to the right and down from the marker [m].
-    pub fn from_marker(&self, point: [T; 2]) -> [T; 2] {
+    pub fn across_and_down(&self, point: [T; 2]) -> [T; 2] {
         let to = self.seen_from_marker(point);
         [self.right, self.down].map(|axis| dot(to, axis))
     }
 
     /// The same of a place of a row [m].
     pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
-        self.from_marker([p.value[0], p.value[1]])
+        self.across_and_down([p.value[0], p.value[1]])
     }
 
     /// Row `j` at `x`, where nothing touches it.

@@ -20,7 +20,7 @@ use crate::geometry::waviness::Waviness;
 /// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
 #[derive(Clone, Copy)]
 pub(super) struct Waves<'a> {
-    waves: &'a Waviness,
+    surface: &'a Waviness,
     /// Place of the nominal rolling circle straight below the axle [m].
     below: f64,
     /// Parts of forward in the plane of the rolling circles along the track and to the right [-].
@@ -32,22 +32,24 @@ pub(super) struct Waves<'a> {
 /// Curvature of deviations from which on the wheel may be hollow for a rail that is not hollow for
 /// a round one, over that of the wheel [-].
 const HOLLOW_SHARE: f64 = 0.25;
+/// Least distance of samples of the deviations, as on even rails [m].
+const SHORTEST: f64 = 2.5e-4;
 /// Farthest place of touch along the nominal rolling circle [m].
 const FARTHEST: f64 = 1.2 * REACH;
 
 impl<'a> Waves<'a> {
-    /// Those of `waves` on a wheel turned by `pitch` and `yaw` [rad] with the radius
+    /// Those of the `surface` of a wheel turned by `pitch` and `yaw` [rad] with the radius
     /// `nominal_radius` [m].
-    pub fn new(waves: &'a Waviness, nominal_radius: f64, [pitch, yaw]: [f64; 2]) -> Self {
+    pub fn new(surface: &'a Waviness, nominal_radius: f64, [pitch, yaw]: [f64; 2]) -> Self {
         let (sine, cosine) = yaw.sin_cos();
         let below = -pitch * nominal_radius;
-        let spacing = waves.bounds().spacing.min(REACH);
+        let spacing = surface.bounds().spacing.clamp(SHORTEST, REACH);
         let count = (FARTHEST / spacing).ceil();
         let samples = (0..=2 * count as usize).map(|i| below + (i as f64 - count) * spacing);
         let most = HOLLOW_SHARE / nominal_radius;
-        let is_hollow = waves.bounds().curvature > most
-            && samples.map(|place| waves.at(place)[2]).any(|curvature| curvature > most);
-        Self { waves, below, forward: [cosine, sine], is_hollow }
+        let is_hollow = surface.bounds().curvature > most
+            && samples.map(|place| surface.at(place)[2]).any(|curvature| curvature > most);
+        Self { surface, below, forward: [cosine, sine], is_hollow }
     }
 
     /// Whether the wheel may be hollow within reach.
@@ -57,7 +59,7 @@ impl<'a> Waves<'a> {
 
     /// Distance of samples between which at most one wave is [m].
     pub fn spacing(&self) -> f64 {
-        self.waves.bounds().spacing
+        self.surface.bounds().spacing.max(SHORTEST)
     }
 }
 
@@ -82,13 +84,13 @@ impl Over<'_> {
         if self.varies_around() {
             return self.around(x, [y, z], wheel).unwrap_or_default();
         }
-        let Some(Waves { waves, below, forward: [cosine, sine], .. }) = self.waves() else {
+        let Some(Waves { surface, below, forward: [cosine, sine], .. }) = self.waves() else {
             return Deviation::default();
         };
         let ahead = x * cosine + y * sine;
         let squared = ahead * ahead + z * z;
         let scale = self.nominal_radius() / squared;
-        let [raised, slope, bend] = waves.at(below + self.nominal_radius() * ahead.atan2(z));
+        let [raised, slope, bend] = surface.at(below + self.nominal_radius() * ahead.atan2(z));
         let by_x = cosine * z * scale;
         Deviation {
             raised,
@@ -103,7 +105,7 @@ impl Over<'_> {
     fn around(&self, x: f64, [y, z]: [f64; 2], wheel: &Opposite) -> Option<Deviation> {
         let (line, down, right) = (self.line(), self.down, self.right);
         let below = line.wheel_below(x, self.beside_marker(y), [right, down], [wheel.u, z])?;
-        let [_, radius] = self.from_marker(line.even_at(wheel.u).point);
+        let [_, radius] = self.across_and_down(line.even_at(wheel.u).point);
         let tangent = [wheel.normal[1], -wheel.normal[0]];
         let away = x - wheel.x;
         let distance = away.hypot(below.depth);
