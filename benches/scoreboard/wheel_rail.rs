@@ -1,17 +1,20 @@
 //! A wheel on its rail under given load, by CONTACT and by the element.
 
 use tempfile::TempDir;
+use wheelrail::element::output::Patch;
 use wheelrail::element::parameters::{
-    Foundation, FoundationModel, FrictionDistribution, Side, TangentialModel, VerticalMode,
+    CreepageModel, Foundation, FoundationModel, FrictionDistribution, Side, TangentialModel,
+    VerticalMode,
 };
 use wheelrail::element::{Element, Output, Parameters};
 
+use crate::common::contact_plane::{Whose, errors_on_plane};
 use crate::common::roller;
-use crate::common::varying::errors_against_contact;
+use crate::common::varying::{errors_against_contact, outputs_of};
 use crate::common::wheel::{FRICTION_TABLES, benchmark, evaluate, of_manchester, of_wheelset};
 use crate::common::{Table, column, read_table, value};
 use crate::family::{Case, Family, none};
-use crate::setting::Setting;
+use crate::setting::{Setting, reference};
 
 /// Coefficient of friction of the rolling states.
 const FRICTION: f64 = 0.3;
@@ -117,7 +120,7 @@ pub const FAMILIES: [Family; 11] = [
         is_random: false,
         needs_folder: false,
         solve: |setting, _| Some(varying(setting, "wing")),
-        others: none,
+        others: wing_on_planes,
     },
     Family {
         title: "Nose of a crossing that rises along the track",
@@ -129,7 +132,7 @@ pub const FAMILIES: [Family; 11] = [
         is_random: false,
         needs_folder: false,
         solve: |setting, _| Some(varying(setting, "nose")),
-        others: none,
+        others: nose_on_plane,
     },
 ];
 
@@ -144,6 +147,33 @@ fn varying(setting: &Setting, rail: &str) -> Vec<Case> {
         Case { name, errors }
     };
     errors_against_contact(rail, &setting.parameters()).into_iter().map(of).collect()
+}
+
+/// Boundary elements on planes: pressures and creep forces alone.
+fn on_plane(rail: &str, whose: &Whose, course: f64) -> Vec<Case> {
+    let of = |(name, [pressure, force]): (String, [f64; 2])| Case {
+        name,
+        errors: vec![f64::NAN, 100.0 * pressure, f64::NAN, 100.0 * force],
+    };
+    errors_on_plane(rail, whose, course, f64::INFINITY).into_iter().map(of).collect()
+}
+
+fn wing_on_planes() -> Vec<(String, Vec<Case>)> {
+    let parameters = Parameters { creepage_model: CreepageModel::Flat, ..reference().parameters() };
+    let patches: Vec<Patch> =
+        outputs_of("wing", &parameters).iter().map(|output| output.patches[0]).collect();
+    let own = Whose::Element(&patches);
+    let rows = 0.1_f64.atan();
+    vec![
+        ("CONTACT's plane, along the track".into(), on_plane("wing", &Whose::Contact, 0.0)),
+        ("CONTACT's plane, along the rows".into(), on_plane("wing", &Whose::Contact, rows)),
+        ("plane of the surfaces, along the track".into(), on_plane("wing", &own, 0.0)),
+        ("plane of the surfaces, along the rows".into(), on_plane("wing", &own, rows)),
+    ]
+}
+
+fn nose_on_plane() -> Vec<(String, Vec<Case>)> {
+    vec![("CONTACT's plane".into(), on_plane("nose", &Whose::Contact, 0.0))]
 }
 
 fn rollers(setting: &Setting) -> Vec<Case> {

@@ -38,6 +38,10 @@ pub const ECCENTRIC: [[f64; 2]; 2] = [[1e-5, 1e-3]; 2];
 /// The same by boundary elements, whose lattice counts from the marker, half a millimetre
 /// elsewhere: the aim for loads.
 pub const ECCENTRIC_ELEMENTS: [[f64; 2]; 2] = [[1e-2; 2]; 2];
+/// Waves of a wheel by sections against the same as a wheel that is out of round, height [m] and
+/// greatest pressure: a tenth of the aim for heights, and a third of that for pressures.
+pub const BRIDGED_HEIGHT: f64 = 1e-7;
+pub const BRIDGED_PRESSURE: f64 = 0.01;
 /// Angle from the middle of the flat of the tests beyond which the edge of its hollow is flat
 /// enough for elements of 0.2 mm [rad]: nearer to the middle the pressure has a peak along it that
 /// grows with their number.
