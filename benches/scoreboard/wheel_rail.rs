@@ -115,7 +115,7 @@ pub const FAMILIES: [Family; 11] = [
     Family {
         title: "Wing rail that runs off along the track",
         source: "`tests/data/contact_25_1/variable_profiles.csv`",
-        text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force.",
+        text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force. CONTACT lets particles pass along the track, the element along the rows of the rail, as the patch moves; and its plane leans by 0.097 where both bodies lean by 0.067 (theory.md, section 11). The last rows tell the two apart: boundary elements of its size on its plane and on that of the surfaces, along both.",
         quantities: &VARYING,
         is_random: false,
         needs_folder: false,
@@ -127,7 +127,7 @@ pub const FAMILIES: [Family; 11] = [
         source: "`tests/data/contact_25_1/variable_profiles.csv`",
         text: "A section that rises by 1:10, which the wheel touches ahead of its centre; normal and creep force each in its own frame, as the reference leans to the side alone. \
             Contacts lie where the flat top and a corner of 5 mm meet: there its surface is rounder than the sections. On one section held constant strips and `boundary_element` (80x80) have p_max 4980 and \
-            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test suite a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end.",
+            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test suite a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end. The last row is boundary elements of its size on its plane, with its creepages.",
         quantities: &VARYING,
         is_random: false,
         needs_folder: false,

@@ -330,7 +330,7 @@ fn boundary_elements_stand_on_both_ends_of_a_flat_that_is_hollow() {
 }
 
 /// Waves of the wheel of [`waves`]: how high they are [m] and how many go around.
-const WAVES: (f64, i32) = (1e-5, 200);
+const WAVES: (f64, usize) = (1e-5, 200);
 
 /// A folder with the wheel S1002 in sections, twelve to each of four waves of its radius about
 /// angle 0; beyond, it stays as on their crests.
@@ -347,7 +347,7 @@ fn waves() -> TempDir {
             writeln!(section, "{:.10} {:.10}", 1e3 * y, 1e3 * (z + WAVES.0 * phase.cos())).unwrap();
         }
         fs::write(folder.path().join(format!("{i}.txt")), section).unwrap();
-        writeln!(listed, "{:.12} '{i}.txt'", phase / f64::from(WAVES.1)).unwrap();
+        writeln!(listed, "{:.12} '{i}.txt'", phase / WAVES.1 as f64).unwrap();
     }
     let text = format!("0 1\n49\n0 0 0\n1\n{listed}");
     fs::write(folder.path().join("wheel.slcw"), text).unwrap();
@@ -375,7 +375,8 @@ fn strips_bridge_waves_of_sections_as_those_of_a_wheel_that_is_out_of_round() {
         pressures.push(own);
     }
     let [median, worst] = median_and_worst(pressures);
-    assert!(worst > 1.1 * median, "waves that do not matter: {median} {worst}");
+    let by = 1.0 + 5.0 * tolerance::BRIDGED_PRESSURE;
+    assert!(worst > by * median, "waves that do not matter: {median} {worst}");
 }
 
 #[test]
