@@ -1,17 +1,20 @@
 //! A wheel on its rail under given load, by CONTACT and by the element.
 
 use tempfile::TempDir;
+use wheelrail::element::output::Patch;
 use wheelrail::element::parameters::{
-    Foundation, FoundationModel, FrictionDistribution, Side, TangentialModel, VerticalMode,
+    CreepageModel, Foundation, FoundationModel, FrictionDistribution, Side, TangentialModel,
+    VerticalMode,
 };
 use wheelrail::element::{Element, Output, Parameters};
 
+use crate::common::contact_plane::{Whose, errors_on_plane};
 use crate::common::roller;
-use crate::common::varying::errors_against_contact;
+use crate::common::varying::{errors_against_contact, outputs_of};
 use crate::common::wheel::{FRICTION_TABLES, benchmark, evaluate, of_manchester, of_wheelset};
 use crate::common::{Table, column, read_table, value};
 use crate::family::{Case, Family, none};
-use crate::setting::Setting;
+use crate::setting::{Setting, reference};
 
 /// Coefficient of friction of the rolling states.
 const FRICTION: f64 = 0.3;
@@ -112,24 +115,24 @@ pub const FAMILIES: [Family; 11] = [
     Family {
         title: "Wing rail that runs off along the track",
         source: "`tests/data/contact_25_1/variable_profiles.csv`",
-        text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force.",
+        text: "A section that moves to the side by 1:10 under a coned wheel, which touches it behind its centre; the same normal force. CONTACT lets particles pass along the track, the element along the rows of the rail, as the patch moves; and its plane leans by 0.097 where both bodies lean by 0.067 (theory.md, section 11). The last rows tell the two apart: boundary elements of its size on its plane and on that of the surfaces, along both.",
         quantities: &VARYING,
         is_random: false,
         needs_folder: false,
         solve: |setting, _| Some(varying(setting, "wing")),
-        others: none,
+        others: wing_on_planes,
     },
     Family {
         title: "Nose of a crossing that rises along the track",
         source: "`tests/data/contact_25_1/variable_profiles.csv`",
         text: "A section that rises by 1:10, which the wheel touches ahead of its centre; normal and creep force each in its own frame, as the reference leans to the side alone. \
             Contacts lie where the flat top and a corner of 5 mm meet: there its surface is rounder than the sections. On one section held constant strips and `boundary_element` (80x80) have p_max 4980 and \
-            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test suite a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end.",
+            4962 MPa where it has 4613, 4397 and 4342 where it has 3888 (`cargo test --test suite a_section_of -- --nocapture`). Beside nose_y-4_24 its slices end. The last row is boundary elements of its size on its plane, with its creepages.",
         quantities: &VARYING,
         is_random: false,
         needs_folder: false,
         solve: |setting, _| Some(varying(setting, "nose")),
-        others: none,
+        others: nose_on_plane,
     },
 ];
 
@@ -144,6 +147,33 @@ fn varying(setting: &Setting, rail: &str) -> Vec<Case> {
         Case { name, errors }
     };
     errors_against_contact(rail, &setting.parameters()).into_iter().map(of).collect()
+}
+
+/// Boundary elements on planes: pressures and creep forces alone.
+fn on_plane(rail: &str, whose: &Whose, course: f64) -> Vec<Case> {
+    let of = |(name, [pressure, force]): (String, [f64; 2])| Case {
+        name,
+        errors: vec![f64::NAN, 100.0 * pressure, f64::NAN, 100.0 * force],
+    };
+    errors_on_plane(rail, whose, course, f64::INFINITY).into_iter().map(of).collect()
+}
+
+fn wing_on_planes() -> Vec<(String, Vec<Case>)> {
+    let parameters = Parameters { creepage_model: CreepageModel::Flat, ..reference().parameters() };
+    let patches: Vec<Patch> =
+        outputs_of("wing", &parameters).iter().map(|output| output.patches[0]).collect();
+    let own = Whose::Element(&patches);
+    let rows = 0.1_f64.atan();
+    vec![
+        ("CONTACT's plane, along the track".into(), on_plane("wing", &Whose::Contact, 0.0)),
+        ("CONTACT's plane, along the rows".into(), on_plane("wing", &Whose::Contact, rows)),
+        ("plane of the surfaces, along the track".into(), on_plane("wing", &own, 0.0)),
+        ("plane of the surfaces, along the rows".into(), on_plane("wing", &own, rows)),
+    ]
+}
+
+fn nose_on_plane() -> Vec<(String, Vec<Case>)> {
+    vec![("CONTACT's plane".into(), on_plane("nose", &Whose::Contact, 0.0))]
 }
 
 fn rollers(setting: &Setting) -> Vec<Case> {

@@ -72,6 +72,19 @@ impl<'a> LocalLine<'a> {
         radius_on_rows(even, &Along { curvature: along.curvature + share * bridged, ..along })
     }
 
+    /// Radius of the section along x at parameter `u` of a wheel whose section varies around, whose
+    /// waves are bridged as those of an uneven one [m].
+    fn radius_around(&mut self, u: f64) -> f64 {
+        let even = self.line.round().wheel_point(u).section_radius;
+        let reach = self.bridge(even);
+        let LinePlace { y, tangent: [ty, tz], overlap, .. } = self.place(u);
+        let on_rail = self.rail.curve().at(y).point;
+        match self.line.mean_curvature_around(u, on_rail, [-tz, ty], overlap, reach) {
+            Some(more) => even / (1.0 + even * more).max(MIN_CURVATURE_SHARE),
+            None => self.line.wheel_point(u).section_radius,
+        }
+    }
+
     /// Distance to either side over which waves along the track are bridged by a wheel whose even
     /// section has the radius `even`: over the length that a ball of it touches along, to the
     /// station at which strips meet them [m].
@@ -172,6 +185,9 @@ impl Line for LocalLine<'_> {
     fn radius(&mut self, u: f64) -> f64 {
         if let Some(varying) = self.rail.variation() {
             return self.varying_radius(u, varying);
+        }
+        if self.line.varies_around() {
+            return self.radius_around(u);
         }
         match self.line.deviations() {
             None => self.line.wheel_point(u).section_radius,

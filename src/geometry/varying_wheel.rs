@@ -79,6 +79,8 @@ pub struct VaryingWheel {
     middle: f64,
     /// How far to either side a row may be met because it is not round [rad].
     reach: f64,
+    /// Least distance of sections along the nominal rolling circle [m].
+    spacing: f64,
     envelope: Envelope,
     met: FixedVec<Met>,
     knots: FixedVec<Knot>,
@@ -133,16 +135,25 @@ impl VaryingWheel {
         let corrugation = Waviness::new(None);
         let surface = Surface { rows, roller_radius: 0.0, corrugation };
         let count = surface.count();
+        let steps = surface.rows.places.windows(2).map(|pair| pair[1] - pair[0]);
+        let spacing = steps.fold(f64::INFINITY, f64::min);
         Self {
             radius,
             stand: Stand::default(),
             middle: 0.5 * (first + last),
             reach: (2.0 * spread(&surface) / radius).sqrt(),
+            spacing,
             envelope: Envelope::new(count),
             met: FixedVec::new(count),
             knots: FixedVec::new(count),
             surface,
         }
+    }
+
+    /// Least distance of its sections along the nominal rolling circle [m].
+    #[must_use]
+    pub fn spacing(&self) -> f64 {
+        self.spacing
     }
 
     /// Most knots of the section of the round wheel.

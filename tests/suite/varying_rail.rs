@@ -7,13 +7,14 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::fs;
 
-use crate::common::median_and_worst;
+use crate::common::contact_plane::{Whose, errors_on_plane};
 use crate::common::random::Random;
 use crate::common::varying::{
     crown, errors_against_contact, of_slices, rail_of, roll_without_jumps, slices,
 };
 use crate::common::vectors::assert_balanced;
 use crate::common::wheel::{evaluate, random_input, rolling, the_patch};
+use crate::common::{median_and_worst, spread};
 use approx::assert_relative_eq;
 use tempfile::TempDir;
 use wheelrail::element::input::{INPUT_NAMES, RailMotion};
@@ -194,6 +195,20 @@ fn boundary_elements_meet_a_rail_that_varies_as_contact_does() {
     assert!(height[0] <= tolerance::VARYING_HEIGHT);
     assert!(place[0] <= tolerance::VARYING_PLACE);
     assert!(force[0] <= tolerance::VARYING_FORCE);
+}
+
+/// Rolling along the track and with the plane of the reference, which is not that of the surfaces,
+/// boundary elements have its creep forces.
+#[test]
+fn on_the_plane_of_contact_creep_forces_are_those_of_contact() {
+    // Behind the last but one of its slices the nose is another one in the reference.
+    for (name, last) in [("wing", f64::INFINITY), ("nose", 0.09)] {
+        let errors = errors_on_plane(name, &Whose::Contact, 0.0, last);
+        assert!(errors.len() > 30);
+        let [median, most, worst] = spread(errors.iter().map(|(_, own)| own[1]).collect());
+        println!("{name}: {median:.4} {most:.4} {worst:.4}");
+        assert!(most <= tolerance::VARYING_FORCE, "{name}: {median} {most} {worst}");
+    }
 }
 
 /// A rail that runs off by 1:10, and one that rises by 1:10.

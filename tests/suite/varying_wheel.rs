@@ -329,6 +329,56 @@ fn boundary_elements_stand_on_both_ends_of_a_flat_that_is_hollow() {
     }
 }
 
+/// Waves of the wheel of [`waves`]: how high they are [m] and how many go around.
+const WAVES: (f64, usize) = (1e-5, 200);
+
+/// A folder with the wheel S1002 in sections, twelve to each of four waves of its radius about
+/// angle 0; beyond, it stays as on their crests.
+fn waves() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let wheel = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
+    let (start, end) = (wheel.curve.start(), wheel.curve.end());
+    let mut listed = String::new();
+    for i in 0..=48 {
+        let phase = TAU * f64::from(i - 24) / 12.0;
+        let mut section = String::from("# mirror_z 0\n# mirror_y 0\n");
+        for k in 0..=500 {
+            let [y, z] = wheel.curve.at(start + (end - start) * f64::from(k) / 500.0).point;
+            writeln!(section, "{:.10} {:.10}", 1e3 * y, 1e3 * (z + WAVES.0 * phase.cos())).unwrap();
+        }
+        fs::write(folder.path().join(format!("{i}.txt")), section).unwrap();
+        writeln!(listed, "{:.12} '{i}.txt'", phase / WAVES.1 as f64).unwrap();
+    }
+    let text = format!("0 1\n49\n0 0 0\n1\n{listed}");
+    fs::write(folder.path().join("wheel.slcw"), text).unwrap();
+    folder
+}
+
+#[test]
+fn strips_bridge_waves_of_sections_as_those_of_a_wheel_that_is_out_of_round() {
+    let folder = waves();
+    let loaded = |profile: &str| Parameters { vertical_mode: VerticalMode::Load, ..with(profile) };
+    let mut sections = element(&loaded("wheel.slcw"), &folder);
+    let mut uneven = loaded("S1002");
+    let wave = &mut uneven.wheel.out_of_round;
+    (wave.amplitude, wave.order) = (WAVES.0, WAVES.1);
+    let mut uneven = element(&uneven, &folder);
+    let mut pressures = Vec::new();
+    for i in -20..=20 {
+        let mut input = rolling(0.0, 20.0);
+        input.wheel_load = 8e4;
+        input.wheel.pitch = 1e-3 * f64::from(i);
+        let [one, other] = [&mut sections, &mut uneven].map(|wheel| evaluate(wheel, &input));
+        assert_abs_diff_eq!(one.wheel_z, other.wheel_z, epsilon = tolerance::BRIDGED_HEIGHT);
+        let [own, pressure] = [&one, &other].map(|o| o.patches[0].max_pressure);
+        assert_relative_eq!(own, pressure, max_relative = tolerance::BRIDGED_PRESSURE);
+        pressures.push(own);
+    }
+    let [median, worst] = median_and_worst(pressures);
+    let by = 1.0 + 5.0 * tolerance::BRIDGED_PRESSURE;
+    assert!(worst > by * median, "waves that do not matter: {median} {worst}");
+}
+
 #[test]
 fn what_does_not_go_with_sections_around_is_refused_by_name() {
     let folder = eccentric();

@@ -1,6 +1,7 @@
 //! The contact line of a wheel whose section varies around.
 
 use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
+use crate::geometry::longitudinal::MIN_REACH;
 use crate::geometry::surface_point::SurfacePoint;
 use crate::geometry::varying_wheel::{Below, BesideRound, VaryingWheel};
 use crate::math::real::Real;
@@ -68,6 +69,30 @@ impl<'a> ContactLine<'a> {
         let normal =
             [0, 1, 2].map(|i| axes.iter().zip(met.normal).map(|(axis, n)| n * axis[i]).sum());
         Some(SurfacePoint { normal, ..met })
+    }
+
+    /// What the wheel is more curved along the track than the round one in its place, over the
+    /// distance `reach` to either side of where each is met at parameter `s`: by their distances
+    /// from the point `from` of the rail (y, z) and those ahead of it and behind, along the unit
+    /// `direction` into the rail, sought near `depth`. Nothing where differences are no better than
+    /// the curvature at the place itself, and where the wheel ends [1/m].
+    #[must_use]
+    pub fn mean_curvature_around(
+        &self,
+        s: f64,
+        from: [f64; 2],
+        direction: [f64; 2],
+        depth: f64,
+        reach: f64,
+    ) -> Option<f64> {
+        self.around.filter(|around| reach > MIN_REACH * around.spacing())?;
+        let mean = |line: &Self| {
+            let x = line.even_at(s).x;
+            let met = |x| line.surface_along(x, from, direction, [s, depth]);
+            let [here, ahead, behind] = [met(x)?, met(x + reach)?, met(x - reach)?];
+            Some((2.0 * here.depth - ahead.depth - behind.depth) / (reach * reach))
+        };
+        Some(mean(self)? - mean(&self.round())?)
     }
 
     /// The surface of a wheel whose section varies around below the point (`x`, `from`), with the

@@ -3,6 +3,7 @@
 //! The whole sets are behind `--ignored` and want a release build: `cargo test --release --test
 //! suite boundary_element:: -- --ignored`. They leave tables in target/reports.
 
+mod drifting_patch;
 mod limits;
 mod wheel;
 

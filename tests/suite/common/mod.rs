@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // each test crate uses its own part
 
+pub mod contact_plane;
 pub mod document;
 pub mod planar;
 pub mod random;

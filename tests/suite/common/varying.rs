@@ -13,28 +13,65 @@ use super::wheel::{evaluate, rolling, the_patch};
 use super::{read_table, value};
 use crate::tolerance;
 
-/// A flat top 10 mm wide at height `z` from `left` on, with corners of radius `corner` and sides at
-/// 80 degrees [mm].
-fn head(left: f64, z: f64, corner: f64) -> String {
-    let steep = 80_f64.to_radians();
-    let mut points = Vec::new();
-    let side = 30.0;
-    let [sine, cosine] = [steep.sin(), steep.cos()];
-    for i in (1..=60).rev() {
-        let along = side * f64::from(i) / 60.0;
-        let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
-        points.push([edge[0] - along * cosine, edge[1] + along * sine]);
+/// A rail with a flat top 10 mm wide, corners of the radius `corner` and sides at 80 degrees, whose
+/// top begins at `left` at station 0 and drifts to the side and rises along the track [mm].
+pub struct Head {
+    left: f64,
+    drift: f64,
+    rise: f64,
+    corner: f64,
+}
+
+/// Width of the top [mm] and angle of the sides [deg].
+const TOP: f64 = 10.0;
+const SIDE: f64 = 80.0;
+
+impl Head {
+    /// That of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by
+    /// 1:10.
+    pub fn of(name: &str) -> Self {
+        match name {
+            "wing" => Self { left: 20.0, drift: 0.1, rise: 0.0, corner: 10.0 },
+            "nose" => Self { left: 5.0, drift: 0.0, rise: 0.1, corner: 5.0 },
+            _ => panic!("no rail {name}"),
+        }
     }
-    let steps = (corner * steep / 0.2).ceil() as i32;
-    for i in 0..=steps {
-        let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
-        points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
+
+    /// Height z at `station` and `y` from the middle of the profile [m].
+    pub fn height(&self, station: f64, y: f64) -> f64 {
+        let Self { left, drift, rise, corner } = *self;
+        let (station, y) = (1e3 * station, 1e3 * y - left - 1e3 * station * drift);
+        let (sine, cosine) = SIDE.to_radians().sin_cos();
+        let beside = (-y).max(y - TOP).max(0.0);
+        let round = beside.min(corner * sine);
+        let below = corner - (corner * corner - round * round).sqrt();
+        1e-3 * (below + (beside - round) * sine / cosine - rise * station)
     }
-    points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
-    let right = left + 10.0;
-    let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
-    points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
-    points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
+
+    /// Its section at `station` [mm], points every 0.2 mm.
+    fn section(&self, station: f64) -> String {
+        let Self { corner, .. } = *self;
+        let (left, z) = (self.left + self.drift * station, -self.rise * station);
+        let steep = SIDE.to_radians();
+        let mut points = Vec::new();
+        let side = 30.0;
+        let [sine, cosine] = [steep.sin(), steep.cos()];
+        for i in (1..=60).rev() {
+            let along = side * f64::from(i) / 60.0;
+            let edge = [left - corner * sine, z + corner * (1.0 - cosine)];
+            points.push([edge[0] - along * cosine, edge[1] + along * sine]);
+        }
+        let steps = (corner * steep / 0.2).ceil() as i32;
+        for i in 0..=steps {
+            let angle = steep * (1.0 - f64::from(i) / f64::from(steps));
+            points.push([left - corner * angle.sin(), z + corner * (1.0 - angle.cos())]);
+        }
+        points.extend((1..50).map(|i| [left + 0.2 * f64::from(i), z]));
+        let right = left + TOP;
+        let mirrored: Vec<_> = points.iter().take(61 + steps as usize).rev().copied().collect();
+        points.extend(mirrored.into_iter().map(|[y, z]| [right + left - y, z]));
+        points.iter().fold(String::new(), |text, [y, z]| text + &format!("{y:.7} {z:.7}\n"))
+    }
 }
 
 /// A crown of radius 300 mm, narrow enough that no flange touches its ends, stretched across by
@@ -70,21 +107,14 @@ pub fn of_slices(parameters: Parameters) -> Parameters {
     parameters
 }
 
-/// The rail of a name in CONTACT's table: a wing rail that runs off by 1:10, a nose that rises by
-/// 1:10.
+/// The rail of a name in CONTACT's table.
 pub fn rail_of(name: &str) -> TempDir {
-    let places = (0..=20).map(|i| 10.0 * f64::from(i));
-    match name {
-        "wing" => slices(places, |place| head(20.0 + 0.1 * place, 0.0, 10.0)),
-        "nose" => slices(places.map(|place| place - 100.0), |place| head(5.0, -0.1 * place, 5.0)),
-        _ => panic!("no rail {name}"),
-    }
+    let (head, first) = (Head::of(name), if name == "nose" { -100.0 } else { 0.0 });
+    slices((0..=20).map(|i| first + 10.0 * f64::from(i)), |station| head.section(station))
 }
 
-/// Errors of the models of `parameters` in all rows of CONTACT's table of the rail `name`: height
-/// of the wheel [m], pressure, place [m] and creep force, over the friction limit; with the name of
-/// the row.
-pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(String, [f64; 4])> {
+/// Outputs of the models of `parameters` in all rows of CONTACT's table of the rail `name`.
+pub fn outputs_of(name: &str, parameters: &Parameters) -> Vec<Output> {
     let folder = rail_of(name);
     let mut parameters = of_slices(parameters.clone());
     parameters.vertical_mode = VerticalMode::Load;
@@ -93,7 +123,7 @@ pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(Strin
     let folders = [folder.path().to_path_buf()];
     let mut element = Element::new(&parameters, &Input::default(), &folders).unwrap();
     let table = read_table("contact_25_1/variable_profiles.csv");
-    let mut errors = Vec::new();
+    let mut outputs = Vec::new();
     for row in table.rows.iter().filter(|row| row.iter().any(|cell| cell == name)) {
         let of = |name: &str| value(&table, row, name);
         let yaw = of("yaw_rad");
@@ -115,15 +145,28 @@ pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(Strin
             element.evaluate(&input, &mut output).unwrap();
             input.wheel_load *= of("N_N") / the_patch(&output).normal_force;
         }
+        outputs.push(output);
+    }
+    outputs
+}
+
+/// Errors of the models of `parameters` in all rows of CONTACT's table of the rail `name`: height
+/// of the wheel [m], pressure, place [m] and creep force, over the friction limit; with the name of
+/// the row.
+pub fn errors_against_contact(name: &str, parameters: &Parameters) -> Vec<(String, [f64; 4])> {
+    let table = read_table("contact_25_1/variable_profiles.csv");
+    let rows = table.rows.iter().filter(|row| row.iter().any(|cell| cell == name));
+    let of = |(row, output): (&csv::StringRecord, Output)| {
+        let of = |name: &str| value(&table, row, name);
         let patch = the_patch(&output);
         let height = (output.wheel_z + 0.46 - 1e-3 * of("z_ws_mm")).abs();
         let pressure = (patch.max_pressure / (1e6 * of("pmax_MPa")) - 1.0).abs();
         let place = [("x_mm", 0), ("y_mm", 1)].map(|(name, c)| patch.position[c] - 1e-3 * of(name));
         let [fx, fy] = patch.creep_force;
         let force = (fx + of("Fx_N")).hypot(fy + of("Fs_N")) / (0.3 * of("N_N"));
-        errors.push((row[0].to_owned(), [height, pressure, place[0].hypot(place[1]), force]));
-    }
-    errors
+        (row[0].to_owned(), [height, pressure, place[0].hypot(place[1]), force])
+    };
+    rows.zip(outputs_of(name, parameters)).map(of).collect()
 }
 
 /// A folder with `wheel.slcw`, a cylinder of radius 450 mm with a rounded flat of the given `depth`
