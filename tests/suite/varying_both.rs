@@ -8,9 +8,10 @@ use std::fs;
 
 use crate::common::random::Random;
 use crate::common::spread;
-use crate::common::varying::{crown, of_slices, roll_without_jumps};
+use crate::common::varying::{crown, of_slices};
 use crate::common::vectors::{assert_balanced, cross};
 use crate::common::wheel::{evaluate, random_input, rolling};
+use crate::varying_rail::roll_without_jumps;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use tempfile::TempDir;
 use wheelrail::element::input::RailMotion;
@@ -201,8 +202,7 @@ fn waves_and_flats_on_equal_slices_are_those_on_one_profile() {
         (p.wheel.flat.length, p.wheel.flat.shape) = (FLAT, FlatShape::Worn);
     };
     let chord = |p: &mut Parameters| p.wheel.flat.length = FLAT;
-    type Change<'a> = &'a dyn Fn(&mut Parameters);
-    let shapes: [(&str, Change, f64); 4] = [
+    let shapes: [(&str, &dyn Fn(&mut Parameters), f64); 4] = [
         ("eccentric", &once, 0.1),
         ("twelve waves", &twelve, 0.1),
         ("worn flat", &hollow, 0.003),
@@ -234,7 +234,7 @@ fn waves_and_flats_on_equal_slices_are_those_on_one_profile() {
             println!("{normal_model:?} {shape}: {height:?} {place:?} {pressure:?} {force:?}");
             // An even rail takes parabolas for circles and arcs for angles: at the ends of a fresh
             // flat, 25 mm ahead, that is some micrometres.
-            let k = if shape == "fresh flat" { 0 } else { 1 };
+            let k = usize::from(shape != "fresh flat");
             assert!(height[k] <= tolerance::VARYING_HEIGHT, "{shape} {height:?}");
             assert!(place[k] <= tolerance::VARYING_PLACE, "{shape} {place:?}");
             assert!(pressure[k] <= tolerance::VARYING_PRESSURE, "{shape} {pressure:?}");

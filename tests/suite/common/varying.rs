@@ -11,7 +11,6 @@ use wheelrail::element::{Element, Input, Output, Parameters};
 use super::planar::STEEL;
 use super::wheel::{evaluate, rolling, the_patch};
 use super::{read_table, value};
-use crate::tolerance;
 
 /// A rail with a flat top 10 mm wide, corners of the radius `corner` and sides at 80 degrees, whose
 /// top begins at `left` at station 0 and drifts to the side and rises along the track [mm].
@@ -250,31 +249,4 @@ pub fn errors_on_flat(parameters: &Parameters, step: usize) -> Vec<OnFlat> {
         OnFlat { name: row[0].to_owned(), pitch: input.wheel.pitch, errors }
     };
     rows.step_by(step).map(of).collect()
-}
-
-/// Rolls a wheel from 30 mm before the origin of the track on in 1200 steps of length `step` [m].
-pub fn roll_without_jumps(element: &mut Element, step: f64) {
-    let mut input = rolling(0.0, 20.0);
-    input.wheel_load = 80e3;
-    let mut last: Vec<[f64; 3]> = Vec::new();
-    let mut output = Output::default();
-    for i in 0..1200 {
-        input.track_s = -0.03 + step * f64::from(i);
-        input.wheel.pitch = -input.track_s / 0.46;
-        element.evaluate(&input, &mut output).unwrap();
-        let limit = input.friction * input.wheel_load;
-        last.push([output.wheel_z, output.wheel.force[0] / limit, output.wheel.force[1] / limit]);
-    }
-    // The height at which a ball would carry as much more or less as a force may jump.
-    let height = output.patches[0].penetration * tolerance::WALK_JUMPS[0] / 1.5;
-    for window in last.windows(4) {
-        let allowed = [height, tolerance::WALK_JUMPS[1], tolerance::WALK_JUMPS[1]];
-        for (k, allowed) in allowed.into_iter().enumerate() {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|i| window[i][k]);
-            // Third differences are those of a jump alone: waves of the surface are 25 mm long, and
-            // their curvature bends at a slice.
-            let jump = (d - 3.0 * c + 3.0 * b - a).abs();
-            assert!(jump < allowed, "{k}: {jump}");
-        }
-    }
 }
