@@ -66,10 +66,13 @@ impl<'a> LocalLine<'a> {
     fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
         let even = self.line.wheel_point(u).section_radius;
         let place = self.place(u);
-        let along = varying.along(place.y);
-        let bridged = varying.bridged(place.x, self.bridge(even));
-        let [share, _] = place.tangent;
-        radius_on_rows(even, &Along { curvature: along.curvature + share * bridged, ..along })
+        let mut along = varying.along(place.y);
+        if varying.is_corrugated() {
+            let [_, z] = self.rail.curve().at(place.y).point;
+            let [share, _] = place.tangent;
+            along.curvature += share * varying.bridged([place.x, z], self.bridge(even));
+        }
+        radius_on_rows(even, &along)
     }
 
     /// Distance to either side over which waves along the track are bridged by a wheel whose even

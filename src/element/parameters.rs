@@ -288,7 +288,7 @@ impl Parameters {
     }
 
     /// Whether rail number `k` is there and has a height over the station.
-    pub(super) fn is_corrugated(&self, k: usize) -> bool {
+    fn is_corrugated(&self, k: usize) -> bool {
         let Corrugation { amplitude, file, .. } = &self.rails[k].corrugation;
         self.rails[k].enabled && (*amplitude != 0.0 || !file.is_empty())
     }

@@ -108,18 +108,14 @@ impl Element {
             let Some(profile) = profile else { continue };
             let placed = placed(k, profile, parameters)?;
             let roller = parameters.rails[k].roller_radius;
-            let placed = match &slices[k] {
-                // Its corrugation is part of its surface.
-                Some(slices) => {
-                    let corrugation = rail_deviations(parameters, k, folders)?;
-                    placed.varying(slices, corrugation, &wheel.curve, radius)
+            let waves = || rail_deviations(parameters, k, folders);
+            // Corrugation of rails that vary is part of their surface.
+            let (placed, deviations) = match &slices[k] {
+                Some(slices) => (placed.varying(slices, waves()?, &wheel.curve, radius), None),
+                None if roller > 0.0 => {
+                    (placed.on_roller(profile, waves()?, &wheel.curve, radius, roller), None)
                 }
-                None if roller > 0.0 => placed.on_roller(profile, &wheel.curve, radius, roller),
-                None => placed,
-            };
-            let deviations = match &slices[k] {
-                Some(_) => None,
-                None => deviations(parameters, k, folders)?,
+                None => (placed, deviations(parameters, k, folders)?),
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;
             let name = &profile.name;

@@ -180,8 +180,7 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
-        let station = self.rail.station(input.track_s, input.wheel.position[0]);
-        if !self.rail.pass(&line, &pose, station) {
+        if !self.rail.pass(&line, &pose, [input.track_s, input.wheel.position[0]]) {
             return false;
         }
         self.search.search(&line, &self.rail, &self.ranges);

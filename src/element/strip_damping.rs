@@ -26,10 +26,10 @@ pub struct StripDamping<'a, T: Real = f64> {
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and
     /// by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
-    /// The outline of the rail, on which a wheel climbs where that varies along the track, and its
-    /// forward speed [m/s].
+    /// The outline of the rail, and the speeds of
+    /// [`closing_speed`](RailOutline::closing_speed) on one that varies along the track [m/s].
     pub rail: RailOutline<'a, T>,
-    pub forward: T,
+    pub speeds: [T; 2],
     /// The contact line of a wheel whose section varies around.
     pub around: Option<&'a ContactLine<'a, T>>,
 }
@@ -56,7 +56,7 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.approach_velocity(touch).dot(&along);
-        let even = self.rail.along(y).map_or(even, |along| even + self.forward * along.lean);
+        let even = self.rail.closing_speed(y, x, self.speeds).map_or(even, |speed| even + speed);
         let even = self.around.map_or(even, |line| {
             even + self.motion.turning_velocity(line.ahead_of_round(u)).dot(&along)
         });

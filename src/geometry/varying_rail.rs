@@ -23,8 +23,8 @@
 //! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
 //! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
 //!
-//! A roller is such a rail: its rows are circles about an axle across the track. Corrugation is
-//! part of the surface, so that the wheel meets its crests.
+//! A roller is such a rail: its rows go around an axle across the track. Corrugation is part of the
+//! surface, so that the wheel meets its crests.
 
 mod bounds;
 mod over;
@@ -42,6 +42,7 @@ use crate::geometry::longitudinal::MIN_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
 use crate::geometry::rows::met::Met;
+use crate::geometry::rows::roller::Roller;
 use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, Surface};
 use crate::geometry::slices::Slices;
 use crate::geometry::waviness::Waviness;
@@ -77,7 +78,8 @@ impl VaryingRail {
     /// stands, turned left to right if `turned`, under wheels with the profile `wheel` and the
     /// radius `nominal_radius` [m]. With a `roller_radius` [m] above 0 the first of them goes
     /// around a roller whose axle is at station 0, and they end where a wheel leaves that.
-    /// `corrugation` is the height of the rail over the station on top of that of the slices.
+    /// `corrugation` is the height of the rail over the station on top of that of the slices; of a
+    /// roller over the arc of the marker's circle.
     #[must_use]
     #[allow(clippy::too_many_arguments)] // a surface, its place and the wheel on it
     pub fn new(
@@ -92,7 +94,9 @@ impl VaryingRail {
     ) -> Self {
         let rows = slices.rows(point, direction);
         let rows = if turned { rows.turned() } else { rows };
-        let surface = Surface { rows, roller_radius, corrugation };
+        let is_roller = roller_radius > 0.0;
+        let roller = is_roller.then_some(Roller { radius: roller_radius, top: 0.0 });
+        let surface = Surface { rows, roller, corrugation };
         let (arcs, top) = arcs_of_pattern(&surface);
         Self {
             arcs,
@@ -106,6 +110,13 @@ impl VaryingRail {
         }
     }
 
+    /// Station of a wheel at `x` of a track whose origin is at `origin`; the axle of a roller is at
+    /// station 0, and `origin` the arc that is on its top [m].
+    #[must_use]
+    pub fn station<T: Real>(&self, origin: T, x: T) -> T {
+        if self.surface.roller.is_some() { x } else { origin + x }
+    }
+
     /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may
     /// touch it [m].
     #[must_use]
@@ -116,7 +127,7 @@ impl VaryingRail {
     /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
     #[must_use]
     pub fn roller_radius(&self) -> f64 {
-        self.surface.roller_radius
+        self.surface.roller.map_or(0.0, |roller| roller.radius)
     }
 
     /// Most rows of the envelope.
@@ -130,16 +141,20 @@ impl VaryingRail {
         self.surface.faces()
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], into
-    /// `curve`; allocates nothing within the room that it has. False where there is no rail within
-    /// reach.
+    /// Lays the envelope for the wheel of `line`, which stands at `pose`, `x` from the origin of a
+    /// track that is at the station `origin` [m], into `curve`; allocates nothing within the room
+    /// that it has. False where there is no rail within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
         pose: &WheelPose,
-        station: f64,
+        [origin, x]: [f64; 2],
         curve: &mut Curve,
     ) -> bool {
+        if let Some(roller) = &mut self.surface.roller {
+            roller.top = origin;
+        }
+        let station = self.station(origin, x);
         self.station = station;
         let over = Over::new(line, pose, station, self.surface.within(station));
         self.meet_rows(&over);
@@ -232,18 +247,38 @@ impl VaryingRail {
         self.surface.corrugation.bounds().range[1]
     }
 
-    /// How much more curved corrugation is at the place `x` from the marker of the wheel that
-    /// passed last than over the distance `reach` to either side of it, positive where it bulges
-    /// more [1/m].
+    /// Whether all rows are higher by a corrugation.
     #[must_use]
-    pub fn bridged(&self, x: f64, reach: f64) -> f64 {
+    pub fn is_corrugated(&self) -> bool {
+        !self.surface.corrugation.is_empty()
+    }
+
+    /// How much more curved corrugation is at the point (x, z), x from the marker of the wheel that
+    /// passed last and z of the outline, than over the distance `reach` to either side of it [m],
+    /// positive where it bulges more [1/m].
+    #[must_use]
+    pub fn bridged(&self, [x, z]: [f64; 2], reach: f64) -> f64 {
         let waves = &self.surface.corrugation;
         if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
             return 0.0;
         }
-        let at = self.station + x;
+        let place = self.station + x;
+        let at = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
         let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
         (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
+    }
+
+    /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
+    /// arc on its top grows; 0 for a rail, which lies still [-].
+    #[must_use]
+    pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
+        let Surface { roller, corrugation, .. } = &self.surface;
+        match roller {
+            Some(roller) if !corrugation.is_empty() => {
+                roller.rise(corrugation, self.station + x, z)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.

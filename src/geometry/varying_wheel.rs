@@ -129,7 +129,7 @@ impl VaryingWheel {
         let turned = |[y, z]: [f64; 2]| [y, -z];
         let rows = slices.around().over_places(radius).rows(turned, turned);
         let corrugation = Waviness::new(None);
-        let surface = Surface { rows, roller_radius: 0.0, corrugation };
+        let surface = Surface { rows, roller: None, corrugation };
         let count = surface.count();
         Self {
             radius,

@@ -10,6 +10,7 @@ mod conicity;
 mod conservative;
 mod contact_program;
 mod continuity;
+mod corrugated_roller;
 mod coupling;
 mod creepage;
 mod derivatives;

@@ -1,14 +1,9 @@
 //! The surface of a rail that varies along the track, row by row.
 //!
-//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row
-//! from the axle,
-//!
-//! ```text
-//! z(x) = R - sqrt(ρ² - x²)
-//! ```
-//!
-//! Corrugation lifts all rows alike, over the station, on top of what the slices say.
+//! Rows of a roller go around its axle. Corrugation lifts all rows alike, over the station, on top
+//! of what the slices say.
 
+use super::roller::{Around, Roller};
 use crate::geometry::slices::Rows;
 use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
@@ -40,19 +35,16 @@ pub(in crate::geometry) struct Within {
 #[derive(Clone, Debug)]
 pub(in crate::geometry) struct Surface {
     pub rows: Rows,
-    /// Height of the marker above the axle of a roller, of which the rows are the section at the
-    /// top, all along; 0 for a rail [m].
-    pub roller_radius: f64,
-    /// Height of the rail over the station on top of that of its rows.
+    /// The roller that the rows go around, of which they are the section at the top; nothing for a
+    /// rail.
+    pub roller: Option<Roller>,
+    /// Height of the rail over the station on top of that of its rows; of a roller, over its arc.
     pub corrugation: Waviness,
 }
 
 /// Greatest place along the track on a roller, over its radius: a wheel never goes there from above
 /// [-].
 pub(in crate::geometry) const MAX_SHARE_OF_ROLLER: f64 = 0.8;
-/// Least radius of a row of a roller, over that of the marker, and square of the least height above
-/// the axle, over that of the radius [-].
-const MIN_ROW: f64 = 0.1;
 
 impl Surface {
     /// Number of rows.
@@ -84,6 +76,9 @@ impl Surface {
     /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the
     /// surface of the slices is held at its ends.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+        if let Some(roller) = &self.roller {
+            return self.on_roller(roller, j, station);
+        }
         let mut point = self.even_at(j, run, station, near);
         if !self.corrugation.is_empty() {
             let [height, slope, curvature] = self.corrugation.at(station.value());
@@ -96,11 +91,8 @@ impl Surface {
         point
     }
 
-    /// The same without corrugation.
+    /// The same of a rail without corrugation.
     fn even_at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
-        if self.roller_radius > 0.0 {
-            return self.on_roller(j, station);
-        }
         let (places, count) = (&self.rows.places, self.count());
         let [first, last] = run;
         let zero = T::from(0.0);
@@ -141,20 +133,15 @@ impl Surface {
         point
     }
 
-    /// Row `j` at `x` from the axle of a roller [m].
-    fn on_roller<T: Real>(&self, j: usize, x: T) -> RowPoint<T> {
-        let radius = self.roller_radius;
-        let [y, z, dy, dz] = self.rows.knots[j].value;
-        // Rows below the axle lie inside, where nothing touches.
-        let own = (radius - z).max(MIN_ROW * radius);
+    /// Row `j` at `x` from the axle of a `roller` [m].
+    fn on_roller<T: Real>(&self, roller: &Roller, j: usize, x: T) -> RowPoint<T> {
+        let [y, depth, dy, dz] = self.rows.knots[j].value;
+        let Around { z, by_row, first, second } = roller.row(depth, &self.corrugation, x);
         let zero = T::from(0.0);
-        let root = (-(x * x) + own * own).at_least(MIN_ROW * own * own).sqrt();
-        let steepness = T::from(own) / root;
-        let slope = x / root;
         RowPoint {
-            value: [y.into(), -root + radius, dy.into(), steepness * dz],
-            first: [zero, slope, zero, steepness * slope / root * dz],
-            second: [zero, steepness * steepness / root],
+            value: [y.into(), z, dy.into(), by_row * dz],
+            first: [zero, first[0], zero, first[1] * dz],
+            second: [zero, second],
         }
     }
 
@@ -210,7 +197,7 @@ impl Surface {
     pub fn reach<T: Real>(&self, [first, last]: [usize; 2], station: T) -> Option<[T; 2]> {
         let places = &self.rows.places;
         let at = |i: usize| -station + places[i];
-        if self.roller_radius > 0.0 {
+        if self.roller.is_some() {
             return within(at(first).at_least(-REACH), at(last).at_most(REACH));
         }
         // A row that goes on to the end of the rail is held there.
