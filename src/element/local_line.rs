@@ -3,6 +3,7 @@
 //! The overlap is the distance of the contact line from the nearest point of the rail, and the
 //! coordinate across is the arc along the rail.
 
+use super::cut_strip::{self, CutStrip};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
@@ -61,11 +62,10 @@ impl<'a> LocalLine<'a> {
         [x + ahead, 1.0 / lean.hypot(1.0)]
     }
 
-    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail
-    /// that varies, whose corrugation is bridged as on an even rail [m].
-    fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
-        let even = self.line.wheel_point(u).section_radius;
-        let place = self.place(u);
+    /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
+    /// varies, whose corrugation is bridged as on an even rail [m].
+    fn varying_radius(&self, place: &LinePlace, varying: &VaryingRail) -> f64 {
+        let even = self.line.wheel_point(place.u).section_radius;
         let mut along = varying.along(place.y);
         if varying.is_corrugated() {
             let [_, z] = self.rail.curve().at(place.y).point;
@@ -73,6 +73,20 @@ impl<'a> LocalLine<'a> {
             along.curvature += share * varying.bridged([place.x, z], self.bridge(even));
         }
         radius_on_rows(even, &along)
+    }
+
+    /// What the end of a rail that varies leaves of the strip at `place`; nothing where it is whole.
+    fn cut(&self, place: &LinePlace) -> Option<CutStrip<f64>> {
+        let varying = self.rail.variation()?;
+        let ends = varying.ends(place.y)?.map(|end| end - place.x);
+        let slope = varying.along(place.y).gap;
+        cut_strip::cut(self.depth, slope, self.varying_radius(place, varying), ends)
+    }
+
+    /// The strip at `place` as far as the rail goes.
+    fn on_rail(&self, place: LinePlace) -> LinePlace {
+        let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
+        LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
     }
 
     /// Distance to either side over which waves along the track are bridged by a wheel whose even
@@ -134,7 +148,7 @@ impl LocalLine<'_> {
                 let overlap = cosine * (overlap_slope * step - up(to));
                 let overlap_slope = cosine * overlap_slope;
                 let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
-                return Some((place, point));
+                return Some((self.on_rail(place), point));
             }
             u += step;
         }
@@ -142,8 +156,9 @@ impl LocalLine<'_> {
     }
 }
 
-impl Line for LocalLine<'_> {
-    fn place(&mut self, u: f64) -> LinePlace {
+impl LocalLine<'_> {
+    /// The place at parameter `u`, its strip as if the rail had no end.
+    fn whole_place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
         let (at, derivative) = self.point(u);
@@ -171,10 +186,19 @@ impl Line for LocalLine<'_> {
             tangent,
         }
     }
+}
+
+impl Line for LocalLine<'_> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let place = self.whole_place(u);
+        self.on_rail(place)
+    }
 
     fn radius(&mut self, u: f64) -> f64 {
         if let Some(varying) = self.rail.variation() {
-            return self.varying_radius(u, varying);
+            let place = self.whole_place(u);
+            let radius = self.varying_radius(&place, varying);
+            return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
         }
         match self.line.deviations() {
             None => self.line.wheel_point(u).section_radius,

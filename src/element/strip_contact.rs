@@ -108,16 +108,7 @@ fn take_zone(
     damping: &StripDamping,
     models: &mut Models,
 ) -> TakenZone {
-    let zone = models.rail_strips.zones[index];
-    let contact = Contact {
-        u: models.rail_strips.u[zone.first],
-        rail_s: models.rail_strips.y[zone.first],
-        penetration: 0.0,
-        origin: [0.0; 2],
-        tangent: [0.0; 2],
-        probes: [0, 0],
-    };
-    let mut local = LocalLine::new(line, rail, &contact);
+    let mut local = LocalLine::of(line, rail, search);
     let place = |u, y| {
         if let Some((LinePlace { tangent, overlap, .. }, point)) = local.on_normal(y, u) {
             return (point, tangent, overlap);

@@ -54,7 +54,8 @@ impl<'a, T: Real> RailOutline<'a, T> {
     #[must_use]
     pub fn closing_speed(&self, s: T, x: T, [forward, turning]: [T; 2]) -> Option<T> {
         let varying = self.rail.variation()?;
-        let climbing = forward * self.along(s)?.lean;
+        let Along { lean, gap, .. } = self.along(s)?;
+        let climbing = forward * (lean + gap);
         if !varying.is_corrugated() {
             return Some(climbing);
         }
@@ -63,6 +64,14 @@ impl<'a, T: Real> RailOutline<'a, T> {
         // Derivatives on corrugated rails are differences.
         let rise = varying.rise([x.value(), point[1].value()]);
         Some(climbing + turning * upward * rise)
+    }
+
+    /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],
+    /// as [`VaryingRail::ends`](crate::geometry::varying_rail::VaryingRail::ends).
+    #[must_use]
+    pub fn ends(&self, s: T) -> Option<[T; 2]> {
+        let ends = self.rail.variation()?.ends(s.value())?;
+        Some(ends.map(|x| self.moving.map_or(x.into(), |moving| moving.passed(x))))
     }
 
     /// Whether the section varies along the track.

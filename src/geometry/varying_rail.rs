@@ -43,7 +43,7 @@ pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
 use crate::geometry::rows::met::Met;
 use crate::geometry::rows::roller::Roller;
-use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, Surface};
+use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, Surface};
 use crate::geometry::slices::Slices;
 use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
@@ -69,7 +69,10 @@ pub struct VaryingRail {
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
     top: usize,
-    /// Station above which the wheel passed last [m].
+    /// Places at which rows begin or end, and whether any of them is within reach of the wheel that
+    /// passed last, which was at `station` [m].
+    breaks: Vec<f64>,
+    is_near_break: bool,
     station: f64,
 }
 
@@ -101,6 +104,8 @@ impl VaryingRail {
         Self {
             arcs,
             top,
+            breaks: surface.breaks(),
+            is_near_break: false,
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
             envelope: Envelope::new(surface.count()),
@@ -156,6 +161,7 @@ impl VaryingRail {
         }
         let station = self.station(origin, x);
         self.station = station;
+        self.is_near_break = self.breaks.iter().any(|place| (place - station).abs() < REACH);
         let over = Over::new(line, pose, station, self.surface.within(station));
         self.meet_rows(&over);
         let is_there = self.envelope.lay(&self.surface, &self.met);
@@ -188,6 +194,7 @@ impl VaryingRail {
         outline.met.clear();
         outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
         outline.envelope.lay(surface, &outline.met);
+        outline.station = station;
     }
 
     /// Fills `met` with all rows that may touch, and with a few of the others.
@@ -281,6 +288,19 @@ impl VaryingRail {
         }
     }
 
+    /// From where to where along the track the row at parameter `s` of the envelope is there, from
+    /// the marker of the wheel that passed last, without end where it goes on to the end of the
+    /// rail [m]; nothing where no row ends within reach.
+    #[must_use]
+    pub fn ends(&self, s: f64) -> Option<[f64; 2]> {
+        if !self.is_near_break {
+            return None;
+        }
+        let slice = self.surface.within(self.station).slice;
+        let run = self.surface.run(self.envelope.row_near(s)?, self.station, slice)?;
+        Some(self.surface.ends(run, self.station))
+    }
+
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
     #[must_use]
     pub fn along(&self, s: f64) -> Along {
@@ -312,13 +332,15 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
 pub struct MovingOutline<T> {
     envelope: Envelope<T>,
     met: FixedVec<Met<T>>,
+    station: T,
 }
 
 impl<T: Real> MovingOutline<T> {
     /// Room for an outline of `count` rows.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        Self { envelope: Envelope::new(count), met: FixedVec::new(count) }
+        let station = T::from(0.0);
+        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].
@@ -331,6 +353,12 @@ impl<T: Real> MovingOutline<T> {
     #[must_use]
     pub fn along(&self, s: T) -> Along<T> {
         self.envelope.along(s)
+    }
+
+    /// A place `x` of the rail from the wheel marker, as the wheel moves on [m].
+    #[must_use]
+    pub fn passed(&self, x: f64) -> T {
+        T::moving(x, -self.station)
     }
 }
 

@@ -305,6 +305,7 @@ impl VaryingWheel {
             curvature: curvature - around_round,
             lean: 0.0,
             drift: a * a * vv - (m / radial) * (m / radial),
+            ..Along::default()
         };
         Met {
             row: j,

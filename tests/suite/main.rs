@@ -59,6 +59,7 @@ mod promises;
 mod properties;
 mod python;
 mod python_package;
+mod rail_end;
 mod resolution;
 mod roller;
 mod running;

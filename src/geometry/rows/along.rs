@@ -14,6 +14,8 @@ pub struct Along<T = f64> {
     pub lean: T,
     /// How fast its rows drift across there [-].
     pub drift: T,
+    /// How fast the gap grows along the row there: zero, but where the wheel stands on an end [-].
+    pub gap: T,
 }
 
 impl<T: Real> Along<T> {
@@ -24,16 +26,17 @@ impl<T: Real> Along<T> {
             curvature: value(|a| a.curvature),
             lean: value(|a| a.lean),
             drift: value(|a| a.drift),
+            gap: value(|a| a.gap),
         }
     }
 
     /// The same in plain numbers, or as dual numbers without derivatives.
     #[must_use]
     pub fn fixed<U: Real>(&self) -> Along<U> {
-        let Self { ahead, curvature, lean, drift } = *self;
-        let [ahead, curvature, lean, drift] =
-            [ahead, curvature, lean, drift].map(|x| U::from(x.value()));
-        Along { ahead, curvature, lean, drift }
+        let Self { ahead, curvature, lean, drift, gap } = *self;
+        let [ahead, curvature, lean, drift, gap] =
+            [ahead, curvature, lean, drift, gap].map(|x| U::from(x.value()));
+        Along { ahead, curvature, lean, drift, gap }
     }
 
     /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].

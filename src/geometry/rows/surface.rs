@@ -74,7 +74,7 @@ impl Surface {
     }
 
     /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the
-    /// surface of the slices is held at its ends.
+    /// surface of the slices is held at the ends of the rail.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
         if let Some(roller) = &self.roller {
             return self.on_roller(roller, j, station);
@@ -101,17 +101,18 @@ impl Surface {
             RowPoint { value: knot.value.map(T::from), first: [zero; 4], second: [zero; 2] }
         };
         let place = station.value();
-        if place <= places[first] {
+        // What ends within the rail has its slope up to there, and is met no farther.
+        if place <= places[first] && first == 0 {
             return held(first);
         }
-        if place >= places[last] {
+        if place >= places[last] && last + 1 == places.len() || first == last {
             return held(last);
         }
-        let mut i = near.clamp(first, last.max(first + 1) - 1);
-        while places[i] > place {
+        let mut i = near.clamp(first, last - 1);
+        while i > first && places[i] > place {
             i -= 1;
         }
-        while places[i + 1] <= place {
+        while i + 1 < last && places[i + 1] <= place {
             i += 1;
         }
         let (from, to) = (&self.rows.knots[i * count + j], &self.rows.knots[(i + 1) * count + j]);
@@ -204,6 +205,26 @@ impl Surface {
         let from = if first == 0 { T::from(-REACH) } else { at(first).at_least(-REACH) };
         let to = if last + 1 == places.len() { T::from(REACH) } else { at(last).at_most(REACH) };
         within(from, to)
+    }
+
+    /// From where to where a run of slices goes from `station` [m], without end where it goes on to
+    /// the end of the rail.
+    pub fn ends(&self, [first, last]: [usize; 2], station: f64) -> [f64; 2] {
+        let places = &self.rows.places;
+        let from = if first == 0 { f64::NEG_INFINITY } else { places[first] - station };
+        let to = if last + 1 == places.len() { f64::INFINITY } else { places[last] - station };
+        [from, to]
+    }
+
+    /// Places within the rail at which rows begin or end [m].
+    pub fn breaks(&self) -> Vec<f64> {
+        let (rows, count) = (&self.rows, self.count());
+        let last = rows.places.len() - 1;
+        let is_break = |i: &usize| {
+            let runs = rows.runs[i * count..(i + 1) * count].iter().flatten();
+            runs.flatten().any(|end| *end as usize == *i)
+        };
+        (1..last).filter(is_break).map(|i| rows.places[i]).collect()
     }
 
     /// How fast the section of the pattern passes row `j` [-].
