@@ -314,7 +314,8 @@ fn heights_around_a_roller_come_again_after_a_turn() {
 #[test]
 fn waves_that_do_not_close_around_the_roller_are_refused_with_those_that_do() {
     let mut parameters = corrugated(1e-5, 152.0);
-    for (wavelength, closes) in [(0.0330694, true), (0.033, false), (6.0, false), (0.03307, true)] {
+    for (wavelength, closes) in [(0.033_069_4, true), (0.033, false), (6.0, false), (0.03307, true)]
+    {
         parameters.rails[0].corrugation.wavelength = wavelength;
         let made = Element::new(&parameters, &Input::default(), &[]);
         match (made, closes) {
