@@ -71,8 +71,8 @@ pub struct VaryingRail {
     top: usize,
     /// Places at which rows begin or end, and whether any of them is within reach of the wheel that
     /// passed last, which was at `station` [m].
-    breaks: Vec<f64>,
-    is_near_break: bool,
+    free_ends: Vec<f64>,
+    is_near_end: bool,
     station: f64,
 }
 
@@ -104,8 +104,8 @@ impl VaryingRail {
         Self {
             arcs,
             top,
-            breaks: surface.breaks(),
-            is_near_break: false,
+            free_ends: surface.free_ends(),
+            is_near_end: false,
             bounds: Bounds::new(&surface, nominal_radius),
             wheel: WheelTable::new(wheel),
             envelope: Envelope::new(surface.count()),
@@ -161,7 +161,7 @@ impl VaryingRail {
         }
         let station = self.station(origin, x);
         self.station = station;
-        self.is_near_break = self.breaks.iter().any(|place| (place - station).abs() < REACH);
+        self.is_near_end = self.free_ends.iter().any(|place| (place - station).abs() < REACH);
         let over = Over::new(line, pose, station, self.surface.within(station));
         self.meet_rows(&over);
         let is_there = self.envelope.lay(&self.surface, &self.met);
@@ -290,15 +290,16 @@ impl VaryingRail {
 
     /// From where to where along the track the row at parameter `s` of the envelope is there, from
     /// the marker of the wheel that passed last, without end where it goes on to the end of the
-    /// rail [m]; nothing where no row ends within reach.
+    /// rail or is broken [m]; nothing where no row ends within reach.
     #[must_use]
     pub fn ends(&self, s: f64) -> Option<[f64; 2]> {
-        if !self.is_near_break {
+        if !self.is_near_end {
             return None;
         }
         let slice = self.surface.within(self.station).slice;
-        let run = self.surface.run(self.envelope.row_near(s)?, self.station, slice)?;
-        Some(self.surface.ends(run, self.station))
+        let row = self.envelope.row_near(s)?;
+        let run = self.surface.run(row, self.station, slice)?;
+        Some(self.surface.ends(row, run, self.station))
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.

@@ -207,24 +207,38 @@ impl Surface {
         within(from, to)
     }
 
-    /// From where to where a run of slices goes from `station` [m], without end where it goes on to
-    /// the end of the rail.
-    pub fn ends(&self, [first, last]: [usize; 2], station: f64) -> [f64; 2] {
+    /// From where to where row `j` is there on a run of slices, from `station` [m]: without end
+    /// where it goes on to the end of the rail, or where the surface is broken and another run
+    /// follows.
+    pub fn ends(&self, j: usize, [first, last]: [usize; 2], station: f64) -> [f64; 2] {
         let places = &self.rows.places;
-        let from = if first == 0 { f64::NEG_INFINITY } else { places[first] - station };
-        let to = if last + 1 == places.len() { f64::INFINITY } else { places[last] - station };
+        let from = if first == 0 || self.is_there(j, first - 1) {
+            f64::NEG_INFINITY
+        } else {
+            places[first] - station
+        };
+        let to = if last + 1 == places.len() || self.is_there(j, last + 1) {
+            f64::INFINITY
+        } else {
+            places[last] - station
+        };
         [from, to]
     }
 
-    /// Places within the rail at which rows begin or end [m].
-    pub fn breaks(&self) -> Vec<f64> {
-        let (rows, count) = (&self.rows, self.count());
-        let last = rows.places.len() - 1;
-        let is_break = |i: &usize| {
-            let runs = rows.runs[i * count..(i + 1) * count].iter().flatten();
-            runs.flatten().any(|end| *end as usize == *i)
+    /// Places at which rows begin or end within the rail [m].
+    pub fn free_ends(&self) -> Vec<f64> {
+        let is_end = |i: &usize| {
+            let is_there = |j: usize, i: usize| self.is_there(j, i);
+            (0..self.count())
+                .any(|j| is_there(j, *i) && !(is_there(j, *i - 1) && is_there(j, *i + 1)))
         };
-        (1..last).filter(is_break).map(|i| rows.places[i]).collect()
+        let places = &self.rows.places;
+        (1..places.len() - 1).filter(is_end).map(|i| places[i]).collect()
+    }
+
+    /// Whether row `j` is there on slice number `i`.
+    fn is_there(&self, j: usize, i: usize) -> bool {
+        self.rows.runs[i * self.count() + j].is_some()
     }
 
     /// How fast the section of the pattern passes row `j` [-].
