@@ -8,6 +8,7 @@ mod callgrind;
 mod page;
 
 use std::env;
+use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::hint::black_box;
 
@@ -30,7 +31,7 @@ struct Case {
 const DEPTH: f64 = 6e-5;
 /// Place of the fastest models.
 const FASTEST: usize = 12;
-const CASES: [Case; 20] = [
+const CASES: [Case; 30] = [
     option("none on", |_| ()),
     Case { depth: -1e-3, ..option("none on, lifted wheel", |_| ()) },
     option("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz),
@@ -69,7 +70,45 @@ const CASES: [Case; 20] = [
         fastest(p);
         hot(p);
     }),
+    option("`rail[1].corrugation.*`", corrugated),
+    option("`rail[1].profile` with sections", varying),
+    option("`rail[1].profile` with sections, corrugated", |p| {
+        varying(p);
+        corrugated(p);
+    }),
+    option("`rail[1].roller_radius`", roller),
+    option("`rail[1].roller_radius`, corrugated", |p| {
+        roller(p);
+        corrugated(p);
+    }),
+    of_fastest("with `rail[1].corrugation.*`", |p| {
+        fastest(p);
+        corrugated(p);
+    }),
+    of_fastest("with `rail[1].profile` with sections", |p| {
+        fastest(p);
+        varying(p);
+    }),
+    of_fastest("with `rail[1].profile` with sections, corrugated", |p| {
+        fastest(p);
+        varying(p);
+        corrugated(p);
+    }),
+    of_fastest("with `rail[1].roller_radius`", |p| {
+        fastest(p);
+        roller(p);
+    }),
+    of_fastest("with `rail[1].roller_radius`, corrugated", |p| {
+        fastest(p);
+        roller(p);
+        corrugated(p);
+    }),
 ];
+/// Two rail heads in turns, a metre apart.
+const SECTIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sections.csv");
+const ROLLER: f64 = 0.8;
+/// Waves of 33 mm around the roller.
+const WAVES: f64 = 152.0;
 /// A table of friction by inclination that changes over the tread.
 const PROFILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/friction_by_inclination.csv");
 
@@ -101,6 +140,19 @@ fn falling(parameters: &mut Parameters) {
 fn hot(parameters: &mut Parameters) {
     let heat = &mut parameters.flash_temperature;
     (heat.share, heat.onset, heat.range) = (0.4, 0.0, 400.0);
+}
+
+fn varying(parameters: &mut Parameters) {
+    parameters.rails[0].profile = SECTIONS.into();
+}
+
+fn roller(parameters: &mut Parameters) {
+    parameters.rails[0].roller_radius = ROLLER;
+}
+
+fn corrugated(parameters: &mut Parameters) {
+    let wave = &mut parameters.rails[0].corrugation;
+    (wave.amplitude, wave.wavelength) = (2e-5, TAU * ROLLER / WAVES);
 }
 
 /// Step of the height between evaluations, so that nothing is reused [m].
@@ -144,6 +196,8 @@ fn evaluate(case: &Case, evaluations: usize) {
     let mut input = Input::default();
     input.wheel.position[1] -= 3e-3;
     input.wheel.yaw = 1e-3;
+    // Away from sections and from the tops of waves.
+    input.track_s = 0.4003;
     input.wheel.velocity = [20.0, 0.0, 0.0];
     input.wheel.pitch_rate = -20.0 / 0.46;
     let mut element = Element::new(&parameters, &input, &[]).expect("built-in profiles");

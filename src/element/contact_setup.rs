@@ -17,6 +17,7 @@ use crate::friction::StripFriction;
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::line_separation::{Lifting, RailSeparation};
+use crate::geometry::placed_rail::PlacedRail;
 use crate::geometry::rail_outline::RailOutline;
 use crate::geometry::varying_rail::Along;
 use crate::kinematics::creepage::{ContactAxes, RelativeMotion};
@@ -162,14 +163,16 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let touch = self.track_point(x, T::from(0.0), self.contact.penetration);
         let normal = self.frame.direction(self.contact.normal());
         let even = motion.approach_velocity(touch).dot(&normal);
-        let [forward, ..] = wheel.velocity;
         if along.is_some() || self.line.varies_around() {
-            let Along { lean, lever, .. } = along.unwrap_or_default();
+            let Along { ahead, lever, .. } = along.unwrap_or_default();
+            let x = self.line.even_at(self.contact.u).x + ahead;
+            let speeds = rail_speeds(self.input, self.k, self.rail.rail);
+            let rail = self.rail.closing_speed(self.contact.rail_s, x, speeds).unwrap_or_default();
             let ahead = self.line.ahead_of_round(self.contact.u) + lever;
-            return even + forward * lean + motion.turning_velocity(ahead).dot(&normal);
+            return even + rail + motion.turning_velocity(ahead).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };
-        let radius = self.line.nominal_radius();
+        let (radius, [forward, ..]) = (self.line.nominal_radius(), wheel.velocity);
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }
 
@@ -225,4 +228,10 @@ pub(super) fn relative_motion<T: Real>(
     frame: &RailFrame<T>,
 ) -> RelativeMotion<T> {
     frame.relative_motion(&wheel_here(input), &input.rails[k], input.wheel.position[0])
+}
+
+/// Forward speed of the wheel over rail number `k`, from 0, and how fast the arc on its top grows if
+/// that is a roller [m/s].
+pub(super) fn rail_speeds<T: Real>(input: &Input<T>, k: usize, rail: &PlacedRail) -> [T; 2] {
+    [input.wheel.velocity[0], input.rails[k].pitch_rate * rail.roller_radius()]
 }

@@ -51,15 +51,25 @@ pub fn rail_deviations(
     k: usize,
     folders: &[PathBuf],
 ) -> Result<Waviness, ContactError> {
-    let Corrugation { amplitude, wavelength, phase, file } = &parameters.rails[k].corrugation;
-    let mut waviness = Waviness::new(None);
+    let rail = &parameters.rails[k];
+    let Corrugation { amplitude, wavelength, phase, file } = &rail.corrugation;
+    // A roller comes again after a turn.
+    let around = (rail.roller_radius > 0.0).then_some(TAU * rail.roller_radius);
+    let mut waviness = Waviness::new(around);
     if *amplitude > 0.0 {
-        let (amplitude, wavelength) = (*amplitude, *wavelength);
-        waviness.add_harmonic(Harmonic { amplitude, wavelength, phase: *phase });
+        let (amplitude, phase) = (*amplitude, *phase);
+        // Checked to be a whole number of waves, but for the digits that are given.
+        let closed = around.map(|around| around / (around / wavelength).round());
+        let wavelength = closed.unwrap_or(*wavelength);
+        waviness.add_harmonic(Harmonic { amplitude, wavelength, phase });
     }
     if !file.is_empty() {
         let name = format!("rail[{}].corrugation.file", k + 1);
-        waviness.set_table(&load_deviations(&name, file, Deviations::Rail, folders)?);
+        let body = match rail.roller_radius {
+            radius if radius > 0.0 => Deviations::Roller { radius },
+            _ => Deviations::Rail,
+        };
+        waviness.set_table(&load_deviations(&name, file, body, folders)?);
     }
     Ok(waviness)
 }

@@ -3,6 +3,7 @@
 //! The overlap is the distance of the contact line from the nearest point of the rail, and the
 //! coordinate across is the arc along the rail.
 
+use super::cut_strip::{self, CutStrip};
 use crate::geometry::contact::Contact;
 use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
@@ -61,15 +62,31 @@ impl<'a> LocalLine<'a> {
         [x + ahead, 1.0 / lean.hypot(1.0)]
     }
 
-    /// Radius of the section of wheel and rail together at parameter `u`, along the rows of a rail
-    /// that varies, whose corrugation is bridged as on an even rail [m].
-    fn varying_radius(&mut self, u: f64, varying: &VaryingRail) -> f64 {
-        let even = self.line.wheel_point(u).section_radius;
-        let place = self.place(u);
-        let along = varying.along(place.y);
-        let bridged = varying.bridged(place.x, self.bridge(even));
-        let [share, _] = place.tangent;
-        radius_on_rows(even, &Along { curvature: along.curvature + share * bridged, ..along })
+    /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
+    /// varies, on which waves of both are bridged as on an even rail [m].
+    fn varying_radius(&self, place: &LinePlace, varying: &VaryingRail) -> f64 {
+        let even = self.line.wheel_point(place.u).section_radius;
+        let mut along = varying.along(place.y);
+        if varying.has_waves() {
+            let [_, z] = self.rail.curve().at(place.y).point;
+            let [share, _] = place.tangent;
+            along.curvature += share * varying.bridged([place.x, z], self.bridge(even));
+        }
+        radius_on_rows(even, &along)
+    }
+
+    /// What the end of a rail that varies leaves of the strip at `place`; nothing where it is whole.
+    fn cut(&self, place: &LinePlace) -> Option<CutStrip<f64>> {
+        let varying = self.rail.variation()?;
+        let ends = varying.ends(place.y)?.map(|end| end - place.x);
+        let slope = varying.along(place.y).gap;
+        cut_strip::cut(self.depth, slope, self.varying_radius(place, varying), ends)
+    }
+
+    /// The strip at `place` as far as the rail goes.
+    fn on_rail(&self, place: LinePlace) -> LinePlace {
+        let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
+        LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
     }
 
     /// Radius of the section along x at parameter `u` of a wheel whose section varies around, whose
@@ -144,7 +161,7 @@ impl LocalLine<'_> {
                 let overlap = cosine * (overlap_slope * step - up(to));
                 let overlap_slope = cosine * overlap_slope;
                 let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
-                return Some((place, point));
+                return Some((self.on_rail(place), point));
             }
             u += step;
         }
@@ -152,8 +169,9 @@ impl LocalLine<'_> {
     }
 }
 
-impl Line for LocalLine<'_> {
-    fn place(&mut self, u: f64) -> LinePlace {
+impl LocalLine<'_> {
+    /// The place at parameter `u`, its strip as if the rail had no end.
+    fn whole_place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
         let (at, derivative) = self.point(u);
@@ -181,10 +199,19 @@ impl Line for LocalLine<'_> {
             tangent,
         }
     }
+}
+
+impl Line for LocalLine<'_> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let place = self.whole_place(u);
+        self.on_rail(place)
+    }
 
     fn radius(&mut self, u: f64) -> f64 {
         if let Some(varying) = self.rail.variation() {
-            return self.varying_radius(u, varying);
+            let place = self.whole_place(u);
+            let radius = self.varying_radius(&place, varying);
+            return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
         }
         if self.line.varies_around() {
             return self.radius_around(u);

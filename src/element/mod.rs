@@ -5,6 +5,7 @@ mod chosen_models;
 mod contact_forces;
 mod contact_setup;
 mod curved_zone;
+mod cut_strip;
 mod derivative_memory;
 mod derivatives;
 mod deviations;

@@ -1,6 +1,6 @@
 //! The contact of one wheel with one rail with derivatives: what the search finds, as it moves.
 
-use super::contact_setup::{ContactSetup, Damped, relative_motion};
+use super::contact_setup::{ContactSetup, Damped, rail_speeds, relative_motion};
 use super::input::Input;
 use super::local_line::MIN_CURVATURE_SHARE;
 use super::models::Models;
@@ -99,7 +99,7 @@ impl RailContact {
         let Some((laid, varying)) = laid.zip(self.rail.variation()) else { return };
         let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
-        let station = self.rail.station(input.track_s, input.wheel.position[0]);
+        let station = varying.station(input.track_s, input.wheel.position[0]);
         varying.move_with(&line, &pose, station, laid);
     }
 
@@ -136,7 +136,7 @@ impl RailContact {
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
                 rail: outline,
-                forward: input.wheel.velocity[0],
+                speeds: rail_speeds(input, k, rail),
                 around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {

@@ -1,5 +1,6 @@
 //! The strip model on a wheel and a rail with derivatives: the solution of plain numbers, moved.
 
+use super::cut_strip::{self, CutStrip};
 use super::local_line::{LocalLine, radius_on_rows};
 use super::models::Models;
 use super::strip_damping::StripDamping;
@@ -18,10 +19,22 @@ struct MovingLocal<'a, T> {
     line: &'a ContactLine<'a, T>,
     rail: &'a RailOutline<'a, T>,
     found: LocalLine<'a>,
+    /// Deepest penetration of all contacts [m].
+    depth: T,
 }
 
-impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
-    fn at(&mut self, y: T, guess: f64) -> Place<T> {
+/// Deepest penetration of all contacts of a `search` as it moves; at rest where a body ends there
+/// [m].
+fn depth<T: Real>(line: &ContactLine<T>, rail: &RailOutline<T>, search: &ContactSearch) -> T {
+    let deepest = search.contacts.iter().max_by(|a, b| a.penetration.total_cmp(&b.penetration));
+    deepest.map_or(T::from(0.0), |found| {
+        found.moving(line, rail).map_or(found.penetration.into(), |moving| moving.penetration)
+    })
+}
+
+impl<T: Real> MovingLocal<'_, T> {
+    /// The place at coordinate `y` across, its strip as if the rail had no end.
+    fn whole_place(&mut self, y: T, guess: f64) -> Place<T> {
         let Some((LinePlace { u, .. }, _)) = self.found.on_normal(y.value(), guess) else {
             // Where a body ends nothing moves.
             let LinePlace { u, overlap, x, tangent, .. } = self.found.across(y.value(), guess);
@@ -46,6 +59,26 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         Place { u, overlap: cosine * overlap, x: at.x + along.ahead, tangent }
     }
 
+    /// What the end of a rail that varies leaves of the strip at a `place` with coordinate `y`.
+    fn cut(&self, y: T, place: &Place<T>) -> Option<CutStrip<T>> {
+        let ends = self.rail.ends(y)?.map(|end| end - place.x);
+        let along = self.rail.along(y)?;
+        let even = self.line.wheel_point(place.u).section_radius;
+        cut_strip::cut(self.depth, along.gap, radius_on_rows(even, &along), ends)
+    }
+}
+
+impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
+    fn at(&mut self, y: T, guess: f64) -> Place<T> {
+        let place = self.whole_place(y, guess);
+        match self.cut(y, &place) {
+            None => place,
+            Some(CutStrip { ahead, less, .. }) => {
+                Place { overlap: place.overlap - less, x: place.x + ahead, ..place }
+            }
+        }
+    }
+
     fn section_radius(&mut self, u: T) -> T {
         let even = self.line.wheel_point(u).section_radius;
         if !self.rail.varies() {
@@ -57,7 +90,12 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
         let slope = along(on.first) - (to[0] * on.second[0] + to[1] * on.second[1]);
         let s = T::moving(s, along(to) / slope.value());
-        self.rail.along(s).map_or(even, |along| radius_on_rows(even, &along))
+        let radius = self.rail.along(s).map_or(even, |along| radius_on_rows(even, &along));
+        if self.rail.ends(s).is_none() {
+            return radius;
+        }
+        let place = self.whole_place(s, u.value());
+        self.cut(s, &place).map_or(radius, |cut| radius * cut.radius_share)
     }
 }
 
@@ -73,7 +111,7 @@ pub fn follow<const N: usize>(
     let Some(solver) = &mut found.strip_solver else { return false };
     let value = line.value();
     let found = LocalLine::of(&value, rail.rail, search);
-    let mut local = MovingLocal { line, rail, found };
+    let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let modulus = models.material.contact_modulus;
     let Models { strip_follower, rail_strips, .. } = models;
     rail_strips.clear();
@@ -93,7 +131,7 @@ pub fn take_zone<T: Real>(
 ) -> TakenZone<T> {
     let value = line.value();
     let found = LocalLine::of(&value, rail.rail, search);
-    let mut local = MovingLocal { line, rail, found };
+    let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let taken = zone_in_frame(index, damping, models, |u, y| {
         let Place { u, tangent, overlap, .. } = local.at(y, u.value());
         (line.even_at(u).point, tangent, overlap)

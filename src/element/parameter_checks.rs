@@ -15,6 +15,9 @@ use crate::geometry::slices::Slices;
 const MAX_SLOPE: f64 = 0.3;
 /// Least radius of a roller [m]: that of models of rigs in a fifth of the size.
 const MIN_ROLLER: f64 = 0.1;
+/// Share of a wave that may be missing or left over around a roller: what rounding the wavelength
+/// to five digits leaves of a hundred waves [-].
+const MAX_GAP: f64 = 0.01;
 
 impl Parameters {
     /// Whether every number is in its declared range, and goes with the others.
@@ -56,7 +59,7 @@ impl Parameters {
         Err(ContactError::BadText { name, value, allowed })
     }
 
-    /// Whether rollers are large enough for a wheel to stand on.
+    /// Whether rollers are large enough for a wheel to stand on, and waves close around them.
     fn check_rollers(&self) -> Result<(), ContactError> {
         for (k, rail) in self.rails.iter().enumerate() {
             let radius = rail.roller_radius;
@@ -67,6 +70,19 @@ impl Parameters {
                     radius,
                     "0 for a straight rail, or from 0.1 m on",
                 ));
+            }
+            let Corrugation { amplitude, wavelength, .. } = rail.corrugation;
+            let waves = TAU * radius / wavelength;
+            let whole = waves.round().max(1.0);
+            if radius != 0.0 && amplitude > 0.0 && (waves - whole).abs() > MAX_GAP {
+                let closed = TAU * radius / whole;
+                return Err(ContactError::BadText {
+                    name: format!("rail[{}].corrugation.wavelength", k + 1),
+                    value: wavelength.to_string(),
+                    allowed: format!(
+                        "such that a whole number of waves goes around the roller: {whole} of them are {closed:.9} m long"
+                    ),
+                });
             }
         }
         Ok(())
@@ -170,9 +186,6 @@ impl Parameters {
             return refuse(
                 "where there is rail[k].roller_radius: a roller has one profile all around",
             );
-        }
-        if radius != 0.0 && self.is_corrugated(k) {
-            return refuse("where there is rail[k].corrugation");
         }
         if self.wear.model != WearModel::Off {
             return refuse(

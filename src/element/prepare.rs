@@ -119,15 +119,15 @@ impl Element {
             let placed = placed(k, profile, parameters)?;
             let roller = parameters.rails[k].roller_radius;
             // A corrugated rail under a wheel that varies around has the same section all along.
-            let even = (around.is_some() && parameters.is_corrugated(k))
-                .then(|| Slices::even(profile, EVEN_STRETCH));
+            let is_even = around.is_some() && parameters.is_corrugated(k) && roller <= 0.0;
+            let even = is_even.then(|| Slices::even(profile, EVEN_STRETCH));
+            let waves = || rail_deviations(parameters, k, folders);
+            // Corrugation of rails that vary is part of their surface.
             let (placed, deviations) = match slices[k].as_ref().or(even.as_ref()) {
-                // Its corrugation is part of its surface.
-                Some(slices) => {
-                    let corrugation = rail_deviations(parameters, k, folders)?;
-                    (placed.varying(slices, corrugation, &above), None)
+                Some(slices) => (placed.varying(slices, waves()?, &above), None),
+                None if roller > 0.0 => {
+                    (placed.on_roller(profile, waves()?, &above, roller), None)
                 }
-                None if roller > 0.0 => (placed.on_roller(profile, &above, roller), None),
                 None => (placed, deviations(parameters, k, folders)?),
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;

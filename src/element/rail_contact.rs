@@ -180,8 +180,8 @@ impl RailContact {
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
-        let station = self.rail.station(input.track_s, input.wheel.position[0]);
-        if !self.rail.pass(&line, &pose, [station, input.wheel.pitch]) {
+        let place = [input.track_s, input.wheel.position[0]];
+        if !self.rail.pass(&line, &pose, place, input.wheel.pitch) {
             return false;
         }
         self.search.search(&line, &self.rail, &self.ranges);

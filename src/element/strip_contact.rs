@@ -5,7 +5,7 @@
 //! chosen beforehand, so that nothing changes over when another place becomes the deepest, or when
 //! overlaps join or part. Each loaded zone then gets its frame from its own load.
 
-use super::contact_setup::{ContactSetup, Damped};
+use super::contact_setup::{ContactSetup, Damped, rail_speeds};
 use super::local_line::LocalLine;
 use super::models::Models;
 use super::output::Output;
@@ -78,7 +78,7 @@ pub fn add<'a>(
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
         rail: *rail,
-        forward: speeds[0],
+        speeds: rail_speeds(input, of_rail.k, placed),
         around: Some(line).filter(|line| line.varies_around()),
     };
     for zone in 0..models.rail_strips.zones.len() {
@@ -108,16 +108,7 @@ fn take_zone(
     damping: &StripDamping,
     models: &mut Models,
 ) -> TakenZone {
-    let zone = models.rail_strips.zones[index];
-    let contact = Contact {
-        u: models.rail_strips.u[zone.first],
-        rail_s: models.rail_strips.y[zone.first],
-        penetration: 0.0,
-        origin: [0.0; 2],
-        tangent: [0.0; 2],
-        probes: [0, 0],
-    };
-    let mut local = LocalLine::new(line, rail, &contact);
+    let mut local = LocalLine::of(line, rail, search);
     let place = |u, y| {
         if let Some((LinePlace { tangent, overlap, .. }, point)) = local.on_normal(y, u) {
             return (point, tangent, overlap);

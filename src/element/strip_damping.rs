@@ -27,10 +27,10 @@ pub struct StripDamping<'a, T: Real = f64> {
     /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and
     /// by turning [m/s].
     pub deviations: Option<(&'a Longitudinal, [T; 2])>,
-    /// The outline of the rail, on which a wheel climbs where that varies along the track, and its
-    /// forward speed [m/s].
+    /// The outline of the rail, and the speeds of
+    /// [`closing_speed`](RailOutline::closing_speed) on one that varies along the track [m/s].
     pub rail: RailOutline<'a, T>,
-    pub forward: T,
+    pub speeds: [T; 2],
     /// The contact line of a wheel whose section varies around.
     pub around: Option<&'a ContactLine<'a, T>>,
 }
@@ -57,9 +57,10 @@ impl<T: Real> StripDamping<'_, T> {
         let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
         let along = self.frame.direction(normal);
         let even = self.motion.approach_velocity(touch).dot(&along);
-        let Along { lean, lever, .. } = self.rail.along(y).unwrap_or_default();
+        let even = self.rail.closing_speed(y, x, self.speeds).map_or(even, |speed| even + speed);
+        let Along { lever, .. } = self.rail.along(y).unwrap_or_default();
         let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
-        let even = even + self.forward * lean + self.motion.turning_velocity(ahead).dot(&along);
+        let even = even + self.motion.turning_velocity(ahead).dot(&along);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]

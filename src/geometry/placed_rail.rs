@@ -193,11 +193,18 @@ impl PlacedRail {
     }
 
     /// The rail with `profile` around a roller, whose axle crosses the origin of the track frame
-    /// `radius` [m] below the marker, under the `wheel`.
+    /// `radius` [m] below the marker, with its `corrugation` over the arc of the marker's circle,
+    /// under the `wheel`.
     #[must_use]
-    pub fn on_roller(self, profile: &Profile, wheel: &WheelAbove, radius: f64) -> Self {
+    pub fn on_roller(
+        self,
+        profile: &Profile,
+        corrugation: Waviness,
+        wheel: &WheelAbove,
+        radius: f64,
+    ) -> Self {
         let slices = Slices::even(profile, VaryingRail::range_of_roller(radius));
-        self.of_slices(&slices, wheel, radius, Waviness::new(None))
+        self.of_slices(&slices, wheel, radius, corrugation)
     }
 
     fn of_slices(
@@ -256,20 +263,19 @@ impl PlacedRail {
         self.varying.is_some() && self.roller_radius() == 0.0
     }
 
-    /// Station of a wheel at `x` of a track whose origin is at `origin`; a roller stays where the
-    /// track frame is [m].
-    #[must_use]
-    pub fn station<T: Real>(&self, origin: T, x: T) -> T {
-        if self.roller_radius() > 0.0 { x } else { origin + x }
-    }
-
-    /// Takes the outline of a rail that varies as the wheel of `line`, which stands at `pose` above
-    /// a station [m] at a pitch [rad], both as `place`, meets it; nothing for others. False where
-    /// there is no rail within reach.
-    pub fn pass(&mut self, line: &ContactLine, pose: &WheelPose, place: [f64; 2]) -> bool {
+    /// Takes the outline of a rail that varies as the wheel of `line` meets it, which stands at
+    /// `pose`, `x` from the origin of a track that is at the station `origin` [m], turned by `pitch`
+    /// [rad]; nothing for others. False where there is no rail within reach.
+    pub fn pass(
+        &mut self,
+        line: &ContactLine,
+        pose: &WheelPose,
+        [origin, x]: [f64; 2],
+        pitch: f64,
+    ) -> bool {
         let Self { curve, coarse, varying, .. } = self;
         let Some(varying) = varying else { return true };
-        let is_there = varying.pass(line, pose, place, curve);
+        let is_there = varying.pass(line, pose, [origin, x], pitch, curve);
         coarse.take(curve);
         is_there
     }

@@ -48,6 +48,32 @@ impl<'a, T: Real> RailOutline<'a, T> {
         })
     }
 
+    /// Speed at which a rail that varies closes along the normal of its outline at parameter `s`,
+    /// met at `x` from the wheel marker [m], as the wheel goes `forward` over its slope and the arc
+    /// on top of a roller is `turning`; nothing for others [m/s].
+    #[must_use]
+    pub fn closing_speed(&self, s: T, x: T, [forward, turning]: [T; 2]) -> Option<T> {
+        let varying = self.rail.variation()?;
+        let Along { lean, gap, .. } = self.along(s)?;
+        let climbing = forward * (lean + gap);
+        if !varying.is_corrugated() {
+            return Some(climbing);
+        }
+        let CurvePoint { point, first, .. } = self.at(s);
+        let upward = first[0] / first[0].hypot(first[1]);
+        // Derivatives on corrugated rails are differences.
+        let rise = varying.rise([x.value(), point[1].value()]);
+        Some(climbing + turning * upward * rise)
+    }
+
+    /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],
+    /// as [`VaryingRail::ends`](crate::geometry::varying_rail::VaryingRail::ends).
+    #[must_use]
+    pub fn ends(&self, s: T) -> Option<[T; 2]> {
+        let ends = self.rail.variation()?.ends(s.value())?;
+        Some(ends.map(|x| self.moving.map_or(x.into(), |moving| moving.passed(x))))
+    }
+
     /// Whether the section varies along the track.
     #[must_use]
     pub fn varies(&self) -> bool {

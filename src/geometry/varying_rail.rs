@@ -23,8 +23,8 @@
 //! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
 //! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
 //!
-//! A roller is such a rail: its rows are circles about an axle across the track. Corrugation is
-//! part of the surface, so that the wheel meets its crests.
+//! A roller is such a rail: its rows go around an axle across the track. Corrugation is part of the
+//! surface, so that the wheel meets its crests.
 
 mod bounds;
 mod over;
@@ -46,7 +46,8 @@ use crate::geometry::longitudinal::MIN_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
 use crate::geometry::rows::met::Met;
-use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, Surface};
+use crate::geometry::rows::roller::Roller;
+use crate::geometry::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, Surface};
 use crate::geometry::slices::Slices;
 use crate::geometry::waviness::Waviness;
 use crate::geometry::wheel_pose::WheelPose;
@@ -75,7 +76,10 @@ pub struct VaryingRail {
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
     top: usize,
-    /// Station above which the wheel passed last [m], and its pitch [rad].
+    /// Places at which rows begin or end, and whether any of them is within reach of the wheel that
+    /// passed last, which was at `station` [m] and turned by `pitch` [rad].
+    free_ends: Vec<f64>,
+    is_near_end: bool,
     station: f64,
     pitch: f64,
 }
@@ -85,7 +89,7 @@ impl VaryingRail {
     /// stands, turned left to right if `turned`, under the `wheel`. With a `roller_radius` [m]
     /// above 0 the first of them goes around a roller whose axle is at station 0, and they end
     /// where a wheel leaves that. `corrugation` is the height of the rail over the station on top
-    /// of that of the slices.
+    /// of that of the slices; of a roller over the arc of the marker's circle.
     #[must_use]
     pub fn new(
         slices: &Slices,
@@ -98,11 +102,15 @@ impl VaryingRail {
     ) -> Self {
         let rows = slices.rows(point, direction);
         let rows = if turned { rows.turned() } else { rows };
-        let surface = Surface { rows, roller_radius, corrugation };
+        let is_roller = roller_radius > 0.0;
+        let roller = is_roller.then_some(Roller { radius: roller_radius, top: 0.0 });
+        let surface = Surface { rows, roller, corrugation };
         let (arcs, top) = arcs_of_pattern(&surface);
         Self {
             arcs,
             top,
+            free_ends: surface.free_ends(),
+            is_near_end: false,
             bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
             wheel: WheelTable::new(wheel.profile, wheel.sides()),
             waves: wheel.waves.clone(),
@@ -115,6 +123,13 @@ impl VaryingRail {
         }
     }
 
+    /// Station of a wheel at `x` of a track whose origin is at `origin`; the axle of a roller is at
+    /// station 0, and `origin` the arc that is on its top [m].
+    #[must_use]
+    pub fn station<T: Real>(&self, origin: T, x: T) -> T {
+        if self.surface.roller.is_some() { x } else { origin + x }
+    }
+
     /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may
     /// touch it [m].
     #[must_use]
@@ -125,7 +140,7 @@ impl VaryingRail {
     /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
     #[must_use]
     pub fn roller_radius(&self) -> f64 {
-        self.surface.roller_radius
+        self.surface.roller.map_or(0.0, |roller| roller.radius)
     }
 
     /// Most rows of the envelope.
@@ -139,17 +154,23 @@ impl VaryingRail {
         self.surface.faces()
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose` above `station` [m], turned
-    /// by `pitch` [rad], into `curve`; allocates nothing within the room that it has. False where
-    /// there is no rail within reach.
+    /// Lays the envelope for the wheel of `line`, which stands at `pose`, `x` from the origin of a
+    /// track that is at the station `origin` [m], turned by `pitch` [rad], into `curve`; allocates
+    /// nothing within the room that it has. False where there is no rail within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
         pose: &WheelPose,
-        [station, pitch]: [f64; 2],
+        [origin, x]: [f64; 2],
+        pitch: f64,
         curve: &mut Curve,
     ) -> bool {
-        (self.station, self.pitch) = (station, pitch);
+        if let Some(roller) = &mut self.surface.roller {
+            roller.top = origin;
+        }
+        (self.station, self.pitch) = (self.station(origin, x), pitch);
+        let near = |place: &f64| (place - self.station).abs() < REACH;
+        self.is_near_end = self.free_ends.iter().any(near);
         if line.varies_around() {
             self.wheel.follow(line.profile());
         }
@@ -184,6 +205,7 @@ impl VaryingRail {
         outline.met.clear();
         outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
         outline.envelope.lay(surface, &outline.met);
+        outline.station = station;
     }
 
     /// Fills `met` with all rows that may touch, and with a few of the others.
@@ -248,22 +270,62 @@ impl VaryingRail {
         self.surface.corrugation.bounds().range[1] + self.waves.bounds().range[1]
     }
 
-    /// How much more curved waves of rail and wheel are at the place `x` from the marker of the
-    /// wheel that passed last than over the distance `reach` to either side of it, positive where
-    /// they bulge more [1/m].
+    /// Whether rail or wheel have waves over their even surfaces.
     #[must_use]
-    pub fn bridged(&self, x: f64, reach: f64) -> f64 {
-        let below = -self.pitch * self.nominal_radius;
-        let surfaces = [(&self.surface.corrugation, self.station), (&self.waves, below)];
-        let bridged = surfaces.map(|(waves, origin)| {
+    pub fn has_waves(&self) -> bool {
+        self.is_corrugated() || !self.waves.is_empty()
+    }
+
+    /// Whether all rows are higher by a corrugation.
+    #[must_use]
+    pub fn is_corrugated(&self) -> bool {
+        !self.surface.corrugation.is_empty()
+    }
+
+    /// How much more curved waves of rail and wheel are at the point (x, z), x from the marker of
+    /// the wheel that passed last and z of the outline, than over the distance `reach` to either
+    /// side of it [m], positive where they bulge more [1/m].
+    #[must_use]
+    pub fn bridged(&self, [x, z]: [f64; 2], reach: f64) -> f64 {
+        let place = self.station + x;
+        let on_rail = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
+        let on_wheel = x - self.pitch * self.nominal_radius;
+        let surfaces = [(&self.surface.corrugation, on_rail), (&self.waves, on_wheel)];
+        let bridged = surfaces.map(|(waves, at)| {
             if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
                 return 0.0;
             }
-            let at = origin + x;
             let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
             (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
         });
         bridged[0] + bridged[1]
+    }
+
+    /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
+    /// arc on its top grows; 0 for a rail, which lies still [-].
+    #[must_use]
+    pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
+        let Surface { roller, corrugation, .. } = &self.surface;
+        match roller {
+            Some(roller) if !corrugation.is_empty() => {
+                roller.rise(corrugation, self.station + x, z)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// From where to where along the track the row at parameter `s` of the envelope is there, from
+    /// the marker of the wheel that passed last, without end where it goes on to the end of the
+    /// rail or is broken [m]; nothing where no row ends within reach.
+    #[must_use]
+    pub fn ends(&self, s: f64) -> Option<[f64; 2]> {
+        if !self.is_near_end {
+            return None;
+        }
+        let slice = self.surface.within(self.station).slice;
+        let row = self.envelope.row_near(s)?;
+        let run = self.surface.run(row, self.station, slice)?;
+        Some(self.surface.ends(row, run, self.station))
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
@@ -297,13 +359,15 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
 pub struct MovingOutline<T> {
     envelope: Envelope<T>,
     met: FixedVec<Met<T>>,
+    station: T,
 }
 
 impl<T: Real> MovingOutline<T> {
     /// Room for an outline of `count` rows.
     #[must_use]
     pub fn new(count: usize) -> Self {
-        Self { envelope: Envelope::new(count), met: FixedVec::new(count) }
+        let station = T::from(0.0);
+        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].
@@ -316,6 +380,12 @@ impl<T: Real> MovingOutline<T> {
     #[must_use]
     pub fn along(&self, s: T) -> Along<T> {
         self.envelope.along(s)
+    }
+
+    /// A place `x` of the rail from the wheel marker, as the wheel moves on [m].
+    #[must_use]
+    pub fn passed(&self, x: f64) -> T {
+        T::moving(x, -self.station)
     }
 }
 

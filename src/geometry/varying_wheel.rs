@@ -133,7 +133,7 @@ impl VaryingWheel {
         let turned = |[y, z]: [f64; 2]| [y, -z];
         let rows = slices.around().over_places(radius).rows(turned, turned);
         let corrugation = Waviness::new(None);
-        let surface = Surface { rows, roller_radius: 0.0, corrugation };
+        let surface = Surface { rows, roller: None, corrugation };
         let count = surface.count();
         let steps = surface.rows.places.windows(2).map(|pair| pair[1] - pair[0]);
         let spacing = steps.fold(f64::INFINITY, f64::min);

@@ -1,6 +1,7 @@
 //! Deviations of a rail over its station or of a wheel over its angle, as two columns of text.
 //!
-//! Rail: `station_m`, `height_mm` up positive. Wheel: `angle_deg`, `radius_mm` the deviation of the
+//! Rail: `station_m`, `height_mm` up positive; of a roller the station is the arc around it, less
+//! than a turn from first to last. Wheel: `angle_deg`, `radius_mm` the deviation of the
 //! radius; the angle by which the wheel has to roll forward from pitch 0 until it stands there,
 //! less than a revolution from first to last.
 
@@ -16,6 +17,11 @@ use crate::io::named_text::named_text;
 pub enum Deviations {
     /// A rail.
     Rail,
+    /// A roller whose highest point has that radius [m].
+    Roller {
+        /// Radius of the circle on which the stations are [m].
+        radius: f64,
+    },
     /// A wheel of that nominal radius [m].
     Wheel {
         /// Nominal radius [m].
@@ -50,24 +56,29 @@ pub fn load_deviations(
 /// The points of a file.
 fn points(content: &str, body: Deviations) -> Result<Vec<[f64; 2]>, String> {
     let (columns, unit) = match body {
-        Deviations::Rail => ("the two columns station_m height_mm", 1.0),
+        Deviations::Rail | Deviations::Roller { .. } => {
+            ("the two columns station_m height_mm", 1.0)
+        }
         Deviations::Wheel { radius } => {
             ("the two columns angle_deg radius_mm", radius.to_radians())
         }
     };
     let mut points = DeviationRows { columns, unit, most_slope: MAX_SLOPE }.read(content)?;
-    if let Deviations::Wheel { radius } = body {
+    if let Deviations::Wheel { radius } | Deviations::Roller { radius } = body {
         let turn = std::f64::consts::TAU * radius;
         let (first, last) = (points[0], points[points.len() - 1]);
         let rest = turn - (last[0] - first[0]);
         if rest < -1e-6 {
-            return Err("angles within one revolution".into());
+            return Err(match body {
+                Deviations::Wheel { .. } => "angles within one revolution".into(),
+                _ => format!("stations within one turn of the roller, {turn:.6} m"),
+            });
         }
         if rest <= 1e-6 {
             // The revolution is closed by its first point, said twice.
             points.pop();
         } else if (first[1] - last[1]).abs() > MAX_SLOPE * rest {
-            return Err(format!("deviations no steeper than {MAX_SLOPE} from last to first angle"));
+            return Err(format!("deviations no steeper than {MAX_SLOPE} from last to first line"));
         }
     }
     Ok(points)

@@ -34,7 +34,8 @@
 //! ```
 //!
 //! along the normal of the section, and the cosine of the lean times that along the normal that
-//! leans with the rail. A is as if the rows did not drift: an angle δ between row and track changes
+//! leans with the rail. Beyond the end of a row there is nothing to touch; an end within the overlap
+//! is a border of elements, so that none is cut. A is as if the rows did not drift: an angle δ between row and track changes
 //! distances by shares of δ²/2.
 
 mod lattice;
@@ -108,8 +109,9 @@ pub fn solve(
     }
     let mut box_of_load = extent_of(&zones)?;
     let size = element_size(&zones, box_of_load, elements);
+    let origin = overlaps.iter().find_map(|overlap| overlap.end).unwrap_or(0.0);
     for _ in 0..MAX_GROWTHS {
-        let grid = lattice::covering(box_of_load, size);
+        let grid = lattice::covering(box_of_load, size, origin);
         let found = section.solve_on(grid, &overlaps, modulus)?;
         match beyond(&found.grid, &found.pressure, box_of_load) {
             Some(grown) => box_of_load = grown,

@@ -266,7 +266,6 @@ fn what_does_not_go_with_a_roller_is_refused_by_name() {
     };
     let name = "rail[1].roller_radius";
     refused(&|p| p.wear.model = WearModel::Archard, name, "wear.model");
-    refused(&|p| p.rails[0].corrugation.amplitude = 1e-5, name, "corrugation");
     let profile = |p: &mut Parameters| {
         p.friction_distribution = FrictionDistribution::Profile;
         p.friction_profile = "friction.csv".into();

@@ -73,7 +73,7 @@ class ElementInputs(TypedDict, total=False):
     rail2_pitch_rate: npt.ArrayLike
     """Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     track_s: npt.ArrayLike
-    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
+    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x; of a roller the arc that is on top, growing by its radius times pitch_rate [m]."""
     friction: npt.ArrayLike
     """Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     friction_tread_coefficient: npt.ArrayLike
@@ -128,13 +128,13 @@ class ElementParameters(TypedDict, total=False):
     rail1_corrugation_amplitude: float
     """Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     rail1_corrugation_wavelength: float
-    """Wavelength of that wave [m]."""
+    """Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     rail1_corrugation_phase: float
     """Phase of that wave at station 0: with 0 there is a crest [rad]."""
     rail2_corrugation_amplitude: float
     """Half the height from trough to crest of a wave of rail 2 along the station; 0 for none [m]."""
     rail2_corrugation_wavelength: float
-    """Wavelength of that wave [m]."""
+    """Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     rail2_corrugation_phase: float
     """Phase of that wave at station 0: with 0 there is a crest [rad]."""
     rail1_corrugation_file: str | os.PathLike[str]
@@ -422,7 +422,7 @@ class ElementParameters(TypedDict, total=False):
     rail2_pitch_rate: float
     """Angular velocity of roller 2 about its axle, negative when its top goes forward; without effect on a straight rail [rad/s]."""
     track_s: float
-    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
+    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x; of a roller the arc that is on top, growing by its radius times pitch_rate [m]."""
     friction: float
     """Coefficient of friction between wheel and rail; only with friction.distribution uniform [-]."""
     friction_tread_coefficient: float
@@ -489,7 +489,7 @@ class WheelSetInputs(TypedDict, total=False):
     left_wheel_own_pitch_rate: npt.ArrayLike
     """Left side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
     track_s: npt.ArrayLike
-    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
+    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x; of a roller the arc that is on top, growing by its radius times pitch_rate [m]."""
     right_wheel_load: npt.ArrayLike
     """Right side: Vertical force, down, that the wheel puts on all rails together, creep forces included; only with vertical.mode load; at 0 and below the wheel is lifted [N]."""
     right_rail1_y: npt.ArrayLike
@@ -814,13 +814,13 @@ class WheelSetParameters(TypedDict, total=False):
     right_rail1_corrugation_amplitude: float
     """Right side: Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     right_rail1_corrugation_wavelength: float
-    """Right side: Wavelength of that wave [m]."""
+    """Right side: Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     right_rail1_corrugation_phase: float
     """Right side: Phase of that wave at station 0: with 0 there is a crest [rad]."""
     right_rail2_corrugation_amplitude: float
     """Right side: Half the height from trough to crest of a wave of rail 2 along the station; 0 for none [m]."""
     right_rail2_corrugation_wavelength: float
-    """Right side: Wavelength of that wave [m]."""
+    """Right side: Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     right_rail2_corrugation_phase: float
     """Right side: Phase of that wave at station 0: with 0 there is a crest [rad]."""
     right_rail1_corrugation_file: str | os.PathLike[str]
@@ -888,13 +888,13 @@ class WheelSetParameters(TypedDict, total=False):
     left_rail1_corrugation_amplitude: float
     """Left side: Half the height from trough to crest of a wave of rail 1 along the station; 0 for none [m]."""
     left_rail1_corrugation_wavelength: float
-    """Left side: Wavelength of that wave [m]."""
+    """Left side: Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     left_rail1_corrugation_phase: float
     """Left side: Phase of that wave at station 0: with 0 there is a crest [rad]."""
     left_rail2_corrugation_amplitude: float
     """Left side: Half the height from trough to crest of a wave of rail 2 along the station; 0 for none [m]."""
     left_rail2_corrugation_wavelength: float
-    """Left side: Wavelength of that wave [m]."""
+    """Left side: Wavelength of that wave; a whole number of them has to go around a roller [m]."""
     left_rail2_corrugation_phase: float
     """Left side: Phase of that wave at station 0: with 0 there is a crest [rad]."""
     left_rail1_corrugation_file: str | os.PathLike[str]
@@ -980,7 +980,7 @@ class WheelSetParameters(TypedDict, total=False):
     left_wheel_own_pitch_rate: float
     """Left side: pitch rate of the wheel against wheelset.pitch_rate [rad/s]."""
     track_s: float
-    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x [m]."""
+    """Station along the track of the origin of the track frame: a patch at position x in the track frame is at track.s + x; of a roller the arc that is on top, growing by its radius times pitch_rate [m]."""
     right_wheel_load: float
     """Right side: Vertical force, down, that the wheel puts on all rails together, creep forces included; only with vertical.mode load; at 0 and below the wheel is lifted [N]."""
     right_rail1_y: float

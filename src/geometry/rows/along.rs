@@ -14,6 +14,8 @@ pub struct Along<T = f64> {
     pub lean: T,
     /// How fast its rows drift across there [-].
     pub drift: T,
+    /// How fast the gap grows along the row there: zero, but where the wheel stands on an end [-].
+    pub gap: T,
     /// By how much farther from its axle than the round wheel of the contact line the wheel is
     /// there [m].
     pub raised: T,
@@ -32,6 +34,7 @@ impl<T: Real> Along<T> {
             curvature: value(|a| a.curvature),
             lean: value(|a| a.lean),
             drift: value(|a| a.drift),
+            gap: value(|a| a.gap),
             raised: value(|a| a.raised),
             lever: value(|a| a.lever),
             bulge: value(|a| a.bulge),
@@ -47,6 +50,7 @@ impl<T: Real> Along<T> {
             curvature: number(self.curvature),
             lean: number(self.lean),
             drift: number(self.drift),
+            gap: number(self.gap),
             raised: number(self.raised),
             lever: number(self.lever),
             bulge: number(self.bulge),

@@ -178,6 +178,15 @@ impl<T: Real> Envelope<T> {
         (s - self.knots[i].s) / (self.knots[i + 1].s - self.knots[i].s) * (b - a) + a
     }
 
+    /// The row of the outline nearest to its parameter `s`, if there is one.
+    pub fn row_near(&self, s: f64) -> Option<usize> {
+        let i = self.knots.partition_point(|k| k.s <= s);
+        let beside = i.saturating_sub(1)..(i + 1).min(self.knots.len());
+        let away = |k: &usize| (self.knots[*k].s.value() - s).abs();
+        let nearest = beside.min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        Some(self.kept[nearest].row)
+    }
+
     /// Where the wheel meets the rail at parameter `s` of the outline.
     pub fn along(&self, s: T) -> Along<T> {
         let n = self.along.len();

@@ -7,4 +7,5 @@ pub mod along;
 pub mod envelope;
 pub mod met;
 pub mod plane;
+pub mod roller;
 pub mod surface;

@@ -1,14 +1,9 @@
 //! The surface of a rail that varies along the track, row by row.
 //!
-//! A row of a roller is a circle about its axle: at x from there, with ρ the distance of the row
-//! from the axle,
-//!
-//! ```text
-//! z(x) = R - sqrt(ρ² - x²)
-//! ```
-//!
-//! Corrugation lifts all rows alike, over the station, on top of what the slices say.
+//! Rows of a roller go around its axle. Corrugation lifts all rows alike, over the station, on top
+//! of what the slices say.
 
+use super::roller::{Around, Roller};
 use crate::geometry::slices::Rows;
 use crate::geometry::waviness::Waviness;
 use crate::math::real::Real;
@@ -40,19 +35,16 @@ pub(in crate::geometry) struct Within {
 #[derive(Clone, Debug)]
 pub(in crate::geometry) struct Surface {
     pub rows: Rows,
-    /// Height of the marker above the axle of a roller, of which the rows are the section at the
-    /// top, all along; 0 for a rail [m].
-    pub roller_radius: f64,
-    /// Height of the rail over the station on top of that of its rows.
+    /// The roller that the rows go around, of which they are the section at the top; nothing for a
+    /// rail.
+    pub roller: Option<Roller>,
+    /// Height of the rail over the station on top of that of its rows; of a roller, over its arc.
     pub corrugation: Waviness,
 }
 
 /// Greatest place along the track on a roller, over its radius: a wheel never goes there from above
 /// [-].
 pub(in crate::geometry) const MAX_SHARE_OF_ROLLER: f64 = 0.8;
-/// Least radius of a row of a roller, over that of the marker, and square of the least height above
-/// the axle, over that of the radius [-].
-const MIN_ROW: f64 = 0.1;
 
 impl Surface {
     /// Number of rows.
@@ -82,8 +74,11 @@ impl Surface {
     }
 
     /// Row `j` at a `station` [m] of a `run` of slices, looked for from the slice `near`; the
-    /// surface of the slices is held at its ends.
+    /// surface of the slices is held at the ends of the rail.
     pub fn at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+        if let Some(roller) = &self.roller {
+            return self.on_roller(roller, j, station);
+        }
         let mut point = self.even_at(j, run, station, near);
         if !self.corrugation.is_empty() {
             let [height, slope, curvature] = self.corrugation.at(station.value());
@@ -96,11 +91,8 @@ impl Surface {
         point
     }
 
-    /// The same without corrugation.
+    /// The same of a rail without corrugation.
     fn even_at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
-        if self.roller_radius > 0.0 {
-            return self.on_roller(j, station);
-        }
         let (places, count) = (&self.rows.places, self.count());
         let [first, last] = run;
         let zero = T::from(0.0);
@@ -109,17 +101,18 @@ impl Surface {
             RowPoint { value: knot.value.map(T::from), first: [zero; 4], second: [zero; 2] }
         };
         let place = station.value();
-        if place <= places[first] {
+        // What ends within the rail has its slope up to there, and is met no farther.
+        if place <= places[first] && first == 0 {
             return held(first);
         }
-        if place >= places[last] {
+        if place >= places[last] && last + 1 == places.len() || first == last {
             return held(last);
         }
-        let mut i = near.clamp(first, last.max(first + 1) - 1);
-        while places[i] > place {
+        let mut i = near.clamp(first, last - 1);
+        while i > first && places[i] > place {
             i -= 1;
         }
-        while places[i + 1] <= place {
+        while i + 1 < last && places[i + 1] <= place {
             i += 1;
         }
         let (from, to) = (&self.rows.knots[i * count + j], &self.rows.knots[(i + 1) * count + j]);
@@ -141,20 +134,15 @@ impl Surface {
         point
     }
 
-    /// Row `j` at `x` from the axle of a roller [m].
-    fn on_roller<T: Real>(&self, j: usize, x: T) -> RowPoint<T> {
-        let radius = self.roller_radius;
-        let [y, z, dy, dz] = self.rows.knots[j].value;
-        // Rows below the axle lie inside, where nothing touches.
-        let own = (radius - z).max(MIN_ROW * radius);
+    /// Row `j` at `x` from the axle of a `roller` [m].
+    fn on_roller<T: Real>(&self, roller: &Roller, j: usize, x: T) -> RowPoint<T> {
+        let [y, depth, dy, dz] = self.rows.knots[j].value;
+        let Around { z, by_row, first, second } = roller.row(depth, &self.corrugation, x);
         let zero = T::from(0.0);
-        let root = (-(x * x) + own * own).at_least(MIN_ROW * own * own).sqrt();
-        let steepness = T::from(own) / root;
-        let slope = x / root;
         RowPoint {
-            value: [y.into(), -root + radius, dy.into(), steepness * dz],
-            first: [zero, slope, zero, steepness * slope / root * dz],
-            second: [zero, steepness * steepness / root],
+            value: [y.into(), z, dy.into(), by_row * dz],
+            first: [zero, first[0], zero, first[1] * dz],
+            second: [zero, second],
         }
     }
 
@@ -210,13 +198,47 @@ impl Surface {
     pub fn reach<T: Real>(&self, [first, last]: [usize; 2], station: T) -> Option<[T; 2]> {
         let places = &self.rows.places;
         let at = |i: usize| -station + places[i];
-        if self.roller_radius > 0.0 {
+        if self.roller.is_some() {
             return within(at(first).at_least(-REACH), at(last).at_most(REACH));
         }
         // A row that goes on to the end of the rail is held there.
         let from = if first == 0 { T::from(-REACH) } else { at(first).at_least(-REACH) };
         let to = if last + 1 == places.len() { T::from(REACH) } else { at(last).at_most(REACH) };
         within(from, to)
+    }
+
+    /// From where to where row `j` is there on a run of slices, from `station` [m]: without end
+    /// where it goes on to the end of the rail, or where the surface is broken and another run
+    /// follows.
+    pub fn ends(&self, j: usize, [first, last]: [usize; 2], station: f64) -> [f64; 2] {
+        let places = &self.rows.places;
+        let from = if first == 0 || self.is_there(j, first - 1) {
+            f64::NEG_INFINITY
+        } else {
+            places[first] - station
+        };
+        let to = if last + 1 == places.len() || self.is_there(j, last + 1) {
+            f64::INFINITY
+        } else {
+            places[last] - station
+        };
+        [from, to]
+    }
+
+    /// Places at which rows begin or end within the rail [m].
+    pub fn free_ends(&self) -> Vec<f64> {
+        let is_end = |i: &usize| {
+            let is_there = |j: usize, i: usize| self.is_there(j, i);
+            (0..self.count())
+                .any(|j| is_there(j, *i) && !(is_there(j, *i - 1) && is_there(j, *i + 1)))
+        };
+        let places = &self.rows.places;
+        (1..places.len() - 1).filter(is_end).map(|i| places[i]).collect()
+    }
+
+    /// Whether row `j` is there on slice number `i`.
+    fn is_there(&self, j: usize, i: usize) -> bool {
+        self.rows.runs[i * self.count() + j].is_some()
     }
 
     /// How fast the section of the pattern passes row `j` [-].

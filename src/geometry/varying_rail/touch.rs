@@ -88,12 +88,13 @@ impl<T: Real> State<T> {
     /// What is met at `x` of row `row`, which is at `y` of the wheel, whose curvature along the
     /// track is by `bulge` that of more than its section on the contact line.
     fn met(self, row: usize, x: T, wheel: &Opposite<T>, y: T, bulge: T) -> Met<T> {
-        let Self { point, direction, first, curvature, lean, drift, deviation, .. } = self;
+        let Self { point, direction, first, curvature, lean, drift, g, deviation, .. } = self;
         let along = Along {
             ahead: x - wheel.x,
             curvature,
             lean,
             drift,
+            gap: g,
             raised: deviation.raised,
             lever: self.radius * deviation.slopes[0],
             bulge: self.share * bulge,
@@ -196,11 +197,13 @@ impl Touch<'_> {
             };
             let by_chord =
                 Some(towards(chord)).filter(|next| chord > 0.0 && (behind..=ahead).contains(next));
-            let moved = by_chord.unwrap_or_else(|| towards(met.bend)).clamp(from, to) - x;
+            // Exactly on an end where it is held there.
+            let next = by_chord.unwrap_or_else(|| towards(met.bend)).clamp(from, to);
+            let moved = next - x;
             if moved == 0.0 {
                 break;
             }
-            x += moved;
+            x = next;
             p = at(x);
             opposite = over.opposite(opposite.u, over.in_wheel(&p)[0]).unwrap_or(opposite);
             let before = met.g;

@@ -73,18 +73,20 @@ pub(super) fn element_size(
     size.map(|size| ((larger * size).log2() * RUNGS).floor() / RUNGS).map(f64::exp2)
 }
 
-/// The part of the lattice of elements of `size` that covers a box and a margin.
-pub(super) fn covering([x, y]: [[f64; 2]; 2], [dx, dy]: [f64; 2]) -> Grid {
+/// The part of the lattice of elements of `size` that covers a box and a margin; along the track an
+/// element begins at `origin` [m].
+pub(super) fn covering([x, y]: [[f64; 2]; 2], [dx, dy]: [f64; 2], origin: f64) -> Grid {
     let cells = |range: [f64; 2], size: f64| {
         [(range[0] / size).floor() - MARGIN, (range[1] / size).ceil() + MARGIN]
     };
+    let x = x.map(|x| x - origin);
     let ([x_first, x_end], [y_first, y_end]) = (cells(x, dx), cells(y, dy));
     Grid {
         along: (x_end - x_first) as usize,
         across: (y_end - y_first) as usize,
         dx,
         dy,
-        leading_x: (x_end - 0.5) * dx,
+        leading_x: origin + (x_end - 0.5) * dx,
         left_y: (y_first + 0.5) * dy,
     }
 }

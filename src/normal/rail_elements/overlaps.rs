@@ -9,6 +9,8 @@ pub(super) struct Overlap {
     /// Arc, parameter of the contact line, and from where to where along the track the bodies
     /// overlap there, in growing arc [m].
     pub places: Vec<[f64; 4]>,
+    /// An end of the rail along the track that cuts it, from the wheel marker [m].
+    pub end: Option<f64>,
 }
 
 impl Overlap {
@@ -47,6 +49,7 @@ impl Section<'_> {
             match apart.last_mut() {
                 Some(last) if last.range()[1] > next.range()[0] => {
                     last.places.extend(next.places);
+                    last.end = last.end.or(next.end);
                     last.places.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 }
                 _ => apart.push(next),
@@ -59,9 +62,11 @@ impl Section<'_> {
     /// near the parameter `near`.
     fn overlap(&self, rail_s: f64, near: f64) -> Option<Overlap> {
         let middle = self.arcs.arc(rail_s);
-        let place = |arc: f64, row: &Row| {
-            let [from, to] = self.stretch(row);
-            [arc, row.u, from, to]
+        let mut end = None;
+        let mut place = |arc: f64, row: &Row| {
+            let ([from, to], [begin, last]) = (self.stretch(row), row.ends);
+            end = end.or(row.ends.into_iter().find(|end| from < *end && *end < to));
+            [arc, row.u, from.max(begin), to.min(last)]
         };
         let first = self.row(middle, near).filter(|row| row.overlap > 0.0)?;
         let mut places = vec![place(middle, &first)];
@@ -79,7 +84,7 @@ impl Section<'_> {
             }
         }
         places.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        (places.len() > 1).then_some(Overlap { places })
+        (places.len() > 1).then_some(Overlap { places, end })
     }
 
     /// From where to where along the track the bodies overlap at `row` [m], with all that lies

@@ -24,6 +24,8 @@ pub struct Row {
     pub overlap: f64,
     /// The rail along the track there.
     pub course: Course,
+    /// From where to where along the track the rail is there, from the wheel marker [m].
+    pub ends: [f64; 2],
 }
 
 impl Row {
@@ -112,10 +114,14 @@ impl Section<'_> {
                 let down = |v: [f64; 2]| v[0] * normal[0] + v[1] * normal[1];
                 let overlap = down(to) + step * down(derivative);
                 let course = Course::default();
-                let row = Row { s, point: on.point, tangent, u, x: at.x, overlap, course };
+                let ends = [f64::NEG_INFINITY, f64::INFINITY];
+                let row = Row { s, point: on.point, tangent, u, x: at.x, overlap, course, ends };
                 return match self.rail.variation() {
                     None => Some(row),
-                    Some(varying) => self.met(row, &varying.along(s)),
+                    Some(varying) => {
+                        let ends = varying.ends(s).unwrap_or(row.ends);
+                        self.met(Row { ends, ..row }, &varying.along(s))
+                    }
                 };
             }
         }
@@ -137,11 +143,17 @@ impl Section<'_> {
     }
 
     /// Finds the wheel opposite to the elements of `row`, from the contact line to both sides as
-    /// far as the bodies overlap; a wheel that varies around may do so again farther on.
+    /// far as the bodies overlap and the rail goes; a wheel that varies around may do so again
+    /// farther on.
     pub(super) fn meet_row(&self, grid: &Grid, row: &Row, opposite: &mut [Option<Opposite>]) {
         let normal = row.normal();
-        let middle =
-            ((grid.leading_x - row.x) / grid.dx).round().clamp(0.0, (grid.along - 1) as f64);
+        // Elements go from ahead to behind, and their middles are on the rail.
+        let [behind, ahead] = row.ends.map(|end| (grid.leading_x - end) / grid.dx);
+        let (first, end) = (ahead.ceil().max(0.0), (behind.floor() + 1.0).min(grid.along as f64));
+        if first >= end {
+            return;
+        }
+        let middle = ((grid.leading_x - row.x) / grid.dx).round().clamp(first, end - 1.0);
         let (course, cosine) = (row.course, row.course.cosine());
         let mut meet = |i: usize, guess: &mut [f64; 2]| {
             let x = grid.x(i);
@@ -162,13 +174,13 @@ impl Section<'_> {
         let from = [row.u, row.overlap - course.lift];
         let middle = middle as usize;
         let mut guess = from;
-        for i in (0..=middle).rev() {
+        for i in (first as usize..=middle).rev() {
             if !meet(i, &mut guess) {
                 break;
             }
         }
         guess = from;
-        for i in middle + 1..grid.along {
+        for i in middle + 1..end as usize {
             if !meet(i, &mut guess) {
                 break;
             }
