@@ -156,10 +156,10 @@ pub enum Whose<'a> {
     Element(&'a [Patch]),
 }
 
-/// Errors of boundary elements on such planes in rows of CONTACT's table of the rail `name`, greatest
-/// pressure and creep force over the friction limit, with the name of the row. Particles pass
-/// through the contact by `course` away from the track [rad]. Rows are left out of which the contact
-/// is not `within` a place along the rail [m].
+/// Errors of boundary elements on such planes in rows of CONTACT's table of the rail `name`,
+/// greatest pressure and creep force over the friction limit, with the name of the row. Particles
+/// pass through the contact by `course` away from the track [rad]. Rows are left out of which the
+/// contact is not `within` a place along the rail [m].
 pub fn errors_on_plane(
     name: &str,
     whose: &Whose,
