@@ -202,11 +202,11 @@ fn waves_and_flats_on_equal_slices_are_those_on_one_profile() {
         (p.wheel.flat.length, p.wheel.flat.shape) = (FLAT, FlatShape::Worn);
     };
     let chord = |p: &mut Parameters| p.wheel.flat.length = FLAT;
-    let shapes: [(&str, &dyn Fn(&mut Parameters), f64); 4] = [
-        ("eccentric", &once, 0.1),
-        ("twelve waves", &twelve, 0.1),
-        ("worn flat", &hollow, 0.003),
-        ("fresh flat", &chord, 0.003),
+    let shapes: [(&str, fn(&mut Parameters), f64); 4] = [
+        ("eccentric", once, 0.1),
+        ("twelve waves", twelve, 0.1),
+        ("worn flat", hollow, 0.003),
+        ("fresh flat", chord, 0.003),
     ];
     for normal_model in [NormalModel::Strips, NormalModel::Hertz] {
         for (shape, change, step) in shapes {
@@ -375,11 +375,6 @@ fn a_wheel_with_a_flat_first_touches_a_crossing_where_a_dense_search_finds() {
         for (element, errors) in elements.iter_mut().zip(&mut errors) {
             errors.push((element.touching_height(&input) - wanted).abs());
         }
-        println!(
-            "signed {:.2e} {:.2e}",
-            elements[0].touching_height(&input) - wanted,
-            elements[1].touching_height(&input) - wanted
-        );
     }
     let errors = errors.map(spread);
     println!("by sections {:?}, by parameters {:?}", errors[0], errors[1]);
