@@ -191,6 +191,9 @@ fn a_rail_of_equal_slices_is_one_profile_for_a_wheel_that_varies() {
     }
 }
 
+/// Gives a wheel its shape.
+type Change = fn(&mut Parameters);
+
 #[test]
 fn waves_and_flats_on_equal_slices_are_those_on_one_profile() {
     let folder = folder(25.0);
@@ -202,7 +205,7 @@ fn waves_and_flats_on_equal_slices_are_those_on_one_profile() {
         (p.wheel.flat.length, p.wheel.flat.shape) = (FLAT, FlatShape::Worn);
     };
     let chord = |p: &mut Parameters| p.wheel.flat.length = FLAT;
-    let shapes: [(&str, fn(&mut Parameters), f64); 4] = [
+    let shapes: [(&str, Change, f64); 4] = [
         ("eccentric", once, 0.1),
         ("twelve waves", twelve, 0.1),
         ("worn flat", hollow, 0.003),
