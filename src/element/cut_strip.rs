@@ -59,14 +59,12 @@ pub(super) fn cut<T: Real>(
     if behind >= whole && ahead >= whole {
         return None;
     }
-    // From where to where an end ahead leaves it, from the lowest point.
-    let left = |end: T| {
-        let end = end.at_least(-half.value());
-        let first = if end < 0.0 { end - (half + end) * FRAC_1_SQRT_2 } else { -whole };
-        [first, end.min(whole)]
-    };
-    let ([first, last], [mirrored_last, mirrored_first]) = (left(ahead), left(behind));
-    let (first, last) = (first.max(-mirrored_first), last.min(-mirrored_last));
+    let [behind, ahead] = [behind, ahead].map(|end| end.at_least(-half.value()));
+    // How far from an end that the wheel stands on the load goes.
+    let from_end = |end: T| (half + end) * FRAC_1_SQRT_2;
+    let first = if ahead < 0.0 { ahead - from_end(ahead) } else { -whole };
+    let last = if behind < 0.0 { from_end(behind) - behind } else { whole };
+    let (first, last) = (first.max(-behind), last.min(ahead));
     let share = ((last - first) / (whole * 2.0)).at_least(MIN_SHARE);
     let square = (first * first + first * last + last * last) / 3.0;
     let mean = deepest - square / (radius * 2.0);

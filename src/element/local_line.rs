@@ -9,7 +9,7 @@ use crate::geometry::contact_line::{ContactLine, LinePoint};
 use crate::geometry::contact_search::ContactSearch;
 use crate::geometry::longitudinal::Longitudinal;
 use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::varying_rail::{Along, VaryingRail};
+use crate::geometry::varying_rail::Along;
 use crate::math::real::Real;
 use crate::normal::strips_on_grid::{Line, LinePlace, NEAR, STATION, walk_across};
 
@@ -63,14 +63,26 @@ impl<'a> LocalLine<'a> {
     }
 
     /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
-    /// varies, on which waves of both are bridged as on an even rail [m].
-    fn varying_radius(&self, place: &LinePlace, varying: &VaryingRail) -> f64 {
-        let even = self.line.wheel_point(place.u).section_radius;
-        let mut along = varying.along(place.y);
-        if varying.has_waves() {
-            let [_, z] = self.rail.curve().at(place.y).point;
-            let [share, _] = place.tangent;
-            along.curvature += share * varying.bridged([place.x, z], self.bridge(even));
+    /// varies, under a wheel whose section varies around; waves of both are bridged as on an even
+    /// rail [m].
+    fn varying_radius(&self, place: &LinePlace) -> f64 {
+        let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
+        let mut even = self.line.wheel_point(u).section_radius;
+        let on_rail = self.rail.curve().at(y).point;
+        let varying = self.rail.variation();
+        let mut along = varying.map_or_else(Along::default, |varying| varying.along(y));
+        if let Some(varying) = varying.filter(|varying| varying.has_waves()) {
+            along.curvature += ty * varying.bridged([x, on_rail[1]], self.bridge(even));
+        }
+        if self.line.varies_around() {
+            let round = self.line.round().wheel_point(u).section_radius;
+            let reach = self.bridge(round);
+            let direction = [-tz, ty];
+            let means =
+                self.line.mean_curvatures_around([u, x], on_rail, direction, overlap, reach);
+            if let Some([own, of_round]) = means {
+                (even, along.bulge) = (round, own * along.shortening() - of_round);
+            }
         }
         radius_on_rows(even, &along)
     }
@@ -80,26 +92,13 @@ impl<'a> LocalLine<'a> {
         let varying = self.rail.variation()?;
         let ends = varying.ends(place.y)?.map(|end| end - place.x);
         let slope = varying.along(place.y).gap;
-        cut_strip::cut(self.depth, slope, self.varying_radius(place, varying), ends)
+        cut_strip::cut(self.depth, slope, self.varying_radius(place), ends)
     }
 
     /// The strip at `place` as far as the rail goes.
     fn on_rail(&self, place: LinePlace) -> LinePlace {
         let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
         LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
-    }
-
-    /// Radius of the section along x at parameter `u` of a wheel whose section varies around, whose
-    /// waves are bridged as those of an uneven one [m].
-    fn radius_around(&mut self, u: f64) -> f64 {
-        let even = self.line.round().wheel_point(u).section_radius;
-        let reach = self.bridge(even);
-        let LinePlace { y, tangent: [ty, tz], overlap, .. } = self.place(u);
-        let on_rail = self.rail.curve().at(y).point;
-        match self.line.mean_curvature_around(u, on_rail, [-tz, ty], overlap, reach) {
-            Some(more) => even / (1.0 + even * more).max(MIN_CURVATURE_SHARE),
-            None => self.line.wheel_point(u).section_radius,
-        }
     }
 
     /// Distance to either side over which waves along the track are bridged by a wheel whose even
@@ -208,13 +207,10 @@ impl Line for LocalLine<'_> {
     }
 
     fn radius(&mut self, u: f64) -> f64 {
-        if let Some(varying) = self.rail.variation() {
+        if self.rail.variation().is_some() || self.line.varies_around() {
             let place = self.whole_place(u);
-            let radius = self.varying_radius(&place, varying);
+            let radius = self.varying_radius(&place);
             return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
-        }
-        if self.line.varies_around() {
-            return self.radius_around(u);
         }
         match self.line.deviations() {
             None => self.line.wheel_point(u).section_radius,

@@ -125,9 +125,7 @@ impl Element {
             // Corrugation of rails that vary is part of their surface.
             let (placed, deviations) = match slices[k].as_ref().or(even.as_ref()) {
                 Some(slices) => (placed.varying(slices, waves()?, &above), None),
-                None if roller > 0.0 => {
-                    (placed.on_roller(profile, waves()?, &above, roller), None)
-                }
+                None if roller > 0.0 => (placed.on_roller(profile, waves()?, &above, roller), None),
                 None => (placed, deviations(parameters, k, folders)?),
             };
             let friction = RailFriction::new(k, &placed, parameters, folders)?;

@@ -71,28 +71,28 @@ impl<'a> ContactLine<'a> {
         Some(SurfacePoint { normal, ..met })
     }
 
-    /// What the wheel is more curved along the track than the round one in its place, over the
-    /// distance `reach` to either side of where each is met at parameter `s`: by their distances
-    /// from the point `from` of the rail (y, z) and those ahead of it and behind, along the unit
-    /// `direction` into the rail, sought near `depth`. Nothing where differences are no better than
-    /// the curvature at the place itself, and where the wheel ends [1/m].
+    /// Curvature along the track of the wheel over the distance `reach` to either side of the place
+    /// `x`, and of the round one in its place about where that is met at parameter `s`: by their
+    /// distances from the point `from` of the rail (y, z) and those ahead of it and behind, along
+    /// the unit `direction` into the rail, sought near `depth`. Nothing where differences are no
+    /// better than the curvature at the place itself, and where the wheel ends [1/m].
     #[must_use]
-    pub fn mean_curvature_around(
+    pub fn mean_curvatures_around(
         &self,
-        s: f64,
+        [s, x]: [f64; 2],
         from: [f64; 2],
         direction: [f64; 2],
         depth: f64,
         reach: f64,
-    ) -> Option<f64> {
+    ) -> Option<[f64; 2]> {
         self.around.filter(|around| reach > MIN_REACH * around.spacing())?;
-        let mean = |line: &Self| {
-            let x = line.even_at(s).x;
+        let mean = |line: &Self, x: f64| {
             let met = |x| line.surface_along(x, from, direction, [s, depth]);
             let [here, ahead, behind] = [met(x)?, met(x + reach)?, met(x - reach)?];
             Some((2.0 * here.depth - ahead.depth - behind.depth) / (reach * reach))
         };
-        Some(mean(self)? - mean(&self.round())?)
+        let round = self.round();
+        Some([mean(self, x)?, mean(&round, round.even_at(s).x)?])
     }
 
     /// The surface of a wheel whose section varies around below the point (`x`, `from`), with the

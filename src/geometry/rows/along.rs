@@ -57,14 +57,18 @@ impl<T: Real> Along<T> {
         }
     }
 
+    /// What a curvature along the track is along the lean, over itself: cos³ of the angle [-].
+    #[must_use]
+    pub fn shortening(&self) -> T {
+        T::from(1.0) / (self.lean * self.lean + 1.0).three_halves()
+    }
+
     /// Curvature of both bodies together along the lean of a wheel whose section on the contact
     /// line has the radius `even` [m], over that of the section [-].
     ///
-    /// A curvature along the track is cos³ of the lean of that along it; the wheel's circle is as
-    /// round along the lean as it is along the track.
+    /// The wheel's circle is as round along the lean as it is along the track.
     #[must_use]
     pub fn relative(&self, even: T) -> T {
-        let shortening = T::from(1.0) / (self.lean * self.lean + 1.0).three_halves();
-        even * (self.curvature * shortening + self.bulge) + 1.0
+        even * (self.curvature * self.shortening() + self.bulge) + 1.0
     }
 }
