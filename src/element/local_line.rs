@@ -77,11 +77,12 @@ impl<'a> LocalLine<'a> {
         if self.line.varies_around() {
             let round = self.line.round().wheel_point(u).section_radius;
             let reach = self.bridge(round);
+            let places = [x, x - self.line.ahead_of_round(u) - along.lever];
             let direction = [-tz, ty];
-            let means =
-                self.line.mean_curvatures_around([u, x], on_rail, direction, overlap, reach);
-            if let Some([own, of_round]) = means {
-                (even, along.bulge) = (round, own * along.shortening() - of_round);
+            let more =
+                self.line.mean_curvature_around(places, on_rail, direction, [u, overlap], reach);
+            if let Some(more) = more {
+                (even, along.bulge) = (round, more * along.shortening());
             }
         }
         radius_on_rows(even, &along)

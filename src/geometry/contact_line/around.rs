@@ -71,28 +71,28 @@ impl<'a> ContactLine<'a> {
         Some(SurfacePoint { normal, ..met })
     }
 
-    /// Curvature along the track of the wheel over the distance `reach` to either side of the place
-    /// `x`, and of the round one in its place about where that is met at parameter `s`: by their
-    /// distances from the point `from` of the rail (y, z) and those ahead of it and behind, along
-    /// the unit `direction` into the rail, sought near `depth`. Nothing where differences are no
-    /// better than the curvature at the place itself, and where the wheel ends [1/m].
+    /// What the wheel is more curved along the track than the round one in its place, over the
+    /// distance `reach` to either side of a place along the track, `own` and that `of_round`, at
+    /// which both lean alike: by their distances from the point `from` of the rail (y, z) and those
+    /// ahead of it and behind, along the unit `direction` into the rail, sought near the parameter
+    /// and the depth of `guess`. Nothing where differences are no better than the curvature at the
+    /// place itself, and where the wheel ends [1/m].
     #[must_use]
-    pub fn mean_curvatures_around(
+    pub fn mean_curvature_around(
         &self,
-        [s, x]: [f64; 2],
+        [own, of_round]: [f64; 2],
         from: [f64; 2],
         direction: [f64; 2],
-        depth: f64,
+        guess: [f64; 2],
         reach: f64,
-    ) -> Option<[f64; 2]> {
+    ) -> Option<f64> {
         self.around.filter(|around| reach > MIN_REACH * around.spacing())?;
         let mean = |line: &Self, x: f64| {
-            let met = |x| line.surface_along(x, from, direction, [s, depth]);
+            let met = |x| line.surface_along(x, from, direction, guess);
             let [here, ahead, behind] = [met(x)?, met(x + reach)?, met(x - reach)?];
             Some((2.0 * here.depth - ahead.depth - behind.depth) / (reach * reach))
         };
-        let round = self.round();
-        Some([mean(self, x)?, mean(&round, round.even_at(s).x)?])
+        Some(mean(self, own)? - mean(&self.round(), of_round)?)
     }
 
     /// The surface of a wheel whose section varies around below the point (`x`, `from`), with the
