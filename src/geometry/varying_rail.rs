@@ -27,6 +27,7 @@
 //! surface, so that the wheel meets its crests.
 
 mod bounds;
+mod moving_outline;
 mod over;
 mod touch;
 mod unround;
@@ -34,6 +35,7 @@ mod wheel_above;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
+pub use self::moving_outline::MovingOutline;
 use self::over::Over;
 use self::touch::{CLOSE, Touch};
 use self::unround::Waves;
@@ -41,7 +43,7 @@ pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::arc_length::ArcLength;
 use crate::geometry::contact_line::ContactLine;
-use crate::geometry::curve::{Curve, CurvePoint, Knot};
+use crate::geometry::curve::{Curve, Knot};
 use crate::geometry::longitudinal::MIN_REACH;
 pub use crate::geometry::rows::along::Along;
 use crate::geometry::rows::envelope::{Envelope, TREND};
@@ -352,41 +354,6 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
     let heights = rows.pattern.iter().enumerate();
     let top = heights.min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1])).map_or(0, |(j, _)| j);
     (arcs, top)
-}
-
-/// The outline of a rail that varies, as it moves with the wheel that meets it.
-#[derive(Clone, Debug)]
-pub struct MovingOutline<T> {
-    envelope: Envelope<T>,
-    met: FixedVec<Met<T>>,
-    station: T,
-}
-
-impl<T: Real> MovingOutline<T> {
-    /// Room for an outline of `count` rows.
-    #[must_use]
-    pub fn new(count: usize) -> Self {
-        let station = T::from(0.0);
-        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station }
-    }
-
-    /// Point and derivatives of the outline at parameter `s` [m].
-    #[must_use]
-    pub fn at(&self, s: T) -> CurvePoint<T> {
-        self.envelope.at(s)
-    }
-
-    /// Where the wheel meets the rail at parameter `s` of the outline.
-    #[must_use]
-    pub fn along(&self, s: T) -> Along<T> {
-        self.envelope.along(s)
-    }
-
-    /// A place `x` of the rail from the wheel marker, as the wheel moves on [m].
-    #[must_use]
-    pub fn passed(&self, x: f64) -> T {
-        T::moving(x, -self.station)
-    }
 }
 
 /// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it

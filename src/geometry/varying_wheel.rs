@@ -25,8 +25,10 @@
 //! 0, is straight below at the pitch -θ.
 
 mod surface;
+mod vectors;
 
 pub use self::surface::Below;
+use self::vectors::{dot, in_plane};
 use std::f64::consts::{PI, TAU};
 
 use crate::geometry::curve::{Curve, Knot};
@@ -387,16 +389,4 @@ fn spread(surface: &Surface) -> f64 {
         spread = spread.max(greatest - least);
     }
     spread
-}
-
-/// Shares of the vectors `a` and `b` in the part of `e` that lies in their plane.
-fn in_plane(e: [f64; 3], a: [f64; 3], b: [f64; 3]) -> [f64; 2] {
-    let [aa, ab, bb] = [dot(a, a), dot(a, b), dot(b, b)];
-    let [ea, eb] = [a, b].map(|d| dot(e, d));
-    let inverse = 1.0 / (aa * bb - ab * ab);
-    [(ea * bb - eb * ab) * inverse, (eb * aa - ea * ab) * inverse]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -9,7 +9,8 @@
 //!
 //! by Newton's method: d by the plane tangent at the last place, v and ψ by what is left within it.
 
-use super::{Place, VaryingWheel, dot, in_plane};
+use super::vectors::{cross, dot, in_plane};
+use super::{Place, VaryingWheel};
 use crate::geometry::surface_point::SurfacePoint;
 
 /// Newton steps to a place: three are the rule.
@@ -119,8 +120,4 @@ impl VaryingWheel {
         }
         None
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
