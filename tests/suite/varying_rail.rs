@@ -133,22 +133,23 @@ fn a_wheel_rolls_over_a_crossing_without_jumps() {
     let mut parameters = parameters();
     parameters.vertical_mode = VerticalMode::Load;
     parameters.wheel.profile = "conical:0.01".into();
-    roll_without_jumps(&mut element(&parameters, &folder), 5e-5);
+    roll_without_jumps(&mut element(&parameters, &folder), 5e-5, 1200);
     // Higher waves are hollow for the wheel, which goes over from crest to crest faster than these
     // steps follow.
     for amplitude in [1e-5, 3e-5] {
         parameters.rails[0].corrugation.amplitude = amplitude;
-        roll_without_jumps(&mut element(&parameters, &folder), 5e-5);
+        roll_without_jumps(&mut element(&parameters, &folder), 5e-5, 1200);
     }
 }
 
-/// Rolls a wheel from 30 mm before the origin of the track on in 1200 steps of length `step` [m].
-pub fn roll_without_jumps(element: &mut Element, step: f64) {
+/// Rolls a wheel from 30 mm before the origin of the track on in `count` steps of length `step`
+/// [m].
+pub fn roll_without_jumps(element: &mut Element, step: f64, count: i32) {
     let mut input = rolling(0.0, 20.0);
     input.wheel_load = 80e3;
     let mut last: Vec<[f64; 3]> = Vec::new();
     let mut output = Output::default();
-    for i in 0..1200 {
+    for i in 0..count {
         input.track_s = -0.03 + step * f64::from(i);
         input.wheel.pitch = -input.track_s / 0.46;
         element.evaluate(&input, &mut output).unwrap();
