@@ -31,6 +31,7 @@ mod moving_outline;
 mod over;
 mod touch;
 mod unround;
+mod waves;
 mod wheel_above;
 mod wheel_table;
 
@@ -38,7 +39,7 @@ use self::bounds::{Bound, Bounds};
 pub use self::moving_outline::MovingOutline;
 use self::over::Over;
 use self::touch::{CLOSE, Touch};
-use self::unround::Waves;
+use self::waves::Waves;
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::arc_length::ArcLength;

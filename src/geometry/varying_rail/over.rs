@@ -1,6 +1,6 @@
 //! The wheel above a rail, as its rows meet it.
 
-use super::unround::Waves;
+use super::waves::Waves;
 use super::wheel_table::CELL;
 use crate::geometry::contact_line::ContactLine;
 use crate::geometry::rows::met::Met;
