@@ -53,7 +53,7 @@ pub fn generate(targets: &[Target]) -> String {
     code
 }
 
-/// The text of `ranges.rs`, included by `src/element/ranges.rs`: the numbers among the parameters
+/// The text of `ranges.rs`, included by `src/element/parameters/ranges.rs`: the numbers among the parameters
 /// of a wheel and what is admitted of them.
 pub fn ranges(declaration: &Declaration) -> String {
     let mut rows = String::new();

@@ -3,7 +3,7 @@
 //! No contact is a value, not an error; a broken invariant is a `debug_assert!`. Kernels over
 //! strips and elements cannot fail: everything is validated where it enters.
 
-use crate::geometry::profile::ProfileError;
+use crate::geometry::profiles::profile::ProfileError;
 
 /// Why a parameter, an input or a profile was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@ use super::RollingRadiusDifference;
 use crate::element::parameters::{Side, TangentialModel, VerticalMode};
 use crate::element::{Element, Input, Output, Parameters};
 use crate::error::ContactError;
-use crate::geometry::profile::ProfileRemark;
+use crate::geometry::profiles::profile::ProfileRemark;
 use std::path::PathBuf;
 
 /// Depth below first touch at which the contact is looked at: deep enough to be found, too little

@@ -1,6 +1,6 @@
 //! Memory of an element for evaluations with derivatives.
 
-use super::models::Models;
+use super::contact::models::Models;
 use super::output::Output;
 use crate::math::dual::Dual;
 

@@ -6,15 +6,15 @@
 //! computed, element by element of the tractions. At a kink, such as the end of an adhesion area
 //! that passes from one element to the next, it is that of one side.
 
+use super::contact::models::Models;
+use super::contact::rail_friction::RailFriction;
 use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
-use super::foundation::FoundationModel;
 use super::input::{INPUT_NAMES, INPUTS, Input};
-use super::models::Models;
-use super::moving_contact::{Kink, MovingNumber};
 use super::output::{Output, REPORTED_PATCHES};
+use super::parameters::foundation::FoundationModel;
 use super::parameters::{NormalModel, Side, VerticalMode};
-use super::rail_contact::RailContact;
-use super::rail_friction::RailFriction;
+use super::rail::moving_contact::{Kink, MovingNumber};
+use super::rail::rail_contact::RailContact;
 use super::vertical_load::is_carried;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;

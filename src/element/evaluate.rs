@@ -1,10 +1,10 @@
 //! From inputs to outputs.
 
-use super::flattened::FlatContact;
-use super::foundation::TrackState;
 use super::input::Input;
 use super::output::{Output, REPORTED_PATCHES};
+use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, Side, VerticalMode};
+use super::rail::flattened::FlatContact;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
 

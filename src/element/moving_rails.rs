@@ -18,9 +18,9 @@
 
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
-use super::foundation::TrackState;
 use super::input::{INPUTS, Input, PLACES, VELOCITIES, move_all};
 use super::output::Output;
+use super::parameters::foundation::TrackState;
 use super::parameters::{FoundationModel, Side};
 use super::quasi_static_rails::solve;
 use super::wheel_on_rails::Element;

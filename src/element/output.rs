@@ -1,7 +1,7 @@
 //! What an evaluation gives.
 
-use super::foundation::TrackState;
 use super::parameters::RAILS;
+use super::parameters::foundation::TrackState;
 use crate::math::real::Real;
 
 /// Patches that are reported one by one; forces hold any number.

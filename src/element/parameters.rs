@@ -1,16 +1,23 @@
 //! What is fixed once an element is initialised.
 
-pub use super::foundation::{Foundation, FoundationModel};
-pub use super::uneven::{Corrugation, OutOfRound, WheelFlat};
+pub(super) mod checks;
+pub(super) mod chosen_models;
+pub(super) mod deviations;
+pub(super) mod foundation;
+pub(super) mod ranges;
+pub(super) mod uneven;
+
 pub use crate::friction::Changeover;
-pub use crate::geometry::point_noise::AUTOMATIC_SMOOTHING;
-pub use crate::geometry::waviness::FlatShape;
+pub use crate::geometry::profiles::point_noise::AUTOMATIC_SMOOTHING;
+pub use crate::geometry::uneven::waviness::FlatShape;
 pub use crate::normal::{NormalModel, ShapeFit};
 pub use crate::tangential::fastsim::TractionBound;
 pub use crate::tangential::flash_temperature::FlashTemperature;
 pub use crate::tangential::friction_law::{FallingLaw, FrictionLaw};
 pub use crate::tangential::{Flexibilities, TangentialModel};
 pub use crate::wear::{LawCoefficients, WearDistribution, WearModel, WearParameters};
+pub use foundation::{Foundation, FoundationModel};
+pub use uneven::{Corrugation, OutOfRound, WheelFlat};
 
 use crate::open::Open;
 

@@ -2,21 +2,21 @@
 
 use std::path::PathBuf;
 
-use super::deviations::{deviations, rail_deviations, wheel_deviations};
+use super::contact::models::Models;
+use super::contact::rail_friction::RailFriction;
 use super::input::Input;
-use super::models::Models;
+use super::parameters::deviations::{deviations, rail_deviations, wheel_deviations};
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
-use super::rail_contact::RailContact;
-use super::rail_friction::RailFriction;
+use super::rail::rail_contact::RailContact;
 use super::wear_sums::WearSums;
 use super::wheel_on_rails::Element;
 use super::work::Work;
 use crate::error::ContactError;
-use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
-use crate::geometry::slices::Slices;
-use crate::geometry::varying_rail::WheelAbove;
-use crate::geometry::varying_wheel::VaryingWheel;
+use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind};
+use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::varying_rail::WheelAbove;
+use crate::geometry::sections::slices::Slices;
+use crate::geometry::wheel::varying_wheel::VaryingWheel;
 use crate::io::{load_profile, load_slices};
 
 /// Stations between which a rail is given that is the same all along: beyond them it goes on [m].

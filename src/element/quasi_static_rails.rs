@@ -17,11 +17,11 @@
 
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
-use super::foundation::TrackState;
 use super::input::{INPUTS, Input, PLACES, move_all};
-use super::moving_contact::Kink;
 use super::output::Output;
 use super::parameters::VerticalMode;
+use super::parameters::foundation::TrackState;
+use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
 use crate::math::root::outward;
 

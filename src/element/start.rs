@@ -4,7 +4,7 @@
 use super::input::Input;
 use super::output::Output;
 use super::parameters::{FoundationModel, Side, VerticalMode};
-use super::rail_contact::RailContact;
+use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::wheel_on_rails::Element;
 

@@ -3,10 +3,10 @@
 
 use super::output::BodyWear;
 use super::parameters::{RAILS, WearDistribution, WearModel, WearParameters};
-use crate::geometry::curve::Curve;
-use crate::geometry::line_separation::LineSeparation;
-use crate::geometry::line_separation::RailSeparation;
-use crate::geometry::separation::Separation;
+use crate::geometry::contacts::line_separation::LineSeparation;
+use crate::geometry::contacts::line_separation::RailSeparation;
+use crate::geometry::contacts::separation::Separation;
+use crate::geometry::curves::curve::Curve;
 use crate::math::fixed_vec::FixedVec;
 use crate::normal::{Strips, Zone};
 use crate::tangential::UnderLaw;

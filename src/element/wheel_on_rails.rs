@@ -1,14 +1,14 @@
 //! A wheel on its rails: what an element consists of.
 
+use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
-use super::foundation::{Foundation, TrackState};
 use super::input::Input;
-use super::models::Models;
+use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
-use super::rail_contact::RailContact;
+use super::rail::rail_contact::RailContact;
 use super::start_warning::StartWarning;
 use super::work::Work;
-use crate::geometry::profile::ProfileRemark;
+use crate::geometry::profiles::profile::ProfileRemark;
 
 /// A wheel and the rails under it, ready to be evaluated.
 ///

@@ -7,8 +7,8 @@ use super::parameters::{RAILS, Side, VerticalMode};
 use super::wear_sums::WearState;
 use super::{Element, Input, Output};
 use crate::error::ContactError;
-use crate::geometry::curve::Curve;
-use crate::geometry::profile::Profile;
+use crate::geometry::curves::curve::Curve;
+use crate::geometry::profiles::profile::Profile;
 
 impl Element {
     /// Evaluates the forces and wears off what their patches wear off in a time of `duration` ≥ 0

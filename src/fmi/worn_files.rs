@@ -8,7 +8,7 @@ use super::life_cycle::Purpose;
 use crate::element::Parameters;
 use crate::element::parameters::WearModel;
 use crate::error::ContactError;
-use crate::geometry::profile::ProfileKind;
+use crate::geometry::profiles::profile::ProfileKind;
 use crate::io::{can_be_written, profile_file, save_profile};
 use crate::variables::{Described, shortened};
 

@@ -17,14 +17,14 @@ use crate::io::named_text::named_text;
 pub enum Deviations {
     /// A rail.
     Rail,
-    /// A roller whose highest point has that radius [m].
-    Roller {
-        /// Radius of the circle on which the stations are [m].
-        radius: f64,
-    },
     /// A wheel of that nominal radius [m].
     Wheel {
         /// Nominal radius [m].
+        radius: f64,
+    },
+    /// A roller whose highest point has that radius [m].
+    Roller {
+        /// Radius of the circle on which the stations are [m].
         radius: f64,
     },
 }

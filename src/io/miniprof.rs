@@ -19,9 +19,9 @@
 //! **Origin**: wheels are moved to their nominal rolling circle, 70 mm from the flange back, and
 //! rails to their highest point.
 
-use crate::geometry::point_noise::last_digit;
-use crate::geometry::profile::{ProfileError, ProfileKind};
-use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
+use crate::geometry::profiles::point_noise::last_digit;
+use crate::geometry::profiles::profile::{ProfileError, ProfileKind};
+use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, Remedies};
 use crate::io::point_lines::PointLines;
 use crate::io::table::{Line, lines, numbers};
 
@@ -179,7 +179,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::geometry::profile_points::tests::sampled;
+    use crate::geometry::profiles::profile_points::tests::sampled;
 
     const WHEEL: ProfileKind = ProfileKind::Wheel;
     const RAIL: ProfileKind = ProfileKind::Rail;

@@ -1,7 +1,7 @@
 //! Lines of points as they are found in files: comments, headings, and the points themselves.
 
-use crate::geometry::profile::{ProfileError, ProfileRemark};
-use crate::geometry::profile_points::FilePoint;
+use crate::geometry::profiles::profile::{ProfileError, ProfileRemark};
+use crate::geometry::profiles::profile_points::FilePoint;
 use crate::io::table::{Line, numbers};
 
 /// What begins a comment, at the beginning of a line or behind data.

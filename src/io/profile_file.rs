@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use super::draft::{Draft, write as write_whole};
 use super::{miniprof, simpack, two_column};
 use crate::error::ContactError;
-use crate::geometry::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind};
-use crate::geometry::profile_points::ProfilePoints;
-use crate::geometry::standard_profiles::{built_in, built_in_names};
+use crate::geometry::profiles::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
+use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind};
+use crate::geometry::profiles::profile_points::ProfilePoints;
+use crate::geometry::profiles::standard_profiles::{built_in, built_in_names};
 
 /// Largest file that is read [bytes]; a million points stay below it.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -175,7 +175,7 @@ mod tests {
     use tempfile::TempDir;
 
     use super::*;
-    use crate::geometry::profile_points::tests::sampled;
+    use crate::geometry::profiles::profile_points::tests::sampled;
 
     const RAIL: ProfileKind = ProfileKind::Rail;
 
@@ -317,7 +317,7 @@ mod tests {
                 })
                 .collect();
             for kind in [RAIL, ProfileKind::Wheel] {
-                let points = crate::geometry::profile_points::tests::points_of(&points);
+                let points = crate::geometry::profiles::profile_points::tests::points_of(&points);
                 _ = points.clone().into_profile(kind, -1.0);
                 _ = points.into_profile(kind, wavelength);
             }

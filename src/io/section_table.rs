@@ -4,7 +4,7 @@
 use super::slice_list::{Entry, Listed, MAX_SLICES, Places};
 use super::slice_tokens::COMMENT;
 use super::table::{lines, number};
-use crate::geometry::profile::ProfileError;
+use crate::geometry::profiles::profile::ProfileError;
 
 /// Whether a text is a table of sections.
 pub(super) fn is_table(text: &str) -> bool {

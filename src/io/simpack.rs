@@ -18,9 +18,9 @@
 //! field side and z down for the right side. So a rail that is lower in its middle than at its
 //! sides is a groove and stays one.
 
-use crate::geometry::point_noise::last_digit;
-use crate::geometry::profile::{ProfileError, ProfileKind};
-use crate::geometry::profile_points::{FilePoint, ProfilePoints, Remedies};
+use crate::geometry::profiles::point_noise::last_digit;
+use crate::geometry::profiles::profile::{ProfileError, ProfileKind};
+use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, Remedies};
 use crate::io::point_lines::PointLines;
 use crate::io::table::{Line, lines, number};
 
@@ -241,7 +241,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::geometry::profile_points::tests::sampled;
+    use crate::geometry::profiles::profile_points::tests::sampled;
 
     const WHEEL: ProfileKind = ProfileKind::Wheel;
 

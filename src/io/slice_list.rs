@@ -1,6 +1,6 @@
 //! The slices that a file names, before their profiles are read.
 
-use crate::geometry::profile::{ProfileError, ProfileKind};
+use crate::geometry::profiles::profile::{ProfileError, ProfileKind};
 
 /// Most slices of a body.
 pub(super) const MAX_SLICES: usize = 20_000;

@@ -1,7 +1,7 @@
 //! A file of slices as numbers and names, one after the other.
 
 use super::table::{lines, number};
-use crate::geometry::profile::ProfileError;
+use crate::geometry::profiles::profile::ProfileError;
 
 /// What begins a comment.
 pub(super) const COMMENT: [char; 3] = ['%', '!', '#'];

@@ -28,9 +28,9 @@ use super::section_table::{is_table, read_table};
 use super::slice_list::{Entry, Listed, MAX_SLICES, MIN_DISTANCE, Places};
 use super::slice_tokens::{Token, Tokens};
 use crate::error::ContactError;
-use crate::geometry::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
-use crate::geometry::slices::{Slice, Slices};
-use crate::geometry::standard_profiles::built_in;
+use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
+use crate::geometry::profiles::standard_profiles::built_in;
+use crate::geometry::sections::slices::{Slice, Slices};
 
 /// Most features of a slice.
 const MAX_FEATURES: usize = 1000;

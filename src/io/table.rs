@@ -1,6 +1,6 @@
 //! Numbers of one line of a profile file.
 
-use crate::geometry::profile::ProfileError;
+use crate::geometry::profiles::profile::ProfileError;
 
 /// A line and its number, from 1.
 #[derive(Clone, Copy, Debug)]

@@ -16,9 +16,9 @@
 
 use std::fmt::Write;
 
-use crate::geometry::point_noise::last_digit;
-use crate::geometry::profile::{Profile, ProfileError};
-use crate::geometry::profile_points::{ProfilePoints, Remedies};
+use crate::geometry::profiles::point_noise::last_digit;
+use crate::geometry::profiles::profile::{Profile, ProfileError};
+use crate::geometry::profiles::profile_points::{ProfilePoints, Remedies};
 use crate::io::point_lines::{PointLines, parted};
 use crate::io::table::{Line, lines, number};
 

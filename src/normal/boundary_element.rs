@@ -14,7 +14,7 @@ use super::element_pressure::ElementPressure;
 use super::{NormalProblem, Strips, Zone};
 use crate::boundary_element::grid::Grid;
 use crate::boundary_element::pressure::{PressureSolution, PressureSolver};
-use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::geometry::contacts::separation::{Probe, Separation, SeparationPoint};
 
 /// Elements of the grid on which the extent of the contact is found.
 const COARSE: usize = 24;

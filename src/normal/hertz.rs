@@ -10,7 +10,7 @@
 use std::f64::consts::PI;
 
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::separation::FrameSeparation;
+use crate::geometry::contacts::separation::FrameSeparation;
 use crate::math::elliptic::{Complete, complete};
 use crate::math::real::Real;
 

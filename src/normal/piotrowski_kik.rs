@@ -52,7 +52,7 @@ use multiversion::multiversion;
 use super::shape_correction::{self, ShapeFit};
 use super::zones::{Edge, for_each_zone};
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::separation::{FrameSeparation, Probe, SeparationPoint};
+use crate::geometry::contacts::separation::{FrameSeparation, Probe, SeparationPoint};
 use crate::math::dual::Dual;
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::quadrature::GaussLegendre;

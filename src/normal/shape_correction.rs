@@ -18,7 +18,7 @@
 
 use super::hertz::axis_ratio;
 use super::{Strips, Zone};
-use crate::geometry::separation::FrameSeparation;
+use crate::geometry::contacts::separation::FrameSeparation;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 

@@ -4,7 +4,7 @@ use super::problem::{NormalModel, NormalProblem};
 use super::shape_correction::ShapeFit;
 use super::strips::Strips;
 use super::{boundary_element, hertz, piotrowski_kik};
-use crate::geometry::separation::{FrameSeparation, Probe, Separation};
+use crate::geometry::contacts::separation::{FrameSeparation, Probe, Separation};
 
 /// Fills the empty `strips` with the loaded zones of `problem` by `model`; `virtual_penetration` is
 /// ε of Piotrowski and Kik, `shape_fit` the ratio that their corrected contact area gets.

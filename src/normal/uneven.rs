@@ -4,7 +4,7 @@
 //! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a
 //! corrugated rail without further equations; these are theirs with the overlap g(x, y) of the real
 //! surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
-//! [`longitudinal`](crate::geometry::longitudinal), f(y) the separation less that by the lift, and
+//! [`longitudinal`](crate::geometry::uneven::longitudinal), f(y) the separation less that by the lift, and
 //! c the cosine of the contact angle
 //!
 //! ```text
@@ -22,8 +22,8 @@ use std::f64::consts::PI;
 use super::piotrowski_kik::{MIN_DISTANCE, logarithm_error};
 use super::zones::for_each_zone;
 use super::{NormalProblem, Strips, Zone};
-use crate::geometry::line_separation::{Lifting, LineSeparation};
-use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::contacts::line_separation::{Lifting, LineSeparation};
+use crate::geometry::contacts::separation::{Probe, Separation};
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;

@@ -1,6 +1,6 @@
 //! Loaded zones: the intervals of the contact line on which the separation stays below a level.
 
-use crate::geometry::separation::{FrameSeparation, Probe};
+use crate::geometry::contacts::separation::{FrameSeparation, Probe};
 use crate::math::real::Real;
 use crate::math::root::bracketed;
 

@@ -1,7 +1,7 @@
 //! The separation of a planar contact problem as a curve.
 
-use crate::geometry::curve::{Curve, Knot};
-use crate::geometry::separation::{Probe, Separation, SeparationPoint};
+use crate::geometry::contacts::separation::{Probe, Separation, SeparationPoint};
+use crate::geometry::curves::curve::{Curve, Knot};
 use crate::math::root::bracketed;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 

@@ -1,7 +1,7 @@
 //! Wear depth between two profiles at hand, whatever made the second of the first.
 
-use crate::geometry::curve::Curve;
-use crate::geometry::profile::{Profile, ProfileKind};
+use crate::geometry::curves::curve::Curve;
+use crate::geometry::profiles::profile::{Profile, ProfileKind};
 
 /// Distance of the places at which the depth is measured [m].
 const SPACING: f64 = 1e-4;
@@ -99,7 +99,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::geometry::standard_profiles::built_in;
+    use crate::geometry::profiles::standard_profiles::built_in;
     use crate::wear::WornArc;
     use crate::wear::worn_arc::Body;
 

@@ -1,6 +1,6 @@
 //! Memory for an update of a worn profile.
 
-use crate::geometry::curve::Knot;
+use crate::geometry::curves::curve::Knot;
 
 /// Memory for an update: all of it is filled before it is read.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,7 @@
 //! from.
 
 use super::body::Body;
-use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::curves::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 
 /// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in

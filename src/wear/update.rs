@@ -19,7 +19,7 @@ use super::scratch::Scratch;
 use super::section::{Station, arc_length, hermite, moments};
 use super::smoothing::smooth;
 use super::worn_arc::WornArc;
-use crate::geometry::curve::{Curve, Knot};
+use crate::geometry::curves::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 
@@ -255,8 +255,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::geometry::profile::ProfileKind;
-    use crate::geometry::standard_profiles::built_in;
+    use crate::geometry::profiles::profile::ProfileKind;
+    use crate::geometry::profiles::standard_profiles::built_in;
 
     const WHEEL: Body = Body::Wheel { nominal_radius: 0.46 };
     const RAIL: Body = Body::Rail { distance: 1e3 };

@@ -8,7 +8,7 @@
 pub use super::body::Body;
 use super::scratch::Scratch;
 use super::section::{POINTS, Station, bulge, shrinking, stations};
-use crate::geometry::curve::Curve;
+use crate::geometry::curves::curve::Curve;
 use crate::math::quadrature::GaussLegendre;
 
 /// Length of the cells [m]: the narrowest patches of a flange are ten of them.
@@ -272,8 +272,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::geometry::profile::ProfileKind;
-    use crate::geometry::standard_profiles::built_in;
+    use crate::geometry::profiles::profile::ProfileKind;
+    use crate::geometry::profiles::standard_profiles::built_in;
 
     #[test]
     fn deposits_are_kept_wherever_they_fall() {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::input::Input;
 use super::track::RailLine;
 use crate::error::ContactError;
-use crate::geometry::waviness::Waviness;
+use crate::geometry::uneven::waviness::Waviness;
 use crate::io::load_irregularities;
 
 /// Name of the parameter.

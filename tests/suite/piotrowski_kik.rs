@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use wheelrail::element::parameters::{
     Flexibilities, NormalModel, ShapeFit, TangentialModel, TractionBound,
 };
-use wheelrail::geometry::separation::{Probe, Separation, SeparationPoint};
+use wheelrail::geometry::contacts::separation::{Probe, Separation, SeparationPoint};
 use wheelrail::material::{Material, MaterialPair};
 use wheelrail::math::quadrature::GaussLegendre;
 use wheelrail::normal::{self, NormalProblem, Strips};

@@ -8,8 +8,8 @@ use crate::common::wheel::{
 use crate::tolerance;
 use wheelrail::element::parameters::{NormalModel, Side};
 use wheelrail::element::{Element, Input, Output, Parameters, StartWarning};
-use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::geometry::rail::placed_rail::PlacedRail;
 use wheelrail::io::load_profile;
 
 /// Half the width of a 60E1 head, and how far its side leans out below the top edge [m].

@@ -7,8 +7,8 @@ use crate::tolerance;
 use wheelrail::element::Parameters;
 use wheelrail::geometry::contact_line::{ContactLine, WheelPose};
 use wheelrail::geometry::curve::Curve;
-use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::geometry::rail::placed_rail::PlacedRail;
 use wheelrail::io::load_profile;
 
 const RADIUS: f64 = 0.46;

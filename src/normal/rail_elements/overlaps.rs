@@ -2,7 +2,7 @@
 //! that the search has found.
 
 use super::section::{LAST_STEP, Row, Section};
-use crate::geometry::contact_search::ContactSearch;
+use crate::geometry::contacts::contact_search::ContactSearch;
 
 /// Places of the arc between which the bodies overlap, and what was found on the way.
 pub(super) struct Overlap {

@@ -2,10 +2,10 @@
 //! of their elements.
 
 use crate::boundary_element::grid::Grid;
-use crate::geometry::arc_length::ArcLength;
-use crate::geometry::contact_line::ContactLine;
-use crate::geometry::placed_rail::PlacedRail;
-use crate::geometry::varying_rail::Along;
+use crate::geometry::curves::arc_length::ArcLength;
+use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::varying_rail::Along;
+use crate::geometry::wheel::contact_line::ContactLine;
 
 /// A row of elements at one place of the rail's section.
 #[derive(Clone, Copy, Debug, PartialEq)]

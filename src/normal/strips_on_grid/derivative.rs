@@ -123,7 +123,7 @@ impl<const N: usize> GridFollower<Dual<N>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::separation::Probe;
+    use crate::geometry::contacts::separation::Probe;
     use crate::normal::strips_on_grid::{Line, LinePlace};
     use crate::normal::strips_on_grid::{OverlapLine, Place};
     use approx::assert_relative_eq;

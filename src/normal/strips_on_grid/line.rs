@@ -1,6 +1,6 @@
 //! The overlap of two bodies at given coordinates across.
 
-use crate::geometry::separation::Separation;
+use crate::geometry::contacts::separation::Separation;
 use crate::math::real::Real;
 
 /// What the strips need to know of one place, with derivatives where the numbers have them.

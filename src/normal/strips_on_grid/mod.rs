@@ -55,7 +55,7 @@ pub use derivative::GridFollower;
 pub use influence::STATION;
 pub use line::{Line, LinePlace, NEAR, OverlapLine, Place, walk_across};
 
-use crate::geometry::separation::{Probe, Separation};
+use crate::geometry::contacts::separation::{Probe, Separation};
 use crate::normal::{NormalProblem, Strips};
 use grid::Grid;
 use line::FrameLine;

@@ -1,7 +1,7 @@
 //! The intervals of a contact line in which the undeformed bodies overlap.
 
 use super::line::{Line, LinePlace, OverlapLine};
-use crate::geometry::separation::Probe;
+use crate::geometry::contacts::separation::Probe;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::math::root::bracketed;

@@ -4,8 +4,8 @@ use wheelrail::element::input::RailMotion;
 use wheelrail::element::output::Patch;
 use wheelrail::element::parameters::Side;
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::{Profile, ProfileKind};
+use wheelrail::geometry::rail::placed_rail::PlacedRail;
 use wheelrail::io::load_profile;
 
 use super::planar::STEEL;

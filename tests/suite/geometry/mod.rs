@@ -7,11 +7,11 @@ use std::path::PathBuf;
 
 use crate::common::random::Random;
 use wheelrail::element::{Element, Input, Parameters};
-use wheelrail::geometry::clearance::Clearance;
 use wheelrail::geometry::contact_line::{ContactLine, WheelPose};
-use wheelrail::geometry::contact_search::ContactSearch;
-use wheelrail::geometry::placed_rail::PlacedRail;
+use wheelrail::geometry::contacts::clearance::Clearance;
+use wheelrail::geometry::contacts::contact_search::ContactSearch;
 use wheelrail::geometry::profile::{Profile, ProfileKind};
+use wheelrail::geometry::rail::placed_rail::PlacedRail;
 use wheelrail::io::load_profile;
 
 const RADIUS: f64 = 0.46;

@@ -10,8 +10,8 @@ use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, plain_parameters, pressed, random_input, rolling};
 use wheelrail::element::parameters::{FlatShape, NormalModel, TangentialModel};
 use wheelrail::element::{Element, Input, Output, Parameters};
-use wheelrail::geometry::placed_rail::PlacedRail;
 use wheelrail::geometry::profile::ProfileKind;
+use wheelrail::geometry::rail::placed_rail::PlacedRail;
 use wheelrail::io::load_profile;
 
 fn corrugated(amplitude: f64, wavelength: f64) -> Parameters {

@@ -1,0 +1,14 @@
+//! One contact of a wheel with a rail: its frame and bodies, how its loaded zones roll, and the
+//! forces that follow.
+
+pub(super) mod contact_forces;
+pub(super) mod contact_setup;
+pub(super) mod curved_zone;
+pub(super) mod given_tractions;
+pub(super) mod models;
+pub(super) mod number;
+pub(super) mod rail_frame;
+pub(super) mod rail_friction;
+pub(super) mod rail_walk;
+pub(super) mod zone_rolling;
+pub(super) mod zone_surface;

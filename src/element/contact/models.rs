@@ -1,0 +1,172 @@
+//! The contact models of an element and their scratch memory.
+
+use super::curved_zone::CurvedZone;
+use super::given_tractions::GivenTractions;
+use crate::element::output::Patch;
+use crate::element::parameters::{CreepageModel, Parameters, VerticalMode};
+use crate::element::wear_sums::WearSums;
+use crate::geometry::contacts::contact_search::MAX_CONTACTS;
+use crate::geometry::rail::varying_rail::MovingOutline;
+use crate::material::MaterialPair;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
+use crate::normal::strips_on_grid::{GridFollower, GridSolver, MIN_STRIPS};
+use crate::normal::uneven::UnevenStrips;
+use crate::normal::{NormalModel, ShapeFit, Strips};
+use crate::tangential::Tangential;
+
+/// Most loaded zones of one contact frame.
+const MAX_ZONES: usize = 8;
+
+/// The chosen models and their scratch memory, shared by the rails of an element; with derivatives
+/// where the numbers have them.
+#[derive(Clone, Debug)]
+pub struct Models<T = f64> {
+    /// Normal contact model.
+    pub normal: NormalModel,
+    /// Virtual over true penetration [-].
+    pub virtual_penetration: f64,
+    /// Ratio of length to width that a corrected contact area gets.
+    pub shape_fit: ShapeFit,
+    /// Contact damping at the reference stiffness [N s/m].
+    pub damping: f64,
+    /// Tangential contact model with its settings.
+    pub tangential: Tangential,
+    /// How creepage varies over a zone.
+    pub creepage: CreepageModel,
+    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved
+    /// patch.
+    pub curved_zone: CurvedZone<T>,
+    /// Floor of the speed that creepages refer to [m/s].
+    pub minimum_speed: f64,
+    /// Elastic constants of wheel and rails.
+    pub material: MaterialPair,
+    /// Boundary elements along and across a contact.
+    pub elements: [usize; 2],
+    /// Scratch memory of contacts on uneven rails or wheels, if there are any.
+    pub uneven: Option<UnevenStrips>,
+    /// Quadrature rule across a zone.
+    pub rule: GaussLegendre,
+    /// Loaded zones of the contact under way.
+    pub strips: Strips<T>,
+    /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
+    pub strip_solver: Option<GridSolver>,
+    pub rail_strips: Strips<T>,
+    /// Memory for derivatives of the zones of a whole rail.
+    pub strip_follower: Option<GridFollower<T>>,
+    /// The outline of a rail that varies along the track, as it moves, where numbers have
+    /// derivatives.
+    pub outline: Option<Box<MovingOutline<T>>>,
+    /// Tractions of the zone under way, where they were found together with those of other zones.
+    pub given: Option<GivenTractions<T>>,
+    /// Greatest angle between normals of the elements that carry pressure on one rail, where
+    /// boundary elements were solved on it [rad].
+    pub turn_of_normals: f64,
+    /// All loaded zones of the evaluation under way.
+    pub patches: FixedVec<Patch<T>>,
+    /// Yield stress of the rail in shear, for the surface fatigue index [Pa].
+    pub shear_yield: f64,
+    /// Wear, if there is any.
+    pub wear: Option<Box<WearSums>>,
+}
+
+impl Models {
+    /// Largest distance left at a node of the strips of the rail under way, or overlap left, over
+    /// its greatest overlap; 0 where strips were not solved [-].
+    #[must_use]
+    pub fn normal_residual(&self) -> f64 {
+        self.strip_solver.as_ref().map_or(0.0, GridSolver::residual)
+    }
+
+    /// The same models with memory for other numbers; without what only plain ones can be: a
+    /// solver, uneven bodies, wear. `rows` is how many an outline of a rail that varies along the
+    /// track has, if there is one.
+    #[must_use]
+    pub fn in_other_numbers<T: Real>(&self, rows: Option<usize>) -> Models<T> {
+        let strips = |like: &Strips| {
+            let zones = like.zones.capacity();
+            Strips::with_capacity(zones, like.y.capacity() / zones.max(1))
+        };
+        Models {
+            normal: self.normal,
+            virtual_penetration: self.virtual_penetration,
+            shape_fit: self.shape_fit,
+            damping: self.damping,
+            tangential: self.tangential.clone(),
+            creepage: self.creepage,
+            curved_zone: CurvedZone::with_capacity(self.curved_zone.capacity()),
+            minimum_speed: self.minimum_speed,
+            material: self.material,
+            elements: self.elements,
+            uneven: None,
+            rule: self.rule.clone(),
+            strips: strips(&self.strips),
+            strip_solver: None,
+            rail_strips: strips(&self.rail_strips),
+            strip_follower: self.strip_solver.as_ref().map(GridFollower::new),
+            outline: rows.map(|rows| Box::new(MovingOutline::new(rows))),
+            given: None,
+            turn_of_normals: 0.0,
+            patches: FixedVec::new(self.patches.capacity()),
+            shear_yield: self.shear_yield,
+            wear: None,
+        }
+    }
+
+    /// The models that checked `parameters` ask for.
+    #[must_use]
+    pub fn new(parameters: &Parameters) -> Self {
+        let [wheel, rail] = parameters.materials();
+        // Patches of uneven bodies split along the track too.
+        let zones = if parameters.is_uneven() { 2 * MAX_ZONES } else { MAX_ZONES };
+        let is_strips = parameters.normal_model == NormalModel::Strips;
+        let strips = if is_strips { parameters.strips.max(MIN_STRIPS) } else { parameters.strips };
+        // Strips and stretches of uneven bodies may all be in one zone.
+        let most_strips = if is_strips || parameters.is_uneven() { zones * strips } else { strips };
+        Self {
+            normal: parameters.normal_model,
+            virtual_penetration: parameters.virtual_penetration,
+            shape_fit: parameters.shape_fit,
+            damping: match parameters.vertical_mode {
+                VerticalMode::Penetration => parameters.damping,
+                // A given load is that of a wheel at rest on its rails.
+                VerticalMode::Load => 0.0,
+            },
+            tangential: Tangential::new(
+                parameters.tangential_model,
+                parameters.flexibilities,
+                parameters.bound,
+                parameters.elements_along,
+                parameters.normal_elements,
+            )
+            .with_points(parameters.points, most_strips)
+            .with_laws([parameters.friction_law, parameters.gauge_face_law])
+            .with_flash_temperature(parameters.flash_temperature),
+            creepage: parameters.creepage_model,
+            curved_zone: CurvedZone::with_capacity(most_strips),
+            minimum_speed: parameters.minimum_speed,
+            material: MaterialPair::new(wheel, rail),
+            elements: parameters.normal_elements,
+            rule: GaussLegendre::new(parameters.strips),
+            uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
+            strips: Strips::with_capacity(zones, strips),
+            strip_solver: is_strips.then(|| GridSolver::new(strips)),
+            rail_strips: Strips::with_capacity(
+                if is_strips || parameters.normal_model == NormalModel::BoundaryElement {
+                    MAX_ZONES
+                } else {
+                    0
+                },
+                strips,
+            ),
+            strip_follower: None,
+            outline: None,
+            given: None,
+            turn_of_normals: 0.0,
+            patches: FixedVec::new(parameters.rails.len() * MAX_CONTACTS * zones),
+            shear_yield: parameters.shear_yield,
+            wear: None,
+        }
+    }
+}

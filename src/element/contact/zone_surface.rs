@@ -1,0 +1,115 @@
+//! Place and direction of a patch on bodies that are not even along the track.
+
+use crate::geometry::contacts::line_separation::Lifting;
+use crate::geometry::rail::varying_rail::Along;
+use crate::math::real::Real;
+use crate::normal::{Strips, Zone};
+
+/// Where the surface of an uneven wheel lies in a zone, and how it leans.
+#[derive(Clone, Copy, Debug)]
+pub struct ZoneSurface<T = f64> {
+    /// How much deeper along the normal than the even contact line the wheel is at the centroid of
+    /// the load [m].
+    pub depth: T,
+    /// Deviation of the radius there [m].
+    pub radius: T,
+    /// Tangent of the angle by which the normal of the patch leans forward, against the track's x
+    /// axis [-].
+    pub lean: T,
+    /// How far the centroid of the load is ahead of the contact line of a round wheel, where the
+    /// rail varies along the track or the wheel around [m].
+    pub ahead: T,
+}
+
+impl<T: Real> ZoneSurface<T> {
+    /// That of an even wheel on an even rail.
+    #[must_use]
+    pub fn even() -> Self {
+        let zero = T::from(0.0);
+        Self { depth: zero, radius: zero, lean: zero, ahead: zero }
+    }
+
+    /// The surface of a wheel whose section varies around at the centroid of load of `zone`: its
+    /// normals do not lean, and act where they are. `centre` as of [`new`](Self::new), of the round
+    /// wheel in its place.
+    #[must_use]
+    pub fn beside_round(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> Self {
+        Self { ahead: ahead(zone, strips, centre), ..Self::even() }
+    }
+
+    /// The surface of a wheel at the centroid of load of `zone` on a rail that meets it `along` the
+    /// track ahead of the contact line or behind: it leans as the circle of the `radius` does
+    /// there, so that the normal force of a round wheel has no moment about the axle, and less by
+    /// as much as it passes ahead of the axle. The contact line itself lies `line_ahead` of that of
+    /// a round wheel. `share` is the component of a unit of height along the normal, `centre` as of
+    /// [`new`](Self::new), of a round wheel.
+    #[must_use]
+    pub fn met(
+        share: T,
+        radius: T,
+        along: &Along<T>,
+        line_ahead: T,
+        zone: &Zone<T>,
+        strips: &Strips<T>,
+        centre: impl Fn(T) -> T,
+    ) -> Self {
+        let Along { raised, lever, .. } = *along;
+        let ahead = ahead(zone, strips, centre);
+        let to = ahead - line_ahead;
+        let height = (radius * radius - to * to).at_least(0.0).sqrt();
+        let lean = if height > 0.0 { share * (to - lever) / height } else { T::from(0.0) };
+        Self { depth: share * (height - radius + raised), radius: raised, lean, ahead }
+    }
+}
+
+impl ZoneSurface {
+    /// The surface at the centroid of load of `zone`; `centre` is the place of the contact line to
+    /// which the strip with a parameter belongs [m].
+    ///
+    /// The normal force follows the rail's surface where the rail alone could push along the track:
+    /// on an even rail it has no part along x, and on a round wheel it has no moment about the
+    /// axle. Both are exact for frictionless bodies. A round wheel on a corrugated rail leans as
+    /// its own radius at the centroid does.
+    #[must_use]
+    pub fn new(
+        lifting: &Lifting,
+        zone: &Zone,
+        strips: &Strips,
+        centre: impl Fn(f64) -> f64,
+    ) -> Self {
+        let Lifting { deviations, radius, share } = *lifting;
+        let to = ahead(zone, strips, centre);
+        let [deviation, slope] = deviations.wheel_deviation(zone.x);
+        let lean = if deviations.has_uneven_rail() { share * (to / radius - slope) } else { 0.0 };
+        let depth = share * (deviation - 0.5 * to * to / radius);
+        Self { depth, radius: deviation, lean, ahead: 0.0 }
+    }
+}
+
+/// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the
+/// parameter of a strip [m].
+fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
+    // Strips of a yawed wheel each have their own place on the line.
+    let zero = T::from(0.0);
+    let (mut ahead, mut load) = (zero, zero);
+    for j in zone.first..zone.first + zone.count {
+        let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
+        ahead += weight * (strips.x[j] - centre(strips.u[j]));
+        load += weight;
+    }
+    if load > 0.0 { ahead / load } else { zero }
+}
+
+/// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on
+/// and turns on over their deviations: with the forward `velocity` [m/s] and the `pitch_rate`
+/// [rad/s] of a wheel of `nominal_radius` [m].
+#[must_use]
+pub fn closing_speed<T: Real>(
+    lifting: &Lifting,
+    [rail, wheel]: [f64; 2],
+    velocity: T,
+    pitch_rate: T,
+    nominal_radius: f64,
+) -> T {
+    (velocity * rail - pitch_rate * wheel * nominal_radius) * lifting.share
+}

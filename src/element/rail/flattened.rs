@@ -1,0 +1,113 @@
+//! The contacts of an element as planar problems, to look at them one by one.
+
+use nalgebra::Vector3;
+
+use crate::element::contact::contact_setup::ContactSetup;
+use crate::element::contact::rail_walk::RailPlace;
+use crate::friction::StripFriction;
+use crate::geometry::contacts::line_separation::LineSeparation;
+use crate::geometry::contacts::separation::Separation;
+use crate::kinematics::creepage::rolling_speed;
+
+/// One contact frame laid flat: the planar problem whose solution are its patches, but for the
+/// shift of the contact line along the track that a yawed wheel has.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FlatContact {
+    /// Number of the rail, from 1.
+    pub rail: i32,
+    /// Contact angle; negative on the right tread [rad].
+    pub contact_angle: f64,
+    /// Contact point in the track frame, y and z [m].
+    pub position: [f64; 2],
+    /// Separation f from the contact point: points (y, f), y growing [m].
+    pub separation: Vec<[f64; 2]>,
+    /// Radius of the wheel's normal section along x, together with that of a rail that varies along
+    /// the track [m].
+    pub radius: f64,
+    /// Approach [m].
+    pub penetration: f64,
+    /// Longitudinal, lateral [-] and spin [1/m] creepage at the contact point.
+    pub creepage: [f64; 3],
+    /// Coefficient of friction at the contact point, without sliding [-].
+    pub friction: f64,
+    /// Friction at places y of the separation, where it is not the same all over the rail; else
+    /// empty.
+    pub friction_across: Vec<(f64, StripFriction)>,
+    /// Outline of the wheel near the contact in the track frame, points (y, z) [m].
+    pub wheel: Vec<[f64; 2]>,
+    /// Outline of the rail near the contact in the track frame, points (y, z) [m].
+    pub rail_head: Vec<[f64; 2]>,
+}
+
+/// Points of a separation.
+const POINTS: usize = 401;
+/// How far from the contact point a separation goes, and the outlines [m].
+const REACH: f64 = 0.02;
+/// Separations beyond this do not close [m].
+const BEYOND: f64 = 1e-3;
+
+impl ContactSetup<'_> {
+    /// The contact laid flat.
+    pub fn flattened(
+        &self,
+        separation: &mut LineSeparation,
+        radius: f64,
+        minimum_speed: f64,
+    ) -> FlatContact {
+        let (wheel, motion) = (&self.input.wheel, self.motion());
+        let axes = self.axes();
+        let place = self.track_point(self.line.at(self.contact.u).x, 0.0, 0.0);
+        let speed = rolling_speed(
+            wheel.velocity[0] - motion.roller_speed(place),
+            wheel.pitch_rate,
+            self.line.wheel_point(self.contact.u).rolling_radius,
+            minimum_speed,
+        );
+        let creepage = motion.creepage(place, &axes, speed.reference);
+        let [start, end] = self.line.range();
+        let (from, to) = ((self.contact.u - REACH).max(start), (self.contact.u + REACH).min(end));
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(POINTS);
+        let mut outline = Vec::with_capacity(POINTS);
+        let mut friction_across = Vec::new();
+        for step in 0..POINTS {
+            let u = from + (to - from) * step as f64 / (POINTS - 1) as f64;
+            let at = separation.at(u);
+            let point: Vector3<f64> =
+                self.frame.marker + self.frame.direction(self.line.at(u).point);
+            outline.push([point.y, point.z]);
+            let grows = points.last().is_none_or(|last| at.y > last[0]);
+            if at.f < BEYOND && grows {
+                points.push([at.y, at.f]);
+                let place = RailPlace::at(&self.rail, separation.last_rail_parameter());
+                let own = self.strip_friction(&place, at.x);
+                friction_across.extend(own.map(|own| (at.y, own)));
+            }
+        }
+        let curve = self.rail.rail.curve();
+        let (from, to) = (
+            (self.contact.rail_s - REACH).max(curve.start()),
+            (self.contact.rail_s + REACH).min(curve.end()),
+        );
+        let rail_head = (0..POINTS).map(|step| {
+            let s = from + (to - from) * step as f64 / (POINTS - 1) as f64;
+            let point = self.frame.marker + self.frame.direction(curve.at(s).point);
+            [point.y, point.z]
+        });
+        FlatContact {
+            rail: self.k as i32 + 1,
+            contact_angle: self.contact.angle() + self.frame.roll,
+            position: [place.y, place.z],
+            separation: points,
+            radius,
+            penetration: self.contact.penetration,
+            creepage: [creepage.longitudinal, creepage.lateral, creepage.spin],
+            friction: self
+                .strip_friction(&RailPlace::at(&self.rail, self.contact.rail_s), place.x)
+                .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
+            friction_across,
+            wheel: outline,
+            rail_head: rail_head.collect(),
+        }
+    }
+}

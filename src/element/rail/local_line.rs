@@ -1,0 +1,247 @@
+//! Overlap of a wheel's contact line with a rail along the local normals.
+//!
+//! The overlap is the distance of the contact line from the nearest point of the rail, and the
+//! coordinate across is the arc along the rail.
+
+use super::cut_strip::{self, CutStrip};
+use crate::geometry::contacts::contact::Contact;
+use crate::geometry::contacts::contact_search::ContactSearch;
+use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::varying_rail::Along;
+use crate::geometry::uneven::longitudinal::Longitudinal;
+use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
+use crate::math::real::Real;
+use crate::normal::strips_on_grid::{Line, LinePlace, NEAR, STATION, walk_across};
+
+/// Least curvature along the track over that of the even wheel: in a trough that is hollow even for
+/// the wheel there is no Hertzian ellipse.
+pub(in crate::element) const MIN_CURVATURE_SHARE: f64 = 0.02;
+
+/// Last Newton step towards a nearest point [m]: the error is of second order in it.
+const NEAREST: f64 = 1e-8;
+
+/// Overlap of a wheel's contact line with a rail along the local normals.
+pub(in crate::element) struct LocalLine<'a> {
+    line: &'a ContactLine<'a>,
+    rail: &'a PlacedRail,
+    /// Parameter of the line and of the rail at the last place, and derivative of the one by the
+    /// other.
+    near: [f64; 3],
+    /// Deepest penetration of all contacts [m].
+    depth: f64,
+}
+
+impl<'a> LocalLine<'a> {
+    pub fn new(line: &'a ContactLine<'a>, rail: &'a PlacedRail, contact: &Contact) -> Self {
+        Self { line, rail, near: [contact.u, contact.rail_s, 1.0], depth: contact.penetration }
+    }
+
+    /// The line of all contacts of a `search`, of which there is at least one.
+    pub fn of(line: &'a ContactLine<'a>, rail: &'a PlacedRail, search: &ContactSearch) -> Self {
+        let depth = search.contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
+        Self { depth, ..Self::new(line, rail, &search.contacts[0]) }
+    }
+
+    /// The point of the wheel at parameter `u` that is nearest to the rail along the track, and the
+    /// derivative of its (y, z).
+    fn point(&self, u: f64) -> (LinePoint, [f64; 2]) {
+        match self.line.deviations() {
+            None => self.line.even_with_derivative(u),
+            Some(deviations) => {
+                let (point, derivative, _) = self.line.lifted_with_derivative(u, deviations);
+                (point, derivative)
+            }
+        }
+    }
+
+    /// Place along the track and cosine of the lean at parameter `s` of a rail that varies along
+    /// it; the place `x` of the contact line on others.
+    fn met(&self, s: f64, x: f64) -> [f64; 2] {
+        let Some(varying) = self.rail.variation() else { return [x, 1.0] };
+        let Along { ahead, lean, .. } = varying.along(s);
+        [x + ahead, 1.0 / lean.hypot(1.0)]
+    }
+
+    /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that
+    /// varies, under a wheel whose section varies around; waves of both are bridged as on an even
+    /// rail [m].
+    fn varying_radius(&self, place: &LinePlace) -> f64 {
+        let LinePlace { u, y, x, tangent: [ty, tz], overlap, .. } = *place;
+        let mut even = self.line.wheel_point(u).section_radius;
+        let on_rail = self.rail.curve().at(y).point;
+        let varying = self.rail.variation();
+        let mut along = varying.map_or_else(Along::default, |varying| varying.along(y));
+        if let Some(varying) = varying.filter(|varying| varying.has_waves()) {
+            along.curvature += ty * varying.bridged([x, on_rail[1]], self.bridge(even));
+        }
+        if self.line.varies_around() {
+            let round = self.line.round().wheel_point(u).section_radius;
+            let reach = self.bridge(round);
+            let places = [x, x - self.line.ahead_of_round(u) - along.lever];
+            let direction = [-tz, ty];
+            let more =
+                self.line.mean_curvature_around(places, on_rail, direction, [u, overlap], reach);
+            if let Some(more) = more {
+                (even, along.bulge) = (round, more * along.shortening());
+            }
+        }
+        radius_on_rows(even, &along)
+    }
+
+    /// What the end of a rail that varies leaves of the strip at `place`; nothing where it is whole.
+    fn cut(&self, place: &LinePlace) -> Option<CutStrip<f64>> {
+        let varying = self.rail.variation()?;
+        let ends = varying.ends(place.y)?.map(|end| end - place.x);
+        let slope = varying.along(place.y).gap;
+        cut_strip::cut(self.depth, slope, self.varying_radius(place), ends)
+    }
+
+    /// The strip at `place` as far as the rail goes.
+    fn on_rail(&self, place: LinePlace) -> LinePlace {
+        let Some(CutStrip { ahead, less, .. }) = self.cut(&place) else { return place };
+        LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
+    }
+
+    /// Distance to either side over which waves along the track are bridged by a wheel whose even
+    /// section has the radius `even`: over the length that a ball of it touches along, to the
+    /// station at which strips meet them [m].
+    fn bridge(&self, even: f64) -> f64 {
+        STATION * (even * self.depth).sqrt()
+    }
+
+    /// Radius of the section along x of wheel and rail together at parameter `u`, with their
+    /// deviations over the length of the [`bridge`](Self::bridge) [m].
+    #[cold]
+    fn uneven_radius(&self, u: f64, deviations: &Longitudinal) -> f64 {
+        let even = self.line.wheel_point(u).section_radius;
+        let (at, _, radius) = self.line.lifted_with_derivative(u, deviations);
+        let share = radius * deviations.mean_curvature(radius, at.x, self.bridge(even));
+        even / share.max(MIN_CURVATURE_SHARE)
+    }
+}
+
+impl LocalLine<'_> {
+    /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]:
+    /// where the line crosses the normal of the rail, looked for from the parameter `guess`. A
+    /// little beyond its end the rail goes on as it does before. Nothing where the wheel ends, or a
+    /// body is bent more than the other one is far.
+    pub fn on_normal(&mut self, y: f64, guess: f64) -> Option<(LinePlace, [f64; 2])> {
+        let [start, end] = self.line.range();
+        let on = self.rail.curve().at(y);
+        let along = |v: [f64; 2]| v[0] * on.first[0] + v[1] * on.first[1];
+        let mut u = guess;
+        for _ in 0..MAX_CROSSINGS {
+            if !(u > start && u < end) {
+                return None;
+            }
+            let (at, derivative) = self.point(u);
+            let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
+            let rate = along(derivative);
+            if rate < MIN_RATE {
+                return None;
+            }
+            let step = -along(to) / rate;
+            if step.abs() <= NEAR {
+                let speed = along(on.first);
+                let bending = to[0] * on.second[0] + to[1] * on.second[1];
+                let slowness = 1.0 / speed.sqrt();
+                let tangent = on.first.map(|first| first * slowness);
+                let away = [tangent[1], -tangent[0]];
+                let up = |v: [f64; 2]| v[0] * away[0] + v[1] * away[1];
+                let dy = rate / (speed - bending);
+                if !(speed - bending > MIN_STRAIGHTNESS * speed && dy > MIN_RATE) {
+                    return None;
+                }
+                let overlap_slope = -up(derivative);
+                let point = [0, 1].map(|i| at.point[i] + step * derivative[i]);
+                u += step;
+                self.near = [u, y, dy];
+                // The overlap along the normal that leans with the rail.
+                let [x, cosine] = self.met(y, at.x);
+                let overlap = cosine * (overlap_slope * step - up(to));
+                let overlap_slope = cosine * overlap_slope;
+                let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
+                return Some((self.on_rail(place), point));
+            }
+            u += step;
+        }
+        None
+    }
+}
+
+impl LocalLine<'_> {
+    /// The place at parameter `u`, its strip as if the rail had no end.
+    fn whole_place(&mut self, u: f64) -> LinePlace {
+        let [start, end] = self.line.range();
+        let u = u.clamp(start, end);
+        let (at, derivative) = self.point(u);
+        let [near_u, near_s, rate] = self.near;
+        // Far from the last place the guess may be anywhere.
+        let guess = if (u - near_u).abs() < FAR {
+            near_s + rate * (u - near_u)
+        } else {
+            self.rail.coarse_nearest(at.point)
+        };
+        let nearest = self.rail.nearest(at.point, guess, NEAREST);
+        let along = |v: [f64; 2]| v[0] * derivative[0] + v[1] * derivative[1];
+        let tangent = nearest.tangent;
+        let dy = (nearest.ratio * along(tangent)).max(MIN_RATE);
+        self.near = [u, nearest.s, dy];
+        let away = [tangent[1], -tangent[0]];
+        let [x, cosine] = self.met(nearest.s, at.x);
+        LinePlace {
+            u,
+            y: nearest.s,
+            dy,
+            overlap: -cosine * nearest.distance,
+            overlap_slope: -cosine * along(away),
+            x,
+            tangent,
+        }
+    }
+}
+
+impl Line for LocalLine<'_> {
+    fn place(&mut self, u: f64) -> LinePlace {
+        let place = self.whole_place(u);
+        self.on_rail(place)
+    }
+
+    fn radius(&mut self, u: f64) -> f64 {
+        if self.rail.variation().is_some() || self.line.varies_around() {
+            let place = self.whole_place(u);
+            let radius = self.varying_radius(&place);
+            return self.cut(&place).map_or(radius, |cut| radius * cut.radius_share);
+        }
+        match self.line.deviations() {
+            None => self.line.wheel_point(u).section_radius,
+            Some(deviations) => self.uneven_radius(u, deviations),
+        }
+    }
+
+    fn across(&mut self, y: f64, guess: f64) -> LinePlace {
+        match self.on_normal(y, guess) {
+            Some((place, _)) => place,
+            None => walk_across(self, y, guess),
+        }
+    }
+}
+
+/// Radius of the section of wheel and rail together along the rows of a rail that varies, for a
+/// wheel whose even section has the radius `even` [m].
+pub(in crate::element) fn radius_on_rows<T: Real>(even: T, along: &Along<T>) -> T {
+    even / (along.relative(even) / (along.drift * along.drift + 1.0)).at_least(MIN_CURVATURE_SHARE)
+}
+
+/// Distance along the contact line beyond which a nearest point is looked for anew [m].
+const FAR: f64 = 8e-3;
+
+/// Least rate at which the nearest point moves with the contact line: where bodies end it may stand
+/// still.
+const MIN_RATE: f64 = 0.05;
+
+/// Most points tried to find the one on a normal.
+const MAX_CROSSINGS: usize = 6;
+
+/// Least share of the distance from the centre of curvature of the rail.
+const MIN_STRAIGHTNESS: f64 = 0.2;

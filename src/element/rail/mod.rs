@@ -1,0 +1,14 @@
+//! All contacts of a wheel with one rail: the pose of the wheel over it, the search, and the normal
+//! models.
+
+pub(super) mod boundary_contact;
+pub(super) mod cut_strip;
+pub(super) mod flattened;
+pub(super) mod local_line;
+pub(super) mod moving_contact;
+pub(super) mod moving_strips;
+pub(super) mod rail_contact;
+pub(super) mod rail_forces;
+pub(super) mod strip_contact;
+pub(super) mod strip_damping;
+pub(super) mod taken_zone;

@@ -1,0 +1,124 @@
+//! The strip model on a wheel and a rail: all places where they overlap are one problem.
+//!
+//! The overlap is taken along the local normal, the distance of the contact line from the nearest
+//! point of the rail, and the coordinate across is the arc along the rail. No contact frame is
+//! chosen beforehand, so that nothing changes over when another place becomes the deepest, or when
+//! overlaps join or part. Each loaded zone then gets its frame from its own load.
+
+use super::local_line::LocalLine;
+use super::strip_damping::StripDamping;
+use super::taken_zone::{TakenZone, deepest_within, zone_in_frame};
+use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
+use crate::element::contact::models::Models;
+use crate::element::output::Output;
+use crate::element::work::Work;
+use crate::geometry::contacts::contact::Contact;
+use crate::geometry::contacts::contact_search::ContactSearch;
+use crate::geometry::contacts::line_separation::LineSeparation;
+use crate::geometry::contacts::separation::Probe;
+use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::uneven::longitudinal::Longitudinal;
+use crate::geometry::wheel::contact_line::ContactLine;
+use crate::normal::strips_on_grid::{Line, LinePlace};
+
+/// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
+/// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
+pub(in crate::element) const MAX_STRIP_DEPTH: f64 = 1e-2;
+
+/// Solves for all zones of one rail into `models.rail_strips`; returns how many found no room.
+pub fn solve(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    search: &ContactSearch,
+    probes: &mut Vec<Probe>,
+    models: &mut Models,
+) -> usize {
+    probes.clear();
+    for contact in search.contacts.iter() {
+        let own = &search.probes[contact.probes[0]..contact.probes[1]];
+        for probe in own {
+            // Contacts that were split at a ridge share it.
+            let known = probes.last().is_some_and(|last| last.u >= probe.u);
+            if !known && probes.len() < probes.capacity() {
+                probes.push(Probe { u: probe.u, f: probe.f - contact.penetration });
+            }
+        }
+    }
+    let Models { strip_solver, rail_strips, material, .. } = models;
+    rail_strips.clear();
+    let mut local = LocalLine::of(line, rail, search);
+    let modulus = material.contact_modulus;
+    strip_solver
+        .as_mut()
+        .map_or(0, |solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
+}
+
+/// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how
+/// many zones found no room or fell back to a simpler model.
+pub fn add<'a>(
+    search: &ContactSearch,
+    probes: &mut Vec<Probe>,
+    deviations: Option<&Longitudinal>,
+    forces: &impl Fn(Contact, [f64; 2], Damped<f64>) -> ContactSetup<'a>,
+    models: &mut Models,
+    output: &mut Output,
+    work: &mut Work,
+) -> u64 {
+    let Some(&first) = search.contacts.first() else { return 0 };
+    let of_rail = forces(first, [0.0; 2], Damped::Alone);
+    let ContactSetup { input, line, rail, frame, .. } = &of_rail;
+    let placed = rail.rail;
+    let mut left_out = solve(line, placed, search, probes, models) as u64;
+    output.normal_residual = output.normal_residual.max(models.normal_residual());
+    let wheel = &input.wheel;
+    let speeds = [wheel.velocity[0], wheel.pitch_rate * line.nominal_radius()];
+    let damping = StripDamping {
+        motion: &of_rail.motion(),
+        frame,
+        whole: whole(models, search),
+        deviations: deviations.map(|deviations| (deviations, speeds)),
+        rail: *rail,
+        speeds: rail_speeds(input, of_rail.k, placed),
+        around: Some(line).filter(|line| line.varies_around()),
+    };
+    for zone in 0..models.rail_strips.zones.len() {
+        let TakenZone { contact, load_factor, resultant_share } =
+            take_zone(line, placed, search, zone, &damping, models);
+        let mut separation = LineSeparation::new(line, placed, contact);
+        let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
+        let forces = ContactSetup { resultant_share, ..forces };
+        left_out += forces.add_forces(&mut separation, models, output, work);
+    }
+    left_out
+}
+
+/// Load of all zones and deepest penetration of all contacts [N, m].
+fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
+    let deepest = search.contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
+    [models.rail_strips.load(), deepest]
+}
+
+/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// own: through the centroid of its load, its normal along the resultant.
+fn take_zone(
+    line: &ContactLine,
+    rail: &PlacedRail,
+    search: &ContactSearch,
+    index: usize,
+    damping: &StripDamping,
+    models: &mut Models,
+) -> TakenZone {
+    let mut local = LocalLine::of(line, rail, search);
+    let place = |u, y| {
+        if let Some((LinePlace { tangent, overlap, .. }, point)) = local.on_normal(y, u) {
+            return (point, tangent, overlap);
+        }
+        let LinePlace { tangent, overlap, .. } = local.place(u);
+        (line.at(u).point, tangent, overlap)
+    };
+    let taken = zone_in_frame(index, damping, models, place);
+    let deepest = deepest_within(search, &models.strips.u);
+    let deepest = deepest.map_or(0.0, |contact| contact.penetration);
+    let penetration = taken.contact.penetration.max(deepest);
+    TakenZone { contact: Contact { penetration, ..taken.contact }, ..taken }
+}

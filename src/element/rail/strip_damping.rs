@@ -1,0 +1,70 @@
+//! Damping of the normal motion of strips.
+
+use nalgebra::Vector3;
+
+use crate::element::contact::rail_frame::RailFrame;
+use crate::geometry::rail::rail_outline::RailOutline;
+use crate::geometry::rail::varying_rail::Along;
+use crate::geometry::uneven::longitudinal::Longitudinal;
+use crate::geometry::wheel::contact_line::ContactLine;
+use crate::kinematics::creepage::RelativeMotion;
+use crate::math::real::Real;
+use crate::normal::damping;
+
+/// Least pressure with damping over that without: strips that part keep a trace, by which their
+/// zone has a normal.
+const MIN_FACTOR: f64 = f64::EPSILON;
+
+/// Damping of the normal motion, strip by strip with the normal of each: so it does not depend on
+/// which strips are taken together as a zone.
+pub struct StripDamping<'a, T: Real = f64> {
+    /// How wheel and rail move against each other.
+    pub motion: &'a RelativeMotion<T>,
+    /// The frame of the rail.
+    pub frame: &'a RailFrame<T>,
+    /// Load of all strips of the rail and deepest penetration, which share one stiffness [N, m].
+    pub whole: [T; 2],
+    /// Speeds at which the surfaces of uneven bodies close at a place along the track, forward and
+    /// by turning [m/s].
+    pub deviations: Option<(&'a Longitudinal, [T; 2])>,
+    /// The outline of the rail, and the speeds of
+    /// [`closing_speed`](RailOutline::closing_speed) on one that varies along the track [m/s].
+    pub rail: RailOutline<'a, T>,
+    pub speeds: [T; 2],
+    /// The contact line of a wheel whose section varies around.
+    pub around: Option<&'a ContactLine<'a, T>>,
+}
+
+impl<T: Real> StripDamping<'_, T> {
+    /// Pressure with damping over that without [-], for the damping `coefficient` at the reference
+    /// stiffness [N s/m], at a place (x, y) along the track and on the arc of the rail with
+    /// parameter u of the contact line: its point, unit tangent and overlap across.
+    pub fn factor(
+        &self,
+        coefficient: f64,
+        [x, y, u]: [T; 3],
+        point: [T; 2],
+        tangent: [T; 2],
+        overlap: T,
+    ) -> T {
+        if coefficient == 0.0 {
+            return T::from(1.0);
+        }
+        let [load, penetration] = self.whole;
+        let normal = [-tangent[1], tangent[0]];
+        // The wheel's surface of first touch lies deeper in the rail by the overlap.
+        let touch = [0, 1].map(|axis| point[axis] + overlap * normal[axis]);
+        let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
+        let along = self.frame.direction(normal);
+        let even = self.motion.approach_velocity(touch).dot(&along);
+        let even = self.rail.closing_speed(y, x, self.speeds).map_or(even, |speed| even + speed);
+        let Along { lever, .. } = self.rail.along(y).unwrap_or_default();
+        let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
+        let even = even + self.motion.turning_velocity(ahead).dot(&along);
+        let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
+            let [rail, wheel] = deviations.slopes(x.value());
+            even + (forward * rail - turning * wheel) * tangent[0]
+        });
+        (damping::damped_load(load, penetration, closing, coefficient) / load).at_least(MIN_FACTOR)
+    }
+}

@@ -1,0 +1,90 @@
+//! A zone of a whole rail in a frame of its own: through the centroid of its load, its normal along
+//! the resultant.
+
+use super::strip_damping::StripDamping;
+use crate::element::contact::models::Models;
+use crate::geometry::contacts::contact::Contact;
+use crate::geometry::contacts::contact_search::ContactSearch;
+use crate::math::real::Real;
+
+/// A zone in a frame of its own.
+pub struct TakenZone<T = f64> {
+    /// The frame, and how deep the zone is.
+    pub contact: Contact<T>,
+    /// Its load with damping over that without [-].
+    pub load_factor: T,
+    /// See [`ContactSetup::resultant_share`](crate::element::contact::contact_setup::ContactSetup::resultant_share).
+    pub resultant_share: T,
+}
+
+/// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if
+/// there is one.
+pub(in crate::element) fn deepest_within<'a, T: Real>(
+    search: &'a ContactSearch,
+    u: &[T],
+) -> Option<&'a Contact> {
+    let ends = [u.first()?.value(), u.last()?.value()];
+    let inside = search.contacts.iter().filter(|c| c.u >= ends[0] && c.u <= ends[1]);
+    inside.max_by(|a, b| a.penetration.total_cmp(&b.penetration))
+}
+
+/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// own, with derivatives where the numbers have them; `place` gives point, unit tangent and overlap
+/// at a parameter of the line and a coordinate across.
+pub(in crate::element) fn zone_in_frame<T: Real>(
+    index: usize,
+    damping: &StripDamping<T>,
+    models: &mut Models<T>,
+    mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
+) -> TakenZone<T> {
+    let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
+    strips.clear();
+    let mut zone = all.zones[index];
+    let range = zone.first..zone.first + zone.count;
+    let zero = T::from(0.0);
+    let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
+    let mut penetration = zero;
+    for j in range {
+        let (point, direction, overlap) = place(all.u[j], all.y[j]);
+        let at = [all.x[j], all.y[j], all.u[j]];
+        let factor = damping.factor(*coefficient, at, point, direction, overlap);
+        let pressure = all.pressure[j] * factor;
+        let load = all.half_length[j] * all.width[j] * pressure;
+        sum += load;
+        for axis in 0..2 {
+            tangent[axis] += load * direction[axis];
+            origin[axis] += load * point[axis];
+        }
+        penetration = penetration.max(overlap);
+        strips.y.push(all.y[j]);
+        strips.width.push(all.width[j]);
+        strips.x.push(all.x[j]);
+        strips.half_length.push(all.half_length[j]);
+        strips.pressure.push(pressure);
+        strips.u.push(all.u[j]);
+    }
+    let (area, load) = (zone.area, zone.load);
+    zone.first = 0;
+    strips.summarise(&mut zone);
+    let load_factor = if load > 0.0 { zone.load / load } else { T::from(1.0) };
+    (zone.area, zone.load) = (area, load);
+    let resultant = tangent[0].hypot(tangent[1]);
+    let center = zone.y;
+    // Normals that diverge carry less together.
+    let resultant_share = if sum > 0.0 { resultant / sum } else { zero };
+    for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()) {
+        *y -= center;
+        *pressure /= load_factor;
+    }
+    zone.y = zero;
+    strips.zones.push(zone);
+    let contact = Contact {
+        u: zone.u,
+        rail_s: center,
+        penetration,
+        origin: origin.map(|o| o / sum.at_least(f64::MIN_POSITIVE)),
+        tangent: tangent.map(|t| t / resultant.at_least(f64::MIN_POSITIVE)),
+        probes: [0, 0],
+    };
+    TakenZone { contact, load_factor, resultant_share }
+}

@@ -1,0 +1,118 @@
+//! The point of a rail's curve nearest to a given one.
+
+use crate::geometry::curves::curve::Curve;
+
+/// Samples for the coarse search of the nearest point.
+const COARSE_POINTS: usize = 32;
+
+/// Newton steps for the nearest point; two or three are the rule.
+const MAX_STEPS: usize = 20;
+
+/// The point of a rail nearest to a given point, and the signed distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Nearest {
+    /// Parameter of the rail's curve [m].
+    pub s: f64,
+    /// Distance, negative inside the rail; positive where the rail ends [m].
+    pub distance: f64,
+    /// Unit tangent (y, z) of the rail there, towards the field side.
+    pub tangent: [f64; 2],
+    /// The point (y, z) [m].
+    pub point: [f64; 2],
+    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 +
+    /// curvature · distance) [-].
+    pub ratio: f64,
+    /// Whether the rail's curve ends there, so that nothing lies opposite.
+    pub beyond_end: bool,
+}
+
+/// Points (y, z) of a curve at equal steps of the parameter [m]: where a search without a neighbour
+/// begins.
+#[derive(Clone, Debug)]
+pub(in crate::geometry) struct CoarsePoints(Vec<[f64; 2]>);
+
+impl CoarsePoints {
+    /// Those of `curve`.
+    pub fn of(curve: &Curve) -> Self {
+        Self(coarse_points(curve).collect())
+    }
+
+    /// Takes those of another curve; allocates nothing.
+    pub fn take(&mut self, curve: &Curve) {
+        self.0.clear();
+        self.0.extend(coarse_points(curve));
+    }
+
+    /// A parameter of `curve`, which they are of, near its point nearest to `point`, for a search
+    /// without a neighbour.
+    pub fn nearest(&self, curve: &Curve, point: [f64; 2]) -> f64 {
+        let mut best = (f64::INFINITY, 0);
+        for (i, p) in self.0.iter().enumerate() {
+            let (y, z) = (p[0] - point[0], p[1] - point[1]);
+            let distance = y * y + z * z;
+            if distance < best.0 {
+                best = (distance, i);
+            }
+        }
+        let (start, end) = (curve.start(), curve.end());
+        start + (end - start) * best.1 as f64 / COARSE_POINTS as f64
+    }
+}
+
+/// The point of the `curve` of a rail nearest to `point` [m], found from the parameter `guess` near
+/// it, to within `tolerance` [m].
+#[inline]
+pub(in crate::geometry) fn nearest(
+    curve: &Curve,
+    point: [f64; 2],
+    guess: f64,
+    tolerance: f64,
+) -> Nearest {
+    let mut s = curve.within(guess);
+    let mut p = curve.at(s);
+    let mut beyond_end = false;
+    let mut ratio = 1.0;
+    for _ in 0..MAX_STEPS {
+        let to = [point[0] - p.point[0], point[1] - p.point[1]];
+        let along = to[0] * p.first[0] + to[1] * p.first[1];
+        let speed = p.first[0] * p.first[0] + p.first[1] * p.first[1];
+        let bending = to[0] * p.second[0] + to[1] * p.second[1];
+        // Beyond the centre of curvature the distance has no minimum to go to: go on as on a
+        // straight line.
+        let slope = if speed - bending > 0.2 * speed { speed - bending } else { speed };
+        let stiffness = 1.0 / slope;
+        ratio = speed * stiffness;
+        let free = s + along * stiffness;
+        let next = curve.within(free);
+        let moved = next - s;
+        beyond_end = (next - free).abs() > tolerance;
+        s = next;
+        if moved.abs() <= tolerance {
+            // Over so short a step the curve is as good as its tangent and its curvature.
+            for i in 0..2 {
+                p.point[i] += moved * (p.first[i] + 0.5 * moved * p.second[i]);
+                p.first[i] += moved * p.second[i];
+            }
+            break;
+        }
+        p = curve.at(s);
+    }
+    let to = [point[0] - p.point[0], point[1] - p.point[1]];
+    let slowness = 1.0 / (p.first[0] * p.first[0] + p.first[1] * p.first[1]).sqrt();
+    let tangent = [p.first[0] * slowness, p.first[1] * slowness];
+    // Outward normal (t_z, -t_y): up on the top of the head.
+    let distance = if beyond_end {
+        (to[0] * to[0] + to[1] * to[1]).sqrt()
+    } else {
+        to[0] * tangent[1] - to[1] * tangent[0]
+    };
+    Nearest { s, distance, tangent, point: p.point, ratio, beyond_end }
+}
+
+/// Points at equal steps of the parameter.
+fn coarse_points(curve: &Curve) -> impl Iterator<Item = [f64; 2]> {
+    let (start, length) = (curve.start(), curve.end() - curve.start());
+    (0..=COARSE_POINTS)
+        .map(move |i| curve.at(start + length * i as f64 / COARSE_POINTS as f64).point)
+}

@@ -1,0 +1,6 @@
+//! The placed rail: its outline as the wheel above it meets it.
+
+#[doc(hidden)]
+pub mod placed_rail;
+pub(crate) mod rail_outline;
+pub(crate) mod varying_rail;

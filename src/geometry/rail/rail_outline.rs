@@ -1,0 +1,97 @@
+//! The outline of a rail under a wheel, at parameters with derivatives.
+
+use crate::geometry::curves::curve::CurvePoint;
+use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::varying_rail::{Along, MovingOutline};
+use crate::math::real::Real;
+
+/// The outline of a rail: its section, or where that varies along the track what the wheel that
+/// passed last meets.
+#[derive(Clone, Copy, Debug)]
+pub struct RailOutline<'a, T = f64> {
+    /// The rail.
+    pub rail: &'a PlacedRail,
+    /// How the outline moves with the wheel, where the section varies and numbers have derivatives.
+    moving: Option<&'a MovingOutline<T>>,
+}
+
+impl<'a, T: Real> RailOutline<'a, T> {
+    /// That of `rail` as it is.
+    #[must_use]
+    pub fn at_rest(rail: &'a PlacedRail) -> Self {
+        Self { rail, moving: None }
+    }
+
+    /// That of `rail` as it moves by `moving`, which is of a rail that varies.
+    #[must_use]
+    pub fn moving(rail: &'a PlacedRail, moving: Option<&'a MovingOutline<T>>) -> Self {
+        Self { rail, moving: moving.filter(|_| rail.variation().is_some()) }
+    }
+
+    /// Point and derivatives at parameter `s` [m], in the frame of the rail marker.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, s: T) -> CurvePoint<T> {
+        match self.moving {
+            None => self.rail.curve().at(s),
+            Some(moving) => moving.at(s),
+        }
+    }
+
+    /// Where the wheel meets a rail that varies at parameter `s` [m]; nothing for others.
+    #[must_use]
+    pub fn along(&self, s: T) -> Option<Along<T>> {
+        let varying = self.rail.variation()?;
+        Some(match self.moving {
+            None => varying.along(s.value()).fixed(),
+            Some(moving) => moving.along(s),
+        })
+    }
+
+    /// Speed at which a rail that varies closes along the normal of its outline at parameter `s`,
+    /// met at `x` from the wheel marker [m], as the wheel goes `forward` over its slope and the arc
+    /// on top of a roller is `turning`; nothing for others [m/s].
+    #[must_use]
+    pub fn closing_speed(&self, s: T, x: T, [forward, turning]: [T; 2]) -> Option<T> {
+        let varying = self.rail.variation()?;
+        let Along { lean, gap, .. } = self.along(s)?;
+        let climbing = forward * (lean + gap);
+        if !varying.is_corrugated() {
+            return Some(climbing);
+        }
+        let CurvePoint { point, first, .. } = self.at(s);
+        let upward = first[0] / first[0].hypot(first[1]);
+        // Derivatives on corrugated rails are differences.
+        let rise = varying.rise([x.value(), point[1].value()]);
+        Some(climbing + turning * upward * rise)
+    }
+
+    /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],
+    /// as [`VaryingRail::ends`](crate::geometry::rail::varying_rail::VaryingRail::ends).
+    #[must_use]
+    pub fn ends(&self, s: T) -> Option<[T; 2]> {
+        let ends = self.rail.variation()?.ends(s.value())?;
+        Some(ends.map(|x| self.moving.map_or(x.into(), |moving| moving.passed(x))))
+    }
+
+    /// Whether the section varies along the track.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.rail.variation().is_some()
+    }
+
+    /// Lateral coordinate on the rail profile as given of the point with parameter `s` [m].
+    #[must_use]
+    pub fn profile_y(&self, s: T) -> T {
+        self.rail.profile_y_of(self.at(s).point)
+    }
+
+    /// Radius of relative curvature along the track at parameter `s`, for a wheel whose even
+    /// section has `radius`, but not less than of a curvature of `least` over that of the wheel
+    /// [m].
+    #[must_use]
+    pub fn radius_along(&self, radius: T, s: T, least: f64) -> T {
+        let Some(along) = self.along(s) else { return radius };
+        radius / along.relative(radius).at_least(least)
+    }
+}

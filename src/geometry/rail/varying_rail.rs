@@ -1,0 +1,369 @@
+//! A rail whose section varies along the track, as the wheel above it meets it: the outline of all
+//! its sections.
+//!
+//! The section at x from the axle is met by a part of the wheel that stands higher than its lowest
+//! points, by
+//!
+//! ```text
+//! D(x) = sqrt((x - x_l)² + z²) - z
+//! ```
+//!
+//! for a point of the rail at the height z below the axle, with x_l the place of the contact line,
+//! which is zero where the wheel does not yaw. Moved down by that, every section can be compared
+//! with the even contact line. What the wheel can touch is the envelope of all sections that are
+//! moved so: on each row v of the surface P the x at which
+//!
+//! ```text
+//! n · F_x = 0,   F(x, v) = P + D e
+//! ```
+//!
+//! with e the direction down in the plane of the rolling circles and n the normal of the wheel
+//! opposite. Along the row the bodies are nearest there, and where they touch their normals have
+//! the same part along x, so that the place is the one of a search in three dimensions. Where the
+//! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
+//! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
+//!
+//! A roller is such a rail: its rows go around an axle across the track. Corrugation is part of the
+//! surface, so that the wheel meets its crests.
+
+mod bounds;
+mod moving_outline;
+mod over;
+mod touch;
+mod unround;
+mod waves;
+mod wheel_above;
+mod wheel_table;
+
+use self::bounds::{Bound, Bounds};
+pub use self::moving_outline::MovingOutline;
+use self::over::Over;
+use self::touch::{CLOSE, Touch};
+use self::waves::Waves;
+pub use self::wheel_above::WheelAbove;
+use self::wheel_table::WheelTable;
+use crate::geometry::curves::arc_length::ArcLength;
+use crate::geometry::curves::curve::{Curve, Knot};
+pub use crate::geometry::sections::rows::along::Along;
+use crate::geometry::sections::rows::envelope::{Envelope, TREND};
+use crate::geometry::sections::rows::met::Met;
+use crate::geometry::sections::rows::roller::Roller;
+use crate::geometry::sections::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, Surface};
+use crate::geometry::sections::slices::Slices;
+use crate::geometry::uneven::longitudinal::MIN_REACH;
+use crate::geometry::uneven::waviness::Waviness;
+use crate::geometry::wheel::contact_line::ContactLine;
+use crate::geometry::wheel::wheel_pose::WheelPose;
+use crate::math::dual::Dual;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+
+/// Rows of which only one is looked through for hollows.
+const STRIDE: usize = 4;
+/// How far below the wheel a row surely stays where its place is no longer looked for [m].
+const FAR_BELOW: f64 = 0.02;
+/// Distance of the few rows that are enough where nothing touches [m].
+const WIDE: f64 = 2e-3;
+
+/// A rail whose section varies.
+#[derive(Clone, Debug)]
+pub struct VaryingRail {
+    surface: Surface,
+    bounds: Bounds,
+    wheel: WheelTable,
+    /// Deviations of the wheel over the arc of its nominal rolling circle, with a radius [m].
+    waves: Waviness,
+    nominal_radius: f64,
+    envelope: Envelope,
+    met: FixedVec<Met>,
+    /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
+    arcs: Vec<f64>,
+    top: usize,
+    /// Places at which rows begin or end, and whether any of them is within reach of the wheel that
+    /// passed last, which was at `station` [m] and turned by `pitch` [rad].
+    free_ends: Vec<f64>,
+    is_near_end: bool,
+    station: f64,
+    pitch: f64,
+}
+
+impl VaryingRail {
+    /// The rail of `slices`, whose points and directions `point` and `direction` put where it
+    /// stands, turned left to right if `turned`, under the `wheel`. With a `roller_radius` [m]
+    /// above 0 the first of them goes around a roller whose axle is at station 0, and they end
+    /// where a wheel leaves that. `corrugation` is the height of the rail over the station on top
+    /// of that of the slices; of a roller over the arc of the marker's circle.
+    #[must_use]
+    pub fn new(
+        slices: &Slices,
+        point: impl Fn([f64; 2]) -> [f64; 2],
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+        turned: bool,
+        wheel: &WheelAbove,
+        roller_radius: f64,
+        corrugation: Waviness,
+    ) -> Self {
+        let rows = slices.rows(point, direction);
+        let rows = if turned { rows.turned() } else { rows };
+        let is_roller = roller_radius > 0.0;
+        let roller = is_roller.then_some(Roller { radius: roller_radius, top: 0.0 });
+        let surface = Surface { rows, roller, corrugation };
+        let (arcs, top) = arcs_of_pattern(&surface);
+        Self {
+            arcs,
+            top,
+            free_ends: surface.free_ends(),
+            is_near_end: false,
+            bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
+            wheel: WheelTable::new(wheel.profile, wheel.sides()),
+            waves: wheel.waves.clone(),
+            nominal_radius: wheel.nominal_radius,
+            envelope: Envelope::new(surface.count()),
+            met: FixedVec::new(surface.count()),
+            surface,
+            station: 0.0,
+            pitch: 0.0,
+        }
+    }
+
+    /// Station of a wheel at `x` of a track whose origin is at `origin`; the axle of a roller is at
+    /// station 0, and `origin` the arc that is on its top [m].
+    #[must_use]
+    pub fn station<T: Real>(&self, origin: T, x: T) -> T {
+        if self.surface.roller.is_some() { x } else { origin + x }
+    }
+
+    /// Places along the track, from the axle of a roller of `radius` [m], between which a wheel may
+    /// touch it [m].
+    #[must_use]
+    pub fn range_of_roller(radius: f64) -> [f64; 2] {
+        [-MAX_SHARE_OF_ROLLER * radius, MAX_SHARE_OF_ROLLER * radius]
+    }
+
+    /// Distance of the rail marker from the axle of a roller; 0 for a rail [m].
+    #[must_use]
+    pub fn roller_radius(&self) -> f64 {
+        self.surface.roller.map_or(0.0, |roller| roller.radius)
+    }
+
+    /// Most rows of the envelope.
+    #[must_use]
+    pub fn most_knots(&self) -> usize {
+        self.surface.count()
+    }
+
+    /// Faces between neighbouring slices and rows, by their corners (y, z) [m].
+    pub fn faces(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + Clone + '_ {
+        self.surface.faces()
+    }
+
+    /// Lays the envelope for the wheel of `line`, which stands at `pose`, `x` from the origin of a
+    /// track that is at the station `origin` [m], turned by `pitch` [rad], into `curve`; allocates
+    /// nothing within the room that it has. False where there is no rail within reach.
+    pub fn pass(
+        &mut self,
+        line: &ContactLine,
+        pose: &WheelPose,
+        [origin, x]: [f64; 2],
+        pitch: f64,
+        curve: &mut Curve,
+    ) -> bool {
+        if let Some(roller) = &mut self.surface.roller {
+            roller.top = origin;
+        }
+        (self.station, self.pitch) = (self.station(origin, x), pitch);
+        let near = |place: &f64| (place - self.station).abs() < REACH;
+        self.is_near_end = self.free_ends.iter().any(near);
+        if line.varies_around() {
+            self.wheel.follow(line.profile());
+        }
+        self.meet_rows(line, pose);
+        let is_there = self.envelope.lay(&self.surface, &self.met);
+        if is_there {
+            curve.put_through(self.envelope.knots());
+        }
+        is_there
+    }
+
+    /// Lays the envelope that [`pass`](Self::pass) has laid last into `outline`, as it moves with
+    /// the wheel of `line` at `pose` above `station` [m].
+    pub fn move_with<T: Real>(
+        &self,
+        line: &ContactLine<T>,
+        pose: &WheelPose<T>,
+        station: T,
+        outline: &mut MovingOutline<T>,
+    ) {
+        let Self { surface, bounds, wheel, met, .. } = self;
+        let touch = Touch { surface, bounds, wheel };
+        let within = surface.within(station.value());
+        let fixed_line = line.value().fixed::<Dual<2>>();
+        let fixed_pose = WheelPose {
+            marker: pose.marker.map(|x| Dual::from(x.value())),
+            roll: pose.roll.value().into(),
+            yaw: pose.yaw.value().into(),
+        };
+        let fixed = Over::new(&fixed_line, &fixed_pose, station.value().into(), within);
+        let over = Over::new(line, pose, station, within);
+        outline.met.clear();
+        outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
+        outline.envelope.lay(surface, &outline.met);
+        outline.station = station;
+    }
+
+    /// Fills `met` with all rows that may touch, and with a few of the others.
+    fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
+        let Self { surface, bounds, wheel, met, waves, .. } = self;
+        let within = surface.within(self.station);
+        let turn = [self.pitch, pose.yaw];
+        let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
+        let over = &Over::new(line, pose, self.station, within).with_waves(waves);
+        met.clear();
+        let touch = Touch { surface, bounds, wheel };
+        let (parameter, parts) = (&surface.rows.parameter, &surface.rows.parts);
+        let count = parameter.len();
+        let mut before: Option<Met> = None;
+        let (mut kept, mut looked) = (None, None);
+        let is_wavy =
+            !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
+        for j in 0..count {
+            let below = below(bounds.of(j, over.within.slice), wheel, over);
+            let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
+            let is_far = kept.is_none_or(|k: usize| parameter[j] - parameter[k] > WIDE);
+            if !(below < 0.0 || is_far || is_end(j)) {
+                continue;
+            }
+            kept = Some(j);
+            if below > FAR_BELOW {
+                met.extend(touch.aside(over, j));
+                continue;
+            }
+            let looks = is_wavy || looked.is_none_or(|k: usize| j - k >= STRIDE);
+            if looks {
+                looked = Some(j);
+            }
+            let beside = before.filter(|m| parameter[j] - parameter[m.row] < CLOSE);
+            let trend = match (beside, met.len().checked_sub(2).map(|k| met[k])) {
+                (Some(b), Some(a)) if (b.x - a.x).abs() < TREND => {
+                    (b.x - a.x) / (parameter[b.row] - parameter[a.row])
+                }
+                _ => 0.0,
+            };
+            let guess = beside.map(|b| b.x + trend * (parameter[j] - parameter[b.row]));
+            if let Some(here) = touch.meet(over, j, guess, beside, looks) {
+                met.push(here);
+                before = Some(here);
+            }
+        }
+    }
+
+    /// Parameter of the outline that was laid last near the highest place of the pattern, and the
+    /// arc of the pattern there: a place that stays on the rail, whichever rows the outline
+    /// consists of [m].
+    #[must_use]
+    pub fn mark(&self) -> [f64; 2] {
+        let rows = self.envelope.rows().enumerate();
+        let nearest = rows.min_by_key(|(_, row)| row.abs_diff(self.top));
+        nearest.map_or([0.0; 2], |(k, row)| [self.envelope.knots()[k].s, self.arcs[row]])
+    }
+
+    /// How far waves of rail and wheel bring both nearer to each other at most [m].
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        self.surface.corrugation.bounds().range[1] + self.waves.bounds().range[1]
+    }
+
+    /// Whether rail or wheel have waves over their even surfaces.
+    #[must_use]
+    pub fn has_waves(&self) -> bool {
+        self.is_corrugated() || !self.waves.is_empty()
+    }
+
+    /// Whether all rows are higher by a corrugation.
+    #[must_use]
+    pub fn is_corrugated(&self) -> bool {
+        !self.surface.corrugation.is_empty()
+    }
+
+    /// How much more curved waves of rail and wheel are at the point (x, z), x from the marker of
+    /// the wheel that passed last and z of the outline, than over the distance `reach` to either
+    /// side of it [m], positive where they bulge more [1/m].
+    #[must_use]
+    pub fn bridged(&self, [x, z]: [f64; 2], reach: f64) -> f64 {
+        let place = self.station + x;
+        let on_rail = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
+        let on_wheel = x - self.pitch * self.nominal_radius;
+        let surfaces = [(&self.surface.corrugation, on_rail), (&self.waves, on_wheel)];
+        let bridged = surfaces.map(|(waves, at)| {
+            if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
+                return 0.0;
+            }
+            let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
+            (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
+        });
+        bridged[0] + bridged[1]
+    }
+
+    /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
+    /// arc on its top grows; 0 for a rail, which lies still [-].
+    #[must_use]
+    pub fn rise(&self, [x, z]: [f64; 2]) -> f64 {
+        let Surface { roller, corrugation, .. } = &self.surface;
+        match roller {
+            Some(roller) if !corrugation.is_empty() => {
+                roller.rise(corrugation, self.station + x, z)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// From where to where along the track the row at parameter `s` of the envelope is there, from
+    /// the marker of the wheel that passed last, without end where it goes on to the end of the
+    /// rail or is broken [m]; nothing where no row ends within reach.
+    #[must_use]
+    pub fn ends(&self, s: f64) -> Option<[f64; 2]> {
+        if !self.is_near_end {
+            return None;
+        }
+        let slice = self.surface.within(self.station).slice;
+        let row = self.envelope.row_near(s)?;
+        let run = self.surface.run(row, self.station, slice)?;
+        Some(self.surface.ends(row, run, self.station))
+    }
+
+    /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
+    #[must_use]
+    pub fn along(&self, s: f64) -> Along {
+        self.envelope.along(s)
+    }
+}
+
+/// Arc of the pattern of `surface` at each row, from the first one [m], and the row at which it is
+/// highest.
+fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
+    let rows = &surface.rows;
+    let knots = rows.parameter.iter().zip(&rows.pattern);
+    let knots: Vec<Knot> =
+        knots.map(|(&s, &[y, z, dy, dz])| Knot { s, point: [y, z], tangent: [dy, dz] }).collect();
+    let mut arcs = vec![0.0];
+    for pair in knots.windows(2) {
+        // Rows of two parts may share their parameter.
+        let is_piece = pair[1].s > pair[0].s;
+        let length = if is_piece { ArcLength::new(&Curve::through(pair)).length() } else { 0.0 };
+        arcs.push(arcs[arcs.len() - 1] + length);
+    }
+    let heights = rows.pattern.iter().enumerate();
+    let top = heights.min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1])).map_or(0, |(j, _)| j);
+    (arcs, top)
+}
+
+/// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it
+/// counts as near [m].
+fn below(bound: &Bound, wheel: &WheelTable, over: &Over) -> f64 {
+    let [left, right] = bound.y.map(|y| over.seen_from_marker([y, bound.top]));
+    let across = [left, right].map(|[y, z]| y * over.right[0] + z * over.right[1]);
+    let lowest = wheel.lowest([across[0] - over.margin[0], across[1] + over.margin[0]]);
+    let z = left[1];
+    let highest = (left[0] * over.down[0]).min(right[0] * over.down[0]) + z * over.down[1];
+    highest - (lowest + over.nominal_radius()) - over.margin[1]
+}

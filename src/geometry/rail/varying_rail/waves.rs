@@ -1,0 +1,51 @@
+//! Deviations of a wheel by its angle, as it stands above a rail that varies.
+
+use crate::geometry::sections::rows::surface::REACH;
+use crate::geometry::uneven::waviness::Waviness;
+
+/// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
+#[derive(Clone, Copy)]
+pub(super) struct Waves<'a> {
+    /// The deviations [m].
+    pub surface: &'a Waviness,
+    /// Place of the nominal rolling circle straight below the axle [m].
+    pub below: f64,
+    /// Parts of forward in the plane of the rolling circles along the track and to the right [-].
+    pub forward: [f64; 2],
+    /// Whether the wheel may be hollow within reach.
+    is_hollow: bool,
+}
+
+/// Curvature of deviations from which on the wheel may be hollow for a rail that is not hollow for
+/// a round one, over that of the wheel [-].
+const HOLLOW_SHARE: f64 = 0.25;
+/// Least distance of samples of the deviations, as on even rails [m].
+const SHORTEST: f64 = 2.5e-4;
+/// Farthest place of touch along the nominal rolling circle [m].
+const FARTHEST: f64 = 1.2 * REACH;
+
+impl<'a> Waves<'a> {
+    /// Those of the `surface` of a wheel turned by `pitch` and `yaw` [rad] with the radius
+    /// `nominal_radius` [m].
+    pub fn new(surface: &'a Waviness, nominal_radius: f64, [pitch, yaw]: [f64; 2]) -> Self {
+        let (sine, cosine) = yaw.sin_cos();
+        let below = -pitch * nominal_radius;
+        let spacing = surface.bounds().spacing.clamp(SHORTEST, REACH);
+        let count = (FARTHEST / spacing).ceil();
+        let samples = (0..=2 * count as usize).map(|i| below + (i as f64 - count) * spacing);
+        let most = HOLLOW_SHARE / nominal_radius;
+        let is_hollow = surface.bounds().curvature > most
+            && samples.map(|place| surface.at(place)[2]).any(|curvature| curvature > most);
+        Self { surface, below, forward: [cosine, sine], is_hollow }
+    }
+
+    /// Whether the wheel may be hollow within reach.
+    pub fn is_hollow(&self) -> bool {
+        self.is_hollow
+    }
+
+    /// Distance of samples between which at most one wave is [m].
+    pub fn spacing(&self) -> f64 {
+        self.surface.bounds().spacing.max(SHORTEST)
+    }
+}

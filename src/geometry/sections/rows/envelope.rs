@@ -1,0 +1,206 @@
+//! The rows that a wheel meets as one outline.
+
+use super::along::Along;
+use super::met::Met;
+use super::plane::dot;
+use super::surface::Surface;
+use crate::geometry::curves::curve::{CurvePoint, Knot};
+use crate::geometry::sections::slices::arc;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+
+/// Greatest difference of places along the track of two rows that are taken for a trend [m].
+pub(in crate::geometry) const TREND: f64 = 5e-3;
+/// Least distance of two rows on the envelope [m].
+const MIN_ARC: f64 = 1e-6;
+
+/// The outline, and where the wheel meets the rail along it.
+#[derive(Clone, Debug)]
+pub(in crate::geometry) struct Envelope<T = f64> {
+    /// Rows of the outline, their knots, and what belongs to them with its slope.
+    kept: FixedVec<Met<T>>,
+    knots: FixedVec<Knot<T>>,
+    along: FixedVec<[Along<T>; 2]>,
+}
+
+impl<T: Real> Envelope<T> {
+    /// Room for an outline of `count` rows.
+    pub fn new(count: usize) -> Self {
+        Self {
+            kept: FixedVec::new(count),
+            knots: FixedVec::new(count),
+            along: FixedVec::new(count),
+        }
+    }
+
+    /// The knots of the outline.
+    pub fn knots(&self) -> &[Knot<T>] {
+        &self.knots
+    }
+
+    /// The rows of the outline, one for each knot.
+    pub fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        self.kept.iter().map(|met| met.row)
+    }
+
+    /// Becomes the outline of the rows that are `met`; false where there is none.
+    pub fn lay(&mut self, surface: &Surface, met: &[Met<T>]) -> bool {
+        self.along.clear();
+        self.knots.clear();
+        self.kept.clear();
+        for m in met {
+            self.add(surface, m);
+        }
+        self.turn_along(surface);
+        if self.knots.len() < 2 {
+            return false;
+        }
+        self.slopes();
+        true
+    }
+
+    /// Adds a row behind those that are there.
+    fn add(&mut self, surface: &Surface, m: &Met<T>) {
+        let Self { kept, knots, .. } = self;
+        let rows = &surface.rows;
+        let speed = surface.pattern_speed(m.row);
+        let size = m.direction[0].hypot(m.direction[1]);
+        // Where the rows are met in another place they may turn back: what is covered is no part of
+        // the outline.
+        let mut is_covered = false;
+        while let Some(b) = kept.last() {
+            let to = [m.point[0] - b.point[0], m.point[1] - b.point[1]];
+            if dot(to, [b.direction[0] + m.direction[0], b.direction[1] + m.direction[1]]) > 0.0 {
+                break;
+            }
+            is_covered = to[0] * b.direction[1] - to[1] * b.direction[0] <= 0.0;
+            if is_covered {
+                break;
+            }
+            kept.pop();
+            knots.pop();
+        }
+        if is_covered {
+            return;
+        }
+        let parameter = match kept.last() {
+            None => rows.parameter[m.row].into(),
+            Some(b) => {
+                let reached = arc(b.point, b.direction, m.point, m.direction);
+                if reached.value().is_nan() || reached < MIN_ARC {
+                    return;
+                }
+                // As long as the section is that of the pattern the parameter is its own.
+                let grown = if rows.parts[b.row] == rows.parts[m.row] {
+                    let [from, to] = [b, m].map(|m| {
+                        let [y, z, dy, dz] = rows.pattern[m.row];
+                        ([y, z], [dy, dz])
+                    });
+                    let own = rows.parameter[m.row] - rows.parameter[b.row];
+                    reached * (own / arc(from.0, from.1, to.0, to.1))
+                } else {
+                    reached
+                };
+                knots[knots.len() - 1].s + grown
+            }
+        };
+        kept.push(*m);
+        let tangent = m.direction.map(|d| d * speed / size);
+        knots.push(Knot { s: parameter, point: m.point, tangent });
+    }
+
+    /// The envelope goes on to the next row, and along the track with it.
+    fn turn_along(&mut self, surface: &Surface) {
+        let Self { kept, knots, .. } = self;
+        let parameter = &surface.rows.parameter;
+        for k in 1..knots.len().saturating_sub(1) {
+            let apart = parameter[kept[k + 1].row] - parameter[kept[k - 1].row];
+            let moved = kept[k + 1].x - kept[k - 1].x;
+            // Rows that are met in different places are not neighbours on the envelope.
+            let rate = if moved.abs() < TREND { moved / apart } else { T::from(0.0) };
+            let [a, b] = [kept[k].direction, kept[k].first];
+            let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
+            let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
+            let size = direction[0].hypot(direction[1]);
+            if dot(direction, a) > 0.0 {
+                knots[k].tangent = direction.map(|d| d * speed / size);
+            }
+        }
+    }
+
+    /// Slopes by the neighbours, weighted by their distance.
+    fn slopes(&mut self) {
+        let Self { kept, knots, along } = self;
+        let last = knots.len() - 1;
+        for k in 0..=last {
+            let (a, b) = (k.max(1) - 1, (k + 1).min(last));
+            let [before, behind] = [[a, k], [k, b]].map(|[from, to]| {
+                [knots[to].s - knots[from].s, T::from(1.0) / (knots[to].s - knots[from].s)]
+            });
+            let slope = |of: fn(&Along<T>) -> T| {
+                let rise = |from: usize, to: usize| of(&kept[to].along) - of(&kept[from].along);
+                if a == k {
+                    return rise(k, b) * behind[1];
+                }
+                if b == k {
+                    return rise(a, k) * before[1];
+                }
+                let (one, other) = (rise(a, k) * before[1], rise(k, b) * behind[1]);
+                (one * behind[0] + other * before[0]) / (before[0] + behind[0])
+            };
+            along.push([kept[k].along, Along::each(slope)]);
+        }
+    }
+
+    /// Point and derivatives of the outline at parameter `s` [m], as of a curve through its knots.
+    pub fn at(&self, s: T) -> CurvePoint<T> {
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, self.knots.len() - 1) - 1;
+        let [from, to] = [&self.knots[i], &self.knots[i + 1]];
+        let (h, u) = (to.s - from.s, s - from.s);
+        let zero = [T::from(0.0); 2];
+        let mut at = CurvePoint { point: zero, first: zero, second: zero };
+        for c in 0..2 {
+            let rise = (to.point[c] - from.point[c]) / h;
+            let (a, b) = (from.tangent[c], to.tangent[c]);
+            let c2 = (rise * 3.0 - a * 2.0 - b) / h;
+            let c3 = (a + b - rise * 2.0) / (h * h);
+            at.point[c] = u * (u * (u * c3 + c2) + a) + from.point[c];
+            at.first[c] = u * (u * c3 * 3.0 + c2 * 2.0) + a;
+            at.second[c] = u * c3 * 6.0 + c2 * 2.0;
+        }
+        at
+    }
+
+    /// Row parameter of the `surface` of which the outline was laid, at parameter `s` of that [m].
+    pub fn row_parameter(&self, surface: &Surface, s: T) -> T {
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, self.knots.len() - 1) - 1;
+        let [a, b] = [i, i + 1].map(|k| surface.rows.parameter[self.kept[k].row]);
+        (s - self.knots[i].s) / (self.knots[i + 1].s - self.knots[i].s) * (b - a) + a
+    }
+
+    /// The row of the outline nearest to its parameter `s`, if there is one.
+    pub fn row_near(&self, s: f64) -> Option<usize> {
+        let i = self.knots.partition_point(|k| k.s <= s);
+        let beside = i.saturating_sub(1)..(i + 1).min(self.knots.len());
+        let away = |k: &usize| (self.knots[*k].s.value() - s).abs();
+        let nearest = beside.min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        Some(self.kept[nearest].row)
+    }
+
+    /// Where the wheel meets the rail at parameter `s` of the outline.
+    pub fn along(&self, s: T) -> Along<T> {
+        let n = self.along.len();
+        if n < 2 {
+            return Along::default();
+        }
+        let i = self.knots.partition_point(|k| k.s <= s).clamp(1, n - 1) - 1;
+        let [from, to] = [&self.along[i], &self.along[i + 1]];
+        let h = self.knots[i + 1].s - self.knots[i].s;
+        let t = ((s - self.knots[i].s) / h).within(0.0, 1.0);
+        Along::each(|of| {
+            let [(a, m), (b, q)] = [from, to].map(|[value, slope]| (of(value), h * of(slope)));
+            let bend = (b - a) * 3.0 - m * 2.0 - q + t * (m + q - (b - a) * 2.0);
+            a + t * (m + t * bend)
+        })
+    }
+}
