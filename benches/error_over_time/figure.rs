@@ -2,25 +2,19 @@
 
 use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use wheelrail::element::parameters::{NormalModel, TangentialModel};
 
+use crate::canvas::{
+    Area, BLUE, GREEN, GREY, INK, ORANGE, VERMILION, heading, px, style_axes, svg, text,
+};
 use crate::choices::Normal;
 use crate::common::{column, read_table, value};
 use crate::{NormalRow, Row};
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/figures/error_over_time.svg");
 const SIZE: (u32, u32) = (1180, 600);
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-const FONT: &str = "Helvetica, Arial, sans-serif";
-/// Coordinates are whole numbers; with this many to a pixel marks are smooth.
-const FINENESS: u32 = 8;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
 /// A mark: time [µs], error [%], colour and how it looks.
 struct Mark {
     at: (f64, f64),
@@ -36,19 +30,14 @@ enum Shape {
     Triangle,
 }
 
-const fn px(pixels: u32) -> u32 {
-    FINENESS * pixels
-}
-
-/// Colours told apart by colour-blind readers (Okabe and Ito 2008).
 fn colour(model: NormalModel) -> RGBColor {
     match model {
-        NormalModel::Hertz => RGBColor(110, 110, 110),
-        NormalModel::PiotrowskiKik => RGBColor(213, 94, 0),
-        NormalModel::PiotrowskiKikCorrected => RGBColor(230, 159, 0),
-        NormalModel::Strips => RGBColor(0, 114, 178),
-        NormalModel::BoundaryElement => RGBColor(0, 158, 115),
-        _ => RGBColor(0, 0, 0),
+        NormalModel::Hertz => GREY,
+        NormalModel::PiotrowskiKik => VERMILION,
+        NormalModel::PiotrowskiKikCorrected => ORANGE,
+        NormalModel::Strips => BLUE,
+        NormalModel::BoundaryElement => GREEN,
+        _ => BLACK,
     }
 }
 
@@ -69,18 +58,13 @@ pub fn front(rows: &[Row]) -> Vec<usize> {
 
 /// Draws both panels.
 pub fn draw(normals: &[NormalRow], rows: &[Row]) {
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, (px(SIZE.0), px(SIZE.1))).into_drawing_area();
-        area.fill(&WHITE).expect("drawing");
+    let drawing = svg(SIZE, |area| {
         let (left, right) = area.split_horizontally(px(SIZE.0 / 2));
         pressure_panel(&left, normals);
         force_panel(&right, rows);
-        area.present().expect("drawing");
-    }
-    let size =
-        |factor: u32| format!("width=\"{}\" height=\"{}\"", SIZE.0 * factor, SIZE.1 * factor);
-    std::fs::write(PATH, svg.replacen(&size(FINENESS), &size(1), 1)).expect("docs/figures");
+        Ok(())
+    });
+    std::fs::write(PATH, drawing.expect("drawing")).expect("docs/figures");
 }
 
 fn pressure_panel(area: &Area<'_>, rows: &[NormalRow]) {
@@ -147,24 +131,18 @@ fn widened(values: impl Iterator<Item = f64>) -> Range<f64> {
 }
 
 fn panel(area: &Area<'_>, title: &str, marks: &[Mark], front: &[(f64, f64)], named: bool) {
-    let text = |size: u32| (FONT, px(size)).into_font().color(&INK);
     let x = widened(marks.iter().map(|m| m.at.0));
     let y = widened(marks.iter().map(|m| m.at.1));
     let mut chart = ChartBuilder::on(area)
-        .caption(title, (FONT, px(14)).into_font().style(FontStyle::Bold).color(&INK))
+        .caption(title, heading(14))
         .margin(px(10))
         .x_label_area_size(px(44))
         .y_label_area_size(px(56))
         .build_cartesian_2d(x.log_scale(), y.log_scale())
         .expect("drawing");
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID.stroke_width(FINENESS))
-        .axis_style(INK.stroke_width(FINENESS))
-        .label_style(text(12))
-        .axis_desc_style(text(13))
-        .x_desc("One evaluation on the tread, search included [µs]")
+    let mut mesh = chart.configure_mesh();
+    style_axes(&mut mesh, 12);
+    mesh.x_desc("One evaluation on the tread, search included [µs]")
         .x_label_formatter(&|v| format!("{v}"))
         .y_label_formatter(&|v| format!("{v}"))
         .draw()
@@ -211,10 +189,10 @@ fn name(area: &Area<'_>, marks: &[(&Mark, (i32, i32))]) {
         let place = y.max(taken[side].saturating_add(height));
         taken[side] = place;
         let x = x + [px(9) as i32, -(px(9) as i32)][side];
-        let style = (FONT, px(11)).into_font().color(&INK).pos(Pos::new(anchor, VPos::Center));
+        let style = text(11).pos(Pos::new(anchor, VPos::Center));
         let own = area.get_base_pixel();
-        let text = Text::new(mark.name.clone(), (x - own.0, place - own.1), style);
-        area.draw(&text).expect("drawing");
+        let name = Text::new(mark.name.clone(), (x - own.0, place - own.1), style);
+        area.draw(&name).expect("drawing");
     }
 }
 
@@ -235,9 +213,9 @@ fn legend(area: &Area<'_>, marks: &[Mark]) {
         }
         let y = bottom - (line as u32 * px(15)) as i32;
         let normal = Normal { model, count: 0 };
-        let text = (FONT, px(11)).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
+        let style = text(11).pos(Pos::new(HPos::Left, VPos::Center));
         area.draw(&Circle::new((px(82) as i32, y), px(4), colour(model).filled()))
             .expect("drawing");
-        area.draw(&Text::new(normal.model_name(), (px(92) as i32, y), text)).expect("drawing");
+        area.draw(&Text::new(normal.model_name(), (px(92) as i32, y), style)).expect("drawing");
     }
 }

@@ -9,6 +9,8 @@
 
 #[path = "../callgrind/mod.rs"]
 mod callgrind;
+#[path = "../../src/bin/wheelrail/figures/canvas.rs"]
+mod canvas;
 mod choices;
 #[path = "../../tests/suite/common/mod.rs"]
 mod common;

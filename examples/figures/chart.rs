@@ -6,14 +6,12 @@ use std::path::Path;
 pub use plotters::chart::SeriesLabelPosition as Corner;
 use plotters::prelude::*;
 
-// Colours told apart by colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(213, 94, 0), RGBColor(0, 158, 115), RGBColor(110, 110, 110)];
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-const FONT: &str = "Helvetica, Arial, sans-serif";
-/// Coordinates are whole numbers; with this many to a pixel curves are smooth.
-const FINENESS: u32 = 8;
+use crate::canvas::{
+    Area, BLUE, FINENESS, GREEN, GREY, GRID, VERMILION, heading, label, px, sign, style_axes, svg,
+    text,
+};
+
+const COLOURS: [RGBColor; 4] = [BLUE, VERMILION, GREEN, GREY];
 /// Width of all charts [pixels].
 const WIDTH: u32 = 760;
 
@@ -57,35 +55,22 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
-const fn px(pixels: u32) -> u32 {
-    FINENESS * pixels
-}
-
 /// Draws `charts` one under the other into the file `path`.
 pub fn save(path: impl AsRef<Path>, charts: &[Chart]) -> Result<(), Box<dyn Error>> {
     let height: u32 = charts.iter().map(|chart| chart.height).sum();
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, (px(WIDTH), px(height))).into_drawing_area();
-        area.fill(&WHITE)?;
-        let mut rest = area;
+    let drawing = svg((WIDTH, height), |area| {
+        let mut rest = area.clone();
         for chart in charts {
             let (own, below) = rest.split_vertically(px(chart.height));
             draw(&own, chart)?;
             rest = below;
         }
-        rest.present()?;
-    }
-    let dimensions =
-        |factor: u32| format!("width=\"{}\" height=\"{}\"", WIDTH * factor, height * factor);
-    std::fs::write(path, svg.replacen(&dimensions(FINENESS), &dimensions(1), 1))?;
-    Ok(())
+        Ok(())
+    })?;
+    Ok(std::fs::write(path, drawing)?)
 }
 
-fn draw(
-    area: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
-    chart: &Chart,
-) -> Result<(), Box<dyn Error>> {
+fn draw(area: &Area<'_>, chart: &Chart) -> anyhow::Result<()> {
     let range = |k: usize| {
         let values = chart.series.iter().flat_map(|s| s.points.iter().map(|p| p[k]));
         let (low, high) =
@@ -96,21 +81,15 @@ fn draw(
     };
     let y = range(1);
     let y = if chart.downwards { y.end..y.start } else { y };
-    let text = |size: u32| (FONT, px(size)).into_font().color(&INK);
     let mut context = ChartBuilder::on(area)
-        .caption(chart.title, (FONT, px(15)).into_font().style(FontStyle::Bold).color(&INK))
+        .caption(chart.title, heading(15))
         .margin(px(8))
         .x_label_area_size(px(40))
         .y_label_area_size(px(58))
         .build_cartesian_2d(range(0), y)?;
-    context
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID.stroke_width(FINENESS))
-        .axis_style(INK.stroke_width(FINENESS))
-        .label_style(text(12))
-        .axis_desc_style(text(13))
-        .x_desc(chart.x)
+    let mut mesh = context.configure_mesh();
+    style_axes(&mut mesh, 12);
+    mesh.x_desc(chart.x)
         .y_desc(chart.y)
         .x_label_formatter(&label)
         .y_label_formatter(&label)
@@ -126,12 +105,7 @@ fn draw(
         } else {
             context.draw_series(strokes.map(|stroke| PathElement::new(stroke, style)))?
         };
-        drawn.label(&series.name).legend(move |(x, y)| {
-            Rectangle::new(
-                [(x, y - px(2) as i32), (x + px(16) as i32, y + px(2) as i32)],
-                colour.filled(),
-            )
-        });
+        drawn.label(&series.name).legend(|at| sign(at, *colour));
     }
     if chart.series.len() > 1 {
         context
@@ -145,9 +119,4 @@ fn draw(
             .draw()?;
     }
     Ok(())
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref)] // The signature of plotters' formatters.
-fn label(value: &f64) -> String {
-    ((value * 1e6).round() / 1e6 + 0.0).to_string()
 }

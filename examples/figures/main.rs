@@ -2,6 +2,8 @@
 //! --no-default-features --example figures -- NAME FILE.svg > NAME.csv`; without a name it lists
 //! them.
 
+#[path = "../../src/bin/wheelrail/figures/canvas.rs"]
+mod canvas;
 mod chart;
 mod corrugated_rail;
 mod coupling_stability;

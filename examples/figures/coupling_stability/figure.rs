@@ -5,6 +5,10 @@ use std::error::Error;
 use plotters::prelude::*;
 
 use super::scheme::Scheme;
+use crate::canvas::{
+    Area, BLUE, FINENESS, GREEN, GRID, ORANGE, PURPLE, VERMILION, heading, px, sign, style_axes,
+    svg, text,
+};
 
 /// Errors of one scheme.
 pub struct Curve {
@@ -19,65 +23,33 @@ const TITLES: [&str; 2] = [
     "Normal damping of 1e5 N s/m: energy left after 20 ms, error",
     "Without damping: energy gained or lost in 20 ms",
 ];
-// Colours told apart by colour-blind readers (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 5] = [
-    RGBColor(213, 94, 0),
-    RGBColor(230, 159, 0),
-    RGBColor(204, 121, 167),
-    RGBColor(0, 114, 178),
-    RGBColor(0, 158, 115),
-];
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-const FONT: &str = "Helvetica, Arial, sans-serif";
-/// Coordinates are whole numbers; with this many to a pixel curves are smooth.
-const FINENESS: u32 = 8;
+const COLOURS: [RGBColor; 5] = [VERMILION, ORANGE, PURPLE, BLUE, GREEN];
 const SIZE: [u32; 2] = [760, 380];
 /// Errors shown, as shares of the energy at the start.
 const ERRORS: [f64; 2] = [1e-7, 10.0];
 
-const fn px(pixels: u32) -> u32 {
-    FINENESS * pixels
-}
-
 /// Draws one panel under the other into `file`: with damping, without.
 pub fn save(file: &str, panels: &[Vec<Curve>; 2]) -> Result<(), Box<dyn Error>> {
-    let [width, height] = [SIZE[0], 2 * SIZE[1]];
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, (px(width), px(height))).into_drawing_area();
-        area.fill(&WHITE)?;
+    let drawing = svg((SIZE[0], 2 * SIZE[1]), |area| {
         for ((area, curves), title) in area.split_evenly((2, 1)).iter().zip(panels).zip(TITLES) {
             panel(area, curves, title)?;
         }
-        area.present()?;
-    }
-    let size = |factor: u32| format!("width=\"{}\" height=\"{}\"", width * factor, height * factor);
-    std::fs::write(file, svg.replacen(&size(FINENESS), &size(1), 1))?;
-    Ok(())
+        Ok(())
+    })?;
+    Ok(std::fs::write(file, drawing)?)
 }
 
-fn panel(
-    area: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
-    curves: &[Curve],
-    title: &str,
-) -> Result<(), Box<dyn Error>> {
-    let text = |size: u32| (FONT, px(size)).into_font().color(&INK);
+fn panel(area: &Area<'_>, curves: &[Curve], title: &str) -> anyhow::Result<()> {
     let steps = 1e-3..3.0;
     let mut chart = ChartBuilder::on(area)
-        .caption(title, (FONT, px(15)).into_font().style(FontStyle::Bold).color(&INK))
+        .caption(title, heading(15))
         .margin(px(8))
         .x_label_area_size(px(40))
         .y_label_area_size(px(58))
         .build_cartesian_2d(steps.log_scale(), (ERRORS[0]..ERRORS[1]).log_scale())?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(GRID.stroke_width(FINENESS))
-        .axis_style(INK.stroke_width(FINENESS))
-        .label_style(text(12))
-        .axis_desc_style(text(13))
-        .x_desc("Communication step [ms]")
+    let mut mesh = chart.configure_mesh();
+    style_axes(&mut mesh, 12);
+    mesh.x_desc("Communication step [ms]")
         .y_desc("Share of the energy at the start")
         .x_label_formatter(&|v| format!("{v}"))
         .y_label_formatter(&|v| format!("{v:.0e}"))
@@ -89,12 +61,8 @@ fn panel(
         // Where curves lie on each other the last one is the thinner.
         let width = if curve.scheme == Scheme::Linearised { 5 } else { 2 };
         let style = colour.stroke_width(width * FINENESS);
-        chart.draw_series(LineSeries::new(points, style))?.label(curve.scheme.name()).legend(
-            move |(x, y)| {
-                let corner = (x + px(16) as i32, y + px(2) as i32);
-                Rectangle::new([(x, y - px(2) as i32), corner], colour.filled())
-            },
-        );
+        let drawn = chart.draw_series(LineSeries::new(points, style))?;
+        drawn.label(curve.scheme.name()).legend(move |at| sign(at, colour));
         // Where swings begin to grow.
         if let Some(limit) = curve.limit.map(|limit| 1e3 * limit).filter(|limit| *limit > 1e-3) {
             let line = [(limit, ERRORS[0]), (limit, 10.0 * ERRORS[0])];

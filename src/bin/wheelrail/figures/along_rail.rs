@@ -5,8 +5,9 @@ use std::path::Path;
 
 use anyhow::Result;
 
+use super::canvas::{Area, BLUE, GREEN, GREY, VERMILION, heading, px};
 use super::motion::{Series, panel};
-use super::{Area, BLUE, GREEN, GREY, VERMILION, heading, px, save, thinned};
+use super::{save, thinned};
 use crate::wheelset::record::Record;
 
 const SIZE: (u32, u32) = (1100, 1100);

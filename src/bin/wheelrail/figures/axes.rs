@@ -4,7 +4,7 @@ use anyhow::Result;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use super::{GRID, INK, label, px, text};
+use super::canvas::{label, style_axes};
 
 /// A chart of two linear axes.
 pub type Chart<'a, 'b> =
@@ -26,16 +26,11 @@ impl Axes<'_> {
     pub fn draw(self, chart: &mut Chart<'_, '_>) -> Result<()> {
         let [x, y] = self.titles;
         let mut mesh = chart.configure_mesh();
-        mesh.set_all_tick_mark_size(px(4))
-            .bold_line_style(GRID.stroke_width(px(1)))
-            .light_line_style(TRANSPARENT)
-            .axis_style(INK.stroke_width(px(1)))
-            .x_labels(self.labels[0])
+        style_axes(&mut mesh, self.size);
+        mesh.x_labels(self.labels[0])
             .y_labels(self.labels[1])
             .x_label_formatter(&label)
-            .y_label_formatter(&label)
-            .label_style(text(self.size))
-            .axis_desc_style(text(self.size + 1));
+            .y_label_formatter(&label);
         if !x.is_empty() {
             mesh.x_desc(x);
         }

@@ -6,7 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, BLUE, VERMILION, heading, px, range_of, save};
+use super::canvas::{Area, BLUE, VERMILION, heading, px};
+use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
 

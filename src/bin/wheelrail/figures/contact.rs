@@ -10,8 +10,9 @@ use wheelrail::element::FlatContact;
 use wheelrail::planar::{Adherence, ContactField, PlanarResult};
 
 use super::axes::Axes;
+use super::canvas::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, px, text};
 use super::patches::color;
-use super::{Area, BLUE, GREY, GRID, INK, VERMILION, heading, px, save, text};
+use super::save;
 
 const WIDTH: u32 = 1180;
 const PROFILES: u32 = 330;

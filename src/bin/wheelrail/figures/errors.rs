@@ -6,7 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, heading, px, range_of, save, text};
+use super::canvas::{Area, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, heading, px, text};
+use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1180, 790);
 /// Height of a row of the legend, and how many names it holds.

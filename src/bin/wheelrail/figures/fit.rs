@@ -6,7 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, heading, px, range_of, save, text};
+use super::canvas::{BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, heading, px, text};
+use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 560);
 /// Width of the legend, and from one of its lines to the next.

@@ -2,6 +2,7 @@
 
 pub mod along_rail;
 mod axes;
+mod canvas;
 pub mod conicity;
 pub mod contact;
 pub mod errors;
@@ -16,62 +17,18 @@ use std::ops::Range;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use plotters::coord::Shift;
-use plotters::prelude::*;
-use plotters::style::TextStyle;
 
+use self::canvas::{Area, px};
 use crate::output;
 use crate::wheelset::track::Track;
-
-// Colours told apart by colour-blind readers (Okabe and Ito 2008).
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const VERMILION: RGBColor = RGBColor(213, 94, 0);
-const GREEN: RGBColor = RGBColor(0, 158, 115);
-const PURPLE: RGBColor = RGBColor(204, 121, 167);
-const ORANGE: RGBColor = RGBColor(230, 159, 0);
-const SKY: RGBColor = RGBColor(86, 180, 233);
-const GREY: RGBColor = RGBColor(110, 110, 110);
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-const RAMP: RGBColor = RGBColor(240, 228, 190);
-
-const FONT: &str = "Helvetica, Arial, sans-serif";
-
-/// Coordinates are whole numbers; with this many to a pixel curves are smooth.
-const FINENESS: u32 = 8;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Lengths of `pixels` in coordinates.
-const fn px(pixels: u32) -> u32 {
-    FINENESS * pixels
-}
-
-fn text(size: u32) -> TextStyle<'static> {
-    (FONT, px(size)).into_font().color(&INK)
-}
-
-fn heading(size: u32) -> TextStyle<'static> {
-    (FONT, px(size), FontStyle::Bold).into_font().color(&INK)
-}
 
 /// Draws into the file `path`, `size` pixels wide and high.
 ///
 /// # Errors
 /// If drawing fails or the file cannot be written.
 fn save(path: &Path, size: (u32, u32), draw: impl FnOnce(&Area<'_>) -> Result<()>) -> Result<()> {
-    let place = || format!("cannot draw {}", path.display());
-    let mut svg = String::new();
-    {
-        let area = SVGBackend::with_string(&mut svg, (px(size.0), px(size.1))).into_drawing_area();
-        area.fill(&WHITE).with_context(place)?;
-        draw(&area.margin(px(8), 0, 0, 0)).with_context(place)?;
-        area.present().with_context(place)?;
-    }
-    // The viewBox keeps the fine coordinates; only the size that is asked for becomes that of the
-    // figure.
-    let dimensions = |width, height| format!("width=\"{width}\" height=\"{height}\"");
-    let svg = svg.replacen(&dimensions(px(size.0), px(size.1)), &dimensions(size.0, size.1), 1);
+    let svg = canvas::svg(size, |area| draw(&area.margin(px(8), 0, 0, 0)))
+        .with_context(|| format!("cannot draw {}", path.display()))?;
     output::write(path, svg.as_bytes())
 }
 
@@ -102,13 +59,6 @@ fn range_of(values: impl Iterator<Item = f64>, least: f64) -> Range<f64> {
     let missing = (least - (high - low)).max(0.0);
     let margin = 0.08 * (high - low) + 0.5 * missing;
     low - margin..high + margin
-}
-
-/// Label of an axis value, without digits that say nothing.
-#[allow(clippy::trivially_copy_pass_by_ref)] // The signature of plotters' formatters.
-fn label(value: &f64) -> String {
-    // Adding zero turns a negative zero into a plain one.
-    ((value * 1e6).round() / 1e6 + 0.0).to_string()
 }
 
 #[cfg(test)]

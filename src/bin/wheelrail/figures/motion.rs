@@ -6,10 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{
-    Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, ramp_stretch, range_of, save, text,
-    thinned,
-};
+use super::canvas::{Area, BLUE, GREY, GRID, RAMP, VERMILION, heading, px, text};
+use super::{ramp_stretch, range_of, save, thinned};
 use crate::wheelset::record::Record;
 use crate::wheelset::track::Track;
 

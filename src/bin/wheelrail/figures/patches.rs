@@ -7,7 +7,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, INK, RAMP, heading, label, px, ramp_stretch, range_of, save, text, thinned};
+use super::canvas::{Area, INK, RAMP, heading, label, px, text};
+use super::{ramp_stretch, range_of, save, thinned};
 use crate::wheelset::record::{Patch, Record};
 use crate::wheelset::track::Track;
 

@@ -7,7 +7,8 @@ use nalgebra::Complex;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, BLUE, GREY, VERMILION, heading, px, range_of, save};
+use super::canvas::{Area, BLUE, GREY, VERMILION, heading, px};
+use super::{range_of, save};
 
 const SIZE: (u32, u32) = (1100, 480);
 /// Eigenvalues that die out faster are those of the stiff contact, which would leave no room to the

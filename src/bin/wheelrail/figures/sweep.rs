@@ -6,9 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{
-    Area, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION, heading, px, range_of, save, text,
-};
+use super::canvas::{Area, BLUE, GREEN, GREY, ORANGE, PURPLE, VERMILION, heading, px, text};
+use super::{range_of, save};
 
 /// Width of the figure and height of one panel; width of the legend beside the curves, and from one
 /// of its lines to the next.

@@ -6,7 +6,8 @@ use anyhow::Result;
 use plotters::prelude::*;
 
 use super::axes::Axes;
-use super::{Area, BLUE, GRID, VERMILION, heading, px, range_of, save, text};
+use super::canvas::{Area, BLUE, GRID, VERMILION, heading, px, text};
+use super::{range_of, save};
 
 /// Width of one body's column and height of the figure [pixels].
 const COLUMN: u32 = 640;
