@@ -137,14 +137,14 @@ impl Walk {
 fn main() {
     let walks = std::env::args().find_map(|a| a.parse().ok()).unwrap_or(1000);
     let cases: [Case; 4] = [
-        ("wheel as it starts", &WHEEL, &[]),
+        ("wheel by default", &WHEEL, &[]),
         ("wheel, strips with fastsim", &WHEEL, &[("tangential.model", 3)]),
         (
             "wheel, piotrowski_kik with fastsim",
             &WHEEL,
             &[("normal.model", 2), ("tangential.model", 3)],
         ),
-        ("wheelset as it starts", &WHEELSET, &[]),
+        ("wheelset by default", &WHEELSET, &[]),
     ];
     println!("microseconds of {walks} walks of {POSES} poses\n");
     println!(

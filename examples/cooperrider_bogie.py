@@ -215,7 +215,7 @@ def main(archive, figure=None):
     branches = [("Vermeulen and Johnson", speed, branch(published_forces, speed))]
     for title, models in (
         ("WheelSet.fmu: hertz + linear (Kalker)", {"normal.model": "hertz", "tangential.model": "linear", "creepage.model": "flat"}),
-        ("WheelSet.fmu as it starts", {}),
+        ("WheelSet.fmu by default", {}),
     ):
         unit = unit_of(archive, **models)
         speed, frequency = critical_speed(contact_of(unit))

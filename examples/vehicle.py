@@ -210,7 +210,7 @@ def run(archive, h, models, duration=DURATION):
 
 
 MODELS = {
-    "as it starts": {},
+    "by default": {},
     "piotrowski_kik + fastsim": {"normal.model": "piotrowski_kik", "tangential.model": "fastsim", "creepage.model": "flat"},
 }
 STEPS = (5e-4, 1e-3, 2e-3, 2.5e-3, 1 / 300)

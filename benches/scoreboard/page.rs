@@ -87,7 +87,7 @@ const NEEDS_FOLDER: &str = " Needs the folder of profiles.";
 
 const HEAD: &str = "# Scoreboard
 
-Every public case that the element can represent, by the models as they start and by those that users choose between. Written by
+Every public case that the element can represent, by the default models and by those that users choose between. Written by
 
 ```sh
 cargo bench --no-default-features --bench scoreboard
@@ -149,7 +149,7 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
     let mut page = String::from(HEAD) + &tables(results);
     writeln!(
         page,
-        "## Jumps\n\nStraight lines of 0.1 mm in steps of 0.1 µm through random poses of new and worn wheels, with the models as they start (`tests/suite/walk.rs` has the long \
+        "## Jumps\n\nStraight lines of 0.1 mm in steps of 0.1 µm through random poses of new and worn wheels, with the default models (`tests/suite/walk.rs` has the long \
          walk): {:.0} mm, {} jumps beyond {:e} of the load or {:e} of the friction limit, {:.0} in a metre; the greatest {} of the load without creep forces, {} of the limit with them.\n",
         1e3 * walk.way,
         walk.beyond,

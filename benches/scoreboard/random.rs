@@ -24,7 +24,7 @@ pub const FAMILY: Family = Family {
     title: "Random poses of a rolling wheel",
     source: "the project's own `boundary_element`, 40 x 40",
     text: "Lateral shift 8 mm to both sides, yaw 12 mrad, roll 2 mrad, loads from 20 to 130 kN, creepage from none to sliding; new and worn wheels. Each model is \
-           compared at the height at which the models as they start carry the load. Cases are named by pair and seed.",
+           compared at the height at which the default models carry the load. Cases are named by pair and seed.",
     quantities: &[
         "N [%]",
         "p_max [%]",
@@ -75,7 +75,7 @@ fn whole(output: &Output) -> ([f64; 3], [f64; 3]) {
     ([load, pressure, patches.iter().map(|p| p.area).sum()], creep)
 }
 
-/// The pose at the height at which the models as they start carry its load; nothing where they do
+/// The pose at the height at which the default models carry its load; nothing where they do
 /// not.
 pub fn at_height(pair: [&str; 2], input: &Input) -> Option<Input> {
     let parameters = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
@@ -145,7 +145,7 @@ pub struct Walk {
 /// What is admitted as a jump, over the load and over the friction limit.
 pub const JUMPS: [f64; 2] = [1e-4, 1e-3];
 
-/// Walks with the models as they start.
+/// Walks with the default models.
 pub fn walk(seed: u64) -> Walk {
     let all: Vec<(usize, usize)> =
         (0..PAIRS.len()).flat_map(|pair| [(pair, 0), (pair, 1)]).collect();

@@ -1,4 +1,4 @@
-//! What is compared: the models as they start, and the others that users choose between.
+//! What is compared: the default models, and the others that users choose between.
 
 use wheelrail::element::Parameters;
 use wheelrail::element::parameters::{CreepageModel, NormalModel, TangentialModel};
@@ -21,7 +21,7 @@ const ELEMENTS: usize = 40;
 
 /// All of them.
 pub const SETTINGS: [Setting; 5] = [
-    Setting { name: "as it starts", change: |_| (), is_slow: false },
+    Setting { name: "by default", change: |_| (), is_slow: false },
     Setting {
         name: "`strips` 40 + `tables`",
         change: |p| {

@@ -52,7 +52,7 @@ def main() -> None:
     print(*lines, sep="\n")
     for *models, rows in MODELS:
         best = times(models, rows, cores, arguments.rounds)
-        mark = " (as it starts)" if models == default else ""
+        mark = " (by default)" if models == default else ""
         rates = [f"{rows / best[name]:,.0f}" for name in ("loop", 1, cores)]
         overhead = f"{100 * (best[1] / best['loop'] - 1):.1f} %"
         normal, creepage, tangential = models

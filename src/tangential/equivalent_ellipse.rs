@@ -6,9 +6,8 @@
 //! the semi-axes for both, are in [`outline`](super::outline).
 //!
 //! That strips of a yawed wheel are shifted against each other along rolling is left out: particles
-//! cross each of them alone. Of the ellipses tried (moments of load, of area, length to width with
-//! the area, greatest length with the area) these have the least error, each for its purpose: see
-//! docs/validation.md.
+//! cross each of them alone. Moments of the load give the least error for the table,
+//! moments of the outline for the flexibilities (docs/validation.md).
 
 pub use super::outline::EquivalentEllipse;
 use super::rigid_slip::RigidSlip;

@@ -31,7 +31,7 @@
 mod lanes;
 
 pub use self::lanes::Marching;
-use self::lanes::{LANES, March};
+use self::lanes::{LANES, LaneInput};
 use super::flexibility::ZoneFlexibility;
 use super::rigid_slip::RigidSlip;
 use super::rule::Rule;
@@ -105,7 +105,7 @@ impl Fastsim {
         };
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
-            let mut march = March::<T>::default();
+            let mut march = LaneInput::<T>::default();
             let lanes = (range.end - start).min(LANES);
             let mut areas = [T::from(0.0); LANES];
             for (lane, area) in areas.iter_mut().enumerate().take(lanes) {

@@ -10,8 +10,8 @@
 //! d = min_j q_j/min(max_{k≤j} q_k, max_{k≥j} q_k)
 //! ```
 //!
-//! That holds for ellipses from the table and for marches through the strips alike: each lobe has
-//! flexibilities of its own, and its own mean creepage that two of them refer to.
+//! This holds for ellipses from the table and for integration along the strips alike: each lobe has
+//! its own flexibilities, and its own mean creepage acts through L1 and L2.
 //!
 //! All of it is a continuous function of the strips.
 

@@ -101,6 +101,9 @@ fn free_cones_follow_klingels_wave() {
         "--speed=5",
         "--ramp=0.002",
         "--length=60",
+        // Cones on arcs touch in ellipses.
+        "--set=normal.model=hertz",
+        "--set=tangential.model=fastsim",
     ];
     let output = simulate(folder.path(), &options);
     assert!(output.status.success(), "{}", text(&output.stderr));

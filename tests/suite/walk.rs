@@ -1,4 +1,4 @@
-//! Random walks of a wheel on its rail in steps of 0.1 µm: the element as it starts has no jumps,
+//! Random walks of a wheel on its rail in steps of 0.1 µm: the default element has no jumps,
 //! and kinks of its stiffness are small.
 //!
 //! A walk is made of straight lines from random poses in random directions, along which every

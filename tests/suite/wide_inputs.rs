@@ -247,8 +247,6 @@ fn at_the_ends_of_the_ranges_of_parameters_forces_are_numbers() {
         }
     }
     refused.dedup();
-    println!(
-        "refused at an end of the range, with the other parameters as they start: {refused:?}"
-    );
+    println!("refused at an end of the range, with the other parameters by default: {refused:?}");
     assert!(refused.len() < 20, "{refused:?}");
 }

@@ -14,9 +14,9 @@
 //!
 //! and mirrored with an end behind. What is left is an ellipse of its own: its strips lie in the
 //! middle of that stretch, and their sections get the radius f² R, with f its length over 2 a, by
-//! which they are f times as long as whole ones. Of a whole ball the mean overlap over its length
-//! is 5/6 of its depth. Where that of what is left is less than by this share all overlaps are less
-//! by the rest. All of that is continuous in b, and the load goes to zero with the overlap.
+//! which they are f times as long as whole ones. Under a whole ball the mean overlap along its
+//! length is 5/6 of the depth. Let m be the mean overlap over the remaining stretch: if 6/5 m is
+//! less than the depth δ, all overlaps are reduced by δ - 6/5 m. All of that is continuous in b, and the load goes to zero with the overlap.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -1,5 +1,5 @@
-//! The contact line of a yawed and rolled wheel: what of it a rail that is a cylinder along x can
-//! touch.
+//! The contact line of a yawed and rolled wheel: the points at which it can touch a rail that is a
+//! cylinder along x.
 //!
 //! The wheel is the surface of revolution X(s, α) = M + y_w(s) u + r(s) n(α) about the axle
 //! direction u through the marker M, with n(α) the radial direction. A cylinder along x can only be

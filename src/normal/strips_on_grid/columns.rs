@@ -2,7 +2,7 @@
 //! beyond the last node counts for nothing.
 
 /// Rows of a block: one register of AVX2, so that few numbers have to leave the registers and the
-/// nodes of an element as it starts fill all rows.
+/// nodes of an element by default fill all rows.
 pub(super) const LANES: usize = 4;
 
 /// Where rows without a node are across, away from all cells [m]: what has no distance from a cell

@@ -1,7 +1,7 @@
-//! Elimination without exchange of rows, for the Newton matrix of the strips.
+//! Gaussian elimination without pivoting, for the Newton matrix of the strips.
 //!
-//! Its diagonal needs none: a load displaces its own node most, and so does χ of a knot with the
-//! drop there.
+//! No pivoting is needed: a load displaces its own node most, and χ of a knot acts most on the drop
+//! there.
 
 use super::columns::{Block, LANES};
 

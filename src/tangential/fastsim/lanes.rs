@@ -13,7 +13,7 @@ pub type Lanes<T> = [T; LANES];
 /// What the march of up to `LANES` strips needs: traction increments per element and the bounds μ
 /// p_n at the centres of the strips [Pa].
 #[derive(Clone, Copy, Debug, Default)]
-pub struct March<T> {
+pub struct LaneInput<T> {
     pub step_x: Lanes<T>,
     pub step_y: Lanes<T>,
     pub step_y_per_abscissa: Lanes<T>,
@@ -33,7 +33,7 @@ pub struct Sums<T> {
 pub trait Marching: Real {
     /// Marches the strips of the first `lanes` lanes at once.
     fn march(
-        march: &March<Self>,
+        march: &LaneInput<Self>,
         lanes: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
@@ -43,7 +43,7 @@ pub trait Marching: Real {
 impl Marching for f64 {
     #[inline]
     fn march(
-        march: &March<f64>,
+        march: &LaneInput<f64>,
         lanes: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
@@ -55,9 +55,14 @@ impl Marching for f64 {
 impl<const N: usize> Marching for Dual<N> {
     /// All that a strip depends on are four numbers, so that four derivatives do for any number of
     /// directions.
-    fn march(march: &March<Self>, _: usize, profile: &[f64], abscissae: &[[f64; 2]]) -> Sums<Self> {
+    fn march(
+        march: &LaneInput<Self>,
+        _: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<Self> {
         let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
-        let values = March {
+        let values = LaneInput {
             step_x: value(&march.step_x),
             step_y: value(&march.step_y),
             step_y_per_abscissa: value(&march.step_y_per_abscissa),
@@ -94,7 +99,7 @@ impl<const N: usize> Marching for Dual<N> {
 /// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_strips(
-    march: &March<f64>,
+    march: &LaneInput<f64>,
     lanes: usize,
     profile: &[f64],
     abscissae: &[[f64; 2]],
@@ -113,7 +118,7 @@ fn march_strips(
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_lanes<const N: usize>(
-    march: &March<f64>,
+    march: &LaneInput<f64>,
     profile: &[f64],
     abscissae: &[[f64; 2]],
     sums: &mut Sums<f64>,
@@ -145,7 +150,7 @@ fn march_lanes<const N: usize>(
 /// numbers of each lane, in their order.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_with_slopes(
-    march: &March<f64>,
+    march: &LaneInput<f64>,
     profile: &[f64],
     abscissae: &[[f64; 2]],
 ) -> (Sums<f64>, [[Lanes<f64>; 4]; 3]) {

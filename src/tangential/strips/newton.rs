@@ -1,8 +1,8 @@
 //! Tractions by a semi-smooth Newton method on all strips.
 //!
-//! A step solves each strip for its own tractions and its response to the coefficients of the
-//! gradients from others, then one system for these. Where a point slips its traction is as large
-//! as its bound: one unknown is left, the direction; where it adheres there are two.
+//! Each step eliminates the tractions of every strip by static condensation, which leaves one
+//! system in the few coefficients of the gradients that the strips impose on each other. A slipping
+//! point has one unknown, the direction of its traction; an adhering one has two.
 
 use super::coupling::{Coupling, Lane, Responses};
 use super::equations::{Equations, Strip, dot};

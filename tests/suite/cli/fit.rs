@@ -147,7 +147,7 @@ fn published_curves_give_their_parameters() {
     // With better models the slope is another one.
     let (text, misfits) = fitted("spiryagin_2013.csv", &[]);
     let own = friction.map(|own| off(&text, own));
-    summary.add("the same, friction and its fall, models as they start [%]", percent(&own), "");
+    summary.add("the same, friction and its fall, default models [%]", percent(&own), "");
     summary.add("the same, adhesion [% of the load]", percent(&misfits), "1 (rms)");
     for (name, friction) in [("dry", [0.55, 0.4, 0.6]), ("wet", [0.3, 0.4, 0.2])] {
         let (text, misfits) = fitted(&format!("polach_2005_{name}.csv"), &[]);

@@ -8,24 +8,24 @@ use crate::tolerance::{self, Target, Tolerance};
 
 const TABLE: [&str; 2] = ["<!-- short of target -->\n", "<!-- end of short of target -->"];
 
-/// Targets of the element as it starts for tables of docs/scoreboard.md: heading, row, and target
+/// Targets of the default element for tables of docs/scoreboard.md: heading, row, and target
 /// of median, 95 % and worst. Tables of docs/validation.md have a column of their own for them.
 #[rustfmt::skip]
 const SCOREBOARD: [(&str, &str, &str); 14] = [
-    ("Planar problems of wheel and rail, normal", "N [%], as it starts", "0.1 / - / 0.8"),
-    ("Planar problems of wheel and rail, normal", "p_max [%], as it starts", "0.5 / - / 6"),
-    ("Planar problems of wheel and rail, normal", "area [%], as it starts", "0.5 / - / 2.5"),
-    ("Random poses of a rolling wheel", "creep force [% of the limit], as it starts", "- / 2.2 / 4"),
-    ("Wing rail that runs off along the track", "height of the wheel [um], as it starts", "1"),
-    ("Wing rail that runs off along the track", "creep force [% of the limit], as it starts", "- / 3 / -"),
-    ("Nose of a crossing that rises along the track", "height of the wheel [um], as it starts", "1"),
-    ("Nose of a crossing that rises along the track", "creep force [% of the limit], as it starts", "- / 3 / -"),
-    ("Crossing of an artificial nose between wing rails", "height of the wheel [um], as it starts", "1"),
-    ("Crossing of an artificial nose between wing rails", "creep force [% of the limit], as it starts", "- / 3 / -"),
-    ("UK crossing 56E1-R245-1:9.25", "height of the wheel [um], as it starts", "1"),
-    ("UK crossing 56E1-R245-1:9.25", "share of the load [% of all], as it starts", "1 / - / -"),
-    ("UK crossing 56E1-R245-1:9.25", "creep force [% of the limit], as it starts", "- / 3 / -"),
-    ("Times", "as it starts", "5 / - / -"),
+    ("Planar problems of wheel and rail, normal", "N [%], by default", "0.1 / - / 0.8"),
+    ("Planar problems of wheel and rail, normal", "p_max [%], by default", "0.5 / - / 6"),
+    ("Planar problems of wheel and rail, normal", "area [%], by default", "0.5 / - / 2.5"),
+    ("Random poses of a rolling wheel", "creep force [% of the limit], by default", "- / 2.2 / 4"),
+    ("Wing rail that runs off along the track", "height of the wheel [um], by default", "1"),
+    ("Wing rail that runs off along the track", "creep force [% of the limit], by default", "- / 3 / -"),
+    ("Nose of a crossing that rises along the track", "height of the wheel [um], by default", "1"),
+    ("Nose of a crossing that rises along the track", "creep force [% of the limit], by default", "- / 3 / -"),
+    ("Crossing of an artificial nose between wing rails", "height of the wheel [um], by default", "1"),
+    ("Crossing of an artificial nose between wing rails", "creep force [% of the limit], by default", "- / 3 / -"),
+    ("UK crossing 56E1-R245-1:9.25", "height of the wheel [um], by default", "1"),
+    ("UK crossing 56E1-R245-1:9.25", "share of the load [% of all], by default", "1 / - / -"),
+    ("UK crossing 56E1-R245-1:9.25", "creep force [% of the limit], by default", "- / 3 / -"),
+    ("Times", "by default", "5 / - / -"),
 ];
 
 /// A row of a table of errors.

@@ -79,8 +79,9 @@ super::entry::tolerances! {
     WIDE_LOOP_WORK: [f64; 2] = [1e-3, 1.5e-2], target [1e-4, 1e-4];
 
     /// Energy that a bounce without damping and friction gains or loses, median and worst: ten of
-    /// them change the height by a hundredth.
-    BOUNCE: [f64; 2] = [1e-3, 1e-3];
+    /// them change the height by a hundredth. On the root of the flange, where a wheel slides up by
+    /// a tenth of a millimetre, one alone may.
+    BOUNCE: [f64; 2] = [1e-3, 1e-2], target [1e-3, 1e-3];
 
     /// Sum of the energy residuals of undamped bounces over what the mass and the contact have
     /// gained: the rule of the trapezoid between the ends of a step, up to an eighth of a period

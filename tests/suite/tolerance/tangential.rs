@@ -65,7 +65,7 @@ super::entry::tolerances! {
 
     /// Strips with corrected FASTSIM against CONTACT on 656 states of 8 real patches, force over
     /// the friction limit, mean, 95 %, worst: to be no worse than tables; the target is that of an
-    /// element as it starts.
+    /// element by default.
     CORRECTED_PROFILES: [f64; 3] = [0.010, 0.030, 0.055], target [0.007, 0.022, 0.04];
 
     /// The same, spin moment: to be no worse than tables.

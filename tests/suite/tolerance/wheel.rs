@@ -50,7 +50,7 @@ super::entry::tolerances! {
     /// starts.
     MANCHESTER_TABLES_FX: [f64; 2] = [0.0005, 0.04];
 
-    /// The same, lateral: the worst is the target of an element as it starts.
+    /// The same, lateral: the worst is the target of an element by default.
     MANCHESTER_TABLES_FY: [f64; 2] = [0.001, 0.04];
 
     /// Normal force of wheels of simple shapes on rollers against CONTACT: the target for loads.

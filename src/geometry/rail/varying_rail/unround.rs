@@ -1,8 +1,8 @@
-//! A wheel above a rail that is not round: how far its surface lies from the round wheel of its
-//! contact line.
+//! An out-of-round wheel above a rail that varies along the track: the deviation of its surface
+//! from the round wheel of its contact line.
 //!
-//! A place at x, y across and z below the axle is at the distance ρ from the axle of that round
-//! wheel, the radius of which opposite is z_l. What the wheel is larger there,
+//! A place at x, y across and z below the axle has the distance ρ from the axle of that round
+//! wheel, whose radius opposite is z_l. The amount by which the wheel is larger there,
 //!
 //! ```text
 //! e = ρ - z_l,  ρ = sqrt((x - x_l)² + z²)
