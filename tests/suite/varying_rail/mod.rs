@@ -1,5 +1,12 @@
 //! Rails whose section varies along the track: slices and tables of sections.
 
+mod against_contact;
+mod boundary_elements;
+mod corrugation;
+mod crossing;
+mod parts;
+
+use self::crossing::crossing;
 use crate::allocations;
 use crate::common;
 use crate::tolerance;
@@ -170,190 +177,6 @@ pub fn roll_without_jumps(element: &mut Element, step: f64, count: i32) {
     }
 }
 
-/// Median and worst of the errors on a rail by a normal model: height and place [m], pressure and
-/// creep force, over the friction limit.
-fn against_contact(rail: &str, normal_model: NormalModel) -> [[f64; 2]; 4] {
-    let mut parameters = Parameters { normal_model, ..Parameters::default() };
-    if normal_model == NormalModel::BoundaryElement {
-        // As in CONTACT, whose contact is flat.
-        parameters.tangential_model = TangentialModel::BoundaryElement;
-        parameters.creepage_model = CreepageModel::Flat;
-    }
-    let errors = errors_against_contact(rail, &parameters);
-    assert!(errors.len() > 20);
-    let [height, pressure, place, force] =
-        [0, 1, 2, 3].map(|k| median_and_worst(errors.iter().map(|(_, own)| own[k]).collect()));
-    let mut report = String::from("quantity,median,worst\n");
-    let named = [("height", height), ("pressure", pressure), ("place", place), ("force", force)];
-    for (quantity, [median, worst]) in named {
-        writeln!(report, "{quantity},{median:.3e},{worst:.3e}").unwrap();
-    }
-    println!("{rail}, {normal_model:?}: {report}");
-    common::write_report(&format!("varying_{rail}_{normal_model:?}.csv"), &report);
-    [height, pressure, place, force]
-}
-
-#[test]
-fn a_wing_rail_that_runs_off_is_met_as_by_contact() {
-    let [height, pressure, place, force] = against_contact("wing", NormalModel::Strips);
-    assert!(height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(pressure[0] <= tolerance::VARYING_PRESSURE);
-    assert!(place[0] <= tolerance::VARYING_PLACE);
-    assert!(force[0] <= tolerance::VARYING_FORCE);
-}
-
-#[test]
-fn a_nose_that_rises_is_met_as_by_contact() {
-    let [height, _, place, _] = against_contact("nose", NormalModel::Strips);
-    assert!(height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(place[0] <= tolerance::VARYING_PLACE);
-}
-
-#[test]
-#[ignore = "some fifty loads by boundary elements: minutes in debug builds"]
-fn boundary_elements_meet_a_rail_that_varies_as_contact_does() {
-    let [height, pressure, place, force] = against_contact("wing", NormalModel::BoundaryElement);
-    assert!(height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(pressure[0] <= tolerance::VARYING_PRESSURE);
-    assert!(place[0] <= tolerance::VARYING_PLACE);
-    assert!(force[0] <= tolerance::VARYING_FORCE);
-    let [height, _, place, force] = against_contact("nose", NormalModel::BoundaryElement);
-    assert!(height[0] <= tolerance::VARYING_HEIGHT);
-    assert!(place[0] <= tolerance::VARYING_PLACE);
-    assert!(force[0] <= tolerance::VARYING_FORCE);
-}
-
-/// Rolling along the track and with the plane of the reference, which is not that of the surfaces,
-/// boundary elements have its creep forces.
-#[test]
-fn on_the_plane_of_contact_creep_forces_are_those_of_contact() {
-    // Behind the last but one of its slices the nose is another one in the reference.
-    for (name, last) in [("wing", f64::INFINITY), ("nose", 0.09)] {
-        let errors = errors_on_plane(name, &Whose::Contact, 0.0, last);
-        assert!(errors.len() > 30);
-        let [median, most, worst] = spread(errors.iter().map(|(_, own)| own[1]).collect());
-        println!("{name}: {median:.4} {most:.4} {worst:.4}");
-        assert!(most <= tolerance::VARYING_FORCE, "{name}: {median} {most} {worst}");
-    }
-}
-
-/// A rail that runs off by 1:10, and one that rises by 1:10.
-#[test]
-fn boundary_elements_meet_a_rail_that_varies_as_strips_do() {
-    for (name, station) in [("wing", 0.1), ("nose", 0.05)] {
-        let folder = rail_of(name);
-        let outputs = [NormalModel::Strips, NormalModel::BoundaryElement].map(|normal_model| {
-            let tangential_model = TangentialModel::BoundaryElement;
-            let parameters = Parameters { normal_model, tangential_model, ..parameters() };
-            let mut element = element(&parameters, &folder);
-            let mut input = rolling(0.0, 20.0);
-            input.track_s = station;
-            input.wheel.position[2] = element.touching_height(&input) + 7e-5;
-            evaluate(&mut element, &input)
-        });
-        let [strips, elements] = outputs.each_ref().map(the_patch);
-        assert_relative_eq!(strips.normal_force, elements.normal_force, max_relative = 0.01);
-        let apart = [0, 1].map(|c| strips.creep_force[c] - elements.creep_force[c]);
-        let apart = apart[0].hypot(apart[1]) / (0.3 * strips.normal_force);
-        println!("{name}: {} {} apart {apart}", strips.normal_force, elements.normal_force);
-        assert!(apart <= tolerance::VARYING_FORCE, "{name}: {apart}");
-    }
-}
-
-#[test]
-fn boundary_elements_on_slices_that_are_all_the_same_are_those_of_one_profile() {
-    let folder = TempDir::new().unwrap();
-    let table = "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n";
-    fs::write(folder.path().join("rail.csv"), table).unwrap();
-    let mut even =
-        Parameters { normal_model: NormalModel::BoundaryElement, ..Parameters::default() };
-    even.tangential_model = TangentialModel::BoundaryElement;
-    let mut varying = even.clone();
-    varying.rails[0].profile = "rail.csv".into();
-    let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
-    for y in [-5e-3, 0.0, 4e-3] {
-        let mut input = rolling(y, 20.0);
-        input.wheel.velocity[1] = 0.02;
-        let input = common::wheel::pressed(&mut even, &input, 7e-5);
-        let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
-        assert_eq!(one.patch_count, other.patch_count);
-        let limit = one.wheel.force[2].abs();
-        for axis in 0..3 {
-            let apart = one.wheel.force[axis] - other.wheel.force[axis];
-            println!("{y} {axis}: {:e}", apart / limit);
-            assert!(
-                apart.abs() <= tolerance::SIMILARITY * limit,
-                "{y} {axis}: {:e}",
-                apart / limit
-            );
-        }
-    }
-}
-
-#[test]
-fn corrugation_of_slices_that_are_all_the_same_is_that_of_one_profile() {
-    let folder = TempDir::new().unwrap();
-    let table = "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n";
-    fs::write(folder.path().join("rail.csv"), table).unwrap();
-    // The last one is hollow for the wheel, which stands on two of its crests at times.
-    for (amplitude, wavelength) in [(2e-5, 0.1), (1e-5, 0.033), (5e-5, 0.033), (1e-4, 0.033)] {
-        let mut even = Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() };
-        let wave = &mut even.rails[0].corrugation;
-        (wave.amplitude, wave.wavelength, wave.phase) = (amplitude, wavelength, 0.4);
-        let mut varying = even.clone();
-        varying.rails[0].profile = "rail.csv".into();
-        let (mut even, mut varying) = (element(&even, &folder), element(&varying, &folder));
-        let mut worst = [0.0_f64; 4];
-        for i in 0..60 {
-            let mut input = rolling(3e-3 * f64::from(i % 5 - 2), 20.0);
-            input.track_s = 0.0031 * f64::from(i);
-            input.wheel_load = 8e4;
-            let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
-            let apart = [0, 1].map(|axis| one.wheel.force[axis] - other.wheel.force[axis]);
-            let limit = input.friction * input.wheel_load;
-            let [a, b] = [&one, &other].map(|output| &output.patches[0]);
-            let errors = [
-                one.wheel_z - other.wheel_z,
-                a.position[0] - b.position[0],
-                a.max_pressure / b.max_pressure - 1.0,
-                apart[0].hypot(apart[1]) / limit,
-            ];
-            worst = [0, 1, 2, 3].map(|k| worst[k].max(errors[k].abs()));
-        }
-        let [height, place, pressure, force] = worst;
-        println!("{amplitude} {wavelength}: {height:.1e} {place:.1e} {pressure:.1e} {force:.1e}");
-        assert!(height <= tolerance::VARYING_HEIGHT, "{amplitude} {wavelength}: {height:e}");
-        assert!(place <= tolerance::VARYING_PLACE, "{amplitude} {wavelength}: {place:e}");
-        assert!(pressure <= tolerance::VARYING_PRESSURE, "{amplitude} {wavelength}: {pressure:e}");
-        // An even rail's patches lie level, so that creepage is another one by the square of the
-        // slope: a twentieth of the limit at a slope of 1:100.
-        if TAU * amplitude / wavelength < 5e-3 {
-            assert!(force <= tolerance::VARYING_FORCE, "{amplitude} {wavelength}: {force:e}");
-        }
-    }
-}
-
-/// CONTACT's pressure on the nose is less: 4613 and 3888 MPa (docs/scoreboard.md).
-#[test]
-fn a_section_of_the_nose_held_constant_is_met_as_by_boundary_elements() {
-    let folder = rail_of("nose");
-    for shift in [0.0, -4e-3] {
-        let pressures = [NormalModel::Strips, NormalModel::BoundaryElement].map(|model| {
-            let mut parameters = parameters();
-            parameters.rails[0].profile = "10.txt".into();
-            parameters.normal_elements = [80, 80];
-            (parameters.normal_model, parameters.vertical_mode) = (model, VerticalMode::Load);
-            parameters.tangential_model = TangentialModel::None;
-            let mut input = rolling(shift, 20.0);
-            input.wheel_load = 79.87e3;
-            let output = evaluate(&mut element(&parameters, &folder), &input);
-            1e-6 * the_patch(&output).max_pressure
-        });
-        println!("p_max of strips and boundary elements at {shift} m: {pressures:.0?} MPa");
-        assert!((pressures[0] / pressures[1] - 1.0).abs() <= tolerance::VARYING_PRESSURE);
-    }
-}
-
 #[test]
 fn what_does_not_go_with_slices_is_refused_by_name() {
     let folder = slices([0.0, 10.0].into_iter(), |_| crown(1.0, [0.0, 0.0]));
@@ -395,109 +218,6 @@ fn every_real_time_normal_model_carries_a_wheel_on_a_slope() {
     }
 }
 
-/// Half the width of the crowns of wing and nose [mm].
-const HALF: f64 = 12.0;
-
-/// Points of a crown of radius 300 mm, [`HALF`] to either side of `y`, at height `z` [mm].
-fn narrow([y, z]: [f64; 2]) -> Vec<[f64; 2]> {
-    let angles = (-24..=24).map(|i| HALF / 24.0 * f64::from(i) / 300.0);
-    angles.map(|a: f64| [300.0 * a.sin() + y, 300.0 * (1.0 - a.cos()) + z]).collect()
-}
-
-fn text(points: &[[f64; 2]]) -> String {
-    // A section with a groove does not tell by its shape how it stands.
-    points
-        .iter()
-        .fold(String::from("# mirror_z 0\n"), |text, [y, z]| text + &format!("{y:.9} {z:.9}\n"))
-}
-
-/// A wing that runs off to the track side beside a nose that rises and begins at -50 mm: in files
-/// of their own, and as one rail with three parts, the groove between them among them.
-fn crossing() -> TempDir {
-    let folder = TempDir::new().unwrap();
-    let wing_at = |s: f64| [-16.0 - 0.03 * s, 0.3 + 1e-3 * s];
-    let nose_at = |s: f64| [18.0, 0.3 - 6e-3 * s];
-    let places: Vec<f64> = (-15..=15).map(|i| 10.0 * f64::from(i)).collect();
-    let (mut wing, mut nose, mut one, mut features) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let arc = |points: &[[f64; 2]]| {
-        points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1])).sum::<f64>()
-    };
-    let write = |name: &str, points: &[[f64; 2]]| {
-        fs::write(folder.path().join(name), text(points)).unwrap();
-    };
-    for (i, s) in places.iter().enumerate() {
-        let (a, b) = (narrow(wing_at(*s)), narrow(nose_at(*s)));
-        write(&format!("wing{i}.txt"), &a);
-        wing.push(format!("{s} 'wing{i}.txt'"));
-        if *s < -50.0 {
-            one.push(format!("{s} 'wing{i}.txt'"));
-            features.push(format!("{s} 0 {:.6} -1 -1", arc(&a)));
-            continue;
-        }
-        write(&format!("nose{i}.txt"), &b);
-        nose.push(format!("{s} 'nose{i}.txt'"));
-        // A groove 20 mm deep between them.
-        let (from, to) = (a[a.len() - 1], b[0]);
-        let groove: Vec<[f64; 2]> = (1..40)
-            .map(|k| {
-                let share = f64::from(k) / 40.0;
-                let [y, z] = [0, 1].map(|c| from[c] + share * (to[c] - from[c]));
-                [y, z + 20.0 * (std::f64::consts::PI * share).sin()]
-            })
-            .collect();
-        let all = [a.clone(), groove, b.clone()].concat();
-        write(&format!("both{i}.txt"), &all);
-        one.push(format!("{s} 'both{i}.txt'"));
-        let whole = arc(&all);
-        let ends = [0.0, arc(&a), whole - arc(&b), whole].map(|length| format!("{length:.6}"));
-        features.push(format!("{s} {}", ends.join(" ")));
-    }
-    let list = |name: &str, slices: &[String], features: &[String], count: usize| {
-        let parts = [slices, features].concat().join("\n");
-        let text = format!("0 1\n{}\n{count} 0 0\n1\n{parts}\n", slices.len());
-        fs::write(folder.path().join(name), text).unwrap();
-    };
-    list("wing.slcs", &wing, &[], 0);
-    list("nose.slcs", &nose, &[], 0);
-    list("rail.slcs", &one, &features, 4);
-    folder
-}
-
-#[test]
-fn a_rail_with_parts_is_two_rails() {
-    let folder = crossing();
-    let mut parameters = parameters();
-    parameters.wheel.profile = "cylindrical".into();
-    let mut one = element(&parameters, &folder);
-    parameters.rails[0].profile = "wing.slcs".into();
-    parameters.rails[1].enabled = true;
-    let [wing, nose] = &mut parameters.rails;
-    (nose.profile, nose.placement) = ("nose.slcs".into(), Placement::Origin);
-    (nose.position, nose.inclination, nose.mirrored) = (wing.position, 0.0, false);
-    let mut two = element(&parameters, &folder);
-    let (mut on_wing, mut on_nose) = (0, 0);
-    for i in 0..60 {
-        let mut input = rolling(0.0, 10.0);
-        input.track_s = 1e-3 * (-110.0 + 3.5 * f64::from(i));
-        let [first, other] = [&mut one, &mut two].map(|e| e.touching_height(&input));
-        assert_relative_eq!(first, other, epsilon = 2e-9);
-        input.wheel.position[2] = first + 5e-5;
-        let (first, other) = (evaluate(&mut one, &input), evaluate(&mut two, &input));
-        // Where both carry, patches of one rail press each other down and those of two do not.
-        if first.patch_count.max(other.patch_count) > 1 {
-            continue;
-        }
-        let counted = if other.patches[0].rail == 1 { &mut on_wing } else { &mut on_nose };
-        *counted += 1;
-        let scale = 1e-4 * other.wheel.force[2].abs();
-        for k in 0..3 {
-            assert_relative_eq!(first.wheel.force[k], other.wheel.force[k], epsilon = scale);
-        }
-    }
-    assert!(on_wing > 10 && on_nose > 10, "{on_wing} {on_nose}");
-}
-
 #[test]
 fn forces_on_wheel_and_rail_are_in_balance_and_the_left_side_is_a_mirror() {
     let folder = crossing();
@@ -521,23 +241,6 @@ fn forces_on_wheel_and_rail_are_in_balance_and_the_left_side_is_a_mirror() {
         let sides = [&mut right, &mut left];
         let output = assert_balanced(sides, &input, marker, tolerance::SIMILARITY);
         assert!(output.patch_count > 0);
-    }
-}
-
-#[test]
-fn sections_that_are_turned_over_differently_are_refused() {
-    let folder = crossing();
-    for name in ["wing0.txt", "both20.txt"] {
-        let path = folder.path().join(name);
-        let plain = fs::read_to_string(&path).unwrap().replace("# mirror_z 0\n", "");
-        fs::write(&path, plain).unwrap();
-    }
-    let list = "0 1\n2\n0 0 0\n1\n0 'wing0.txt'\n10 'both20.txt'\n";
-    fs::write(folder.path().join("rail.slcs"), list).unwrap();
-    let made = Element::new(&parameters(), &Input::default(), &[folder.path().to_path_buf()]);
-    let message = made.unwrap_err().to_string();
-    for part in ["rail.slcs:6", "both20.txt", "wing0.txt", "mirror_z"] {
-        assert!(message.contains(part), "{message}");
     }
 }
 
