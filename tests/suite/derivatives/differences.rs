@@ -170,6 +170,17 @@ pub fn largest(numbers: &[f64]) -> f64 {
 /// Judges the Jacobian at random poses of a right and of a left wheel, and at those of `more`
 /// besides.
 pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
+    // Strips take their time without optimisation.
+    let is_strips = parameters.normal_model == NormalModel::Strips;
+    judge_poses(name, parameters, more, if is_strips { POSES / 4 } else { POSES });
+}
+
+/// The same at a quarter of the poses: on rails that vary a search takes twenty times as long.
+pub fn judge_few(name: &str, parameters: &Parameters) {
+    judge_poses(name, parameters, &[], POSES / 4);
+}
+
+fn judge_poses(name: &str, parameters: &Parameters, more: &[Input], count: usize) {
     // The height that carries a load is found to 1e-11 of it; Newton's method for strips leaves
     // some 1e-11 of a force.
     let noise = match (parameters.vertical_mode, parameters.normal_model) {
@@ -187,9 +198,6 @@ pub fn judge(name: &str, parameters: &Parameters, more: &[Input]) {
             input.wheel_load = random.within(1e4, 1.2e5);
             input
         };
-        // Strips take their time without optimisation.
-        let is_strips = parameters.normal_model == NormalModel::Strips;
-        let count = if is_strips { POSES / 4 } else { POSES };
         let random_poses: Vec<Input> = (0..count).map(|_| random_pose()).collect();
         for input in random_poses.iter().chain(more) {
             let input = if side == Side::Left { mirrored(input) } else { *input };

@@ -7,7 +7,7 @@ mod varying_rails;
 use crate::common;
 use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, mirrored, pressed, random_input, rolling};
-use differences::{groups, judge, largest};
+use differences::{groups, judge, judge_few, largest};
 use wheelrail::element::input::INPUTS;
 use wheelrail::element::parameters::{
     Changeover, CreepageModel, Flexibilities, FrictionDistribution, FrictionLaw, NormalModel,

@@ -34,7 +34,7 @@ fn judge_rail(name: &str, parameters: &Parameters, at: impl Fn(f64) -> [f64; 2])
     let folder = slices(places, |place| head(at(place)));
     let mut parameters = of_slices(parameters.clone());
     parameters.rails[0].profile = folder.path().join("rail.slcs").to_str().unwrap().into();
-    judge(name, &parameters, &[]);
+    judge_few(name, &parameters);
 }
 
 /// A rail that bends to the side and up and down along the track [mm].
@@ -80,8 +80,8 @@ fn of_strips_on_bent_rails() {
 fn of_rollers() {
     let mut parameters = default();
     parameters.rails[0].roller_radius = 0.5;
-    judge("roller", &parameters, &[]);
+    judge_few("roller", &parameters);
     let normal_model = NormalModel::Strips;
     let strips = Parameters { normal_model, strips: 15, elements_along: 15, ..parameters };
-    judge("roller_strips", &strips, &[]);
+    judge_few("roller_strips", &strips);
 }
