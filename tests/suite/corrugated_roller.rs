@@ -363,7 +363,7 @@ fn evaluations_on_a_corrugated_roller_allocate_nothing() {
         let mut element = element(&parameters);
         let (mut output, mut touched) = (Output::default(), 0);
         let before = allocations::count();
-        for i in 0..200 {
+        for i in 0..100 {
             let t = f64::from(i);
             let mut input = on_rig([0.02 * (0.17 * t).sin(), 1e-3 * t], 20.0);
             input.wheel.position[1] += 5e-3 * (0.3 * t).sin();
@@ -374,6 +374,6 @@ fn evaluations_on_a_corrugated_roller_allocate_nothing() {
             touched += i32::from(output.patch_count > 0);
         }
         assert_eq!(allocations::count(), before);
-        assert!(touched > 60, "{touched}");
+        assert!(touched > 25, "{touched}");
     }
 }

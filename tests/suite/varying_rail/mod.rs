@@ -308,7 +308,7 @@ fn evaluations_on_a_crossing_allocate_nothing() {
         let mut output = Output::default();
         let mut touched = 0;
         let before = allocations::count();
-        for i in 0..300 {
+        for i in 0..150 {
             let t = f64::from(i);
             let mut input = rolling(5e-3 * (0.3 * t).sin(), 20.0);
             input.track_s = 0.25 * (0.05 * t).sin();
@@ -323,7 +323,7 @@ fn evaluations_on_a_crossing_allocate_nothing() {
             touched += i32::from(output.patch_count > 0);
         }
         assert_eq!(allocations::count(), before);
-        assert!(touched > 100, "{touched}");
+        assert!(touched > 40, "{touched}");
     }
 }
 
