@@ -7,8 +7,7 @@ pub use plotters::chart::SeriesLabelPosition as Corner;
 use plotters::prelude::*;
 
 use crate::canvas::{
-    Area, BLUE, FINENESS, GREEN, GREY, GRID, VERMILION, heading, label, px, sign, style_axes, svg,
-    text,
+    Area, BLUE, GREEN, GREY, GRID, VERMILION, heading, label, px, sign, style_axes, svg, text,
 };
 
 const COLOURS: [RGBColor; 4] = [BLUE, VERMILION, GREEN, GREY];
@@ -95,7 +94,7 @@ fn draw(area: &Area<'_>, chart: &Chart) -> anyhow::Result<()> {
         .y_label_formatter(&label)
         .draw()?;
     for (series, colour) in chart.series.iter().zip(COLOURS.iter().cycle()) {
-        let style = colour.stroke_width(2 * FINENESS);
+        let style = colour.stroke_width(px(2));
         let strokes = series.points.split(|p| p[0].is_nan());
         let strokes = strokes.map(|stroke| stroke.iter().map(|p| (p[0], p[1])).collect::<Vec<_>>());
         let drawn = if series.dots {

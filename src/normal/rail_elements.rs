@@ -25,8 +25,8 @@
 //! of one lattice under small movements.
 //!
 //! **Rails whose section varies along the track.** The section is the outline that the wheel meets
-//! (`geometry::rail::varying_rail`): each row of the surface lies in it where along the track the bodies
-//! are nearest, x_m. A row of elements follows that row, which may drift across. With W(x) the
+//! (`geometry::rail::varying_rail`): each row of the surface lies in it where along the track the
+//! bodies are nearest, x_m. A row of elements follows that row, which may drift across. With W(x) the
 //! overlap with an even rail of that outline, lean λ and curvature κ of the row along the track,
 //!
 //! ```text

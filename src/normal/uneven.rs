@@ -4,8 +4,8 @@
 //! Source: Piotrowski and Kik (2008), section 7, which applies the model of section 2 to a
 //! corrugated rail without further equations; these are theirs with the overlap g(x, y) of the real
 //! surfaces instead of g(y) - x²/(2R). With Q(x) and the lift of
-//! [`longitudinal`](crate::geometry::uneven::longitudinal), f(y) the separation less that by the lift, and
-//! c the cosine of the contact angle
+//! [`longitudinal`](crate::geometry::uneven::longitudinal), f(y) the separation less that by the
+//! lift, and c the cosine of the contact angle
 //!
 //! ```text
 //! g(x, y) = δ0 - f(y) - c (Q(x) - min Q),   p(x, y) = (p0 / sqrt(δ0)) sqrt(g(x, y)) where g > 0

@@ -109,7 +109,7 @@ impl<T: Marching> Rule<T> for Fastrip {
         let step = 2.0 / self.elements.len() as f64;
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
-            let mut march = LaneInput::<T>::default();
+            let mut input = LaneInput::<T>::default();
             let mut theory = [StripTheory::<T>::default(); LANES];
             let lanes = (range.end - start).min(LANES);
             for (lane, own) in theory.iter_mut().enumerate().take(lanes) {
@@ -120,28 +120,28 @@ impl<T: Marching> Rule<T> for Fastrip {
                     continue;
                 }
                 let growth = slip.growth(j, blended);
-                march.bound[lane] = bound;
-                march.step_x[lane] = a * -step * growth.longitudinal;
-                march.step_y[lane] = a * -step * growth.lateral;
-                march.step_y_per_abscissa[lane] = a * -step * direction * a * growth.twist;
+                input.bound[lane] = bound;
+                input.step_x[lane] = a * -step * growth.longitudinal;
+                input.step_y[lane] = a * -step * growth.lateral;
+                input.step_y_per_abscissa[lane] = a * -step * direction * a * growth.twist;
                 let growth = slip.growth(j, three);
                 // However little the bound is, its inverse can be squared.
                 let per_bound = (a / bound).at_most(1e60);
                 let twist = three.semi_axis_along * direction * growth.twist;
                 *own = StripTheory::new(&growth, twist, per_bound, material.poisson_ratio)
                     .on_strip(three.semi_axis_along / a);
-                march.adhesion_x[lane] = own.kappa;
-                march.adhesion_y[lane] = own.lambda;
-                march.spin[lane] = own.spin;
-                march.slip_length[lane] = own.slip_length;
-                march.slip_integral[lane] = own.slip_integral;
+                input.adhesion_x[lane] = own.kappa;
+                input.adhesion_y[lane] = own.lambda;
+                input.spin[lane] = own.spin;
+                input.slip_length[lane] = own.slip_length;
+                input.slip_integral[lane] = own.slip_integral;
             }
-            let (fastsim, behind) = T::march_beyond(&march, &self.elements, step);
+            let (fastsim, behind) = T::march_beyond(&input, &self.elements, step);
             for (lane, own) in theory.iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let a = strips.half_length[j];
                 let [x, y, moment] = own.adhesion();
-                let bound = march.bound[lane];
+                let bound = input.bound[lane];
                 // FASTSIM in the first place, strip theory in the second.
                 let mix = |f: T, s: T| own.fastsim_share * f + (-own.fastsim_share + 1.0) * s;
                 let area = strips.width[j] * a;
@@ -256,11 +256,11 @@ pub struct Integrals<T> {
 pub trait Marching: Real {
     /// See `march_strips`.
     fn march_beyond(
-        march: &LaneInput<Self>,
+        input: &LaneInput<Self>,
         elements: &[Element],
         step: f64,
     ) -> (Integrals<Self>, Integrals<Self>) {
-        march_strips(march, elements, step)
+        march_strips(input, elements, step)
     }
 }
 
@@ -269,11 +269,11 @@ impl<const N: usize> Marching for Dual<N> {}
 impl Marching for f64 {
     #[inline]
     fn march_beyond(
-        march: &LaneInput<f64>,
+        input: &LaneInput<f64>,
         elements: &[Element],
         step: f64,
     ) -> (Integrals<f64>, Integrals<f64>) {
-        fast_march(march, elements, step)
+        fast_march(input, elements, step)
     }
 }
 
@@ -281,11 +281,11 @@ impl Marching for f64 {
 /// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn fast_march(
-    march: &LaneInput<f64>,
+    input: &LaneInput<f64>,
     elements: &[Element],
     step: f64,
 ) -> (Integrals<f64>, Integrals<f64>) {
-    march_strips(march, elements, step)
+    march_strips(input, elements, step)
 }
 
 /// Marches the strips of all lanes at once; `step` is the length of an element. Gives the tractions
@@ -295,7 +295,7 @@ fn fast_march(
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_strips<T: Real>(
-    march: &LaneInput<T>,
+    input: &LaneInput<T>,
     elements: &[Element],
     step: f64,
 ) -> (Integrals<T>, Integrals<T>) {
@@ -306,10 +306,10 @@ fn march_strips<T: Real>(
         let [rear, front] = element.integral;
         let mean = (front - rear) / step;
         for lane in 0..LANES {
-            let bound = march.bound[lane];
-            let twist = march.step_y_per_abscissa[lane] * element.step_middle;
-            let trial_x = px[lane] + march.step_x[lane] * length;
-            let trial_y = py[lane] + (march.step_y[lane] + twist) * length;
+            let bound = input.bound[lane];
+            let twist = input.step_y_per_abscissa[lane] * element.step_middle;
+            let trial_x = px[lane] + input.step_x[lane] * length;
+            let trial_y = py[lane] + (input.step_y[lane] + twist) * length;
             let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
             let size = magnitude.at_least(f64::MIN_POSITIVE);
             let scale = (bound * mean / size).at_most(1.0);
@@ -320,15 +320,15 @@ fn march_strips<T: Real>(
             fastsim.moment[lane] += py[lane] * (step * element.middle);
             fastsim.slipping[lane] += if scale < 1.0 { step } else { 0.0 };
             // Behind the place where adhesion begins.
-            let reach = march.slip_integral[lane].at_most(front);
+            let reach = input.slip_integral[lane].at_most(front);
             let limit = bound * (reach - rear).at_least(0.0) / size;
             // In front of it: what strip theory has beyond the bound.
-            let d = march.slip_length[lane];
+            let d = input.slip_length[lane];
             let (from_middle, half) = (-d + element.middle, -d + 1.0);
             let inner = (half * half - from_middle * from_middle).at_least(0.0).sqrt();
             let difference = -inner + element.height;
-            let stick_x = march.adhesion_x[lane] * difference;
-            let stick_y = march.adhesion_y[lane] * difference + march.spin[lane] * inner;
+            let stick_x = input.adhesion_x[lane] * difference;
+            let stick_y = input.adhesion_y[lane] * difference + input.spin[lane] * inner;
             let size = (stick_x * stick_x + stick_y * stick_y).sqrt().at_least(f64::MIN_POSITIVE);
             let share = ((-(d * 2.0) + (element.middle + 1.0)) / step + 0.5).within(0.0, 1.0);
             let excess = (T::from(element.height) / size).at_most(1.0) - 1.0;

@@ -105,7 +105,7 @@ impl Fastsim {
         };
         let direction = rolling.direction();
         for start in range.clone().step_by(LANES) {
-            let mut march = LaneInput::<T>::default();
+            let mut input = LaneInput::<T>::default();
             let lanes = (range.end - start).min(LANES);
             let mut areas = [T::from(0.0); LANES];
             for (lane, area) in areas.iter_mut().enumerate().take(lanes) {
@@ -113,17 +113,17 @@ impl Fastsim {
                 let a = strips.half_length(j);
                 let step = a * 2.0 / n;
                 let growth = slip.growth(j, flexibility);
-                march.step_x[lane] = -step * growth.longitudinal;
-                march.step_y[lane] = -step * growth.lateral;
-                march.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
-                march.bound[lane] = loaded.friction_coefficient(j)
+                input.step_x[lane] = -step * growth.longitudinal;
+                input.step_y[lane] = -step * growth.lateral;
+                input.step_y_per_abscissa[lane] = -step * direction * a * growth.twist;
+                input.bound[lane] = loaded.friction_coefficient(j)
                     * match self.bound {
                         TractionBound::Elliptic => strips.pressure(j),
                         TractionBound::Parabolic => parabola * a * a,
                     };
                 *area = strips.width(j) * step;
             }
-            let sums = T::march(&march, lanes, &self.profile, &self.abscissae);
+            let sums = T::march(&input, lanes, &self.profile, &self.abscissae);
             for (lane, area) in areas.into_iter().enumerate().take(lanes) {
                 let j = start + lane;
                 let arm = strips.half_length(j) * direction;

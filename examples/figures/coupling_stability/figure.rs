@@ -6,8 +6,7 @@ use plotters::prelude::*;
 
 use super::scheme::Scheme;
 use crate::canvas::{
-    Area, BLUE, FINENESS, GREEN, GRID, ORANGE, PURPLE, VERMILION, heading, px, sign, style_axes,
-    svg, text,
+    Area, BLUE, GREEN, GRID, ORANGE, PURPLE, VERMILION, heading, px, sign, style_axes, svg, text,
 };
 
 /// Errors of one scheme.
@@ -60,13 +59,13 @@ fn panel(area: &Area<'_>, curves: &[Curve], title: &str) -> anyhow::Result<()> {
         let points = points.map(|p| (1e3 * p[0], p[1].max(ERRORS[0])));
         // Where curves lie on each other the last one is the thinner.
         let width = if curve.scheme == Scheme::Linearised { 5 } else { 2 };
-        let style = colour.stroke_width(width * FINENESS);
+        let style = colour.stroke_width(px(width));
         let drawn = chart.draw_series(LineSeries::new(points, style))?;
         drawn.label(curve.scheme.name()).legend(move |at| sign(at, colour));
         // Where swings begin to grow.
         if let Some(limit) = curve.limit.map(|limit| 1e3 * limit).filter(|limit| *limit > 1e-3) {
             let line = [(limit, ERRORS[0]), (limit, 10.0 * ERRORS[0])];
-            chart.draw_series(LineSeries::new(line, colour.stroke_width(4 * FINENESS)))?;
+            chart.draw_series(LineSeries::new(line, colour.stroke_width(px(4))))?;
         }
     }
     if title != TITLES[0] {

@@ -16,7 +16,8 @@
 //! middle of that stretch, and their sections get the radius f² R, with f its length over 2 a, by
 //! which they are f times as long as whole ones. Under a whole ball the mean overlap along its
 //! length is 5/6 of the depth. Let m be the mean overlap over the remaining stretch: if 6/5 m is
-//! less than the depth δ, all overlaps are reduced by δ - 6/5 m. All of that is continuous in b, and the load goes to zero with the overlap.
+//! less than the depth δ, all overlaps are reduced by δ - 6/5 m. All of that is continuous in b, and
+//! the load goes to zero with the overlap.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

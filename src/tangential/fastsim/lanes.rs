@@ -33,7 +33,7 @@ pub struct Sums<T> {
 pub trait Marching: Real {
     /// Marches the strips of the first `lanes` lanes at once.
     fn march(
-        march: &LaneInput<Self>,
+        input: &LaneInput<Self>,
         lanes: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
@@ -43,12 +43,12 @@ pub trait Marching: Real {
 impl Marching for f64 {
     #[inline]
     fn march(
-        march: &LaneInput<f64>,
+        input: &LaneInput<f64>,
         lanes: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
     ) -> Sums<f64> {
-        march_strips(march, lanes, profile, abscissae)
+        march_strips(input, lanes, profile, abscissae)
     }
 }
 
@@ -56,25 +56,25 @@ impl<const N: usize> Marching for Dual<N> {
     /// All that a strip depends on are four numbers, so that four derivatives do for any number of
     /// directions.
     fn march(
-        march: &LaneInput<Self>,
+        input: &LaneInput<Self>,
         _: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
     ) -> Sums<Self> {
         let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
         let values = LaneInput {
-            step_x: value(&march.step_x),
-            step_y: value(&march.step_y),
-            step_y_per_abscissa: value(&march.step_y_per_abscissa),
-            bound: value(&march.bound),
+            step_x: value(&input.step_x),
+            step_y: value(&input.step_y),
+            step_y_per_abscissa: value(&input.step_y_per_abscissa),
+            bound: value(&input.bound),
         };
         let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
         let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
             let own = [
-                &march.step_x[lane],
-                &march.step_y[lane],
-                &march.step_y_per_abscissa[lane],
-                &march.bound[lane],
+                &input.step_x[lane],
+                &input.step_y[lane],
+                &input.step_y_per_abscissa[lane],
+                &input.bound[lane],
             ];
             let mut number = Self::from(sum);
             for (own, slopes) in own.into_iter().zip(slopes) {
@@ -99,16 +99,16 @@ impl<const N: usize> Marching for Dual<N> {
 /// or reordered, so that all of them give the same bits.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_strips(
-    march: &LaneInput<f64>,
+    input: &LaneInput<f64>,
     lanes: usize,
     profile: &[f64],
     abscissae: &[[f64; 2]],
 ) -> Sums<f64> {
     let mut sums = Sums::default();
     match lanes {
-        0..=8 => march_lanes::<8>(march, profile, abscissae, &mut sums),
-        9..=16 => march_lanes::<16>(march, profile, abscissae, &mut sums),
-        _ => march_lanes::<LANES>(march, profile, abscissae, &mut sums),
+        0..=8 => march_lanes::<8>(input, profile, abscissae, &mut sums),
+        9..=16 => march_lanes::<16>(input, profile, abscissae, &mut sums),
+        _ => march_lanes::<LANES>(input, profile, abscissae, &mut sums),
     }
     sums
 }
@@ -118,7 +118,7 @@ fn march_strips(
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn march_lanes<const N: usize>(
-    march: &LaneInput<f64>,
+    input: &LaneInput<f64>,
     profile: &[f64],
     abscissae: &[[f64; 2]],
     sums: &mut Sums<f64>,
@@ -128,11 +128,11 @@ fn march_lanes<const N: usize>(
     let mut length = 0.5;
     for (bound, [abscissa, step_abscissa]) in profile.iter().zip(abscissae) {
         for lane in 0..N {
-            let trial_x = px[lane] + length * march.step_x[lane];
+            let trial_x = px[lane] + length * input.step_x[lane];
             let trial_y = py[lane]
-                + length * (march.step_y[lane] + step_abscissa * march.step_y_per_abscissa[lane]);
+                + length * (input.step_y[lane] + step_abscissa * input.step_y_per_abscissa[lane]);
             let magnitude = (trial_x * trial_x + trial_y * trial_y).sqrt();
-            let ratio = march.bound[lane] * bound / magnitude;
+            let ratio = input.bound[lane] * bound / magnitude;
             // 0/0 of an idle lane is not a number, and `min` then takes the one.
             let scale = ratio.min(1.0);
             px[lane] = trial_x * scale;
@@ -150,7 +150,7 @@ fn march_lanes<const N: usize>(
 /// numbers of each lane, in their order.
 #[multiversion(targets("x86_64+avx512f", "x86_64+avx2", "aarch64+neon"))]
 fn march_with_slopes(
-    march: &LaneInput<f64>,
+    input: &LaneInput<f64>,
     profile: &[f64],
     abscissae: &[[f64; 2]],
 ) -> (Sums<f64>, [[Lanes<f64>; 4]; 3]) {
@@ -167,12 +167,12 @@ fn march_with_slopes(
         let (mut scales, mut per_square, mut per_size) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         let (mut tx, mut ty) = ([0.0; LANES], [0.0; LANES]);
         for lane in 0..LANES {
-            let trial_x = px[lane] + length * march.step_x[lane];
+            let trial_x = px[lane] + length * input.step_x[lane];
             let trial_y = py[lane]
-                + length * (march.step_y[lane] + step_abscissa * march.step_y_per_abscissa[lane]);
+                + length * (input.step_y[lane] + step_abscissa * input.step_y_per_abscissa[lane]);
             let square = trial_x * trial_x + trial_y * trial_y;
             let magnitude = square.sqrt();
-            let ratio = march.bound[lane] * bound / magnitude;
+            let ratio = input.bound[lane] * bound / magnitude;
             let scale = ratio.min(1.0);
             let slips = if scale < 1.0 { 1.0 } else { 0.0 };
             (tx[lane], ty[lane], scales[lane]) = (trial_x, trial_y, scale);

@@ -24,11 +24,12 @@ pub const GRID: RGBColor = RGBColor(225, 225, 225);
 pub const RAMP: RGBColor = RGBColor(240, 228, 190);
 
 /// Typefaces, the first that there is.
-pub const FONT: &str = "Helvetica, Arial, sans-serif";
+const FONT: &str = "Helvetica, Arial, sans-serif";
 
 /// Coordinates are whole numbers; with this many to a pixel curves are smooth.
-pub const FINENESS: u32 = 8;
+const FINENESS: u32 = 8;
 
+/// What is drawn on.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Lengths of `pixels` in coordinates.
