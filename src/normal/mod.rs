@@ -8,6 +8,7 @@ pub(crate) mod boundary_element;
 pub mod damping;
 mod element_pressure;
 pub mod hertz;
+pub mod least_energy;
 pub(crate) mod piotrowski_kik;
 mod problem;
 pub(crate) mod rail_elements;

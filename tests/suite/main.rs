@@ -44,6 +44,7 @@ mod hard_profiles;
 mod host;
 mod host3;
 mod importers;
+mod least_energy;
 mod literature;
 mod long_runs;
 mod manchester;

@@ -14,10 +14,10 @@ use wheelrail::normal::strips_on_grid::{GridSolver, solve_in_frame};
 use wheelrail::normal::{NormalProblem, Strips};
 
 /// A separation f(y) as a cubic spline.
-struct Planar(Curve);
+pub struct Planar(Curve);
 
 impl Planar {
-    fn through(points: &[[f64; 2]]) -> Self {
+    pub fn through(points: &[[f64; 2]]) -> Self {
         let y: Vec<f64> = points.iter().map(|p| p[0]).collect();
         let f: Vec<f64> = points.iter().map(|p| p[1]).collect();
         let slopes = interpolating_slopes(&y, &f, [SplineEnd::Natural; 2]);
@@ -27,7 +27,7 @@ impl Planar {
     }
 
     /// Knots, and places of least and greatest f between them.
-    fn probes(&self) -> Vec<Probe> {
+    pub fn probes(&self) -> Vec<Probe> {
         let at = |u: f64| Probe { u, f: self.0.at(u).point[1] };
         let knots: Vec<f64> = self.0.knots().collect();
         let mut probes = vec![at(knots[0])];

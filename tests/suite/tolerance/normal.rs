@@ -46,6 +46,11 @@ super::entry::tolerances! {
     /// allows.
     GRID_STEPS: u64 = 14;
 
+    /// Twenty strips of least energy for a parabola against CONTACT on all planar cases: median and
+    /// worst of normal force, greatest pressure and area [%]. Narrow lobes and saddles have few nodes.
+    LEAST_ENERGY_PLANAR: [[f64; 2]; 3] = [[0.05, 0.5], [0.5, 9.0], [1.2, 7.0]],
+        target [[0.05, 0.5], [0.5, 7.0], [0.5, 4.0]];
+
     /// Bend of the load of strips on one grid over its rise, per step of 0.1 µm, where two overlaps
     /// join across a sharp valley: a jump would be of the order of one.
     GRID_BEND: f64 = 0.2;

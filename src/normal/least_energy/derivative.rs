@@ -1,0 +1,270 @@
+//! Derivatives of a solution by whatever its problem depends on.
+//!
+//! At the least energy the gradient G by the loads that are there and by χ is zero. With dual
+//! numbers for the problem and the unknowns held, G has the slopes ∂G/∂p; the unknowns move by
+//!
+//! ```text
+//! -H^-1 ∂G/∂p,   H the Hessian at the solution
+//! ```
+//!
+//! Nodes have derivatives too: they move with the pose as they are laid.
+
+use super::StripSolver;
+use super::kernel::Kernel;
+use super::lattice::Lattice;
+use super::line::OverlapLine;
+use super::pairs::Hat;
+use super::shape::Knots;
+use super::zones::Zones;
+use crate::math::dual::Dual;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+use crate::normal::Strips;
+
+/// Memory for derivatives of solutions.
+#[derive(Clone, Debug)]
+pub struct StripFollower<T> {
+    lattice: Lattice<T>,
+    hats: FixedVec<Hat<T>>,
+    knots: Knots<T>,
+    zones: Zones<T>,
+    load: FixedVec<T>,
+    shape: FixedVec<T>,
+    gradient: Gradient<T>,
+    /// Right side of one direction: loads and χ.
+    right: [FixedVec<f64>; 2],
+}
+
+/// The gradient of the energy, in numbers of any kind.
+#[derive(Clone, Debug)]
+struct Gradient<T> {
+    smooth: FixedVec<T>,
+    square: FixedVec<T>,
+    rate: FixedVec<T>,
+    by_load: FixedVec<T>,
+    by_square: FixedVec<T>,
+    by_shape: FixedVec<T>,
+}
+
+impl<T: Real> StripFollower<T> {
+    /// With room for the solutions of a solver.
+    #[must_use]
+    pub fn new(solver: &StripSolver) -> Self {
+        let most = solver.lattice.nodes.capacity();
+        let knots = Knots::<T>::most(most);
+        let column = || FixedVec::new(most);
+        Self {
+            lattice: Lattice::new(solver.lattice.wanted, most),
+            hats: FixedVec::new(most),
+            knots: Knots::new(most),
+            zones: Zones::new(most),
+            load: column(),
+            shape: FixedVec::new(knots),
+            gradient: Gradient {
+                smooth: column(),
+                square: column(),
+                rate: column(),
+                by_load: column(),
+                by_square: column(),
+                by_shape: FixedVec::new(knots),
+            },
+            right: [FixedVec::new(most), FixedVec::new(knots)],
+        }
+    }
+}
+
+impl<T: Real> Gradient<T> {
+    /// The gradient by loads that are not zero, and by χ.
+    fn find(
+        &mut self,
+        lattice: &Lattice<T>,
+        hats: &[Hat<T>],
+        knots: &Knots<T>,
+        load: &[T],
+        shape: &[T],
+    ) {
+        let (n, zero, scales) = (load.len(), T::from(0.0), &lattice.scales);
+        let kernel = Kernel::shared();
+        for column in [&mut self.smooth, &mut self.square, &mut self.rate] {
+            column.clear();
+        }
+        for column in [&mut self.by_load, &mut self.by_square] {
+            column.clear();
+            column.resize(n, zero);
+        }
+        for i in 0..n {
+            let smooth = lattice.mean_over_hats(i, load);
+            let rate = (-knots.value(i, shape)).exp() * scales.load * scales.square_over_load;
+            self.smooth.push(smooth);
+            self.rate.push(rate);
+            self.square.push(scales.least_square + smooth * rate);
+        }
+        let is_loaded = |i: &usize| load[*i] > 0.0;
+        for j in (0..n).filter(is_loaded) {
+            for i in (0..n).filter(is_loaded) {
+                let [value, by_square, _] =
+                    hats[j].potential(&hats[i], kernel, [self.square[i], self.square[j]]);
+                self.by_load[i] += value * load[j];
+                self.by_square[i] += by_square * load[j];
+            }
+        }
+        // Of the energy by s now.
+        for (i, by) in self.by_square.iter_mut().enumerate() {
+            let bending = scales.unit / (lattice.nodes[i].radius * 8.0);
+            self.by_load[i] += bending * self.square[i] - lattice.nodes[i].overlap * scales.unit;
+            *by = (*by + bending) * load[i] * self.rate[i];
+        }
+        self.by_shape.clear();
+        self.by_shape.resize(shape.len(), zero);
+        for i in 0..n {
+            self.by_load[i] += lattice.mean_over_hats(i, &self.by_square);
+            let by = self.by_square[i] * self.smooth[i];
+            let (knot, share) = knots.between[i];
+            self.by_shape[knot] -= by * (1.0 - share);
+            self.by_shape[knot + 1] -= by * share;
+        }
+        let m = shape.len();
+        for (by, stiffness) in self.by_shape.iter_mut().zip(knots.penalties.chunks_exact(m)) {
+            let sum: T = stiffness.iter().zip(shape).map(|(&a, &x)| x * a).sum();
+            *by += sum * scales.energy;
+        }
+    }
+}
+
+impl<const N: usize> StripFollower<Dual<N>> {
+    /// Fills `strips` with the zones of the last solution of `solver` as they move with `line`;
+    /// false where that was not one.
+    pub fn follow(
+        &mut self,
+        solver: &mut StripSolver,
+        line: &mut impl OverlapLine<Dual<N>>,
+        contact_modulus: f64,
+        strips: &mut Strips<Dual<N>>,
+    ) -> bool {
+        let count = solver.lattice.nodes.len();
+        if count == 0 {
+            return true;
+        }
+        self.lattice.lay(line, &solver.overlaps);
+        if self.lattice.nodes.len() != count || !solver.newton.factorise() {
+            return false;
+        }
+        self.hats.clear();
+        self.hats.extend((0..count).map(|i| Hat::new(&self.lattice, i)));
+        self.knots.place(&self.lattice);
+        let knots = &self.knots;
+        self.load.clear();
+        self.load.extend(solver.newton.load.iter().map(|&load| Dual::from(load)));
+        self.shape.clear();
+        self.shape.extend(solver.newton.system.shape.iter().map(|&shape| Dual::from(shape)));
+        self.gradient.find(&self.lattice, &self.hats, knots, &self.load, &self.shape);
+        for direction in 0..N {
+            let slopes = |right: &mut FixedVec<f64>, gradient: &[Dual<N>]| {
+                right.clear();
+                right.extend(gradient.iter().map(|by| -by.slopes[direction]));
+            };
+            let [loads, shape] = &mut self.right;
+            slopes(loads, &self.gradient.by_load);
+            slopes(shape, &self.gradient.by_shape);
+            solver.newton.solve_linear(loads, shape);
+            let unknowns = self.load.iter_mut().chain(self.shape.iter_mut());
+            for (unknown, step) in unknowns.zip(loads.iter().chain(shape.iter())) {
+                unknown.slopes[direction] = *step;
+            }
+        }
+        let unknowns = [&self.load[..], &self.shape];
+        let knots = &self.knots;
+        let (lattice, scales) = (&self.lattice, &self.lattice.scales);
+        self.zones.emit(lattice, scales, knots, unknowns, contact_modulus, strips);
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::contacts::separation::Probe;
+    use crate::normal::least_energy::LinePlace;
+    use approx::assert_relative_eq;
+
+    /// Two humps, the second one shifted by `tilt` against the first one, `depth` deep; all of it
+    /// tilted.
+    #[derive(Clone, Copy)]
+    struct Humps<T> {
+        depth: T,
+        tilt: T,
+    }
+
+    impl<T: Real> OverlapLine<T> for Humps<T> {
+        fn place(&mut self, u: T) -> LinePlace<T> {
+            let (wave, cosine) = (u * 600.0).sin_cos();
+            let (sine, tangent) = (u * 20.0).sin_cos();
+            LinePlace {
+                u,
+                y: u,
+                dy: T::from(1.0),
+                overlap: self.depth + self.tilt * u - u * u * 0.4 + cosine * 8e-6,
+                overlap_slope: self.tilt - u * 0.8 - wave * (600.0 * 8e-6),
+                x: u * u * 2.0,
+                tangent: [tangent, sine],
+            }
+        }
+
+        fn radius(&mut self, u: T) -> T {
+            u + 0.46
+        }
+    }
+
+    fn solve(solver: &mut StripSolver, depth: f64, tilt: f64) -> Strips {
+        let mut line = Humps { depth, tilt };
+        let probes: Vec<Probe> = (-300..=300)
+            .map(|i| 1e-4 * f64::from(i))
+            .map(|u| Probe { u, f: -line.place(u).overlap })
+            .collect();
+        let mut strips = Strips::with_capacity(8, 60);
+        solver.solve(&mut line, &probes, 0.0, 1.0, &mut strips);
+        strips
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_solution() {
+        let mut solver = StripSolver::new(20);
+        for (depth, tilt) in [(6e-5, 0.0), (3e-5, 1e-3), (1.2e-4, -2e-3), (1.5e-5, 4e-4)] {
+            let sums = |strips: &Strips| -> [f64; 4] {
+                let moment: f64 = strips.zones.iter().map(|zone| zone.load * zone.y).sum();
+                let middle = strips.y.len() / 2;
+                [strips.load(), moment, strips.half_length[middle], strips.u[middle]]
+            };
+            let step = 1e-9;
+            let difference = |solver: &mut StripSolver, way: [f64; 2]| -> [f64; 4] {
+                let at = |solver: &mut StripSolver, k: f64| {
+                    sums(&solve(solver, depth + k * step * way[0], tilt + k * step * way[1]))
+                };
+                let [a, b] = [at(solver, 1.0), at(solver, -1.0)];
+                [0, 1, 2, 3].map(|i| (a[i] - b[i]) / (2.0 * step))
+            };
+            let differences = [[1.0, 0.0], [0.0, 1.0]].map(|way| difference(&mut solver, way));
+            let found = solve(&mut solver, depth, tilt);
+            let mut line = Humps { depth: Dual::variable(depth, 0), tilt: Dual::variable(tilt, 1) };
+            let mut strips = Strips::with_capacity(8, 60);
+            let mut follower = StripFollower::new(&solver);
+            assert!(follower.follow(&mut solver, &mut line, 1.0, &mut strips));
+            assert_relative_eq!(strips.load().value, found.load(), max_relative = 1e-12);
+            let moment: Dual<2> = strips.zones.iter().map(|zone| zone.load * zone.y).sum();
+            let middle = strips.y.len() / 2;
+            let numbers = [strips.load(), moment, strips.half_length[middle], strips.u[middle]];
+            for (k, number) in numbers.into_iter().enumerate() {
+                // Moments are those of loads millimetres away; lengths have slopes of their own.
+                let scale = if k < 2 {
+                    [1.0, 5e-3][k] * differences[0][0].abs().max(differences[1][0].abs())
+                } else {
+                    differences[0][k].abs().max(differences[1][k].abs())
+                };
+                for (slope, difference) in number.slopes.iter().zip(differences) {
+                    println!("{k} {slope} {} {:e}", difference[k], (slope - difference[k]) / scale);
+                    assert_relative_eq!(*slope, difference[k], epsilon = 1e-3 * scale);
+                }
+            }
+        }
+    }
+}

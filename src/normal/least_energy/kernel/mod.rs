@@ -1,0 +1,469 @@
+//! Mutual potential of two parallel strips with semi-elliptical loads, averaged over the hats of
+//! finite elements: tabulated functions.
+//!
+//! Two strips of half lengths a_i and a_j lie abreast, d apart, each with a unit load spread as a
+//! semi-ellipse ρ along itself. Their potential is
+//!
+//! ```text
+//! E(d, a_i, a_j) = ∫∫ ρ_i(x) ρ_j(x') / sqrt((x - x')² + d²) dx dx'      [1/m]
+//! ```
+//!
+//! The kernel K is the mean of E over the hats of both strips, which stand h apart and reach from
+//! one neighbour to the next. Rows 0 to 4 are for pairs of that many hats apart; row 5 is E itself
+//! at the distance h, for pairs further apart. With p = a_i², q = a_j²,
+//!
+//! ```text
+//! w = (p + q) / (2 h²)      t = (p - q) / (p + q)      K h = F(w) + sqrt(t² + 0.04) G(w)
+//! ```
+//!
+//! F and G are fitted over t (`generate.rs`): K is off by less than 2e-3 for lengths up to twice
+//! one another, and by 1.5e-2 beside a strip without length. In w they are cubic splines, twice
+//! differentiable, eight pieces to each octave. Against the functions fitted these are off by at
+//! most 4e-6 K, their derivatives w d/dw by 1e-4 K and w² d²/dw² by 5e-3 K.
+//!
+//! Below w = 2^-16 (strips shorter than 1/256 of their distance) the cubic of the first piece goes
+//! on: it is smooth, and stays finite where the logarithm of rows 0 and 1 does not. Above 2^18
+//! (longer than 512 times their distance) the law of long strips goes on, (α ln w + β)/sqrt(w), and
+//! K h rests from 1.5 2^26 on.
+
+#[cfg(test)]
+mod generate;
+
+use std::sync::OnceLock;
+
+use crate::math::real::Real;
+use crate::math::spline::{SplineEnd, interpolating_slopes};
+
+/// Rows: 0 to 4 hats apart, and further.
+pub(super) const ROWS: usize = 6;
+
+/// The table begins at w = 2 to this power.
+pub(super) const FIRST_EXPONENT: i32 = -16;
+
+/// The table ends at w = 2 to this power.
+pub(super) const END_EXPONENT: i32 = 18;
+
+/// Binary digits of w after the first one that, with its exponent, number the piece.
+pub(super) const PIECE_BITS: u32 = 3;
+
+/// Pieces from one power of two to the next, equally long.
+pub(super) const PIECES_PER_OCTAVE: usize = 1 << PIECE_BITS;
+
+/// Pieces of a row.
+pub(super) const PIECES: usize =
+    PIECES_PER_OCTAVE * (END_EXPONENT - FIRST_EXPONENT).unsigned_abs() as usize;
+
+/// Coefficients of a piece: four of F, four of G.
+pub(super) const COEFFICIENTS: usize = 8;
+
+/// Number that the exponent and the first [`PIECE_BITS`] digits of w form where the table begins.
+pub(super) const FIRST_PIECE: i64 = (1023 + FIRST_EXPONENT as i64) << PIECE_BITS;
+
+/// Room for all pieces, a power of two.
+pub(super) const TABLE: usize = 2048;
+
+/// Pieces of a row with those of the law of long strips, and one in which the functions rest.
+pub(super) const ROW_PIECES: usize = TABLE / ROWS;
+
+/// End of the tabulated functions.
+#[cfg(test)]
+pub(super) const GREATEST_W: f64 = (1_u64 << END_EXPONENT) as f64;
+
+/// Where the functions rest.
+pub(super) const LAST_W: f64 = (1.0
+    + ((ROW_PIECES - 1) % PIECES_PER_OCTAVE) as f64 / PIECES_PER_OCTAVE as f64)
+    * (1_u64 << ((ROW_PIECES - 1) / PIECES_PER_OCTAVE)) as f64
+    / (1_u64 << -FIRST_EXPONENT) as f64;
+
+/// Rounds |t| off at strips of equal length, where the kernel is smooth, over 0.2 in t: about where
+/// the fit over t is closest.
+pub(super) const T_SOFT: f64 = 0.04;
+
+/// Functions in the table: F and G of each row.
+const FUNCTIONS: usize = 2 * ROWS;
+
+/// The committed table.
+const FILE: &str = include_str!("strips.kernel");
+
+/// The kernel in memory.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// Row by row and piece by piece c0 to c3 of F, then of G: c0 + w (c1 + w (c2 + w c3)).
+    ///
+    /// Powers of w itself, not of the way from the last knot, which need not be found then. The
+    /// terms are those of a Taylor series about w = 0, none much larger than their sum: values are
+    /// exact to 1e-15, second derivatives to 1e-14 of the function.
+    pub(super) coefficients: Box<Table>,
+}
+pub(super) type Table = [f64; TABLE * COEFFICIENTS];
+
+/// Knot number `knot` of w.
+fn knot(knot: usize) -> f64 {
+    let octave = 2f64.powi(FIRST_EXPONENT + (knot / PIECES_PER_OCTAVE) as i32);
+    octave * (1.0 + (knot % PIECES_PER_OCTAVE) as f64 / PIECES_PER_OCTAVE as f64)
+}
+
+/// Place of the first coefficient of the piece of row `row` that holds `w`; the first or the last
+/// piece outside the table.
+#[inline]
+#[must_use]
+pub(super) fn piece(row: usize, w: f64) -> usize {
+    debug_assert!(row < ROWS);
+    let number = (w.to_bits() >> (f64::MANTISSA_DIGITS - 1 - PIECE_BITS)) as i64 - FIRST_PIECE;
+    (row * ROW_PIECES + number.clamp(0, ROW_PIECES as i64 - 1) as usize) * COEFFICIENTS
+}
+
+/// A cubic and its derivative.
+#[inline]
+fn cubic<T: Real>(c: &[f64], w: T) -> [T; 2] {
+    let second = w * c[3] + c[2];
+    let first = second * w + c[1];
+    [first * w + c[0], (w * c[3] + second) * w + first]
+}
+
+/// (α ln w + β)/sqrt(w): strips far longer than their distance feel its logarithm.
+struct LongStrips {
+    alpha: f64,
+    beta: f64,
+}
+
+impl LongStrips {
+    /// The law with this value and slope at `w`.
+    fn new(w: f64, value: f64, slope: f64) -> Self {
+        let alpha = (slope * w + 0.5 * value) * w.sqrt();
+        Self { alpha, beta: value * w.sqrt() - alpha * w.ln() }
+    }
+
+    fn value(&self, w: f64) -> f64 {
+        (self.alpha * w.ln() + self.beta) / w.sqrt()
+    }
+
+    fn slope(&self, w: f64) -> f64 {
+        (self.alpha / w.sqrt() - 0.5 * self.value(w)) / w
+    }
+}
+
+/// Coefficients in powers of w of the cubic with these values and slopes at both ends of the piece
+/// that begins at `from` and is `long`.
+fn powers([from, long]: [f64; 2], values: [f64; 2], slopes: [f64; 2]) -> [f64; 4] {
+    let [before, after] = slopes.map(|slope| slope * long);
+    let rise = values[1] - values[0];
+    let (c2, c3) = (3.0 * rise - 2.0 * before - after, before + after - 2.0 * rise);
+    let r = from / long;
+    [
+        values[0] - r * (before - r * (c2 - r * c3)),
+        (before - r * (2.0 * c2 - 3.0 * r * c3)) / long,
+        (c2 - 3.0 * r * c3) / (long * long),
+        c3 / (long * long * long),
+    ]
+}
+
+/// Numbers of a table in their order; none if one of them cannot be read.
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    lines.flat_map(str::split_whitespace).map(|number| number.parse().ok()).collect()
+}
+
+impl Kernel {
+    /// The committed table, laid out on first use in the process; takes about a millisecond then.
+    ///
+    /// # Panics
+    /// If the file in the library has another size than the code, which a test excludes.
+    #[must_use]
+    pub fn shared() -> &'static Self {
+        static KERNEL: OnceLock<Kernel> = OnceLock::new();
+        KERNEL.get_or_init(|| Self::from_text(FILE).expect("the table in the library is whole"))
+    }
+
+    /// The kernel of a table as `generate.rs` writes it; none where it has another size.
+    fn from_text(text: &str) -> Option<Self> {
+        let numbers = numbers(text)?;
+        if numbers.len() != (PIECES + 3) * FUNCTIONS {
+            return None;
+        }
+        let knots: Vec<f64> = (0..=PIECES).map(knot).collect();
+        let mut coefficients = vec![0.0; TABLE * COEFFICIENTS];
+        for function in 0..FUNCTIONS {
+            let column: Vec<f64> =
+                numbers.iter().skip(function).step_by(FUNCTIONS).copied().collect();
+            let (values, ends) = column.split_at(PIECES + 1);
+            let ends = [ends[0] / knots[0], ends[1] / knots[PIECES]];
+            let slopes = interpolating_slopes(&knots, values, ends.map(SplineEnd::Clamped));
+            let long = LongStrips::new(knots[PIECES], values[PIECES], ends[1]);
+            for piece in 0..ROW_PIECES {
+                let pair = |of: &[f64]| [of[piece], of[piece + 1]];
+                let [from, to] = [piece, piece + 1].map(knot);
+                let powers = if piece < PIECES {
+                    powers([from, to - from], pair(values), pair(&slopes))
+                } else if piece + 1 < ROW_PIECES {
+                    let ends = [from, to];
+                    powers(
+                        [from, to - from],
+                        ends.map(|w| long.value(w)),
+                        ends.map(|w| long.slope(w)),
+                    )
+                } else {
+                    [long.value(from), 0.0, 0.0, 0.0]
+                };
+                let at = ((function / 2) * ROW_PIECES + piece) * COEFFICIENTS + 4 * (function % 2);
+                coefficients[at..at + 4].copy_from_slice(&powers);
+            }
+        }
+        Some(Self { coefficients: coefficients.try_into().ok()? })
+    }
+
+    /// F, F', G and G' of row `row` at `w` ≤ [`LAST_W`].
+    #[inline]
+    fn functions<T: Real>(&self, row: usize, w: T) -> [[T; 2]; 2] {
+        let at = piece(row, w.value());
+        let c = &self.coefficients[at..at + COEFFICIENTS];
+        [cubic(&c[..4], w), cubic(&c[4..], w)]
+    }
+
+    /// K [1/m], dK/dp and dK/dq [1/m³] of a pair of strips.
+    ///
+    /// `row` is how many hats they are apart, at most the last row. `p` and `q` [m²] are the
+    /// squares of their half lengths, not negative, one of them positive; `half_inverse_square`
+    /// [1/m²] is 1/(2 h²) and `inverse` [1/m] 1/h, or that times what K is to be multiplied by.
+    #[inline]
+    #[must_use]
+    pub(super) fn value<T: Real>(
+        &self,
+        row: usize,
+        [p, q]: [T; 2],
+        half_inverse_square: T,
+        inverse: T,
+    ) -> [T; 3] {
+        let one = T::from(1.0);
+        let inverse_sum = one / (p + q);
+        let t = (p - q) * inverse_sum;
+        let root = (t * t + T_SOFT).sqrt();
+        let mut w_by_p = half_inverse_square;
+        let mut w = (p + q) * w_by_p;
+        if w > LAST_W {
+            (w, w_by_p) = (T::from(LAST_W), T::from(0.0));
+        }
+        let [[f, f_by_w], [g, g_by_w]] = self.functions(row, w);
+        // dt/dp = (1 - t)/(p + q), dt/dq = -(1 + t)/(p + q).
+        let by_w = (f_by_w + root * g_by_w) * w_by_p;
+        let by_t = g * t / root * inverse_sum;
+        let by_p = by_w + by_t * (one - t);
+        let by_q = by_w - by_t * (one + t);
+        [inverse * (f + root * g), inverse * by_p, inverse * by_q]
+    }
+
+    /// As [`value`](Self::value), then d²K/dp², d²K/dpdq and d²K/dq² [1/m⁵].
+    #[cfg(test)]
+    pub(super) fn second(&self, row: usize, p: f64, q: f64, inverse_square: f64) -> [f64; 6] {
+        let half = inverse_square / 2.0;
+        let [value, by_p, by_q] = self.value(row, [p, q], half, inverse_square.sqrt());
+        let (sum, scale) = (p + q, inverse_square.sqrt());
+        let t = (p - q) / sum;
+        let root = (t * t + T_SOFT).sqrt();
+        let inside = sum * half <= LAST_W;
+        let (w, w_by_p) = if inside { (sum * half, half) } else { (LAST_W, 0.0) };
+        let at = piece(row, w);
+        let c = &self.coefficients[at..at + COEFFICIENTS];
+        let [_, [g, g_by_w]] = self.functions(row, w);
+        let bend = |c: &[f64]| 2.0 * c[2] + 6.0 * c[3] * w;
+        let ww = (bend(&c[..4]) + root * bend(&c[4..])) * w_by_p * w_by_p;
+        let (root_t, root_tt) = (t / root, T_SOFT / root.powi(3));
+        let wt = g_by_w * root_t * w_by_p;
+        let (t_p, t_q) = ((1.0 - t) / sum, -(1.0 + t) / sum);
+        let second = |a: f64, b: f64, ab: f64| {
+            scale * (ww + wt * (a + b) + g * (root_tt * a * b + root_t * ab))
+        };
+        let pp = second(t_p, t_p, -2.0 * t_p / sum);
+        let pq = second(t_p, t_q, 2.0 * t / (sum * sum));
+        let qq = second(t_q, t_q, -2.0 * t_q / sum);
+        [value, by_p, by_q, pp, pq, qq]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::math::dual::Dual;
+
+    /// Pairs of strips of all proportions, off the knots, over which differences are less exact:
+    /// row, p, q and 1/h².
+    fn pairs() -> Vec<(usize, f64, f64, f64)> {
+        let inside = (0..PIECES).step_by(5).map(|n| 0.6 * knot(n) + 0.4 * knot(n + 1));
+        let mut pairs = Vec::new();
+        for w in inside.chain([0.2 * knot(0), 3.0 * LAST_W]) {
+            for (row, t) in (0..ROWS).flat_map(|row| [-0.95, -0.3, 0.0, 0.02].map(|t| (row, t))) {
+                let square = 6e-8 * (1.0 + 0.3 * t);
+                pairs.push((row, w * (1.0 + t) * square, w * (1.0 - t) * square, 1.0 / square));
+            }
+        }
+        pairs
+    }
+
+    /// [`Kernel::value`] at 1/h².
+    pub(super) fn kernel_at<T: Real>(
+        kernel: &Kernel,
+        row: usize,
+        p: T,
+        q: T,
+        inverse_square: T,
+    ) -> [T; 3] {
+        kernel.value(row, [p, q], inverse_square * 0.5, inverse_square.sqrt())
+    }
+
+    #[test]
+    fn strips_far_apart_are_points() {
+        let h: f64 = 3e-3;
+        for length in [1e-6, 1e-5, 3e-5] {
+            let [p, q] = [1.0, 0.5].map(|share| share * length * length);
+            let [value, _, _] = kernel_at(Kernel::shared(), ROWS - 1, p, q, 1.0 / (h * h));
+            assert_relative_eq!(value * h, 1.0, max_relative = 1e-4);
+        }
+    }
+
+    #[test]
+    fn strips_close_together_feel_the_logarithm_of_their_distance() {
+        // Equal semi-ellipses: E = 32/(3 π² a) (ln(16 a/d) - 7/3), to within (d/a)².
+        let (h, a): (f64, f64) = (2e-5, 3e-3);
+        let p = a * a;
+        let factor = 32.0 / (3.0 * std::f64::consts::PI.powi(2) * a);
+        let [value, ..] = kernel_at(Kernel::shared(), ROWS - 1, p, p, 1.0 / (h * h));
+        let exact = factor * ((16.0 * a / h).ln() - 7.0 / 3.0);
+        // That is the error of the fit over t.
+        assert_relative_eq!(value, exact, max_relative = 2e-3);
+        let [closer, ..] = kernel_at(Kernel::shared(), ROWS - 1, p, p, 4.0 / (h * h));
+        assert_relative_eq!(closer - value, factor * 2f64.ln(), max_relative = 1e-2);
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let kernel = Kernel::shared();
+        for (row, p, q, inverse) in pairs() {
+            let found = kernel.second(row, p, q, inverse);
+            let step = 1e-5 * (p + q);
+            let difference = |along: [f64; 2]| {
+                let at =
+                    |s: f64| kernel_at(kernel, row, p + s * along[0], q + s * along[1], inverse);
+                let (up, down) = (at(step), at(-step));
+                [0, 1, 2].map(|i| (up[i] - down[i]) / (2.0 * step))
+            };
+            let (by_p, by_q) = (difference([1.0, 0.0]), difference([0.0, 1.0]));
+            let unit = found[0] / (p + q);
+            for (found, expected, unit) in [
+                (found[1], by_p[0], unit),
+                (found[2], by_q[0], unit),
+                (found[3], by_p[1], unit / (p + q)),
+                (found[4], by_p[2], unit / (p + q)),
+                (found[4], by_q[1], unit / (p + q)),
+                (found[5], by_q[2], unit / (p + q)),
+            ] {
+                assert_relative_eq!(found / unit, expected / unit, epsilon = 1e-7);
+            }
+        }
+    }
+
+    #[test]
+    fn dual_numbers_carry_the_same_derivatives() {
+        let kernel = Kernel::shared();
+        for (row, p, q, inverse) in pairs() {
+            let expected = kernel.second(row, p, q, inverse);
+            let (sum, unit) = (p + q, expected[0] / (p + q));
+            let at = [p, q, inverse];
+            let [x, y, z] = std::array::from_fn(|i| Dual::<3>::variable(at[i], i));
+            let [value, by_p, by_q] = kernel_at(kernel, row, x, y, z);
+            for (found, expected, unit) in [
+                (value.value, expected[0], expected[0]),
+                (value.slopes[0], expected[1], unit),
+                (value.slopes[1], expected[2], unit),
+                (by_p.slopes[0], expected[3], unit / sum),
+                (by_p.slopes[1], expected[4], unit / sum),
+                (by_q.slopes[1], expected[5], unit / sum),
+            ] {
+                assert_relative_eq!(found / unit, expected / unit, epsilon = 1e-12);
+            }
+            // K goes with the inverse of all lengths.
+            let by_lengths = p * expected[1] + q * expected[2] - inverse * value.slopes[2];
+            assert_relative_eq!(-2.0 * by_lengths, expected[0], max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn value_and_two_derivatives_go_on_over_the_knots() {
+        let kernel = Kernel::shared();
+        for row in 0..ROWS {
+            for number in 1..PIECES {
+                let w = knot(number);
+                let after = piece(row, w);
+                assert_eq!(piece(row, w.next_down()), after - COEFFICIENTS);
+                assert_eq!(after, (row * ROW_PIECES + number) * COEFFICIENTS);
+                let size = kernel.coefficients[after].abs();
+                for part in [0, 4] {
+                    let [before, after] = [after - COEFFICIENTS, after].map(|at| {
+                        let c = &kernel.coefficients[at + part..at + part + 4];
+                        let [value, slope] = cubic(c, w);
+                        [value, slope * w, (2.0 * c[2] + 6.0 * c[3] * w) * w * w]
+                    });
+                    for (before, after) in before.iter().zip(after) {
+                        assert_relative_eq!(*before, after, epsilon = 1e-10 * size);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn powers_of_w_lose_no_digits_that_count() {
+        for number in 0..PIECES {
+            let (from, to) = (knot(number), knot(number + 1));
+            let values = [from, to].map(|w| w.powf(-0.5));
+            let slopes = [from, to].map(|w| -0.5 * w.powf(-1.5));
+            let long = to - from;
+            let c = powers([from, long], values, slopes);
+            for x in [0.0, 0.25, 0.5, 0.75, 1.0_f64] {
+                let local = values[0] * (1.0 - x).powi(2) * (1.0 + 2.0 * x)
+                    + values[1] * x * x * (3.0 - 2.0 * x)
+                    + long * x * (1.0 - x) * ((1.0 - x) * slopes[0] - x * slopes[1]);
+                assert_relative_eq!(cubic(&c, from + x * long)[0], local, max_relative = 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn the_strips_of_a_pair_can_be_exchanged() {
+        let kernel = Kernel::shared();
+        for (row, p, q, inverse) in pairs() {
+            let [value, by_p, by_q, pp, pq, qq] = kernel.second(row, p, q, inverse);
+            let exchanged = kernel.second(row, q, p, inverse);
+            let unit = value / (p + q);
+            for (a, b) in [value, by_q, by_p, qq, pq, pp].into_iter().zip(exchanged) {
+                assert_relative_eq!(a, b, max_relative = 1e-12, epsilon = 1e-12 * unit);
+            }
+        }
+    }
+
+    #[test]
+    fn outside_the_table_it_stays_positive_and_falls_with_length() {
+        let kernel = Kernel::shared();
+        for row in 0..ROWS {
+            let at = |w: f64| kernel_at(kernel, row, w, w, 1.0);
+            let mut last = f64::INFINITY;
+            for step in 0..200 {
+                let w = 2f64.powf(f64::from(step) / 5.0 - 18.0);
+                let [value, slope, _] = at(w);
+                assert!(value > 0.0 && value <= last + 1e-11 && slope <= 1e-11 / w);
+                last = value;
+            }
+            assert!(at(f64::MIN_POSITIVE)[0].is_finite());
+            assert_relative_eq!(at(1e9)[0], at(LAST_W)[0]);
+            assert_relative_eq!(at(1e9)[1], 0.0);
+        }
+    }
+
+    #[test]
+    fn a_table_of_another_size_is_refused() {
+        for text in ["# head\n1.0 2.0\n", &format!("{FILE}x"), &format!("{FILE}0.0")] {
+            assert!(Kernel::from_text(text).is_none());
+        }
+    }
+}

@@ -1,0 +1,403 @@
+//! Where the nodes stand, and what is to be known of each.
+//!
+//! The overlap o is taken at equal steps of every interval in which the bodies overlap, with its
+//! slope, and is a cubic between two of them. With s = o/δ, δ and b the depth and half the width of
+//! the parabola with the same integrals of o² and o³, nodes stand at whole steps of the measure
+//!
+//! ```text
+//! M = n/A ∫ hypot(s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E² = ∫ s² dy/(16/15 b)
+//! ```
+//!
+//! where the integral goes over the lobe that a place belongs to, on either side to where it is β²
+//! times s².
+//!
+//!
+//! counted from its mean weighted by s². A is the integral for a parabola, so that a parabola has n
+//! nodes; a second lobe has E^(1/4) times as many, however far away it is. All of that is continuous
+//! in the pose: a lobe grows out of nothing, two lobes that join have the same nodes before and
+//! after, and nodes come and go at the ends of overlaps, where they carry nothing.
+
+use super::line::{LinePlace, OverlapLine};
+use super::overlap::{End, MAX_OVERLAPS, Overlaps};
+use super::scales::Scales;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+
+/// Places in each interval at which the overlap is taken.
+const SAMPLES: usize = 28;
+/// The integral of the measure for a parabola, n/A apart.
+const PARABOLA: f64 = 1.5;
+/// Height of a lobe over an overlap up to which it goes on there, β.
+const LOBE: f64 = 8.0;
+/// Width of a hat beyond the end of its overlap over that of the overlap: no hat is without width.
+const OVERHANG: f64 = 0.01;
+/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
+const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+/// Half its width over the integral of the square of the overlap over the square of its depth.
+const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
+
+/// A place at which the overlap is taken.
+#[derive(Clone, Copy, Debug)]
+struct Sample<T> {
+    at: LinePlace<T>,
+    /// Number of the interval of overlap.
+    interval: usize,
+    /// Derivative of the overlap by the coordinate across [-].
+    slope: T,
+    /// Integral of the overlap from the first place of the interval on, and the integral of that
+    /// [m², m³].
+    integrals: [T; 2],
+    /// Overlap over that of the parabola, not below zero; square of the height of the lobe [-].
+    share: T,
+    lobe: T,
+    /// Measure of the nodes up to here [-].
+    measure: T,
+}
+
+/// A node: one unknown load per width, which is linear between nodes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node<T = f64> {
+    /// Parameter of the line [m].
+    pub u: T,
+    /// Coordinates across and along the track [m].
+    pub y: T,
+    pub x: T,
+    /// Unit tangent (y, z) across.
+    pub tangent: [T; 2],
+    /// How far its hat reaches to either side, > 0 [m].
+    pub reach: [T; 2],
+    /// Integral of its hat [m].
+    pub width: T,
+    /// Overlap at the node, and its mean over the hat [m].
+    pub depth: T,
+    pub overlap: T,
+    /// Radius of the normal section of the wheel along x [m].
+    pub radius: T,
+    /// Number of steps of the measure from its mean [-].
+    pub number: f64,
+    /// Number of the interval of overlap.
+    pub interval: usize,
+}
+
+/// Nodes of one problem, and the parabola that their overlap is measured by.
+#[derive(Clone, Debug)]
+pub(super) struct Lattice<T = f64> {
+    pub nodes: FixedVec<Node<T>>,
+    samples: FixedVec<Sample<T>>,
+    /// Integrals of the overlap up to each node [m², m³].
+    integrals: FixedVec<[T; 2]>,
+    /// Depth and half width of the parabola with the same integrals of the square and the cube of
+    /// the overlap [m].
+    pub depth: T,
+    pub half_width: T,
+    /// Radius of the normal section along x in the middle of the square of the overlap [m].
+    pub radius: T,
+    /// Sizes of the ellipse of that parabola.
+    pub scales: Scales<T>,
+    /// Steps of the measure from its mean to either end [-].
+    pub extent: [T; 2],
+    /// Nodes of a parabola.
+    pub wanted: usize,
+}
+
+/// Value and both integrals of the cubic between two samples at the share `t` of the way.
+fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
+    let h = b.at.y - a.at.y;
+    let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope * h, b.slope * h]);
+    let (c0, c1, c2, c3) = (a.at.overlap, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
+    let value = c0 + t * (c1 + t * (c2 + t * c3));
+    let first = t * (c0 + t * (c1 * 0.5 + t * (c2 * (1.0 / 3.0) + t * c3 * 0.25)));
+    let second =
+        t * t * (c0 * 0.5 + t * (c1 * (1.0 / 6.0) + t * (c2 * (1.0 / 12.0) + t * c3 * 0.05)));
+    let [one, two] = a.integrals;
+    [value, one + h * first, two + h * (t * one + h * second)]
+}
+
+impl<T: Real> Lattice<T> {
+    /// Room for problems whose parabola has `wanted` nodes, and for `most` nodes at most.
+    pub fn new(wanted: usize, most: usize) -> Self {
+        let zero = T::from(0.0);
+        Self {
+            nodes: FixedVec::new(most),
+            samples: FixedVec::new(SAMPLES * MAX_OVERLAPS),
+            integrals: FixedVec::new(most),
+            depth: zero,
+            half_width: zero,
+            radius: zero,
+            scales: Scales::default(),
+            extent: [zero; 2],
+            wanted,
+        }
+    }
+
+    /// What the hats of nodes `i` - 1 and `i` have in common in a mean over hats, over both widths
+    /// [1/m]; nothing between nodes of two overlaps.
+    pub fn tie(&self, i: usize) -> T {
+        let nodes = &self.nodes;
+        if i == 0 || i == nodes.len() || nodes[i - 1].interval != nodes[i].interval {
+            return T::from(0.0);
+        }
+        nodes[i].reach[0] / (nodes[i].width * nodes[i - 1].width * 6.0)
+    }
+
+    /// Mean over the hat of node `i` of what has the integrals `parts` over the hats.
+    pub fn mean_over_hats(&self, i: usize, parts: &[T]) -> T {
+        let nodes = &self.nodes;
+        let mut sum = parts[i] / nodes[i].width;
+        for (tie, other) in [(i, i.wrapping_sub(1)), (i + 1, i + 1)] {
+            if other < nodes.len() {
+                let share = self.tie(tie);
+                sum += (parts[other] - parts[i] * nodes[other].width / nodes[i].width) * share;
+            }
+        }
+        sum
+    }
+
+    /// Lays nodes over all `overlaps`; leaves none where there is no overlap beyond rounding.
+    pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
+        self.nodes.clear();
+        self.samples.clear();
+        for (interval, ends) in overlaps.intervals.iter().enumerate() {
+            self.sample(line, interval, ends);
+        }
+        if self.size_up(line) {
+            self.scales = Scales::new(self.depth, self.half_width, self.radius);
+            self.measure();
+            self.place_nodes(line);
+        }
+    }
+
+    /// Takes the overlap in one interval.
+    fn sample(&mut self, line: &mut impl OverlapLine<T>, interval: usize, ends: &[End; 2]) {
+        let [from, to] = [0, 1].map(|side| ends[side].moving(line));
+        let zero = T::from(0.0);
+        let first = self.samples.len();
+        for k in 0..SAMPLES {
+            let mut at = line.place(from + (to - from) * (k as f64 / (SAMPLES - 1) as f64));
+            // Where an overlap ends there is none, to rounding: its powers would feel that.
+            if (k == 0 && ends[0].is_free()) || (k + 1 == SAMPLES && ends[1].is_free()) {
+                at.overlap = zero;
+            }
+            let slope = at.overlap_slope / at.dy;
+            let mut sample = Sample {
+                at,
+                interval,
+                slope,
+                integrals: [zero; 2],
+                share: zero,
+                lobe: zero,
+                measure: zero,
+            };
+            if let Some(before) = self.samples[first..].last() {
+                // Where the line folds, what lies behind is passed over.
+                if at.y.value() <= before.at.y.value() {
+                    continue;
+                }
+                let [_, one, two] = cubic(before, &sample, T::from(1.0));
+                sample.integrals = [one, two];
+            }
+            self.samples.push(sample);
+        }
+    }
+
+    /// The parabola of the overlap; false where there is none.
+    fn size_up(&mut self, line: &mut impl OverlapLine<T>) -> bool {
+        let zero = T::from(0.0);
+        let (mut square, mut cube, mut place) = (zero, zero, zero);
+        for_pairs(&self.samples, |a, b| {
+            let h = (b.at.y - a.at.y) * 0.5;
+            for sample in [a, b] {
+                let overlap = sample.at.overlap.at_least(0.0);
+                let weight = h * overlap * overlap;
+                square += weight;
+                cube += weight * overlap;
+                place += weight * sample.at.u;
+            }
+        });
+        if !(square.value().is_normal() && cube.value().is_normal()) {
+            return false;
+        }
+        self.depth = cube / square * DEPTH_OVER_MEAN;
+        self.half_width = square / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
+        self.radius = line.radius(place / square);
+        let scale = T::from(1.0) / self.depth;
+        for sample in self.samples.iter_mut() {
+            sample.share = (sample.at.overlap * scale).at_least(0.0);
+        }
+        true
+    }
+
+    /// Measures the nodes up to each sample.
+    fn measure(&mut self) {
+        let zero = T::from(0.0);
+        // Lobes from both sides.
+        let per_lobe = T::from(HALF_WIDTH_OVER_INTEGRAL) / self.half_width;
+        let grown = |lobe: T, from: &Sample<T>, to: &Sample<T>| {
+            let h = if from.interval == to.interval { (to.at.y - from.at.y).abs() } else { zero };
+            let squares = from.share * from.share + to.share * to.share;
+            let most = to.share * to.share * (LOBE * LOBE);
+            (lobe + h * squares * per_lobe * 0.5).min(most)
+        };
+        let mut lobe = zero;
+        for k in 1..self.samples.len() {
+            lobe = grown(lobe, &self.samples[k - 1], &self.samples[k]);
+            self.samples[k].lobe = lobe;
+        }
+        lobe = zero;
+        for k in (1..self.samples.len()).rev() {
+            lobe = grown(lobe, &self.samples[k], &self.samples[k - 1]);
+            self.samples[k - 1].lobe += lobe;
+        }
+        let mut area = zero;
+        for_pairs(&self.samples, |a, b| area += (b.at.y - a.at.y) * (a.share + b.share) * 0.5);
+        let rise = |sample: &Sample<T>| {
+            if sample.share > 0.0 && sample.lobe > 0.0 {
+                let root = sample.lobe.sqrt();
+                sample.share * sample.share.sqrt() / (root * root.sqrt().sqrt())
+            } else {
+                zero
+            }
+        };
+        let mut measure = zero;
+        let scale = self.wanted as f64 / PARABOLA;
+        let mut before = self.samples.first().map_or(zero, rise);
+        for k in 0..self.samples.len() {
+            let here = rise(&self.samples[k]);
+            if k > 0 && self.samples[k].interval == self.samples[k - 1].interval {
+                let [a, b] = [&self.samples[k - 1], &self.samples[k]];
+                let across = (b.at.y - a.at.y) * (a.share + b.share) * 0.5 / area;
+                measure += across.hypot((here - before) * 0.5) * scale;
+            }
+            self.samples[k].measure = measure;
+            before = here;
+        }
+        // As many as there is room for.
+        let most = (self.nodes.capacity() - 1) as f64;
+        if measure > most {
+            let less = T::from(most) / measure;
+            for sample in self.samples.iter_mut() {
+                sample.measure *= less;
+            }
+            measure = T::from(most);
+        }
+        let (mut sum, mut weight) = (zero, zero);
+        for_pairs(&self.samples, |a, b| {
+            let h = b.at.y - a.at.y;
+            for sample in [a, b] {
+                let own = h * sample.share * sample.share;
+                weight += own;
+                sum += own * sample.measure;
+            }
+        });
+        let mean = sum / weight;
+        self.extent = [-mean, measure - mean];
+    }
+
+    /// Places the nodes at whole steps of the measure.
+    fn place_nodes(&mut self, line: &mut impl OverlapLine<T>) {
+        self.integrals.clear();
+        let [low, high] = self.extent;
+        let mean = -low;
+        let mut k = 0;
+        let mut number = low.value().ceil();
+        while number <= high.value() && self.nodes.len() < self.nodes.capacity() {
+            let target = mean + number;
+            while k + 2 < self.samples.len() && self.samples[k + 1].measure <= target {
+                k += 1;
+            }
+            let [a, b] = [self.samples[k], self.samples[k + 1]];
+            let step = b.measure - a.measure;
+            if a.interval == b.interval && step > 0.0 {
+                let t = ((target - a.measure) / step).within(0.0, 1.0);
+                self.place_node(line, &a, &b, t, number);
+            }
+            number += 1.0;
+        }
+        self.spread_hats();
+    }
+
+    fn place_node(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        a: &Sample<T>,
+        b: &Sample<T>,
+        t: T,
+        number: f64,
+    ) {
+        let h = b.at.y - a.at.y;
+        let [depth, one, two] = cubic(a, b, t);
+        let mix = |a: T, b: T| a + (b - a) * t;
+        // The parameter over the coordinate is a cubic too.
+        let (rise, rates) = (b.at.u - a.at.u, [h / a.at.dy, h / b.at.dy]);
+        let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
+        let turn = rates[0] + rates[1] - rise * 2.0;
+        let u = a.at.u + t * (rates[0] + t * (bend + t * turn));
+        let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
+        let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
+        self.integrals.push([one, two]);
+        self.nodes.push(Node {
+            u,
+            y: a.at.y + h * t,
+            x: mix(a.at.x, b.at.x),
+            tangent: tangent.map(|component| component / length),
+            reach: [h; 2],
+            width: h,
+            depth,
+            overlap: depth,
+            radius: line.radius(u),
+            number,
+            interval: a.interval,
+        });
+    }
+
+    /// Gives each node its hat and the mean of the overlap over it.
+    fn spread_hats(&mut self) {
+        let mut end = 0;
+        while end < self.nodes.len() {
+            let (begin, interval) = (end, self.nodes[end].interval);
+            while end < self.nodes.len() && self.nodes[end].interval == interval {
+                end += 1;
+            }
+            let of_interval = |sample: &&Sample<T>| sample.interval == interval;
+            let first = self.samples.iter().find(of_interval).copied();
+            let last = self.samples.iter().rev().find(of_interval).copied();
+            let (Some(first), Some(last)) = (first, last) else { return };
+            let overhang = (last.at.y - first.at.y) * OVERHANG;
+            for i in begin..end {
+                let y = self.nodes[i].y;
+                let [one, two] = self.integrals[i];
+                // Integral of the overlap times the hat to either side, by parts.
+                let (left, before) = if i > begin {
+                    let left = y - self.nodes[i - 1].y;
+                    (left, one - (two - self.integrals[i - 1][1]) / left)
+                } else {
+                    let inside = y - first.at.y;
+                    let left = inside + overhang;
+                    (left, one - two / left)
+                };
+                let (right, behind) = if i + 1 < end {
+                    let right = self.nodes[i + 1].y - y;
+                    (right, (self.integrals[i + 1][1] - two) / right - one)
+                } else {
+                    let inside = last.at.y - y;
+                    let right = inside + overhang;
+                    let [all, twice] = last.integrals;
+                    (right, (twice - two) / right - one + all * (overhang / right))
+                };
+                let node = &mut self.nodes[i];
+                node.reach = [left, right];
+                node.width = (left + right) * 0.5;
+                node.overlap = (before + behind) / node.width;
+            }
+        }
+    }
+}
+
+/// Calls `each` with every two neighbouring samples of one interval.
+fn for_pairs<T: Real>(samples: &[Sample<T>], mut each: impl FnMut(&Sample<T>, &Sample<T>)) {
+    for pair in samples.windows(2) {
+        if pair[0].interval == pair[1].interval {
+            each(&pair[0], &pair[1]);
+        }
+    }
+}

@@ -1,0 +1,371 @@
+//! Newton's method for the least energy over loads that are not negative.
+//!
+//! Each step goes to the least value of the quadratic model of the energy: loads that would become
+//! negative are held at zero, and those at zero that are pushed away stay there. Where the model is
+//! not convex its diagonal is raised until it is; where the energy rises the step is shortened. The
+//! penalty of χ is raised in the first step, so that χ follows the loads. Near the end the factor of
+//! the last step serves again.
+
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::V3;
+
+use super::factor::Factor;
+use super::kernel::{Kernel, Table};
+use super::lanes::{FEW, LANES, Lanes, Plain, Simd, by_blocks};
+use super::lattice::Lattice;
+use super::problem::Problem;
+use super::shape::Knots;
+use super::system::System;
+use crate::math::fixed_vec::FixedVec;
+
+/// Most steps with a new factor.
+pub(super) const MAX_STEPS: usize = 40;
+/// Factor of the penalty in the first step.
+const FIRST_PENALTY: f64 = 3.0;
+/// Greatest change of a load per width over that of the ellipse, and of χ, in one step.
+const MAX_CHANGE: [f64; 2] = [1.5, 0.5];
+/// What a change of χ counts against one of a load per width over that of the ellipse.
+const SHAPE_WEIGHT: f64 = 0.05;
+/// Expected error of a load per width over that of the ellipse at which it ends.
+const LAST_ERROR: f64 = 1e-10;
+/// Change below which the factor of a step serves again, and by how much it has to get less then.
+const OLD_FACTOR: f64 = 1e-2;
+const MIN_GAIN: f64 = 0.1;
+/// Rise of the energy that rounding may cause, over the energy.
+const ROUNDING: f64 = 1e-10;
+/// Range of the factors by which a step is shortened.
+const SHORTER: [f64; 2] = [0.1, 0.5];
+/// What a diagonal is raised by over itself, and by how much more if that is not enough.
+const RAISE: [f64; 2] = [0.1, 3.0];
+const MOST_RAISE: f64 = 1e3;
+/// Times that loads are held in one step.
+const MOST_HELD: usize = 3;
+
+/// Solver of one problem, with its memory.
+#[derive(Clone, Debug)]
+pub(super) struct Newton {
+    pub problem: Problem,
+    pub system: System,
+    /// Loads of all nodes over that of the ellipse [m].
+    pub load: FixedVec<f64>,
+    factor: Factor,
+    /// The step of χ and the loads, four by four.
+    step: Vec<Lanes>,
+    /// Nodes to be taken though neither they nor those beside them are loaded.
+    extra: FixedVec<bool>,
+    /// Nodes to be taken.
+    wanted: FixedVec<usize>,
+    /// The point before the last step.
+    last: Point,
+    /// Steps with a new factor, and with an old one, so far.
+    pub steps: u64,
+    pub short_steps: u64,
+    /// Greatest displacement left of the overlap at a node that carries load, over the depth,
+    /// before the last step.
+    pub residual: f64,
+}
+
+/// A point on the way.
+#[derive(Clone, Debug)]
+struct Point {
+    load: FixedVec<f64>,
+    shape: FixedVec<f64>,
+    energy: f64,
+    /// What the energy was to change by, to first order.
+    slope: f64,
+}
+
+/// What a step changed.
+#[derive(Clone, Copy, Debug)]
+struct Change {
+    /// Greatest change of a load per width over that of the ellipse, or of χ as it counts.
+    greatest: f64,
+    /// Whether a load went to zero.
+    lost: bool,
+}
+
+/// Calls a function of [`Newton`] with the best instructions there are.
+macro_rules! with_simd {
+    ($newton:ident.$function:ident($($argument:expr),*)) => {{
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = V3::try_new() {
+            return simd.apart(#[inline(always)] || $newton.$function(simd, $($argument),*));
+        }
+        $newton.$function(Plain, $($argument),*)
+    }};
+}
+
+#[allow(clippy::inline_always)]
+impl Newton {
+    pub fn new(most: usize) -> Self {
+        let knots = Knots::<f64>::most(most);
+        let blocks = most.div_ceil(LANES) + knots.div_ceil(LANES);
+        Self {
+            problem: Problem::new(most),
+            system: System::new(most),
+            load: FixedVec::new(most),
+            factor: Factor::new(most + knots),
+            step: vec![[0.0; LANES]; blocks],
+            extra: FixedVec::new(most),
+            wanted: FixedVec::new(most),
+            last: Point {
+                load: FixedVec::new(most),
+                shape: FixedVec::new(knots),
+                energy: 0.0,
+                slope: 0.0,
+            },
+            steps: 0,
+            short_steps: 0,
+            residual: 0.0,
+        }
+    }
+
+    /// Solves the problem of the nodes of `lattice`; false where it does not converge.
+    pub fn solve(&mut self, lattice: &Lattice) -> bool {
+        with_simd!(self.solve_with(lattice))
+    }
+
+    /// Factorises the second derivatives by χ and the loads that are not zero, at the present
+    /// unknowns; false where they are not positive definite.
+    pub fn factorise(&mut self) -> bool {
+        with_simd!(self.factorise_with())
+    }
+
+    /// Solves with what was factorised, in place, for `loads` of all nodes and `shape` of all
+    /// knots; loads that are zero stay as they are.
+    pub fn solve_linear(&mut self, loads: &mut [f64], shape: &mut [f64]) {
+        with_simd!(self.solve_linear_with(loads, shape));
+    }
+
+    #[inline(always)]
+    fn solve_with<S: Simd>(&mut self, simd: S, lattice: &Lattice) -> bool {
+        let table = &Kernel::shared().coefficients;
+        self.problem.take(lattice);
+        self.problem.start(lattice, &mut self.load);
+        self.system.shape.clear();
+        self.system.shape.resize(self.problem.knots.count, 0.0);
+        self.system.nodes.clear();
+        self.mark_tops();
+        self.last.energy = f64::INFINITY;
+        for step in 0..MAX_STEPS {
+            self.steps += 1;
+            self.choose_nodes(simd);
+            let penalty = if step == 0 { FIRST_PENALTY } else { 1.0 };
+            self.system.differentiate::<S, true>(simd, table, &self.problem, penalty);
+            if self.system.energy > self.last.energy + ROUNDING * self.last.energy.abs() {
+                self.retreat();
+                continue;
+            }
+            let Self { system, factor, problem, .. } = self;
+            simd.apart(
+                #[inline(always)]
+                || system.assemble(simd, problem, penalty, factor),
+            );
+            let Some(change) = self.full_step(simd) else { return false };
+            if penalty > 1.0 || change.greatest > OLD_FACTOR || change.lost {
+                continue;
+            }
+            let is_near = change.greatest * change.greatest < LAST_ERROR;
+            if (is_near || self.short_steps(simd, table, change)) && self.is_complete(simd, table) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Takes the nodes where the overlap is greatest around as extra ones.
+    #[inline(always)]
+    fn mark_tops(&mut self) {
+        let Self { problem, extra, .. } = self;
+        let overlap = |i: usize| problem.points.get(i).map_or(0.0, |point| point.overlap);
+        extra.clear();
+        extra.extend(
+            (0..problem.len()).map(|i| overlap(i) > overlap(i.wrapping_sub(1)).max(overlap(i + 1))),
+        );
+    }
+
+    /// Takes the nodes that are loaded, those beside them, and the extra ones; none anew if those
+    /// that are there will do.
+    #[inline(always)]
+    fn choose_nodes<S: Simd>(&mut self, simd: S) {
+        let Self { problem, system, load, extra, wanted, .. } = self;
+        wanted.clear();
+        let is_loaded = |i: usize| load.get(i).is_some_and(|&load| load > 0.0);
+        wanted.extend((0..load.len()).filter(|&i| {
+            extra[i] || is_loaded(i) || is_loaded(i + 1) || is_loaded(i.wrapping_sub(1))
+        }));
+        let nodes = &mut system.nodes;
+        let mut taken = nodes.iter();
+        let will_do = wanted.iter().all(|i| taken.any(|taken| taken == i));
+        if will_do && nodes.len().div_ceil(LANES) == wanted.len().div_ceil(LANES) {
+            system.put_loads(load);
+        } else {
+            nodes.clear();
+            nodes.extend_from_slice(wanted);
+            simd.apart(
+                #[inline(always)]
+                || system.take(simd, problem, load),
+            );
+        }
+    }
+
+    /// Goes part of the last step back.
+    #[inline(always)]
+    fn retreat(&mut self) {
+        let Self { system, load, last, .. } = self;
+        let rise = system.energy - last.energy - last.slope;
+        let part = (-0.5 * last.slope / rise).clamp(SHORTER[0], SHORTER[1]);
+        last.slope *= part;
+        let between = |now: &mut FixedVec<f64>, last: &FixedVec<f64>| {
+            for (now, last) in now.iter_mut().zip(last.iter()) {
+                *now = last + part * (*now - last);
+            }
+        };
+        between(load, &last.load);
+        between(&mut system.shape, &last.shape);
+    }
+
+    /// One step of Newton's method, or nothing where the equations have no solution.
+    #[inline(always)]
+    fn full_step<S: Simd>(&mut self, simd: S) -> Option<Change> {
+        let Self { system, factor, step, .. } = self;
+        let (first, blocks) = (factor.first, system.blocks);
+        let free = &mut factor.free[first..];
+        let residual = by_blocks!(blocks => B, system.release::<S, B>(simd, free));
+        self.residual = residual / self.problem.scales.depth;
+        let mut raise = 0.0;
+        for _ in 0..MOST_HELD {
+            while !simd.apart(
+                #[inline(always)]
+                || factor.factorise(simd, raise),
+            ) {
+                raise = RAISE[0].max(raise * RAISE[1]);
+                if raise > MOST_RAISE {
+                    return None;
+                }
+            }
+            by_blocks!(blocks => B, system.load_up::<S, B>(simd, factor, step));
+            simd.apart(
+                #[inline(always)]
+                || factor.solve(simd, step),
+            );
+            let free = &mut factor.free[first..];
+            if !by_blocks!(blocks => B, system.hold::<S, B>(simd, &step[first..], free)) {
+                break;
+            }
+        }
+        self.last.load.clear();
+        self.last.load.extend_from_slice(&self.load);
+        self.last.shape.clear();
+        self.last.shape.extend_from_slice(&self.system.shape);
+        self.last.energy = self.system.energy;
+        Some(self.change(simd))
+    }
+
+    /// Steps with the factor of the last one, which changed by `before`; whether they came to an
+    /// end.
+    #[inline(always)]
+    fn short_steps<S: Simd>(&mut self, simd: S, table: &Table, before: Change) -> bool {
+        let mut last = before.greatest;
+        loop {
+            self.short_steps += 1;
+            self.system.differentiate::<S, false>(simd, table, &self.problem, 1.0);
+            let Self { system, factor, step, .. } = self;
+            let (first, blocks) = (factor.first, system.blocks);
+            let free = &factor.free[first..];
+            if by_blocks!(blocks => B, system.is_pulled::<S, B>(simd, free)) {
+                return false;
+            }
+            by_blocks!(blocks => B, system.load_up::<S, B>(simd, factor, step));
+            simd.apart(
+                #[inline(always)]
+                || factor.solve(simd, step),
+            );
+            let change = self.change(simd);
+            if change.lost || change.greatest > MIN_GAIN * last {
+                return false;
+            }
+            if change.greatest * before.greatest < LAST_ERROR {
+                return true;
+            }
+            last = change.greatest;
+        }
+    }
+
+    /// Takes the step.
+    #[inline(always)]
+    fn change<S: Simd>(&mut self, simd: S) -> Change {
+        let Self { system, factor, step, load, last, .. } = self;
+        let (first, blocks) = (factor.first, system.blocks);
+        let (shape_step, step) = step.split_at(first);
+        let [greatest, slope] = by_blocks!(blocks => B, system.measure::<S, B>(simd, step));
+        let (mut greatest_shape, mut slope) = (0.0_f64, slope);
+        for (by, gradient) in shape_step.as_flattened().iter().zip(system.shape_gradient.iter()) {
+            greatest_shape = greatest_shape.max(by.abs());
+            slope += by * gradient;
+        }
+        let part = (MAX_CHANGE[0] / greatest).min(MAX_CHANGE[1] / greatest_shape).min(1.0);
+        last.slope = slope * part;
+        for (shape, by) in system.shape.iter_mut().zip(shape_step.as_flattened()) {
+            *shape += part * by;
+        }
+        let free = &factor.free[first..];
+        let lost = by_blocks!(blocks => B, system.change::<S, B>(simd, step, free, part));
+        system.give_loads(load);
+        Change { greatest: part * greatest.max(SHAPE_WEIGHT * greatest_shape), lost }
+    }
+
+    /// Whether no node that is left out would be loaded; those that would are taken from now on.
+    #[inline(always)]
+    fn is_complete<S: Simd>(&mut self, simd: S, table: &Table) -> bool {
+        let Self { system, problem, load, extra, .. } = self;
+        let is_loaded = |i: usize| load.get(i).is_some_and(|&load| load > 0.0);
+        let mut is_complete = true;
+        let mut next = 0;
+        for i in 0..load.len() {
+            if system.nodes.get(next) == Some(&i) {
+                next += 1;
+            } else if is_loaded(i + 1) || is_loaded(i.wrapping_sub(1)) {
+                is_complete = false;
+            } else if simd.apart(
+                #[inline(always)]
+                || system.pull(simd, table, problem, i),
+            ) < 0.0
+            {
+                extra[i] = true;
+                is_complete = false;
+            }
+        }
+        is_complete
+    }
+
+    #[inline(always)]
+    fn factorise_with<S: Simd>(&mut self, simd: S) -> bool {
+        let table = &Kernel::shared().coefficients;
+        self.choose_nodes(simd);
+        self.system.differentiate::<S, true>(simd, table, &self.problem, 1.0);
+        self.system.assemble(simd, &self.problem, 1.0, &mut self.factor);
+        let Self { system, factor, .. } = self;
+        let first = factor.first;
+        let free = factor.free[first..].as_flattened_mut();
+        for (free, &i) in free.iter_mut().zip(system.nodes.iter()) {
+            *free = f64::from(u8::from(self.load[i] > 0.0));
+        }
+        factor.factorise(simd, 0.0)
+    }
+
+    #[inline(always)]
+    fn solve_linear_with<S: Simd>(&mut self, simd: S, loads: &mut [f64], shape: &mut [f64]) {
+        let Self { system, factor, step, load, .. } = self;
+        let first = factor.first * LANES;
+        let loaded = || system.nodes.iter().enumerate().filter(|&(_, &i)| load[i] > 0.0);
+        let rows = step.as_flattened_mut();
+        rows.fill(0.0);
+        rows[..shape.len()].copy_from_slice(shape);
+        loaded().for_each(|(k, &i)| rows[first + k] = loads[i]);
+        factor.solve(simd, step);
+        let rows = step.as_flattened();
+        shape.copy_from_slice(&rows[..shape.len()]);
+        loaded().for_each(|(k, &i)| loads[i] = rows[first + k]);
+    }
+}

@@ -1,0 +1,113 @@
+//! Mutual potentials of four strips with one, and their derivatives by the squares of both half
+//! lengths.
+
+use super::kernel::{COEFFICIENTS, FIRST_EXPONENT, LAST_W, PIECE_BITS, T_SOFT, TABLE, Table};
+use super::lanes::{Four, Simd};
+use super::pairs::Pairs;
+
+/// Binary digits of w behind those that tell its piece, less those of a number of coefficients.
+const DIGITS: i32 = (f64::MANTISSA_DIGITS - 1 - PIECE_BITS - COEFFICIENTS.trailing_zeros()) as i32;
+/// Where a piece begins in the table.
+const PIECE: u64 = ((TABLE - 1) * COEFFICIENTS) as u64;
+/// Where the table begins.
+const SMALLEST_W: f64 = 1.0 / (1_u64 << -FIRST_EXPONENT) as f64;
+
+/// Potentials K [1/m] and their derivatives by the squares p of the half lengths of the four strips
+/// and q of the one.
+pub(super) struct Potentials<S: Simd> {
+    pub value: Four<S>,
+    pub by_p: Four<S>,
+    pub by_q: Four<S>,
+    pub by_pp: Four<S>,
+    pub by_pq: Four<S>,
+    pub by_qq: Four<S>,
+}
+
+/// Value, derivative and half of the second derivative of a cubic at `x`.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn cubic<S: Simd>(c: &[Four<S>; 4], x: Four<S>) -> [Four<S>; 3] {
+    let one = c[2].add_product(c[3], x);
+    let two = one.add_product(c[3], x);
+    let half_second = two.add_product(c[3], x);
+    let inner = c[1].add_product(one, x);
+    [c[0].add_product(inner, x), inner.add_product(two, x), half_second]
+}
+
+/// The coefficients of F and G at `w`, as the table has them.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn coefficients<S: Simd>(simd: S, table: &Table, pairs: &Pairs, w: Four<S>) -> [[Four<S>; 4]; 2] {
+    let places = w.max(simd.splat(SMALLEST_W)).digits::<DIGITS>(pairs.row, PIECE);
+    let rows = |from: usize| {
+        places.map(|place| {
+            let at = place as usize + from;
+            [table[at], table[at + 1], table[at + 2], table[at + 3]]
+        })
+    };
+    [Four::columns(simd, rows(0)), Four::columns(simd, rows(4))]
+}
+
+/// Potentials of four strips of half lengths p^½ with one of q^½; second derivatives are not there
+/// unless they are asked for.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn potentials<S: Simd, const SECOND: bool>(
+    simd: S,
+    table: &Table,
+    pairs: &Pairs,
+    p: Four<S>,
+    q: Four<S>,
+) -> Potentials<S> {
+    let (g, h) = (simd.four(&pairs.half_inverse_square), simd.four(&pairs.inverse));
+    let sum = p + q;
+    let w = (sum * g).min(simd.splat(LAST_W));
+    let [f, e] = coefficients(simd, table, pairs, w);
+    let reciprocal = simd.splat(1.0) / sum;
+    let t = (p - q) * reciprocal;
+    let root = simd.splat(T_SOFT).add_product(t, t).sqrt();
+    // F and its derivatives, the second one halved; and G.
+    let [f, f1, f2] = cubic(&f, w);
+    let [e, e1, e2] = cubic(&e, w);
+    let value = h * f.add_product(root, e);
+    let gh = g * h;
+    let inverse_root = simd.splat(1.0) / root;
+    let rate = inverse_root * reciprocal;
+    let turn = t * rate;
+    let eh = e * h;
+    let by_sum = gh * f1.add_product(root, e1);
+    let across = eh * turn;
+    let even = by_sum.sub_product(across, t);
+    let (by_p, by_q) = (even + across, even - across);
+    if !SECOND {
+        let none = simd.splat(0.0);
+        return Potentials { value, by_p, by_q, by_pp: none, by_pq: none, by_qq: none };
+    }
+    let mixed = (gh * e1 * turn).sub_product(across, reciprocal);
+    let bend = eh * inverse_root * T_SOFT * (rate * rate);
+    let sums = (g * gh * f2.add_product(root, e2)).sub_product(t, mixed);
+    let all = (sums + sums).add_product(t * t, bend);
+    let same = all + bend;
+    let skew = mixed.sub_product(t, bend);
+    let skew = skew + skew;
+    Potentials { value, by_p, by_q, by_pp: same + skew, by_pq: all - bend, by_qq: same - skew }
+}
+
+/// As [`potentials`], the values alone.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn potential<S: Simd>(
+    simd: S,
+    table: &Table,
+    pairs: &Pairs,
+    p: Four<S>,
+    q: Four<S>,
+) -> Four<S> {
+    let (sum, h) = (p + q, simd.four(&pairs.inverse));
+    let w = (sum * simd.four(&pairs.half_inverse_square)).min(simd.splat(LAST_W));
+    let [f, e] = coefficients(simd, table, pairs, w);
+    let t = (p - q) / sum;
+    let root = simd.splat(T_SOFT).add_product(t, t).sqrt();
+    let of = |k: usize| f[k].add_product(root, e[k]);
+    h * of(0).add_product(w, of(1).add_product(w, of(2).add_product(w, of(3))))
+}

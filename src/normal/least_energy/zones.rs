@@ -1,0 +1,249 @@
+//! Loaded zones out of the loads of the nodes.
+//!
+//! A zone is a run of nodes that carry load. Pressure and half length follow from the load per width
+//! l less a quarter of what a mean over hats takes from it, so that neighbours do not alternate. At
+//! the edge of an ellipse l goes to zero as a line; what the hats make of that puts the edge at
+//!
+//! ```text
+//! h (0.1 + 1.7 r) beyond the last node,  r = its load per width over that of the one before it,
+//! ```
+//!
+//! h the width of the panel: one line for all places of the edge in the panel, fitted to ellipses of
+//! a/b 0.08 to 34.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::lattice::{Lattice, Node};
+use super::scales::Scales;
+use super::shape::Knots;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+use crate::normal::{Strips, Zone};
+
+/// Share of the mean over hats in the load per width that lengths and pressures are taken from.
+const SMOOTHING: f64 = 0.25;
+/// Place of an edge beyond the last node over the width of the panel, without load there, and by
+/// the ratio of the last two loads.
+const EDGE: [f64; 2] = [0.1, 1.7];
+/// That ratio where a zone has one node.
+const LONE_RATIO: f64 = 0.5 / 1.7;
+/// Nodes and weights of Gauss and Legendre on [0, 1].
+const GAUSS: [[f64; 2]; 4] = [
+    [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
+    [0.330_009_478_207_571_87, 0.326_072_577_431_273_07],
+    [0.669_990_521_792_428_1, 0.326_072_577_431_273_07],
+    [0.930_568_155_797_026_3, 0.173_927_422_568_726_93],
+];
+
+/// Memory of what is read off.
+#[derive(Clone, Debug)]
+pub(super) struct Zones<T = f64> {
+    /// Load per width over E*, and the same smoothed [m].
+    load: FixedVec<T>,
+    smooth: FixedVec<T>,
+    /// Square of the half length over the smoothed load per width [m].
+    square_over_load: FixedVec<T>,
+    /// Coordinates across and squares of half lengths of the zone under way, with its edges.
+    outline: FixedVec<[T; 2]>,
+}
+
+impl<T: Real> Zones<T> {
+    pub fn new(most: usize) -> Self {
+        Self {
+            load: FixedVec::new(most),
+            smooth: FixedVec::new(most),
+            square_over_load: FixedVec::new(most),
+            outline: FixedVec::new(most + 2),
+        }
+    }
+
+    /// Hands runs of loaded nodes over as the strips of a zone each; `loads` are those of the nodes
+    /// over that of the ellipse [m], `shape` χ at the knots. Returns the number of zones that found
+    /// no room.
+    pub fn emit(
+        &mut self,
+        lattice: &Lattice<T>,
+        scales: &Scales<T>,
+        knots: &Knots<T>,
+        [loads, shape]: [&[T]; 2],
+        contact_modulus: f64,
+        strips: &mut Strips<T>,
+    ) -> usize {
+        self.take(lattice, scales, knots, [loads, shape]);
+        let nodes = &lattice.nodes;
+        let mut left_out = 0;
+        let mut end = 0;
+        while end < nodes.len() {
+            let begin = end;
+            end += 1;
+            // Not a number is no load.
+            let is_loaded = loads[begin] > 0.0;
+            if !is_loaded {
+                continue;
+            }
+            while end < nodes.len()
+                && loads[end] > 0.0
+                && nodes[end].interval == nodes[begin].interval
+            {
+                end += 1;
+            }
+            if !strips.has_room_for(end - begin) {
+                left_out += 1;
+                continue;
+            }
+            let mut zone: Zone<T> =
+                Zone { first: strips.y.len(), count: end - begin, ..Zone::default() };
+            for i in begin..end {
+                // By its own load: a strip comes in without length.
+                let half_length = (self.load[i] * self.square_over_load[i]).sqrt();
+                strips.y.push(nodes[i].y);
+                strips.width.push(nodes[i].width);
+                strips.x.push(nodes[i].x);
+                strips.half_length.push(half_length);
+                strips.pressure.push(self.load[i] / half_length * (2.0 / PI * contact_modulus));
+                strips.u.push(nodes[i].u);
+                zone.length = zone.length.max(half_length * 2.0);
+            }
+            strips.summarise(&mut zone);
+            zone.max_pressure = self.max_pressure(nodes, begin, end) * contact_modulus;
+            [zone.area, zone.width] = self.extent(nodes, begin, end);
+            strips.zones.push(zone);
+        }
+        left_out
+    }
+
+    /// Loads per width of all nodes.
+    fn take(
+        &mut self,
+        lattice: &Lattice<T>,
+        scales: &Scales<T>,
+        knots: &Knots<T>,
+        [loads, shape]: [&[T]; 2],
+    ) {
+        let nodes = &lattice.nodes;
+        self.load.clear();
+        self.smooth.clear();
+        self.square_over_load.clear();
+        self.load
+            .extend(nodes.iter().zip(loads).map(|(node, &load)| load * scales.load / node.width));
+        for (i, &load) in self.load.iter().enumerate() {
+            let mean = lattice.mean_over_hats(i, loads) * scales.load;
+            self.smooth.push(load + (mean - load) * SMOOTHING);
+            self.square_over_load.push((-knots.value(i, shape)).exp() * scales.square_over_load);
+        }
+    }
+
+    /// Square of the greatest pressure of node `i` over E*.
+    fn pressure_square(&self, i: usize) -> T {
+        self.smooth[i] / self.square_over_load[i] * (4.0 / (PI * PI))
+    }
+
+    /// Greatest pressure over the contact modulus of the nodes from `begin` to `end`: the vertex of
+    /// the parabola of its square, exact on ellipses.
+    fn max_pressure(&self, nodes: &[Node<T>], begin: usize, end: usize) -> T {
+        let square = |i: usize| self.pressure_square(i);
+        let most =
+            (begin..end).fold(begin, |best, i| if square(i) > square(best) { i } else { best });
+        let middle = square(most);
+        if most == begin || most + 1 == end {
+            return middle.sqrt();
+        }
+        let (left, right) = (nodes[most - 1].y - nodes[most].y, nodes[most + 1].y - nodes[most].y);
+        let slopes = [(square(most - 1) - middle) / left, (square(most + 1) - middle) / right];
+        let bend = (slopes[1] - slopes[0]) / (right - left);
+        let slope = slopes[0] - bend * left;
+        let vertex = if bend < 0.0 { slope * -0.5 / bend } else { T::from(0.0) };
+        (middle + vertex * (slope + bend * vertex)).max(middle).sqrt()
+    }
+
+    /// Where the zone of the nodes from `begin` to `end` ends, before and behind them [m].
+    fn edges(&self, nodes: &[Node<T>], begin: usize, end: usize) -> [T; 2] {
+        [(begin, 0, -1.0), (end - 1, 1, 1.0)].map(|(last, side, sign)| {
+            let panel = nodes[last].reach[side];
+            let ratio = if end - begin == 1 {
+                T::from(LONE_RATIO)
+            } else {
+                let inner = if side == 0 { last + 1 } else { last - 1 };
+                let unequal = (nodes[last].y - nodes[inner].y).abs() / panel + 1.0;
+                self.load[last] / self.load[inner] * unequal * 0.5
+            };
+            nodes[last].y + panel * (ratio * EDGE[1] + EDGE[0]).at_most(1.0) * sign
+        })
+    }
+
+    /// Area and width of the nodes from `begin` to `end`: the square of the half length is a smooth
+    /// curve through them and the edges.
+    fn extent(&mut self, nodes: &[Node<T>], begin: usize, end: usize) -> [T; 2] {
+        let [low, high] = self.edges(nodes, begin, end);
+        let width = high - low;
+        let zero = T::from(0.0);
+        let square = |i: usize| self.square_over_load[i] * self.load[i];
+        if end - begin < 3 {
+            // Half an ellipse of the same load.
+            let sum: T = (begin..end).map(|i| square(i) * nodes[i].width).sum();
+            return [(sum * 1.5 / width).sqrt() * width * FRAC_PI_2, width];
+        }
+        // Without the outermost nodes, whose load the edges take up, and then with them.
+        let points = &mut self.outline;
+        points.clear();
+        points.push([low, zero]);
+        points.extend((begin + 1..end - 1).map(|i| [nodes[i].y, square(i)]));
+        points.push([high, zero]);
+        let outermost = [begin, end - 1].map(|i| nodes[i].y);
+        let last = points.len() - 1;
+        let inside = [
+            square(begin).max(curve(points, 0, outermost[0])),
+            square(end - 1).max(curve(points, last - 1, outermost[1])),
+        ];
+        points.insert(1, [outermost[0], inside[0]]);
+        points.insert(last + 1, [outermost[1], inside[1]]);
+        let mut area = zero;
+        let panels = points.len() - 1;
+        for k in 0..panels {
+            let h = points[k + 1][0] - points[k][0];
+            let mut sum = zero;
+            for [at, weight] in GAUSS {
+                // A root at the edges becomes a line.
+                let (t, weight) = if k == 0 {
+                    (at * at, 2.0 * at * weight)
+                } else if k + 1 == panels {
+                    (1.0 - at * at, 2.0 * at * weight)
+                } else {
+                    (at, weight)
+                };
+                let square = curve(points, k, points[k][0] + h * t).at_least(0.0);
+                sum += square.sqrt() * weight;
+            }
+            area += h * sum * 2.0;
+        }
+        [area, width]
+    }
+}
+
+/// Slope of the curve at point `k`: that of the parabola through it and its neighbours; at the ends
+/// such that the parabola goes on.
+fn slope<T: Real>(points: &[[T; 2]], k: usize) -> T {
+    let secant = |k: usize| (points[k + 1][1] - points[k][1]) / (points[k + 1][0] - points[k][0]);
+    let last = points.len() - 1;
+    if k == 0 {
+        let first = secant(0);
+        return (first * 2.0 - slope(points, 1)).max(first * 0.5);
+    }
+    if k == last {
+        let final_secant = secant(last - 1);
+        return (final_secant * 2.0 - slope(points, last - 1)).min(final_secant * 0.5);
+    }
+    let [before, behind] = [k - 1, k].map(|k| points[k + 1][0] - points[k][0]);
+    (secant(k - 1) * behind + secant(k) * before) / (before + behind)
+}
+
+/// Value of the curve at `x` between points `k` and `k` + 1.
+fn curve<T: Real>(points: &[[T; 2]], k: usize, x: T) -> T {
+    let h = points[k + 1][0] - points[k][0];
+    let t = (x - points[k][0]) / h;
+    let rest = -t + 1.0;
+    let [left, right] = [slope(points, k), slope(points, k + 1)];
+    points[k][1] * (t * 2.0 + 1.0) * rest * rest
+        + points[k + 1][1] * t * t * (-(t * 2.0) + 3.0)
+        + h * t * rest * (left * rest - right * t)
+}
