@@ -1,6 +1,7 @@
 //! A symmetric matrix in factors L D Lᵀ, and what it takes to solve with it.
 
 use super::lanes::{FEW, Four, LANES, Lanes, Simd, by_blocks, first, first_mut, stride};
+use crate::math::fixed_vec::FixedVec;
 
 /// Least pivot over the diagonal: less is not taken for positive definite.
 const LEAST_PIVOT: f64 = 1e-6;
@@ -13,11 +14,11 @@ const PANEL: usize = 4;
 /// Rows come by fours; there are two kinds of unknowns, each of which begins with a four.
 #[derive(Clone, Debug)]
 pub(super) struct Factor {
-    /// Unknowns of both kinds.
-    counts: [usize; 2],
     /// Fours of the first kind, and of a column.
     pub first: usize,
     blocks: usize,
+    /// Unknowns before each four, and all of them.
+    starts: FixedVec<usize>,
     columns: Vec<Lanes>,
     /// 1 for unknowns that are free, 0 for those that are held, and what is added to the diagonal.
     pub free: Vec<Lanes>,
@@ -35,9 +36,9 @@ impl Factor {
         let blocks = (most.div_ceil(LANES) + 1).max(FEW);
         let size = blocks * LANES;
         Self {
-            counts: [0; 2],
             first: 0,
             blocks: 0,
+            starts: FixedVec::new(blocks + 1),
             columns: vec![[0.0; LANES]; blocks * size],
             free: vec![[0.0; LANES]; blocks],
             shift: vec![[0.0; LANES]; blocks],
@@ -51,9 +52,12 @@ impl Factor {
     /// first kind are free.
     #[inline(always)]
     pub fn resize(&mut self, counts: [usize; 2]) {
-        self.counts = counts;
-        self.first = counts[0].div_ceil(LANES);
-        self.blocks = self.first + counts[1].div_ceil(LANES);
+        self.starts.clear();
+        self.starts.extend((0..counts[0]).step_by(LANES));
+        self.first = self.starts.len();
+        self.starts.extend((counts[0]..counts[0] + counts[1]).step_by(LANES));
+        self.blocks = self.starts.len();
+        self.starts.push(counts[0] + counts[1]);
         self.free[..self.first].fill([1.0; LANES]);
     }
 
@@ -64,16 +68,11 @@ impl Factor {
         &mut self.columns[row * stride..row * stride + self.blocks]
     }
 
-    /// Unknowns in four number `block`, and their number among all.
+    /// Number of the first unknown in four number `block` among all, and how many there are.
     #[inline(always)]
     fn unknowns(&self, block: usize) -> (usize, usize) {
-        let [first, second] = self.counts;
-        if block < self.first {
-            (LANES.min(first - block * LANES), block * LANES)
-        } else {
-            let before = (block - self.first) * LANES;
-            (LANES.min(second - before), first + before)
-        }
+        let before = self.starts[block];
+        (before, (self.starts[block + 1] - before).min(LANES))
     }
 
     /// Factorises the matrix with `raise` of the diagonal added to itself, those held at rest; false
@@ -95,7 +94,7 @@ impl Factor {
     #[inline(always)]
     fn eliminate<S: Simd, const R: usize>(&mut self, simd: S, block: usize, raise: f64) -> bool {
         let (stride, rest) = (stride::<R>(self.blocks), self.blocks - block);
-        let (count, before) = self.unknowns(block);
+        let (before, count) = self.unknowns(block);
         for lane in 0..count {
             let k = before + lane;
             let (done, own) = self.parts.split_at_mut(2 * k * stride);
@@ -121,13 +120,13 @@ impl Factor {
                     take_off::<S, 1>(simd, &column[from..], done, &mut scaled[from..]);
                 }
             }
-            let held = if self.free[block][lane] > 0.0 { 0.0 } else { HOLD };
             let diagonal = column[0][lane];
-            let shift = (raise + held) * diagonal.abs();
+            let hold = HOLD - HOLD * self.free[block][lane];
+            let shift = (raise + hold) * diagonal.abs();
             self.shift[block][lane] = shift;
             let pivot = scaled[0][lane] + shift;
             // Not a number compares false as well.
-            if !(pivot > LEAST_PIVOT * (diagonal + shift).abs() && pivot.is_finite()) {
+            if !(pivot > LEAST_PIVOT * (diagonal + shift).abs() && pivot < f64::INFINITY) {
                 return false;
             }
             let inverse = 1.0 / pivot;
@@ -160,7 +159,7 @@ impl Factor {
     #[inline(always)]
     fn substitute<S: Simd, const R: usize>(&mut self, simd: S, block: usize, right: &mut [Lanes]) {
         let (stride, rest) = (stride::<R>(self.blocks), self.blocks - block);
-        let (count, before) = self.unknowns(block);
+        let (before, count) = self.unknowns(block);
         let right = first_mut::<R, _>(right, rest);
         let parts = self.parts[2 * before * stride..].chunks_exact(2 * stride);
         let known = self.solved[before..before + count].iter_mut().zip(&self.inverse[before..]);
@@ -178,7 +177,7 @@ impl Factor {
     #[inline(always)]
     fn substitute_back<S: Simd, const R: usize>(&self, simd: S, block: usize, right: &mut [Lanes]) {
         let (stride, rest) = (stride::<R>(self.blocks), self.blocks - block);
-        let (count, before) = self.unknowns(block);
+        let (before, count) = self.unknowns(block);
         let right = first_mut::<R, _>(right, rest);
         let parts = &self.parts[2 * before * stride..2 * (before + count) * stride];
         let solved = &self.solved[before..before + count];

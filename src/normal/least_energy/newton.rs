@@ -2,16 +2,15 @@
 //!
 //! Each step goes to the least value of the quadratic model of the energy: loads that would become
 //! negative are held at zero, and those at zero that are pushed away stay there. Where the model is
-//! not convex its diagonal is raised until it is; where the energy rises the step is shortened. The
-//! penalty of χ is raised in the first step, so that χ follows the loads. Near the end the factor of
-//! the last step serves again.
+//! not convex its diagonal is raised until it is; where the energy rises the step is shortened. Near
+//! the end the factor of the last step serves again.
 
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::V3;
 
 use super::factor::Factor;
 use super::kernel::{Kernel, Table};
-use super::lanes::{FEW, LANES, Lanes, Plain, Simd, by_blocks};
+use super::lanes::{FEW, LANES, Lanes, Plain, Simd, by_blocks, first, first_mut};
 use super::lattice::Lattice;
 use super::problem::Problem;
 use super::shape::Knots;
@@ -20,23 +19,23 @@ use crate::math::fixed_vec::FixedVec;
 
 /// Most steps with a new factor.
 pub(super) const MAX_STEPS: usize = 40;
-/// Factor of the penalty in the first step.
-const FIRST_PENALTY: f64 = 3.0;
 /// Greatest change of a load per width over that of the ellipse, and of χ, in one step.
 const MAX_CHANGE: [f64; 2] = [1.5, 0.5];
 /// What a change of χ counts against one of a load per width over that of the ellipse.
 const SHAPE_WEIGHT: f64 = 0.05;
 /// Expected error of a load per width over that of the ellipse at which it ends.
-const LAST_ERROR: f64 = 1e-10;
+const LAST_ERROR: f64 = 1e-9;
 /// Change below which the factor of a step serves again, and by how much it has to get less then.
-const OLD_FACTOR: f64 = 1e-2;
+const OLD_FACTOR: f64 = 2e-2;
 const MIN_GAIN: f64 = 0.1;
+/// Most steps with the same factor.
+const MOST_SHORT: usize = 5;
 /// Rise of the energy that rounding may cause, over the energy.
 const ROUNDING: f64 = 1e-10;
 /// Range of the factors by which a step is shortened.
 const SHORTER: [f64; 2] = [0.1, 0.5];
 /// What a diagonal is raised by over itself, and by how much more if that is not enough.
-const RAISE: [f64; 2] = [0.1, 3.0];
+const RAISE: [f64; 2] = [0.01, 3.0];
 const MOST_RAISE: f64 = 1e3;
 /// Times that loads are held in one step.
 const MOST_HELD: usize = 3;
@@ -51,6 +50,9 @@ pub(super) struct Newton {
     factor: Factor,
     /// The step of χ and the loads, four by four.
     step: Vec<Lanes>,
+    /// What squares of its numbers count, and the last step with a new factor and those after it.
+    metric: Vec<Lanes>,
+    past: [Vec<Lanes>; MOST_SHORT + 1],
     /// Nodes to be taken though neither they nor those beside them are loaded.
     extra: FixedVec<bool>,
     /// Nodes to be taken.
@@ -80,8 +82,8 @@ struct Point {
 struct Change {
     /// Greatest change of a load per width over that of the ellipse, or of χ as it counts.
     greatest: f64,
-    /// Whether a load went to zero.
-    lost: bool,
+    /// Whether a load went to zero, or the model was not convex.
+    is_rough: bool,
 }
 
 /// Calls a function of [`Newton`] with the best instructions there are.
@@ -106,6 +108,8 @@ impl Newton {
             load: FixedVec::new(most),
             factor: Factor::new(most + knots),
             step: vec![[0.0; LANES]; blocks],
+            metric: vec![[0.0; LANES]; blocks],
+            past: std::array::from_fn(|_| vec![[0.0; LANES]; blocks]),
             extra: FixedVec::new(most),
             wanted: FixedVec::new(most),
             last: Point {
@@ -147,11 +151,10 @@ impl Newton {
         self.system.nodes.clear();
         self.mark_tops();
         self.last.energy = f64::INFINITY;
-        for step in 0..MAX_STEPS {
+        for _ in 0..MAX_STEPS {
             self.steps += 1;
-            self.choose_nodes(simd);
-            let penalty = if step == 0 { FIRST_PENALTY } else { 1.0 };
-            self.system.differentiate::<S, true>(simd, table, &self.problem, penalty);
+            self.choose_nodes(simd, table);
+            self.system.differentiate::<S, true>(simd, table, &self.problem);
             if self.system.energy > self.last.energy + ROUNDING * self.last.energy.abs() {
                 self.retreat();
                 continue;
@@ -159,10 +162,10 @@ impl Newton {
             let Self { system, factor, problem, .. } = self;
             simd.apart(
                 #[inline(always)]
-                || system.assemble(simd, problem, penalty, factor),
+                || system.assemble(simd, problem, factor),
             );
             let Some(change) = self.full_step(simd) else { return false };
-            if penalty > 1.0 || change.greatest > OLD_FACTOR || change.lost {
+            if change.greatest > OLD_FACTOR || change.is_rough {
                 continue;
             }
             let is_near = change.greatest * change.greatest < LAST_ERROR;
@@ -184,22 +187,28 @@ impl Newton {
         );
     }
 
-    /// Takes the nodes that are loaded, those beside them, and the extra ones; none anew if those
-    /// that are there will do.
+    /// Takes the nodes that are loaded, those beside them that would be, and the extra ones; none
+    /// anew if those that are there will do.
     #[inline(always)]
-    fn choose_nodes<S: Simd>(&mut self, simd: S) {
+    fn choose_nodes<S: Simd>(&mut self, simd: S, table: &Table) {
         let Self { problem, system, load, extra, wanted, .. } = self;
-        wanted.clear();
+        let is_first = system.nodes.is_empty();
+        if !is_first {
+            system.put_loads(load);
+            system.stretch(simd, problem);
+        }
         let is_loaded = |i: usize| load.get(i).is_some_and(|&load| load > 0.0);
-        wanted.extend((0..load.len()).filter(|&i| {
-            extra[i] || is_loaded(i) || is_loaded(i + 1) || is_loaded(i.wrapping_sub(1))
-        }));
+        wanted.clear();
+        for i in 0..load.len() {
+            let is_beside = !is_first && (is_loaded(i + 1) || is_loaded(i.wrapping_sub(1)));
+            if extra[i] || is_loaded(i) || is_beside && system.pull(simd, table, problem, i) < 0.0 {
+                wanted.push(i);
+            }
+        }
         let nodes = &mut system.nodes;
         let mut taken = nodes.iter();
         let will_do = wanted.iter().all(|i| taken.any(|taken| taken == i));
-        if will_do && nodes.len().div_ceil(LANES) == wanted.len().div_ceil(LANES) {
-            system.put_loads(load);
-        } else {
+        if !will_do || nodes.len().div_ceil(LANES) > wanted.len().div_ceil(LANES) {
             nodes.clear();
             nodes.extend_from_slice(wanted);
             simd.apart(
@@ -231,8 +240,8 @@ impl Newton {
         let Self { system, factor, step, .. } = self;
         let (first, blocks) = (factor.first, system.blocks);
         let free = &mut factor.free[first..];
-        let residual = by_blocks!(blocks => B, system.release::<S, B>(simd, free));
-        self.residual = residual / self.problem.scales.depth;
+        by_blocks!(blocks => B, system.release::<S, B>(simd, free));
+        self.residual = system.residual(simd) / self.problem.scales.depth;
         let mut raise = 0.0;
         for _ in 0..MOST_HELD {
             while !simd.apart(
@@ -259,30 +268,40 @@ impl Newton {
         self.last.shape.clear();
         self.last.shape.extend_from_slice(&self.system.shape);
         self.last.energy = self.system.energy;
-        Some(self.change(simd))
+        let mut change = self.change(simd, f64::INFINITY);
+        change.is_rough |= raise > 0.0;
+        Some(change)
     }
 
     /// Steps with the factor of the last one, which changed by `before`; whether they came to an
-    /// end.
+    /// end. What the steps have told of the equations since is taken up as in Broyden's method.
     #[inline(always)]
     fn short_steps<S: Simd>(&mut self, simd: S, table: &Table, before: Change) -> bool {
         let mut last = before.greatest;
-        loop {
+        let rows = self.factor.first + self.system.blocks;
+        self.past[0][..rows].copy_from_slice(&self.step[..rows]);
+        let (shape, loads) = self.metric.split_at_mut(self.factor.first);
+        shape.fill([SHAPE_WEIGHT * SHAPE_WEIGHT; LANES]);
+        self.system.weigh(loads);
+        for k in 1..=MOST_SHORT {
             self.short_steps += 1;
-            self.system.differentiate::<S, false>(simd, table, &self.problem, 1.0);
+            self.system.differentiate::<S, false>(simd, table, &self.problem);
             let Self { system, factor, step, .. } = self;
             let (first, blocks) = (factor.first, system.blocks);
             let free = &factor.free[first..];
             if by_blocks!(blocks => B, system.is_pulled::<S, B>(simd, free)) {
                 return false;
             }
+            self.residual = system.residual(simd) / self.problem.scales.depth;
             by_blocks!(blocks => B, system.load_up::<S, B>(simd, factor, step));
             simd.apart(
                 #[inline(always)]
                 || factor.solve(simd, step),
             );
-            let change = self.change(simd);
-            if change.lost || change.greatest > MIN_GAIN * last {
+            by_blocks!(first + blocks => B, self.recall::<S, B>(simd, k));
+            let most = MIN_GAIN * last;
+            let change = self.change(simd, most);
+            if change.is_rough || change.greatest > most {
                 return false;
             }
             if change.greatest * before.greatest < LAST_ERROR {
@@ -290,11 +309,45 @@ impl Newton {
             }
             last = change.greatest;
         }
+        false
     }
 
-    /// Takes the step.
+    /// Corrects the step by the `count` ones before it with the same factor: where they would have
+    /// gone on in one direction, it goes all the way.
     #[inline(always)]
-    fn change<S: Simd>(&mut self, simd: S) -> Change {
+    fn recall<S: Simd, const B: usize>(&mut self, simd: S, count: usize) {
+        let rows = self.factor.first + self.system.blocks;
+        let metric = first::<B, _>(&self.metric, rows);
+        let step = first_mut::<B, _>(&mut self.step, rows);
+        let product = |a: &[Lanes], b: &[Lanes]| {
+            let mut sum = simd.splat(0.0);
+            for ((a, b), metric) in a.iter().zip(b).zip(metric) {
+                sum = sum.add_product(simd.four(a) * simd.four(metric), simd.four(b));
+            }
+            sum.sum()
+        };
+        for k in 1..=count {
+            let past = first::<B, _>(&self.past[k - 1], rows);
+            let share = product(past, step) / product(past, past);
+            if k == count {
+                let scale = 1.0 / (1.0 - share);
+                for step in step.iter_mut() {
+                    *step = (simd.four(step) * scale).lanes();
+                }
+            } else {
+                let next = first::<B, _>(&self.past[k], rows);
+                for (step, next) in step.iter_mut().zip(next) {
+                    let all = simd.four(step).add_product(simd.splat(share), simd.four(next));
+                    *step = all.lanes();
+                }
+            }
+        }
+        first_mut::<B, _>(&mut self.past[count], rows).copy_from_slice(step);
+    }
+
+    /// Takes the step if it changes less than `most`.
+    #[inline(always)]
+    fn change<S: Simd>(&mut self, simd: S, most: f64) -> Change {
         let Self { system, factor, step, load, last, .. } = self;
         let (first, blocks) = (factor.first, system.blocks);
         let (shape_step, step) = step.split_at(first);
@@ -305,6 +358,10 @@ impl Newton {
             slope += by * gradient;
         }
         let part = (MAX_CHANGE[0] / greatest).min(MAX_CHANGE[1] / greatest_shape).min(1.0);
+        let greatest = part * greatest.max(SHAPE_WEIGHT * greatest_shape);
+        if greatest > most {
+            return Change { greatest, is_rough: false };
+        }
         last.slope = slope * part;
         for (shape, by) in system.shape.iter_mut().zip(shape_step.as_flattened()) {
             *shape += part * by;
@@ -312,28 +369,20 @@ impl Newton {
         let free = &factor.free[first..];
         let lost = by_blocks!(blocks => B, system.change::<S, B>(simd, step, free, part));
         system.give_loads(load);
-        Change { greatest: part * greatest.max(SHAPE_WEIGHT * greatest_shape), lost }
+        Change { greatest, is_rough: lost }
     }
 
     /// Whether no node that is left out would be loaded; those that would are taken from now on.
     #[inline(always)]
     fn is_complete<S: Simd>(&mut self, simd: S, table: &Table) -> bool {
         let Self { system, problem, load, extra, .. } = self;
-        let is_loaded = |i: usize| load.get(i).is_some_and(|&load| load > 0.0);
         let mut is_complete = true;
         let mut next = 0;
         for i in 0..load.len() {
             if system.nodes.get(next) == Some(&i) {
                 next += 1;
-            } else if is_loaded(i + 1) || is_loaded(i.wrapping_sub(1)) {
-                is_complete = false;
-            } else if simd.apart(
-                #[inline(always)]
-                || system.pull(simd, table, problem, i),
-            ) < 0.0
-            {
-                extra[i] = true;
-                is_complete = false;
+            } else if system.pull(simd, table, problem, i) < 0.0 {
+                (extra[i], is_complete) = (true, false);
             }
         }
         is_complete
@@ -342,9 +391,9 @@ impl Newton {
     #[inline(always)]
     fn factorise_with<S: Simd>(&mut self, simd: S) -> bool {
         let table = &Kernel::shared().coefficients;
-        self.choose_nodes(simd);
-        self.system.differentiate::<S, true>(simd, table, &self.problem, 1.0);
-        self.system.assemble(simd, &self.problem, 1.0, &mut self.factor);
+        self.choose_nodes(simd, table);
+        self.system.differentiate::<S, true>(simd, table, &self.problem);
+        self.system.assemble(simd, &self.problem, &mut self.factor);
         let Self { system, factor, .. } = self;
         let first = factor.first;
         let free = factor.free[first..].as_flattened_mut();

@@ -24,7 +24,7 @@
 use std::array::from_fn;
 
 use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, TABLE};
-use super::lanes::{LANES, Lanes, Simd};
+use super::lanes::{Four, LANES, Lanes, Simd};
 use super::lattice::Lattice;
 use super::problem::Problem;
 use crate::math::fixed_vec::FixedVec;
@@ -222,12 +222,33 @@ impl Hats {
             pairs.inverse = inverse.lanes();
         }
     }
+
+    /// Less than the potentials of the hats of four number `block` with the hat `one`, for these sums
+    /// of the squares of the half lengths: those of points as far apart as the loads are in the mean
+    /// of squares, and nothing where normals are turned.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn least_potential<S: Simd>(
+        &self,
+        simd: S,
+        block: usize,
+        one: &Hat,
+        squares: Four<S>,
+    ) -> Four<S> {
+        let hats = &self.fours[block];
+        let (away, shift) = (simd.four(&hats.centre) - one.centre, simd.four(&hats.x) - one.x);
+        let distance = (squares * 0.25).add_product(away, away).add_product(shift, shift);
+        let share = if self.is_turned { 0.0 } else { LEAST_SHARE };
+        simd.splat(share) / distance.sqrt()
+    }
 }
 
 /// First coefficient of row 0 of the table, less what the digits of the least w form.
 const FIRST_ROW: u64 = ((FIRST_PIECE * COEFFICIENTS as i64) as u64).wrapping_neg();
 /// A row, in coefficients.
 const ROW: usize = ROW_PIECES * COEFFICIENTS;
+/// Share of the potential of points that those in the table are never below.
+const LEAST_SHARE: f64 = 0.95;
 /// What only counts of a place in the table.
 const MASK: u64 = (TABLE * COEFFICIENTS - 1) as u64;
 /// Makes whole numbers out of the last binary digits.

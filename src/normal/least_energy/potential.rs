@@ -2,7 +2,7 @@
 //! lengths.
 
 use super::kernel::{COEFFICIENTS, FIRST_EXPONENT, LAST_W, PIECE_BITS, T_SOFT, TABLE, Table};
-use super::lanes::{Four, Simd};
+use super::lanes::{Four, Lanes, Simd};
 use super::pairs::Pairs;
 
 /// Binary digits of w behind those that tell its piece, less those of a number of coefficients.
@@ -39,13 +39,18 @@ fn cubic<S: Simd>(c: &[Four<S>; 4], x: Four<S>) -> [Four<S>; 3] {
 #[inline(always)]
 fn coefficients<S: Simd>(simd: S, table: &Table, pairs: &Pairs, w: Four<S>) -> [[Four<S>; 4]; 2] {
     let places = w.max(simd.splat(SMALLEST_W)).digits::<DIGITS>(pairs.row, PIECE);
-    let rows = |from: usize| {
-        places.map(|place| {
-            let at = place as usize + from;
-            [table[at], table[at + 1], table[at + 2], table[at + 3]]
-        })
-    };
-    [Four::columns(simd, rows(0)), Four::columns(simd, rows(4))]
+    let [a, b, c, d] = places;
+    let f = [row(table, a, 0), row(table, b, 0), row(table, c, 0), row(table, d, 0)];
+    let e = [row(table, a, 4), row(table, b, 4), row(table, c, 4), row(table, d, 4)];
+    [Four::columns(simd, f), Four::columns(simd, e)]
+}
+
+/// Four coefficients from one on.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn row(table: &Table, place: u64, from: usize) -> Lanes {
+    let at = place as usize + from;
+    [table[at], table[at + 1], table[at + 2], table[at + 3]]
 }
 
 /// Potentials of four strips of half lengths p^½ with one of q^½; second derivatives are not there

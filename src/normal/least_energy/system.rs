@@ -141,8 +141,9 @@ pub(super) struct System {
     by_smooth: Vec<Lanes>,
     gradient: Vec<Lanes>,
     pub shape_gradient: FixedVec<f64>,
-    /// Derivatives of s by χ but for the sign of their effect, and second ones by s and χ.
+    /// Derivatives of s by χ but for the sign of their effect, and second ones by loads and by s and χ.
     smooth_by_shape: Vec<Lanes>,
+    by_load_and_shape: Vec<Lanes>,
     by_smooth_and_shape: Vec<Lanes>,
     /// W.
     pub energy: f64,
@@ -172,6 +173,7 @@ impl System {
             gradient: vec![ZERO; blocks],
             shape_gradient: FixedVec::new(knots),
             smooth_by_shape: columns(),
+            by_load_and_shape: columns(),
             by_smooth_and_shape: columns(),
             energy: 0.0,
         }
@@ -239,7 +241,12 @@ impl System {
 
     /// Half lengths at the present unknowns.
     #[inline(always)]
-    fn stretch<S: Simd, const B: usize>(&mut self, simd: S, problem: &Problem) {
+    pub fn stretch<S: Simd>(&mut self, simd: S, problem: &Problem) {
+        by_blocks!(self.blocks => B, self.stretch_fours::<S, B>(simd, problem));
+    }
+
+    #[inline(always)]
+    fn stretch_fours<S: Simd, const B: usize>(&mut self, simd: S, problem: &Problem) {
         let (scales, blocks) = (&problem.scales, self.blocks);
         let stride = stride::<B>(blocks);
         let zero = simd.splat(0.0);
@@ -281,21 +288,20 @@ impl System {
     }
 
     /// Energy and gradient, and with `SECOND` what the Hessian consists of, at the present
-    /// unknowns; `penalty` multiplies that of χ in the gradient.
+    /// unknowns.
     #[inline(always)]
     pub fn differentiate<S: Simd, const SECOND: bool>(
         &mut self,
         simd: S,
         table: &Table,
         problem: &Problem,
-        penalty: f64,
     ) {
-        by_blocks!(self.blocks => B, self.stretch::<S, B>(simd, problem));
+        self.stretch(simd, problem);
         simd.apart(
             #[inline(always)]
             || self.sum_up::<S, SECOND>(simd, table),
         );
-        by_blocks!(self.blocks => B, self.add_up::<S, B>(simd, problem, penalty));
+        by_blocks!(self.blocks => B, self.add_up::<S, B>(simd, problem));
         if SECOND {
             simd.apart(
                 #[inline(always)]
@@ -306,7 +312,7 @@ impl System {
 
     /// Energy and gradient from the sums.
     #[inline(always)]
-    fn add_up<S: Simd, const B: usize>(&mut self, simd: S, problem: &Problem, penalty: f64) {
+    fn add_up<S: Simd, const B: usize>(&mut self, simd: S, problem: &Problem) {
         let blocks = self.blocks;
         let zero = simd.splat(0.0);
         let mut energy = zero;
@@ -346,7 +352,7 @@ impl System {
             }
             let force: f64 = stiffness.iter().zip(self.shape.iter()).map(|(a, x)| a * x).sum();
             self.energy += 0.5 * unit * own * force;
-            self.shape_gradient.push(by.sum() + penalty * unit * force);
+            self.shape_gradient.push(by.sum() + unit * force);
         }
     }
 
@@ -440,15 +446,9 @@ impl System {
         }
     }
 
-    /// Puts the Hessian into `factor`: χ first, then loads. `penalty` multiplies that of χ.
+    /// Puts the Hessian into `factor`: χ first, then loads.
     #[inline(always)]
-    pub fn assemble<S: Simd>(
-        &mut self,
-        simd: S,
-        problem: &Problem,
-        penalty: f64,
-        factor: &mut Factor,
-    ) {
+    pub fn assemble<S: Simd>(&mut self, simd: S, problem: &Problem, factor: &mut Factor) {
         factor.resize([problem.knots.count, self.nodes.len()]);
         for block in 0..self.blocks {
             by_blocks!(self.blocks - block, self.blocks => R, {
@@ -456,7 +456,7 @@ impl System {
             });
         }
         by_blocks!(self.blocks => B, {
-            self.take_to_shape::<S, B>(simd, problem, penalty, factor);
+            self.take_to_shape::<S, B>(simd, problem, factor);
         });
     }
 
@@ -499,83 +499,96 @@ impl System {
         &mut self,
         simd: S,
         problem: &Problem,
-        penalty: f64,
         factor: &mut Factor,
     ) {
         let (blocks, m, above) = (self.blocks, problem.knots.count, factor.first);
         let stride = stride::<B>(blocks);
         let zero = simd.splat(0.0);
         let weights = self.smooth_by_shape.as_flattened();
-        for b in 0..blocks {
-            let by_smooth = simd.four(&self.by_smooth[b]);
-            let (mut next, mut next_smooth) = (zero, zero);
-            let mut from = 0;
-            for (knot, &end) in self.ends.iter().enumerate() {
-                let (mut own, mut own_smooth) = (next, next_smooth);
-                (next, next_smooth) = (zero, zero);
-                if from < end {
-                    let run = |knot: usize| {
-                        let column = knot * stride * LANES;
-                        &weights[column + from..column + end]
-                    };
-                    let columns =
-                        self.second[(from + 1) * stride..(end + 1) * stride].chunks_exact(stride);
-                    for ((column, &here), &there) in columns.zip(run(knot)).zip(run(knot + 1)) {
-                        let second = &column[b];
-                        let (mixed, twice) = (simd.four(&second.mixed), simd.four(&second.twice));
-                        let (here, there) = (simd.splat(here), simd.splat(there));
-                        own = own.add_product(here, mixed);
-                        next = next.add_product(there, mixed);
-                        own_smooth = own_smooth.add_product(here, twice);
-                        next_smooth = next_smooth.add_product(there, twice);
-                    }
-                    from = end;
+        let by_load = &mut self.by_load_and_shape[..m * stride];
+        let by_smooth = &mut self.by_smooth_and_shape[..m * stride];
+        by_load[..blocks].fill(ZERO);
+        by_smooth[..blocks].fill(ZERO);
+        let mut from = 0;
+        for (knot, &end) in self.ends[..m - 1].iter().enumerate() {
+            // The nodes between this knot and the next one.
+            let column = knot * stride * LANES;
+            let here = &weights[column + from..column + end];
+            let there = &weights[column + stride * LANES + from..column + stride * LANES + end];
+            let nodes = &self.second[(from + 1) * stride..(end + 1) * stride];
+            let column = knot * stride..(knot + 2) * stride;
+            let (own, next) = by_load[column.clone()].split_at_mut(stride);
+            let (own_smooth, next_smooth) = by_smooth[column].split_at_mut(stride);
+            for b in 0..if B > 0 { B } else { blocks } {
+                let mut sums = [simd.four(&own[b]), zero, simd.four(&own_smooth[b]), zero];
+                let nodes = nodes.chunks_exact(stride).zip(here.iter().zip(there));
+                for (second, (&here, &there)) in nodes {
+                    let (here, there) = (simd.splat(here), simd.splat(there));
+                    let (mixed, twice) = (simd.four(&second[b].mixed), simd.four(&second[b].twice));
+                    sums = [
+                        sums[0].add_product(here, mixed),
+                        sums[1].add_product(there, mixed),
+                        sums[2].add_product(here, twice),
+                        sums[3].add_product(there, twice),
+                    ];
                 }
-                let hat = simd.four(&self.hats_of_knots[knot * stride + b]);
-                self.by_smooth_and_shape[knot * stride + b] =
-                    own_smooth.sub_product(by_smooth, hat).lanes();
-                factor.column(knot)[above + b] = own.lanes();
+                (own[b], next[b]) = (sums[0].lanes(), sums[1].lanes());
+                (own_smooth[b], next_smooth[b]) = (sums[2].lanes(), sums[3].lanes());
             }
+            from = end;
         }
-        let unit = penalty * problem.scales.energy;
+        let unit = problem.scales.energy;
         let fixed = first::<B, _>(&self.fixed, blocks);
         for knot in 0..m {
-            let by_smooth = &self.by_smooth_and_shape[knot * stride..];
-            let by_smooth = first::<B, _>(by_smooth, blocks);
-            let column = factor.column(knot);
-            let (head, column) = column.split_at_mut(above);
-            let head = head.as_flattened_mut();
-            for (other, head) in head.iter_mut().enumerate().take(m).skip(knot) {
-                let smooth = first::<B, _>(&self.smooth_by_shape[other * stride..], blocks);
+            let column = knot * stride;
+            let by_load = first::<B, _>(&self.by_load_and_shape[column..], blocks);
+            let smooth = first_mut::<B, _>(&mut self.by_smooth_and_shape[column..], blocks);
+            let hats = first::<B, _>(&self.hats_of_knots[column..], blocks);
+            for ((smooth, hat), by_smooth) in smooth.iter_mut().zip(hats).zip(&self.by_smooth) {
+                let own = simd.four(smooth);
+                *smooth = own.sub_product(simd.four(by_smooth), simd.four(hat)).lanes();
+            }
+            let (head, to) = factor.column(knot).split_at_mut(above);
+            let to = first_mut::<B, _>(to, blocks);
+            let (mut last, mut here) = (zero, simd.four(&smooth[0]));
+            for b in 0..to.len() {
+                let next = if b + 1 < to.len() { simd.four(&smooth[b + 1]) } else { zero };
+                let tied = fixed[b].tie(simd, [last, here, next]);
+                to[b] = (simd.four(&by_load[b]) + tied).lanes();
+                (last, here) = (here, next);
+            }
+            let others = self.smooth_by_shape.chunks_exact(stride).enumerate();
+            for (other, by_shape) in others.take(m).skip(knot) {
                 let mut sum = zero;
-                for (a, b) in smooth.iter().zip(by_smooth) {
+                for (a, b) in first::<B, _>(by_shape, blocks).iter().zip(&*smooth) {
                     sum = sum.add_product(simd.four(a), simd.four(b));
                 }
-                *head = sum.sum() + unit * problem.knots.penalties[knot * m + other];
-            }
-            let column = first_mut::<B, _>(column, blocks);
-            let (mut last, mut here) = (zero, simd.four(&by_smooth[0]));
-            for b in 0..column.len() {
-                let next = if b + 1 < column.len() { simd.four(&by_smooth[b + 1]) } else { zero };
-                let tied = fixed[b].tie(simd, [last, here, next]);
-                column[b] = (simd.four(&column[b]) + tied).lanes();
-                (last, here) = (here, next);
+                head[other / LANES][other % LANES] =
+                    sum.sum() + unit * problem.knots.penalties[knot * m + other];
             }
         }
     }
 
-    /// Frees the loads that are positive or would grow in `free`; returns the greatest gradient by
-    /// those that are positive.
+    /// Frees the loads that are positive or would grow in `free`.
     #[inline(always)]
-    pub fn release<S: Simd, const B: usize>(&self, simd: S, free: &mut [Lanes]) -> f64 {
+    pub fn release<S: Simd, const B: usize>(&self, simd: S, free: &mut [Lanes]) {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let mut greatest = zero;
         let rows = first_mut::<B, _>(free, self.blocks).iter_mut();
         for ((free, state), gradient) in rows.zip(&self.state).zip(&self.gradient) {
             let gradient = simd.four(gradient);
             let is_loaded = zero.where_less(simd.four(&state.load), one, zero);
             *free = gradient.where_less(zero, one, is_loaded).lanes();
-            greatest = greatest.max(is_loaded * gradient.abs());
+        }
+    }
+
+    /// The greatest gradient by a load that is positive.
+    #[inline(always)]
+    pub fn residual<S: Simd>(&self, simd: S) -> f64 {
+        let zero = simd.splat(0.0);
+        let mut greatest = zero;
+        for (state, gradient) in self.state[..self.blocks].iter().zip(&self.gradient) {
+            let gradient = simd.four(gradient).abs();
+            greatest = greatest.max(zero.where_less(simd.four(&state.load), gradient, zero));
         }
         greatest.greatest()
     }
@@ -631,6 +644,14 @@ impl System {
         below.greatest() > 0.0
     }
 
+    /// Puts the inverse squares of the widths of the hats into `weights`.
+    #[inline(always)]
+    pub fn weigh(&self, weights: &mut [Lanes]) {
+        for (weights, fixed) in weights.iter_mut().zip(&self.fixed[..self.blocks]) {
+            *weights = fixed.inverse_width.map(|inverse| inverse * inverse);
+        }
+    }
+
     /// Greatest change of a load over the width of its hat by `step`, and what the energy changes by
     /// to first order.
     #[inline(always)]
@@ -670,20 +691,53 @@ impl System {
         lost.greatest() > 0.0
     }
 
-    /// Gradient by the load of a node which carries none, is not taken and stands beside none that
-    /// is loaded: negative where the overlap is more than the others push away.
+    /// Gradient by the load of node `i` of `problem`, which carries none, from the last derivatives
+    /// by s: negative where the overlap is more than the others push away. Where it is certainly
+    /// positive, a number below it that is positive too.
     #[inline(always)]
     pub fn pull<S: Simd>(&mut self, simd: S, table: &Table, problem: &Problem, i: usize) -> f64 {
         let (point, blocks) = (&problem.points[i], self.blocks);
-        let square = problem.scales.least_square;
-        let pairs = &mut self.pairs_of_one[..blocks];
-        self.hats.measure(simd, 0, &point.hat, pairs);
-        let mut sum = simd.splat(0.0);
-        for (pairs, state) in pairs.iter().zip(&self.state) {
-            let squares = simd.four(&state.square);
-            let value = potential(simd, table, pairs, squares, simd.splat(square));
-            sum = sum.add_product(value, simd.four(&state.load));
+        let place = self.nodes.partition_point(|&taken| taken < i);
+        let (mut smooth, mut by) = (0.0, 0.0);
+        let mut tie = |k: usize, other: usize, tie: f64| {
+            if self.nodes.get(k) == Some(&other) {
+                smooth += tie * self.state[k / LANES].load[k % LANES];
+                by += tie * self.by_smooth[k / LANES][k % LANES];
+            }
+        };
+        tie(place.wrapping_sub(1), i.wrapping_sub(1), point.before);
+        let next = place + usize::from(self.nodes.get(place) == Some(&i));
+        tie(next, i + 1, problem.points.get(i + 1).map_or(0.0, |next| next.before));
+        let mut square = problem.scales.least_square;
+        if smooth > 0.0 {
+            let shape = problem.knots.value(i, &self.shape);
+            square +=
+                problem.scales.load * problem.scales.square_over_load * (-shape).exp() * smooth;
         }
-        sum.sum() - point.overlap + point.bending * square
+        let push = by + point.bending * square - point.overlap;
+        let mut least = simd.splat(0.0);
+        for (b, state) in self.state[..blocks].iter().enumerate() {
+            let squares = simd.four(&state.square) + square;
+            let potential = self.hats.least_potential(simd, b, &point.hat, squares);
+            least = least.add_product(potential, simd.four(&state.load));
+        }
+        let least = least.sum() + push;
+        if least > 0.0 {
+            return least;
+        }
+        simd.apart(
+            #[inline(always)]
+            || {
+                let pairs = &mut self.pairs_of_one[..blocks];
+                self.hats.measure(simd, 0, &point.hat, pairs);
+                let mut sum = simd.splat(0.0);
+                for (pairs, state) in pairs.iter().zip(&self.state) {
+                    let squares = simd.four(&state.square);
+                    let value = potential(simd, table, pairs, squares, simd.splat(square));
+                    sum = sum.add_product(value, simd.four(&state.load));
+                }
+                sum.sum() + push
+            },
+        )
     }
 }
