@@ -175,7 +175,7 @@ impl<T: Real> Lattice<T> {
         for k in 0..SAMPLES {
             let mut at = line.place(from + (to - from) * (k as f64 / (SAMPLES - 1) as f64));
             // Where an overlap ends there is none, to rounding: its powers would feel that.
-            if (k == 0 && ends[0].is_free()) || (k + 1 == SAMPLES && ends[1].is_free()) {
+            if (k == 0 && ends[0].is_free) || (k + 1 == SAMPLES && ends[1].is_free) {
                 at.overlap = zero;
             }
             let slope = at.overlap_slope / at.dy;

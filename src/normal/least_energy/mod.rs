@@ -130,11 +130,11 @@ impl StripSolver {
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
         self.work.unsettled += u64::from(!settled);
-        let Newton { problem, system, load, .. } = &self.newton;
-        let unknowns = [&load[..], &system.shape];
+        let Newton { problem, system, load, curvature, .. } = &self.newton;
+        let solution = [&load[..], &system.shape, curvature];
         let (scales, knots) = (&problem.scales, &problem.knots);
         let left_out =
-            self.zones.emit(&self.lattice, scales, knots, unknowns, contact_modulus, strips);
+            self.zones.emit(&self.lattice, scales, knots, solution, contact_modulus, strips);
         left_out + usize::from(!settled)
     }
 }

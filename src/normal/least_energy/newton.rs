@@ -47,6 +47,8 @@ pub(super) struct Newton {
     pub system: System,
     /// Loads of all nodes over that of the ellipse [m].
     pub load: FixedVec<f64>,
+    /// Curvature of the displacement along each node that carries load, over that of the wheel [-].
+    pub curvature: FixedVec<f64>,
     factor: Factor,
     /// The step of χ and the loads, four by four.
     step: Vec<Lanes>,
@@ -106,6 +108,7 @@ impl Newton {
             problem: Problem::new(most),
             system: System::new(most),
             load: FixedVec::new(most),
+            curvature: FixedVec::new(most),
             factor: Factor::new(most + knots),
             step: vec![[0.0; LANES]; blocks],
             metric: vec![[0.0; LANES]; blocks],
@@ -148,6 +151,8 @@ impl Newton {
         self.problem.start(lattice, &mut self.load);
         self.system.shape.clear();
         self.system.shape.resize(self.problem.knots.count, 0.0);
+        self.curvature.clear();
+        self.curvature.resize(self.load.len(), 1.0);
         self.system.nodes.clear();
         self.mark_tops();
         self.last.energy = f64::INFINITY;
@@ -170,6 +175,8 @@ impl Newton {
             }
             let is_near = change.greatest * change.greatest < LAST_ERROR;
             if (is_near || self.short_steps(simd, table, change)) && self.is_complete(simd, table) {
+                let Self { system, problem, curvature, .. } = self;
+                system.give_curvatures(simd, table, problem, curvature);
                 return true;
             }
         }

@@ -11,8 +11,8 @@ use crate::math::root::bracketed;
 pub(super) struct End {
     /// Parameter of the line [m].
     pub u: f64,
-    /// Derivative of the overlap by the parameter; nothing where a body ends [-].
-    slope: Option<f64>,
+    /// Whether the overlap goes to zero there; else a body ends.
+    pub is_free: bool,
 }
 
 /// The intervals of a contact line in which the bodies overlap.
@@ -52,7 +52,7 @@ impl Overlaps {
             }
             let mut end = |inside: usize, outside: Option<usize>| match outside {
                 Some(outside) => crossing(line, &probes[inside], &probes[outside], level),
-                None => End { u: probes[inside].u, slope: None },
+                None => End { u: probes[inside].u, is_free: false },
             };
             let left = end(begin, begin.checked_sub(1));
             let right = end(k - 1, Some(k).filter(|&k| k < probes.len()));
@@ -77,27 +77,21 @@ fn crossing(line: &mut impl OverlapLine, inside: &Probe, outside: &Probe, level:
             break;
         }
         if step.abs() <= LAST_STEP {
-            return End { u, slope: Some(place.overlap_slope) };
+            return End { u, is_free: true };
         }
     }
     let u = bracketed(a, b, BRACKET, |u| line.place(u).overlap);
-    End { u, slope: Some(line.place(u).overlap_slope) }
+    End { u, is_free: true }
 }
 
 impl End {
-    /// Whether the overlap goes to zero there; else a body ends.
-    pub fn is_free(&self) -> bool {
-        self.slope.is_some()
-    }
-
     /// Parameter of the line as it moves with `line` [m].
     pub fn moving<T: Real>(&self, line: &mut impl OverlapLine<T>) -> T {
-        match self.slope {
-            Some(slope) if T::HAS_SLOPES && slope != 0.0 => {
-                let overlap = line.place(T::from(self.u)).overlap;
-                T::moving(self.u, -overlap / slope)
-            }
-            _ => T::from(self.u),
+        if !(T::HAS_SLOPES && self.is_free) {
+            return T::from(self.u);
         }
+        let place = line.place(T::from(self.u));
+        let slope = place.overlap_slope.value();
+        if slope == 0.0 { T::from(self.u) } else { T::moving(self.u, -place.overlap / slope) }
     }
 }

@@ -12,14 +12,15 @@
 //! e = (v_i + v_j)/D² - 1/3,  q = (μ_i - μ_j)/D³ (third moments),  r = (right - left)/(right + left)
 //! ```
 //!
-//! Strips of a yawed wheel are displaced along x by Δx as well. For the half length A of the ellipse
-//! of each pair's overlap,
+//! Strips of a yawed wheel are displaced along x by Δx as well. With the half length A of the
+//! ellipse that the problem is scaled by,
 //!
 //! ```text
-//! h² grows by the factor 1 + (Δx/D)² Q/(Q + 0.856 A²),   Q = D² + 0.345 Δx²
+//! h² grows by the factor 1 + (Δx/D)² (D² + 0.178 A²)/(D² + 1.18 A²)
 //! ```
 //!
-//! which is D² + Δx² far away and forgets Δx for strips that pass each other closely.
+//! which makes D² + Δx² of D² far away, and little of Δx for strips that pass each other closely. Both
+//! numbers are fitted to ellipses turned against the track, up to slopes of 1 of their middle lines.
 
 use std::array::from_fn;
 
@@ -37,7 +38,7 @@ const BESIDE: [f64; 3] = [-0.4836, 1.9765, -0.3389];
 const ITSELF: f64 = 0.1821;
 /// k² and 1/(k² - 1/3) of nodes k apart.
 const APART: [[f64; 2]; 3] = [[4.0, 3.0 / 11.0], [9.0, 3.0 / 26.0], [16.0, 3.0 / 47.0]];
-const SHIFT: [f64; 2] = [0.345, 0.856];
+const SHIFT: [f64; 2] = [0.178, 1.18];
 /// Places from one interval of overlap to the next: none of their nodes are near each other.
 const INTERVAL: f64 = 1e6;
 /// A place where no hat is, and a centroid [m].
@@ -58,8 +59,6 @@ pub(super) struct Hat<T = f64> {
     /// Place along the track [m], and tangent across.
     x: T,
     tangent: [T; 2],
-    /// Square of the half length of the ellipse for its overlap [m²].
-    length_square: T,
 }
 
 impl<T: Real> Hat<T> {
@@ -82,13 +81,12 @@ impl<T: Real> Hat<T> {
             beside,
             x: node.x,
             tangent: node.tangent,
-            length_square: node.depth.at_least(0.0) * lattice.scales.square_over_depth,
         }
     }
 
     /// Potential K of its strip and that of `other` with these squares of the half lengths, and
-    /// its derivatives by these.
-    pub fn potential(&self, other: &Self, kernel: &Kernel, squares: [T; 2]) -> [T; 3] {
+    /// its derivatives by these, where `long` is the square of the half length of the ellipse.
+    pub fn potential(&self, other: &Self, kernel: &Kernel, long: T, squares: [T; 2]) -> [T; 3] {
         let (away, shift) = (other.centre - self.centre, other.x - self.x);
         let place = other.place.value() - self.place.value();
         let far = away * away - other.variance - self.variance;
@@ -100,10 +98,9 @@ impl<T: Real> Hat<T> {
             _ => near.map_or(far, |[_, inverse]| far * inverse),
         };
         if place != 0.0 && shift.value() != 0.0 {
-            let (distance, shift) = (away * away, shift * shift);
-            let length = (other.length_square + self.length_square) * 0.5;
-            let q = distance + shift * SHIFT[0];
-            square *= shift * q / ((q + length * SHIFT[1]) * distance) + 1.0;
+            let distance = away * away;
+            let [near, far] = SHIFT.map(|share| distance + long * share);
+            square *= shift * shift * near / (far * distance) + 1.0;
         }
         let inverse = T::from(1.0) / square;
         let cosine = other.tangent[0] * self.tangent[0] + other.tangent[1] * self.tangent[1];
@@ -152,17 +149,20 @@ pub(super) struct Hats {
     fours: FixedVec<Hat<Lanes>>,
     is_skewed: bool,
     is_turned: bool,
+    /// What squares of distances between displaced strips grow by, in the factor [m²].
+    long: [f64; 2],
 }
 
 impl Hats {
     pub fn new(most: usize) -> Self {
         let fours = FixedVec::new(most.div_ceil(LANES));
-        Self { fours, is_skewed: false, is_turned: false }
+        Self { fours, is_skewed: false, is_turned: false, long: [0.0; 2] }
     }
 
     /// Takes the hats of `nodes`.
     pub fn take(&mut self, problem: &Problem, nodes: &[usize]) {
         (self.is_skewed, self.is_turned) = (problem.is_skewed, problem.is_turned);
+        self.long = SHIFT.map(|share| share * problem.scales.square);
         self.fours.clear();
         for nodes in nodes.chunks(LANES) {
             // Somewhere else, where there are less than four.
@@ -177,7 +177,6 @@ impl Hats {
                 beside: hats.map(|hat| hat.beside),
                 x: hats.map(|hat| hat.x),
                 tangent: [0, 1].map(|axis| hats.map(|hat| hat.tangent[axis])),
-                length_square: hats.map(|hat| hat.length_square),
             });
         }
     }
@@ -206,10 +205,8 @@ impl Hats {
             }
             if self.is_skewed {
                 let shift = simd.four(&hats.x) - one.x;
-                let shift = shift * shift;
-                let length = (simd.four(&hats.length_square) + one.length_square) * 0.5;
-                let q = distance + shift * SHIFT[0];
-                let grown = square * (shift * q / ((q + length * SHIFT[1]) * distance) + 1.0);
+                let [near, far] = self.long.map(|long| distance + long);
+                let grown = square * (shift * shift * near / (far * distance) + 1.0);
                 square = places.where_equal(0.0, square, grown);
             }
             let inverse = simd.splat(1.0) / square;

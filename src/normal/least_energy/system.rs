@@ -310,6 +310,28 @@ impl System {
         }
     }
 
+    /// Gives the curvature of the displacement along each node that is taken, over that of the
+    /// wheel, at the present unknowns.
+    #[inline(always)]
+    pub fn give_curvatures<S: Simd>(
+        &mut self,
+        simd: S,
+        table: &Table,
+        problem: &Problem,
+        curvatures: &mut [f64],
+    ) {
+        self.stretch(simd, problem);
+        simd.apart(
+            #[inline(always)]
+            || self.sum_up::<S, false>(simd, table),
+        );
+        for (nodes, sums) in self.nodes.chunks(LANES).zip(&self.sums) {
+            for (&i, by_square) in nodes.iter().zip(sums.by_square) {
+                curvatures[i] = -by_square / problem.points[i].bending;
+            }
+        }
+    }
+
     /// Energy and gradient from the sums.
     #[inline(always)]
     fn add_up<S: Simd, const B: usize>(&mut self, simd: S, problem: &Problem) {

@@ -1,15 +1,31 @@
 //! Loaded zones out of the loads of the nodes.
 //!
 //! A zone is a run of nodes that carry load. Pressure and half length follow from the load per width
-//! l less a quarter of what a mean over hats takes from it, so that neighbours do not alternate. At
-//! the edge of an ellipse l goes to zero as a line; what the hats make of that puts the edge at
+//! l less a quarter of what a mean over hats takes from it, so that neighbours do not alternate.
+//!
+//! The field χ is too stiff to give each strip its best length, in saddles between lobes above all.
+//! At the best one the energy rests when the length of that strip alone changes: the displacement
+//! is as curved along the strip, in the mean, as the wheel is. From the curvature q of the
+//! displacement over that of the wheel a strip gets a χ of its own,
+//!
+//! ```text
+//! χ - v/sqrt(1 + v²),  v = 2.75 (q - 1),      q_i = -(8 R_i/π) Σ_j w_j l_j ∂K_ij/∂(a_i²)
+//! ```
+//!
+//! A longer strip is less curved: q falls by 0.4 to 0.8 times as much as a² grows, which calls for
+//! 1/0.55 (q - 1), and half as much again as the strips beside it grow too. No χ changes by more
+//! than 1, as q says little of strips that have hardly any load. Loads stay as they are: they are
+//! right to second order.
+//!
+//! At the edge of an ellipse l goes to zero as a line; what the hats make of that puts the edge at
 //!
 //! ```text
 //! h (0.1 + 1.7 r) beyond the last node,  r = its load per width over that of the one before it,
 //! ```
 //!
 //! h the width of the panel: one line for all places of the edge in the panel, fitted to ellipses of
-//! a/b 0.08 to 34.
+//! a/b 0.08 to 34. It ends at 1.1 h, where a node that comes in at h puts the edge as well; zones of
+//! one node reach so far.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -22,11 +38,13 @@ use crate::normal::{Strips, Zone};
 
 /// Share of the mean over hats in the load per width that lengths and pressures are taken from.
 const SMOOTHING: f64 = 0.25;
+/// What χ of a strip's own changes by the curvature of the displacement over that of the wheel.
+const OWN_SHAPE: f64 = 2.75;
 /// Place of an edge beyond the last node over the width of the panel, without load there, and by
 /// the ratio of the last two loads.
 const EDGE: [f64; 2] = [0.1, 1.7];
-/// That ratio where a zone has one node.
-const LONE_RATIO: f64 = 0.5 / 1.7;
+/// The same where the next node comes in.
+const MOST_EDGE: f64 = 1.0 + EDGE[0];
 /// Nodes and weights of Gauss and Legendre on [0, 1].
 const GAUSS: [[f64; 2]; 4] = [
     [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
@@ -57,19 +75,20 @@ impl<T: Real> Zones<T> {
         }
     }
 
-    /// Hands runs of loaded nodes over as the strips of a zone each; `loads` are those of the nodes
-    /// over that of the ellipse [m], `shape` χ at the knots. Returns the number of zones that found
-    /// no room.
+    /// Hands runs of loaded nodes over as the strips of a zone each. A `solution` is the loads of the
+    /// nodes over that of the ellipse [m], χ at the knots, and the curvatures of the displacement
+    /// along the nodes over that of the wheel [-]. Returns the number of zones that found no room.
     pub fn emit(
         &mut self,
         lattice: &Lattice<T>,
         scales: &Scales<T>,
         knots: &Knots<T>,
-        [loads, shape]: [&[T]; 2],
+        solution: [&[T]; 3],
         contact_modulus: f64,
         strips: &mut Strips<T>,
     ) -> usize {
-        self.take(lattice, scales, knots, [loads, shape]);
+        let loads = solution[0];
+        self.take(lattice, scales, knots, solution);
         let nodes = &lattice.nodes;
         let mut left_out = 0;
         let mut end = 0;
@@ -105,8 +124,10 @@ impl<T: Real> Zones<T> {
                 zone.length = zone.length.max(half_length * 2.0);
             }
             strips.summarise(&mut zone);
-            zone.max_pressure = self.max_pressure(nodes, begin, end) * contact_modulus;
-            [zone.area, zone.width] = self.extent(nodes, begin, end);
+            let edges = self.edges(nodes, begin, end);
+            zone.width = edges[1] - edges[0];
+            zone.max_pressure = self.max_pressure(nodes, begin, end, edges) * contact_modulus;
+            zone.area = self.area(nodes, begin, end, edges);
             strips.zones.push(zone);
         }
         left_out
@@ -118,7 +139,7 @@ impl<T: Real> Zones<T> {
         lattice: &Lattice<T>,
         scales: &Scales<T>,
         knots: &Knots<T>,
-        [loads, shape]: [&[T]; 2],
+        [loads, shape, curvatures]: [&[T]; 3],
     ) {
         let nodes = &lattice.nodes;
         self.load.clear();
@@ -127,9 +148,17 @@ impl<T: Real> Zones<T> {
         self.load
             .extend(nodes.iter().zip(loads).map(|(node, &load)| load * scales.load / node.width));
         for (i, &load) in self.load.iter().enumerate() {
+            let is_loaded = load > 0.0;
+            if !is_loaded {
+                // Nothing is read off there.
+                self.smooth.push(load);
+                self.square_over_load.push(load);
+                continue;
+            }
             let mean = lattice.mean_over_hats(i, loads) * scales.load;
             self.smooth.push(load + (mean - load) * SMOOTHING);
-            self.square_over_load.push((-knots.value(i, shape)).exp() * scales.square_over_load);
+            let shape = knots.value(i, shape) + own_shape(curvatures[i]);
+            self.square_over_load.push((-shape).exp() * scales.square_over_load);
         }
     }
 
@@ -138,50 +167,52 @@ impl<T: Real> Zones<T> {
         self.smooth[i] / self.square_over_load[i] * (4.0 / (PI * PI))
     }
 
-    /// Greatest pressure over the contact modulus of the nodes from `begin` to `end`: the vertex of
-    /// the parabola of its square, exact on ellipses.
-    fn max_pressure(&self, nodes: &[Node<T>], begin: usize, end: usize) -> T {
-        let square = |i: usize| self.pressure_square(i);
-        let most =
-            (begin..end).fold(begin, |best, i| if square(i) > square(best) { i } else { best });
-        let middle = square(most);
-        if most == begin || most + 1 == end {
-            return middle.sqrt();
+    /// Greatest pressure over the contact modulus of the nodes from `begin` to `end`: the top of a
+    /// smooth curve through its squares, which is a parabola on ellipses.
+    fn max_pressure(
+        &mut self,
+        nodes: &[Node<T>],
+        begin: usize,
+        end: usize,
+        [low, high]: [T; 2],
+    ) -> T {
+        let zero = T::from(0.0);
+        self.outline.clear();
+        self.outline.push([low, zero]);
+        for (i, node) in nodes.iter().enumerate().take(end).skip(begin) {
+            let square = self.pressure_square(i);
+            self.outline.push([node.y, square]);
         }
-        let (left, right) = (nodes[most - 1].y - nodes[most].y, nodes[most + 1].y - nodes[most].y);
-        let slopes = [(square(most - 1) - middle) / left, (square(most + 1) - middle) / right];
-        let bend = (slopes[1] - slopes[0]) / (right - left);
-        let slope = slopes[0] - bend * left;
-        let vertex = if bend < 0.0 { slope * -0.5 / bend } else { T::from(0.0) };
-        (middle + vertex * (slope + bend * vertex)).max(middle).sqrt()
+        self.outline.push([high, zero]);
+        let tops = (0..self.outline.len() - 1).map(|k| top(&self.outline, k));
+        tops.fold(zero, Real::max).sqrt()
     }
 
     /// Where the zone of the nodes from `begin` to `end` ends, before and behind them [m].
     fn edges(&self, nodes: &[Node<T>], begin: usize, end: usize) -> [T; 2] {
         [(begin, 0, -1.0), (end - 1, 1, 1.0)].map(|(last, side, sign)| {
             let panel = nodes[last].reach[side];
-            let ratio = if end - begin == 1 {
-                T::from(LONE_RATIO)
-            } else {
+            let mut share = T::from(MOST_EDGE);
+            if end - begin > 1 {
                 let inner = if side == 0 { last + 1 } else { last - 1 };
                 let unequal = (nodes[last].y - nodes[inner].y).abs() / panel + 1.0;
-                self.load[last] / self.load[inner] * unequal * 0.5
-            };
-            nodes[last].y + panel * (ratio * EDGE[1] + EDGE[0]).at_most(1.0) * sign
+                let ratio = self.load[last] / self.load[inner] * unequal * 0.5;
+                share = (ratio * EDGE[1] + EDGE[0]).at_most(MOST_EDGE);
+            }
+            nodes[last].y + panel * share * sign
         })
     }
 
-    /// Area and width of the nodes from `begin` to `end`: the square of the half length is a smooth
-    /// curve through them and the edges.
-    fn extent(&mut self, nodes: &[Node<T>], begin: usize, end: usize) -> [T; 2] {
-        let [low, high] = self.edges(nodes, begin, end);
+    /// Area of the nodes from `begin` to `end`: the square of the half length is a smooth curve
+    /// through them and the edges.
+    fn area(&mut self, nodes: &[Node<T>], begin: usize, end: usize, [low, high]: [T; 2]) -> T {
         let width = high - low;
         let zero = T::from(0.0);
-        let square = |i: usize| self.square_over_load[i] * self.load[i];
+        let square = |i: usize| self.square_over_load[i] * self.smooth[i];
         if end - begin < 3 {
             // Half an ellipse of the same load.
             let sum: T = (begin..end).map(|i| square(i) * nodes[i].width).sum();
-            return [(sum * 1.5 / width).sqrt() * width * FRAC_PI_2, width];
+            return (sum * 1.5 / width).sqrt() * width * FRAC_PI_2;
         }
         // Without the outermost nodes, whose load the edges take up, and then with them.
         let points = &mut self.outline;
@@ -192,8 +223,8 @@ impl<T: Real> Zones<T> {
         let outermost = [begin, end - 1].map(|i| nodes[i].y);
         let last = points.len() - 1;
         let inside = [
-            square(begin).max(curve(points, 0, outermost[0])),
-            square(end - 1).max(curve(points, last - 1, outermost[1])),
+            square(begin).max(curve(points, 0, slopes(points, 0), outermost[0])),
+            square(end - 1).max(curve(points, last - 1, slopes(points, last - 1), outermost[1])),
         ];
         points.insert(1, [outermost[0], inside[0]]);
         points.insert(last + 1, [outermost[1], inside[1]]);
@@ -201,7 +232,7 @@ impl<T: Real> Zones<T> {
         let panels = points.len() - 1;
         for k in 0..panels {
             let h = points[k + 1][0] - points[k][0];
-            let mut sum = zero;
+            let (slopes, mut sum) = (slopes(points, k), zero);
             for [at, weight] in GAUSS {
                 // A root at the edges becomes a line.
                 let (t, weight) = if k == 0 {
@@ -211,13 +242,20 @@ impl<T: Real> Zones<T> {
                 } else {
                     (at, weight)
                 };
-                let square = curve(points, k, points[k][0] + h * t).at_least(0.0);
+                let square = curve(points, k, slopes, points[k][0] + h * t).at_least(0.0);
                 sum += square.sqrt() * weight;
             }
             area += h * sum * 2.0;
         }
-        [area, width]
+        area
     }
+}
+
+/// What χ of a strip's own is more than the field, by the curvature of the displacement along it
+/// over that of the wheel.
+fn own_shape<T: Real>(curvature: T) -> T {
+    let step = (curvature - 1.0) * OWN_SHAPE;
+    -step / (step * step + 1.0).sqrt()
 }
 
 /// Slope of the curve at point `k`: that of the parabola through it and its neighbours; at the ends
@@ -237,12 +275,30 @@ fn slope<T: Real>(points: &[[T; 2]], k: usize) -> T {
     (secant(k - 1) * behind + secant(k) * before) / (before + behind)
 }
 
-/// Value of the curve at `x` between points `k` and `k` + 1.
-fn curve<T: Real>(points: &[[T; 2]], k: usize, x: T) -> T {
+/// Greatest value of the curve from point `k` on to before the next one.
+fn top<T: Real>(points: &[[T; 2]], k: usize) -> T {
+    let h = points[k + 1][0] - points[k][0];
+    let slopes = slopes(points, k);
+    let [rise, fall] = slopes.map(|slope| slope * h);
+    if rise <= 0.0 || fall >= 0.0 {
+        return points[k][1];
+    }
+    let step = points[k + 1][1] - points[k][1];
+    let (square, cube) = (step * 3.0 - rise * 2.0 - fall, rise + fall - step * 2.0);
+    let t = rise / ((square * square - cube * rise * 3.0).sqrt() - square);
+    curve(points, k, slopes, points[k][0] + h * t)
+}
+
+/// Slopes of the curve at points `k` and `k` + 1.
+fn slopes<T: Real>(points: &[[T; 2]], k: usize) -> [T; 2] {
+    [k, k + 1].map(|k| slope(points, k))
+}
+
+/// Value of the curve at `x` between points `k` and `k` + 1, where it has these slopes.
+fn curve<T: Real>(points: &[[T; 2]], k: usize, [left, right]: [T; 2], x: T) -> T {
     let h = points[k + 1][0] - points[k][0];
     let t = (x - points[k][0]) / h;
     let rest = -t + 1.0;
-    let [left, right] = [slope(points, k), slope(points, k + 1)];
     points[k][1] * (t * 2.0 + 1.0) * rest * rest
         + points[k + 1][1] * t * t * (-(t * 2.0) + 3.0)
         + h * t * rest * (left * rest - right * t)
