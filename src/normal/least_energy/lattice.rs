@@ -1,16 +1,16 @@
 //! Where the nodes stand, and what is to be known of each.
 //!
-//! The overlap o is taken at equal steps of every interval in which the bodies overlap, with its
-//! slope, and is a cubic between two of them. With s = o/δ, δ and b the depth and half the width of
-//! the parabola with the same integrals of o² and o³, nodes stand at whole steps of the measure
+//! The overlap o is taken at steps of every interval in which the bodies overlap, with its slope,
+//! and is a cubic between two of them; a step is halved until the place in its middle agrees. With
+//! s = o/δ, δ and b the depth and half the width of the parabola with the same integrals of o² and
+//! o³, nodes stand at whole steps of the measure
 //!
 //! ```text
-//! M = n/A ∫ hypot(s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E² = ∫ s² dy/(16/15 b)
+//! M = n/A ∫ hypot(s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E = 7/6 ∫ s³ dy/∫ s² dy
 //! ```
 //!
-//! where the integral goes over the lobe that a place belongs to, on either side to where it is β²
-//! times s².
-//!
+//! where the integrals go over the lobe that a place belongs to: on either side that of s² counts up
+//! to β² 16/15 b times the square of s between,
 //!
 //! counted from its mean weighted by s². A is the integral for a parabola, so that a parabola has n
 //! nodes; a second lobe has E^(1/4) times as many, however far away it is. All of that is continuous
@@ -23,11 +23,19 @@ use super::scales::Scales;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
-/// Places in each interval at which the overlap is taken.
-const SAMPLES: usize = 28;
+/// Steps in each interval in which the overlap is taken at first, and how often one is halved at
+/// most: a millimetre of a rail down to a hundredth of it.
+const STEPS: usize = 8;
+const MAX_HALVINGS: usize = 6;
+/// Most places of all intervals at which the overlap is taken.
+const MAX_SAMPLES: usize = 1024;
+/// Integral that a step may be wrong by over the greatest overlap times the width of all intervals.
+const SAMPLE_ERROR: f64 = 1e-5;
+/// Steps in each interval for the measure.
+const STATIONS: usize = 32;
 /// The integral of the measure for a parabola, n/A apart.
 const PARABOLA: f64 = 1.5;
-/// Height of a lobe over an overlap up to which it goes on there, β.
+/// Height of a lobe over an overlap up to which all of it counts there, β.
 const LOBE: f64 = 8.0;
 /// Width of a hat beyond the end of its overlap over that of the overlap: no hat is without width.
 const OVERHANG: f64 = 0.01;
@@ -47,9 +55,21 @@ struct Sample<T> {
     /// Integral of the overlap from the first place of the interval on, and the integral of that
     /// [m², m³].
     integrals: [T; 2],
-    /// Overlap over that of the parabola, not below zero; square of the height of the lobe [-].
+}
+
+/// A place up to which nodes are measured; those of an interval are equally far apart.
+#[derive(Clone, Copy, Debug)]
+struct Station<T> {
+    /// Coordinate across [m], and number of the sample before it.
+    y: T,
+    sample: usize,
+    /// Number of the interval of overlap.
+    interval: usize,
+    /// Overlap, not below zero [m]; that over the depth of the parabola [-].
+    overlap: T,
     share: T,
-    lobe: T,
+    /// Integrals of its square and its cube over the lobe [m].
+    lobe: [T; 2],
     /// Measure of the nodes up to here [-].
     measure: T,
 }
@@ -84,6 +104,7 @@ pub(super) struct Node<T = f64> {
 pub(super) struct Lattice<T = f64> {
     pub nodes: FixedVec<Node<T>>,
     samples: FixedVec<Sample<T>>,
+    stations: FixedVec<Station<T>>,
     /// Integrals of the overlap up to each node [m², m³].
     integrals: FixedVec<[T; 2]>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of
@@ -113,13 +134,24 @@ fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
     [value, one + h * first, two + h * (t * one + h * second)]
 }
 
+/// Parameter of the line, a cubic over the coordinate, at the share `t` of the way between two
+/// samples.
+fn parameter<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> T {
+    let (h, rise) = (b.at.y - a.at.y, b.at.u - a.at.u);
+    let rates = [h / a.at.dy, h / b.at.dy];
+    let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
+    let turn = rates[0] + rates[1] - rise * 2.0;
+    a.at.u + t * (rates[0] + t * (bend + t * turn))
+}
+
 impl<T: Real> Lattice<T> {
     /// Room for problems whose parabola has `wanted` nodes, and for `most` nodes at most.
     pub fn new(wanted: usize, most: usize) -> Self {
         let zero = T::from(0.0);
         Self {
             nodes: FixedVec::new(most),
-            samples: FixedVec::new(SAMPLES * MAX_OVERLAPS),
+            samples: FixedVec::new(MAX_SAMPLES),
+            stations: FixedVec::new((STATIONS + 1) * MAX_OVERLAPS),
             integrals: FixedVec::new(most),
             depth: zero,
             half_width: zero,
@@ -157,8 +189,10 @@ impl<T: Real> Lattice<T> {
     pub fn lay(&mut self, line: &mut impl OverlapLine<T>, overlaps: &Overlaps) {
         self.nodes.clear();
         self.samples.clear();
+        self.stations.clear();
+        let most = SAMPLE_ERROR * overlaps.box_area();
         for (interval, ends) in overlaps.intervals.iter().enumerate() {
-            self.sample(line, interval, ends);
+            self.sample(line, interval, ends, most);
         }
         if self.size_up(line) {
             self.scales = Scales::new(self.depth, self.half_width, self.radius);
@@ -167,35 +201,89 @@ impl<T: Real> Lattice<T> {
         }
     }
 
-    /// Takes the overlap in one interval.
-    fn sample(&mut self, line: &mut impl OverlapLine<T>, interval: usize, ends: &[End; 2]) {
-        let [from, to] = [0, 1].map(|side| ends[side].moving(line));
+    /// Takes the overlap in one interval, so that no step is wrong by more than the integral `most`.
+    fn sample(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        interval: usize,
+        ends: &[End; 2],
+        most: f64,
+    ) {
         let zero = T::from(0.0);
-        let first = self.samples.len();
-        for k in 0..SAMPLES {
-            let mut at = line.place(from + (to - from) * (k as f64 / (SAMPLES - 1) as f64));
+        let [from, to] = [0, 1].map(|side| ends[side].moving(line));
+        let mut take = |u: T, is_end: bool| {
+            let mut at = line.place(u);
             // Where an overlap ends there is none, to rounding: its powers would feel that.
-            if (k == 0 && ends[0].is_free) || (k + 1 == SAMPLES && ends[1].is_free) {
+            if is_end {
                 at.overlap = zero;
             }
-            let slope = at.overlap_slope / at.dy;
-            let mut sample = Sample {
-                at,
-                interval,
-                slope,
-                integrals: [zero; 2],
-                share: zero,
-                lobe: zero,
-                measure: zero,
-            };
-            if let Some(before) = self.samples[first..].last() {
-                // Where the line folds, what lies behind is passed over.
-                if at.y.value() <= before.at.y.value() {
-                    continue;
-                }
-                let [_, one, two] = cubic(before, &sample, T::from(1.0));
-                sample.integrals = [one, two];
+            Sample { at, interval, slope: at.overlap_slope / at.dy, integrals: [zero; 2] }
+        };
+        // Beyond the last interval there is no room for.
+        if self.samples.len() + 2 * STEPS >= self.samples.capacity() {
+            return;
+        }
+        let first = self.samples.len();
+        self.samples.push(take(from, ends[0].is_free));
+        for k in 1..=STEPS {
+            let is_end = k == STEPS && ends[1].is_free;
+            let to = take(from + (to - from) * (k as f64 / STEPS as f64), is_end);
+            self.go_to(&mut take, to, most, MAX_HALVINGS);
+        }
+        let [low, high] = [self.samples[first].at.y, self.samples[self.samples.len() - 1].at.y];
+        if self.samples.len() - first < 2 {
+            self.samples.truncate(first);
+            return;
+        }
+        let mut sample = first;
+        for k in 0..=STATIONS {
+            let y = low + (high - low) * (k as f64 / STATIONS as f64);
+            while sample + 2 < self.samples.len() && self.samples[sample + 1].at.y <= y {
+                sample += 1;
             }
+            let [a, b] = [&self.samples[sample], &self.samples[sample + 1]];
+            let t = (y - a.at.y) / (b.at.y - a.at.y);
+            let overlap = if (k == 0 && ends[0].is_free) || (k == STATIONS && ends[1].is_free) {
+                zero
+            } else {
+                cubic(a, b, t)[0].at_least(0.0)
+            };
+            let (share, lobe, measure) = (zero, [zero; 2], zero);
+            self.stations.push(Station { y, sample, interval, overlap, share, lobe, measure });
+        }
+    }
+
+    /// Takes the places up to `to`, the step halved up to `halvings` times.
+    fn go_to(
+        &mut self,
+        take: &mut impl FnMut(T, bool) -> Sample<T>,
+        to: Sample<T>,
+        most: f64,
+        halvings: usize,
+    ) {
+        let from = self.samples[self.samples.len() - 1];
+        let middle = take((from.at.u + to.at.u) * 0.5, false);
+        let h = to.at.y - from.at.y;
+        let t = (middle.at.y - from.at.y) / h;
+        let error = (cubic(&from, &to, t)[0] - middle.at.overlap).value().abs();
+        let is_wrong = error * h.value() > most;
+        let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
+        if is_wrong && halvings > 0 && has_room {
+            self.go_to(take, middle, most, halvings - 1);
+            self.go_to(take, to, most, halvings - 1);
+        } else {
+            self.push(middle);
+            self.push(to);
+        }
+    }
+
+    /// Adds a sample with the integrals up to it; where the line folds, what lies behind is passed
+    /// over.
+    fn push(&mut self, mut sample: Sample<T>) {
+        let before = &self.samples[self.samples.len() - 1];
+        if sample.at.y.value() > before.at.y.value() {
+            let [_, one, two] = cubic(before, &sample, T::from(1.0));
+            sample.integrals = [one, two];
             self.samples.push(sample);
         }
     }
@@ -204,14 +292,13 @@ impl<T: Real> Lattice<T> {
     fn size_up(&mut self, line: &mut impl OverlapLine<T>) -> bool {
         let zero = T::from(0.0);
         let (mut square, mut cube, mut place) = (zero, zero, zero);
-        for_pairs(&self.samples, |a, b| {
-            let h = (b.at.y - a.at.y) * 0.5;
-            for sample in [a, b] {
-                let overlap = sample.at.overlap.at_least(0.0);
-                let weight = h * overlap * overlap;
+        for_pairs(&self.stations, |a, b| {
+            let h = (b.y - a.y) * 0.5;
+            for station in [a, b] {
+                let weight = h * station.overlap * station.overlap;
                 square += weight;
-                cube += weight * overlap;
-                place += weight * sample.at.u;
+                cube += weight * station.overlap;
+                place += weight * station.y;
             }
         });
         if !(square.value().is_normal() && cube.value().is_normal()) {
@@ -219,74 +306,88 @@ impl<T: Real> Lattice<T> {
         }
         self.depth = cube / square * DEPTH_OVER_MEAN;
         self.half_width = square / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
-        self.radius = line.radius(place / square);
+        let middle = self.sample_before(place / square);
+        let [a, b] = [&self.samples[middle], &self.samples[middle + 1]];
+        let t = ((place / square - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
+        self.radius = line.radius(parameter(a, b, t));
         let scale = T::from(1.0) / self.depth;
-        for sample in self.samples.iter_mut() {
-            sample.share = (sample.at.overlap * scale).at_least(0.0);
+        for station in self.stations.iter_mut() {
+            station.share = station.overlap * scale;
         }
         true
     }
 
-    /// Measures the nodes up to each sample.
+    /// Number of the sample before the place `y` across, of an interval that goes on behind it.
+    fn sample_before(&self, y: T) -> usize {
+        let behind = self.samples.partition_point(|sample| sample.at.y.value() <= y.value());
+        let last = behind.clamp(1, self.samples.len() - 1);
+        if self.samples[last - 1].interval == self.samples[last].interval { last - 1 } else { last }
+    }
+
+    /// Measures the nodes up to each station.
     fn measure(&mut self) {
         let zero = T::from(0.0);
         // Lobes from both sides.
-        let per_lobe = T::from(HALF_WIDTH_OVER_INTEGRAL) / self.half_width;
-        let grown = |lobe: T, from: &Sample<T>, to: &Sample<T>| {
-            let h = if from.interval == to.interval { (to.at.y - from.at.y).abs() } else { zero };
-            let squares = from.share * from.share + to.share * to.share;
-            let most = to.share * to.share * (LOBE * LOBE);
-            (lobe + h * squares * per_lobe * 0.5).min(most)
+        let most_over_square = self.half_width * (LOBE * LOBE / HALF_WIDTH_OVER_INTEGRAL);
+        let grown = |[square, cube]: [T; 2], from: &Station<T>, to: &Station<T>| {
+            let h = if from.interval == to.interval { (to.y - from.y).abs() } else { zero } * 0.5;
+            let squares = [from, to].map(|station| station.share * station.share);
+            let square = square + h * (squares[0] + squares[1]);
+            let cube = cube + h * (squares[0] * from.share + squares[1] * to.share);
+            let most = squares[1] * most_over_square;
+            if square > most { [most, cube * (most / square)] } else { [square, cube] }
         };
-        let mut lobe = zero;
-        for k in 1..self.samples.len() {
-            lobe = grown(lobe, &self.samples[k - 1], &self.samples[k]);
-            self.samples[k].lobe = lobe;
+        let mut lobe = [zero; 2];
+        for k in 1..self.stations.len() {
+            lobe = grown(lobe, &self.stations[k - 1], &self.stations[k]);
+            self.stations[k].lobe = lobe;
         }
-        lobe = zero;
-        for k in (1..self.samples.len()).rev() {
-            lobe = grown(lobe, &self.samples[k], &self.samples[k - 1]);
-            self.samples[k - 1].lobe += lobe;
+        lobe = [zero; 2];
+        for k in (1..self.stations.len()).rev() {
+            lobe = grown(lobe, &self.stations[k], &self.stations[k - 1]);
+            let both = &mut self.stations[k - 1].lobe;
+            *both = [both[0] + lobe[0], both[1] + lobe[1]];
         }
         let mut area = zero;
-        for_pairs(&self.samples, |a, b| area += (b.at.y - a.at.y) * (a.share + b.share) * 0.5);
-        let rise = |sample: &Sample<T>| {
-            if sample.share > 0.0 && sample.lobe > 0.0 {
-                let root = sample.lobe.sqrt();
-                sample.share * sample.share.sqrt() / (root * root.sqrt().sqrt())
+        for_pairs(&self.stations, |a, b| area += (b.y - a.y) * (a.share + b.share) * 0.5);
+        let rise = |station: &Station<T>| {
+            let [square, cube] = station.lobe;
+            if station.share > 0.0 && square > 0.0 {
+                let height = cube / square * DEPTH_OVER_MEAN;
+                station.share * station.share.sqrt() / (height * height.sqrt().sqrt())
             } else {
                 zero
             }
         };
         let mut measure = zero;
         let scale = self.wanted as f64 / PARABOLA;
-        let mut before = self.samples.first().map_or(zero, rise);
-        for k in 0..self.samples.len() {
-            let here = rise(&self.samples[k]);
-            if k > 0 && self.samples[k].interval == self.samples[k - 1].interval {
-                let [a, b] = [&self.samples[k - 1], &self.samples[k]];
-                let across = (b.at.y - a.at.y) * (a.share + b.share) * 0.5 / area;
+        let mut before = self.stations.first().map_or(zero, rise);
+        for k in 0..self.stations.len() {
+            let here = rise(&self.stations[k]);
+            if k > 0 && self.stations[k].interval == self.stations[k - 1].interval {
+                let [a, b] = [&self.stations[k - 1], &self.stations[k]];
+                let across = (b.y - a.y) * (a.share + b.share) * 0.5 / area;
                 measure += across.hypot((here - before) * 0.5) * scale;
             }
-            self.samples[k].measure = measure;
+            self.stations[k].measure = measure;
             before = here;
         }
         // As many as there is room for.
         let most = (self.nodes.capacity() - 1) as f64;
         if measure > most {
             let less = T::from(most) / measure;
-            for sample in self.samples.iter_mut() {
-                sample.measure *= less;
+            for station in self.stations.iter_mut() {
+                station.measure *= less;
             }
             measure = T::from(most);
         }
         let (mut sum, mut weight) = (zero, zero);
-        for_pairs(&self.samples, |a, b| {
-            let h = b.at.y - a.at.y;
-            for sample in [a, b] {
-                let own = h * sample.share * sample.share;
+        for_pairs(&self.stations, |a, b| {
+            let h = b.y - a.y;
+            for station in [a, b] {
+                let own = h * station.share * station.share;
                 weight += own;
-                sum += own * sample.measure;
+                sum += own * station.measure;
             }
         });
         let mean = sum / weight;
@@ -302,13 +403,20 @@ impl<T: Real> Lattice<T> {
         let mut number = low.value().ceil();
         while number <= high.value() && self.nodes.len() < self.nodes.capacity() {
             let target = mean + number;
-            while k + 2 < self.samples.len() && self.samples[k + 1].measure <= target {
+            while k + 2 < self.stations.len() && self.stations[k + 1].measure <= target {
                 k += 1;
             }
-            let [a, b] = [self.samples[k], self.samples[k + 1]];
+            let [a, b] = [self.stations[k], self.stations[k + 1]];
             let step = b.measure - a.measure;
             if a.interval == b.interval && step > 0.0 {
                 let t = ((target - a.measure) / step).within(0.0, 1.0);
+                let y = a.y + (b.y - a.y) * t;
+                let mut sample = a.sample;
+                while sample < b.sample && self.samples[sample + 1].at.y <= y {
+                    sample += 1;
+                }
+                let [a, b] = [self.samples[sample], self.samples[sample + 1]];
+                let t = ((y - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
                 self.place_node(line, &a, &b, t, number);
             }
             number += 1.0;
@@ -327,11 +435,7 @@ impl<T: Real> Lattice<T> {
         let h = b.at.y - a.at.y;
         let [depth, one, two] = cubic(a, b, t);
         let mix = |a: T, b: T| a + (b - a) * t;
-        // The parameter over the coordinate is a cubic too.
-        let (rise, rates) = (b.at.u - a.at.u, [h / a.at.dy, h / b.at.dy]);
-        let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
-        let turn = rates[0] + rates[1] - rise * 2.0;
-        let u = a.at.u + t * (rates[0] + t * (bend + t * turn));
+        let u = parameter(a, b, t);
         let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
         self.integrals.push([one, two]);
@@ -393,9 +497,9 @@ impl<T: Real> Lattice<T> {
     }
 }
 
-/// Calls `each` with every two neighbouring samples of one interval.
-fn for_pairs<T: Real>(samples: &[Sample<T>], mut each: impl FnMut(&Sample<T>, &Sample<T>)) {
-    for pair in samples.windows(2) {
+/// Calls `each` with every two neighbouring stations of one interval.
+fn for_pairs<T: Real>(stations: &[Station<T>], mut each: impl FnMut(&Station<T>, &Station<T>)) {
+    for pair in stations.windows(2) {
         if pair[0].interval == pair[1].interval {
             each(&pair[0], &pair[1]);
         }
