@@ -26,11 +26,12 @@ use crate::math::real::Real;
 /// Steps in each interval in which the overlap is taken at first, and how often one is halved at
 /// most: a millimetre of a rail down to a hundredth of it.
 const STEPS: usize = 8;
-const MAX_HALVINGS: usize = 6;
+const MAX_HALVINGS: f64 = 6.0;
 /// Most places of all intervals at which the overlap is taken.
 const MAX_SAMPLES: usize = 1024;
-/// Integral that a step may be wrong by over the greatest overlap times the width of all intervals.
-const SAMPLE_ERROR: f64 = 1e-5;
+/// Integral that a step may be wrong by over the depth times the width of a parabola of the same
+/// width and slopes at its ends: from there to twice as much the halves of the step come in.
+const SAMPLE_ERROR: f64 = 1e-6;
 /// Steps in each interval for the measure.
 const STATIONS: usize = 32;
 /// The integral of the measure for a parabola, n/A apart.
@@ -50,8 +51,10 @@ struct Sample<T> {
     at: LinePlace<T>,
     /// Number of the interval of overlap.
     interval: usize,
-    /// Derivative of the overlap by the coordinate across [-].
-    slope: T,
+    /// Derivatives of the overlap and of the parameter by the coordinate across, before and behind
+    /// the place: only where the line folds they are two [-].
+    slope: [T; 2],
+    rate: [T; 2],
     /// Integral of the overlap from the first place of the interval on, and the integral of that
     /// [m², m³].
     integrals: [T; 2],
@@ -105,6 +108,8 @@ pub(super) struct Lattice<T = f64> {
     pub nodes: FixedVec<Node<T>>,
     samples: FixedVec<Sample<T>>,
     stations: FixedVec<Station<T>>,
+    /// Whether the line goes back from the last sample on.
+    is_folded: bool,
     /// Integrals of the overlap up to each node [m², m³].
     integrals: FixedVec<[T; 2]>,
     /// Depth and half width of the parabola with the same integrals of the square and the cube of
@@ -124,7 +129,7 @@ pub(super) struct Lattice<T = f64> {
 /// Value and both integrals of the cubic between two samples at the share `t` of the way.
 fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
     let h = b.at.y - a.at.y;
-    let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope * h, b.slope * h]);
+    let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope[1] * h, b.slope[0] * h]);
     let (c0, c1, c2, c3) = (a.at.overlap, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
     let value = c0 + t * (c1 + t * (c2 + t * c3));
     let first = t * (c0 + t * (c1 * 0.5 + t * (c2 * (1.0 / 3.0) + t * c3 * 0.25)));
@@ -134,14 +139,43 @@ fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
     [value, one + h * first, two + h * (t * one + h * second)]
 }
 
-/// Parameter of the line, a cubic over the coordinate, at the share `t` of the way between two
-/// samples.
-fn parameter<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> T {
+/// What two samples say of the place at the share `t` of the way: overlap and parameter of the line
+/// are cubics.
+fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> {
     let (h, rise) = (b.at.y - a.at.y, b.at.u - a.at.u);
-    let rates = [h / a.at.dy, h / b.at.dy];
+    let rates = [a.rate[1] * h, b.rate[0] * h];
     let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
     let turn = rates[0] + rates[1] - rise * 2.0;
-    a.at.u + t * (rates[0] + t * (bend + t * turn))
+    let u = a.at.u + t * (rates[0] + t * (bend + t * turn));
+    let rate = (rates[0] + t * (bend * 2.0 + t * turn * 3.0)) / h;
+    let [overlap, one, two] = cubic(a, b, t);
+    let secant = (b.at.overlap - a.at.overlap) / h;
+    let [from, to] = [a.slope[1], b.slope[0]];
+    let slope =
+        from + t * (secant * 6.0 - from * 4.0 - to * 2.0 + t * ((from + to - secant * 2.0) * 3.0));
+    let mix = |a: T, b: T| a + (b - a) * t;
+    let (x, y) = (mix(a.at.x, b.at.x), mix(a.at.y, b.at.y));
+    let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
+    let at = LinePlace { u, y, overlap, x, tangent, ..a.at };
+    Sample { at, interval: a.interval, slope: [slope; 2], rate: [rate; 2], integrals: [one, two] }
+}
+
+impl<T: Real> Sample<T> {
+    /// This one, `weight` of the way towards another one of the same place across.
+    fn towards(&self, other: &Self, weight: T) -> Self {
+        let mix = |a: T, b: T| a + (b - a) * weight;
+        let (a, b) = (&self.at, &other.at);
+        let both = |a: [T; 2], b: [T; 2]| [mix(a[0], b[0]), mix(a[1], b[1])];
+        let at = LinePlace {
+            u: mix(a.u, b.u),
+            overlap: mix(a.overlap, b.overlap),
+            x: mix(a.x, b.x),
+            tangent: both(a.tangent, b.tangent),
+            ..*b
+        };
+        let (slope, rate) = (both(self.slope, other.slope), both(self.rate, other.rate));
+        Self { at, slope, rate, ..*other }
+    }
 }
 
 impl<T: Real> Lattice<T> {
@@ -152,6 +186,7 @@ impl<T: Real> Lattice<T> {
             nodes: FixedVec::new(most),
             samples: FixedVec::new(MAX_SAMPLES),
             stations: FixedVec::new((STATIONS + 1) * MAX_OVERLAPS),
+            is_folded: false,
             integrals: FixedVec::new(most),
             depth: zero,
             half_width: zero,
@@ -190,9 +225,8 @@ impl<T: Real> Lattice<T> {
         self.nodes.clear();
         self.samples.clear();
         self.stations.clear();
-        let most = SAMPLE_ERROR * overlaps.box_area();
         for (interval, ends) in overlaps.intervals.iter().enumerate() {
-            self.sample(line, interval, ends, most);
+            self.sample(line, interval, ends);
         }
         if self.size_up(line) {
             self.scales = Scales::new(self.depth, self.half_width, self.radius);
@@ -201,14 +235,8 @@ impl<T: Real> Lattice<T> {
         }
     }
 
-    /// Takes the overlap in one interval, so that no step is wrong by more than the integral `most`.
-    fn sample(
-        &mut self,
-        line: &mut impl OverlapLine<T>,
-        interval: usize,
-        ends: &[End; 2],
-        most: f64,
-    ) {
+    /// Takes the overlap in one interval.
+    fn sample(&mut self, line: &mut impl OverlapLine<T>, interval: usize, ends: &[End; 2]) {
         let zero = T::from(0.0);
         let [from, to] = [0, 1].map(|side| ends[side].moving(line));
         let mut take = |u: T, is_end: bool| {
@@ -217,18 +245,26 @@ impl<T: Real> Lattice<T> {
             if is_end {
                 at.overlap = zero;
             }
-            Sample { at, interval, slope: at.overlap_slope / at.dy, integrals: [zero; 2] }
+            let rate = T::from(1.0) / at.dy;
+            let (slope, rate) = ([at.overlap_slope * rate; 2], [rate; 2]);
+            Sample { at, interval, slope, rate, integrals: [zero; 2] }
         };
         // Beyond the last interval there is no room for.
         if self.samples.len() + 2 * STEPS >= self.samples.capacity() {
             return;
         }
         let first = self.samples.len();
-        self.samples.push(take(from, ends[0].is_free));
+        let ends_taken = [take(from, ends[0].is_free), take(to, ends[1].is_free)];
+        let width = ends_taken[1].at.y - ends_taken[0].at.y;
+        let slopes = ends_taken[0].slope[1].abs() + ends_taken[1].slope[0].abs();
+        let most = width * width * slopes * (SAMPLE_ERROR / 8.0);
+        self.samples.push(ends_taken[0]);
+        self.is_folded = false;
         for k in 1..=STEPS {
-            let is_end = k == STEPS && ends[1].is_free;
-            let to = take(from + (to - from) * (k as f64 / STEPS as f64), is_end);
-            self.go_to(&mut take, to, most, MAX_HALVINGS);
+            let share = k as f64 / STEPS as f64;
+            let to =
+                if k < STEPS { take(from + (to - from) * share, false) } else { ends_taken[1] };
+            self.go_to(&mut take, to, most, [T::from(1.0), T::from(MAX_HALVINGS)]);
         }
         let [low, high] = [self.samples[first].at.y, self.samples[self.samples.len() - 1].at.y];
         if self.samples.len() - first < 2 {
@@ -253,39 +289,55 @@ impl<T: Real> Lattice<T> {
         }
     }
 
-    /// Takes the places up to `to`, the step halved up to `halvings` times.
+    /// Takes the places up to `to`, the step halved up to `halvings` times. What the place in its
+    /// middle says beside what both ends say has the weight `weight`, so that places come and go
+    /// without a jump.
     fn go_to(
         &mut self,
         take: &mut impl FnMut(T, bool) -> Sample<T>,
         to: Sample<T>,
-        most: f64,
-        halvings: usize,
+        most: T,
+        [weight, halvings]: [T; 2],
     ) {
         let from = self.samples[self.samples.len() - 1];
-        let middle = take((from.at.u + to.at.u) * 0.5, false);
+        let found = take((from.at.u + to.at.u) * 0.5, false);
         let h = to.at.y - from.at.y;
-        let t = (middle.at.y - from.at.y) / h;
-        let error = (cubic(&from, &to, t)[0] - middle.at.overlap).value().abs();
-        let is_wrong = error * h.value() > most;
+        let expected = between(&from, &to, (found.at.y - from.at.y) / h);
+        let middle = expected.towards(&found, weight);
+        let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
         let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
-        if is_wrong && halvings > 0 && has_room {
-            self.go_to(take, middle, most, halvings - 1);
-            self.go_to(take, to, most, halvings - 1);
+        if error > 0.0 && halvings > 0.0 && has_room {
+            let error = error.at_most(1.0);
+            let weight = weight * error * error * (error * -2.0 + 3.0);
+            let halves = [weight, halvings - 1.0];
+            self.go_to(take, middle, most, halves);
+            self.go_to(take, to, most, halves);
         } else {
             self.push(middle);
             self.push(to);
         }
     }
 
-    /// Adds a sample with the integrals up to it; where the line folds, what lies behind is passed
-    /// over.
+    /// Adds a sample with the integrals up to it. Where the line folds, what lies behind is passed
+    /// over, straight.
     fn push(&mut self, mut sample: Sample<T>) {
-        let before = &self.samples[self.samples.len() - 1];
-        if sample.at.y.value() > before.at.y.value() {
-            let [_, one, two] = cubic(before, &sample, T::from(1.0));
-            sample.integrals = [one, two];
-            self.samples.push(sample);
+        let last = self.samples.len() - 1;
+        let before = &mut self.samples[last];
+        if sample.at.y.value() <= before.at.y.value() {
+            self.is_folded = true;
+            return;
         }
+        if self.is_folded {
+            self.is_folded = false;
+            let h = sample.at.y - before.at.y;
+            let slope = (sample.at.overlap - before.at.overlap) / h;
+            let rate = (sample.at.u - before.at.u) / h;
+            (before.slope[1], before.rate[1]) = (slope, rate);
+            (sample.slope[0], sample.rate[0]) = (slope, rate);
+        }
+        let [_, one, two] = cubic(before, &sample, T::from(1.0));
+        sample.integrals = [one, two];
+        self.samples.push(sample);
     }
 
     /// The parabola of the overlap; false where there is none.
@@ -309,7 +361,7 @@ impl<T: Real> Lattice<T> {
         let middle = self.sample_before(place / square);
         let [a, b] = [&self.samples[middle], &self.samples[middle + 1]];
         let t = ((place / square - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
-        self.radius = line.radius(parameter(a, b, t));
+        self.radius = line.radius(between(a, b, t).at.u);
         let scale = T::from(1.0) / self.depth;
         for station in self.stations.iter_mut() {
             station.share = station.overlap * scale;
@@ -433,16 +485,14 @@ impl<T: Real> Lattice<T> {
         number: f64,
     ) {
         let h = b.at.y - a.at.y;
-        let [depth, one, two] = cubic(a, b, t);
-        let mix = |a: T, b: T| a + (b - a) * t;
-        let u = parameter(a, b, t);
-        let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
+        let Sample { at, integrals, .. } = between(a, b, t);
+        let LinePlace { u, y, x, tangent, overlap: depth, .. } = at;
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
-        self.integrals.push([one, two]);
+        self.integrals.push(integrals);
         self.nodes.push(Node {
             u,
-            y: a.at.y + h * t,
-            x: mix(a.at.x, b.at.x),
+            y,
+            x,
             tangent: tangent.map(|component| component / length),
             reach: [h; 2],
             width: h,

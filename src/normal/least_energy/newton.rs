@@ -277,7 +277,7 @@ impl Newton {
         self.last.energy = self.system.energy;
         let mut change = self.change(simd, f64::INFINITY);
         change.is_rough |= raise > 0.0;
-        Some(change)
+        change.greatest.is_finite().then_some(change)
     }
 
     /// Steps with the factor of the last one, which changed by `before`; whether they came to an
@@ -366,7 +366,9 @@ impl Newton {
         }
         let part = (MAX_CHANGE[0] / greatest).min(MAX_CHANGE[1] / greatest_shape).min(1.0);
         let greatest = part * greatest.max(SHAPE_WEIGHT * greatest_shape);
-        if greatest > most {
+        // A step that is not a number is never taken.
+        let greatest = if slope.is_finite() { greatest } else { f64::INFINITY };
+        if greatest > most || greatest.is_infinite() {
             return Change { greatest, is_rough: false };
         }
         last.slope = slope * part;

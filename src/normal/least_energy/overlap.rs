@@ -19,8 +19,6 @@ pub(super) struct End {
 #[derive(Clone, Debug)]
 pub(super) struct Overlaps {
     pub intervals: FixedVec<[End; 2]>,
-    /// Greatest overlap at a probe [m].
-    deepest: f64,
 }
 
 /// Most intervals of overlap of one rail.
@@ -36,21 +34,14 @@ const BRACKET: f64 = 1e-15;
 
 impl Overlaps {
     pub fn new() -> Self {
-        Self { intervals: FixedVec::new(MAX_OVERLAPS), deepest: 0.0 }
-    }
-
-    /// Greatest overlap times the width of all intervals [m²].
-    pub fn box_area(&self) -> f64 {
-        let widths = self.intervals.iter().map(|[left, right]| right.u - left.u);
-        self.deepest * widths.sum::<f64>()
+        Self { intervals: FixedVec::new(MAX_OVERLAPS) }
     }
 
     /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between
     /// two of which it changes its sign at most once.
     pub fn fill(&mut self, line: &mut impl OverlapLine, probes: &[Probe], level: f64) {
         self.intervals.clear();
-        self.deepest = probes.iter().fold(0.0, |most: f64, probe| most.max(level - probe.f));
-        if self.deepest < ROUNDING {
+        if probes.iter().all(|probe| level - probe.f < ROUNDING) {
             return;
         }
         let is_inside = |probe: &Probe| level > probe.f;

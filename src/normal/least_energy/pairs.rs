@@ -39,6 +39,9 @@ const ITSELF: f64 = 0.1821;
 /// k² and 1/(k² - 1/3) of nodes k apart.
 const APART: [[f64; 2]; 3] = [[4.0, 3.0 / 11.0], [9.0, 3.0 / 26.0], [16.0, 3.0 / 47.0]];
 const SHIFT: [f64; 2] = [0.178, 1.18];
+/// Least square of the distance of two hats over the sum of their variances: where a line folds,
+/// those of two intervals may lie in one place.
+const CLOSEST: f64 = 2.0;
 /// Places from one interval of overlap to the next: none of their nodes are near each other.
 const INTERVAL: f64 = 1e6;
 /// A place where no hat is, and a centroid [m].
@@ -89,7 +92,9 @@ impl<T: Real> Hat<T> {
     pub fn potential(&self, other: &Self, kernel: &Kernel, long: T, squares: [T; 2]) -> [T; 3] {
         let (away, shift) = (other.centre - self.centre, other.x - self.x);
         let place = other.place.value() - self.place.value();
-        let far = away * away - other.variance - self.variance;
+        let variances = other.variance + self.variance;
+        let distance = (away * away).max(variances * CLOSEST);
+        let far = distance - variances;
         let near = APART.into_iter().find(|apart| (apart[0] - place * place).abs() < 0.5);
         let mut square = match place {
             0.0 => self.own,
@@ -98,7 +103,6 @@ impl<T: Real> Hat<T> {
             _ => near.map_or(far, |[_, inverse]| far * inverse),
         };
         if place != 0.0 && shift.value() != 0.0 {
-            let distance = away * away;
             let [near, far] = SHIFT.map(|share| distance + long * share);
             square *= shift * shift * near / (far * distance) + 1.0;
         }
@@ -187,8 +191,9 @@ impl Hats {
     pub fn measure<S: Simd>(&self, simd: S, from: usize, one: &Hat, pairs: &mut [Pairs]) {
         for (hats, pairs) in self.fours[from..].iter().zip(pairs) {
             let away = simd.four(&hats.centre) - one.centre;
-            let distance = away * away;
-            let mut square = distance - simd.four(&hats.variance) - one.variance;
+            let variances = simd.four(&hats.variance) + one.variance;
+            let distance = (away * away).max(variances * CLOSEST);
+            let mut square = distance - variances;
             let places = simd.four(&hats.place) - one.place;
             let [first, .., last] = places.lanes();
             pairs.row = [FIRST_ROW.wrapping_add((FAR * ROW) as u64) & MASK; LANES];
