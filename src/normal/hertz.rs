@@ -124,6 +124,7 @@ pub fn solve<T: Real>(
         max_pressure: found.max_pressure,
         length: found.semi_axis_along * 2.0,
         width: found.semi_axis_across * 2.0,
+        beyond: [T::from(0.0); 2],
         area: found.semi_axis_along * PI * found.semi_axis_across,
         x: at.x,
         y: T::from(0.0),

@@ -22,6 +22,8 @@ pub struct Zone<T = f64> {
     pub length: T,
     /// Extent across [m].
     pub width: T,
+    /// How far its edges are beyond its outermost strips; nothing where the model does not know [m].
+    pub beyond: [T; 2],
     /// Area [m²].
     pub area: T,
     /// Centroid of the load along the track, from the wheel marker [m].
@@ -95,6 +97,7 @@ impl<T: Real> Strips<T> {
             max_pressure: zone.max_pressure.into(),
             length: zone.length.into(),
             width: zone.width.into(),
+            beyond: zone.beyond.map(Into::into),
             area: zone.area.into(),
             x: zone.x.into(),
             y: zone.y.into(),
