@@ -17,16 +17,6 @@
 //! than 1, as q says little of strips that have hardly any load. Loads stay as they are: they are
 //! right to second order.
 //!
-//! The lengths that the energy has follow from means over hats, which are less in the middle of an
-//! ellipse than the load itself: strips too short by that are too curved, by
-//!
-//! ```text
-//! 0.57 t/sqrt(1 + (t/0.02)²),  t = (l - mean of l)/greatest l
-//! ```
-//!
-//! which is taken from q, so that ellipses keep their greatest length and pressure to 0.2 % with 20
-//! nodes. It is not taken for the area, where strips towards the edges are too short by as much.
-//!
 //! At the edge of an ellipse l goes to zero as a line; what the hats make of that puts the edge at
 //!
 //! ```text
@@ -50,10 +40,6 @@ use crate::normal::{Strips, Zone};
 const SMOOTHING: f64 = 0.25;
 /// What χ of a strip's own changes by the curvature of the displacement over that of the wheel.
 const OWN_SHAPE: f64 = 2.75;
-/// Curvature over that of the wheel that a mean over hats adds, by what it takes from the load per
-/// width, over the greatest one, and about the most that counts as taken.
-const CURVATURE_TAKEN: f64 = 0.57;
-const MOST_TAKEN: f64 = 0.02;
 /// Place of an edge beyond the last node over the width of the panel, without load there, and by
 /// the ratio of the last two loads.
 const EDGE: [f64; 2] = [0.1, 1.7];
@@ -75,8 +61,6 @@ pub(super) struct Zones<T = f64> {
     smooth: FixedVec<T>,
     /// Square of the half length over the smoothed load per width [m].
     square_over_load: FixedVec<T>,
-    /// The same by curvatures as they are, for the area.
-    square_over_load_of_area: FixedVec<T>,
     /// Coordinates across and squares of half lengths of the zone under way, with its edges.
     outline: FixedVec<[T; 2]>,
 }
@@ -87,7 +71,6 @@ impl<T: Real> Zones<T> {
             load: FixedVec::new(most),
             smooth: FixedVec::new(most),
             square_over_load: FixedVec::new(most),
-            square_over_load_of_area: FixedVec::new(most),
             outline: FixedVec::new(most + 2),
         }
     }
@@ -163,27 +146,19 @@ impl<T: Real> Zones<T> {
         self.load.clear();
         self.smooth.clear();
         self.square_over_load.clear();
-        self.square_over_load_of_area.clear();
         self.load
             .extend(nodes.iter().zip(loads).map(|(node, &load)| load * scales.load / node.width));
-        let greatest = self.load.iter().copied().fold(T::from(f64::MIN_POSITIVE), Real::max);
         for (i, &load) in self.load.iter().enumerate() {
             let is_loaded = load > 0.0;
             if !is_loaded {
                 // Nothing is read off there.
                 self.smooth.push(load);
                 self.square_over_load.push(load);
-                self.square_over_load_of_area.push(load);
                 continue;
             }
             let mean = lattice.mean_over_hats(i, loads) * scales.load;
             self.smooth.push(load + (mean - load) * SMOOTHING);
-            let taken = (load - mean) / greatest;
-            let taken = taken / (taken * taken / (MOST_TAKEN * MOST_TAKEN) + 1.0).sqrt();
-            let field = knots.value(i, shape);
-            let [shape, of_area] = [taken * CURVATURE_TAKEN, T::from(0.0)]
-                .map(|less| field + own_shape(curvatures[i] - less));
-            self.square_over_load_of_area.push((-of_area).exp() * scales.square_over_load);
+            let shape = knots.value(i, shape) + own_shape(curvatures[i]);
             self.square_over_load.push((-shape).exp() * scales.square_over_load);
         }
     }
@@ -248,7 +223,7 @@ impl<T: Real> Zones<T> {
     fn area(&mut self, nodes: &[Node<T>], begin: usize, end: usize, [low, high]: [T; 2]) -> T {
         let width = high - low;
         let zero = T::from(0.0);
-        let square = |i: usize| self.square_over_load_of_area[i] * self.smooth[i];
+        let square = |i: usize| self.square_over_load[i] * self.smooth[i];
         if end - begin < 3 {
             // Half an ellipse of the same load.
             let sum: T = (begin..end).map(|i| square(i) * nodes[i].width).sum();
