@@ -1,0 +1,108 @@
+//! The intervals of a contact line in which the undeformed bodies overlap.
+
+use super::line::{Line, LinePlace, OverlapLine};
+use crate::geometry::contacts::separation::Probe;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+use crate::math::root::bracketed;
+
+/// One end of an interval of overlap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct End {
+    /// Parameter of the line [m].
+    pub u: f64,
+    /// Coordinate across [m].
+    pub y: f64,
+    /// Derivative of the overlap by the coordinate across; nothing where a body ends [-].
+    pub slope: Option<f64>,
+}
+
+/// The intervals of a contact line in which the bodies overlap.
+#[derive(Clone, Debug)]
+pub(super) struct Overlaps {
+    pub intervals: FixedVec<[End; 2]>,
+}
+
+/// Most intervals of overlap of one rail.
+pub(super) const MAX_OVERLAPS: usize = 32;
+/// Newton steps towards an end before it is bracketed.
+const MAX_STEPS: usize = 6;
+/// Last Newton step towards an end [m]; what is left is of the order of its square.
+const LAST_STEP: f64 = 1e-8;
+/// Bracket of an end that Newton's method does not find [m].
+const BRACKET: f64 = 1e-15;
+
+impl Overlaps {
+    pub fn new() -> Self {
+        Self { intervals: FixedVec::new(MAX_OVERLAPS) }
+    }
+
+    /// Takes the intervals in which the overlap `level` - f is positive, from the `probes`, between
+    /// two of which it changes its sign at most once.
+    pub fn fill(&mut self, line: &mut impl Line, probes: &[Probe], level: f64) {
+        self.intervals.clear();
+        let is_inside = |probe: &Probe| level > probe.f;
+        let mut k = 0;
+        while k < probes.len() && self.intervals.len() < self.intervals.capacity() {
+            if !is_inside(&probes[k]) {
+                k += 1;
+                continue;
+            }
+            let begin = k;
+            while k < probes.len() && is_inside(&probes[k]) {
+                k += 1;
+            }
+            let mut end = |inside: usize, outside: Option<usize>| match outside {
+                Some(outside) => crossing(line, &probes[inside], &probes[outside], level),
+                None => end_at(line.place(probes[inside].u), false),
+            };
+            let left = end(begin, begin.checked_sub(1));
+            let right = end(k - 1, Some(k).filter(|&k| k < probes.len()));
+            // Rounding may leave nothing of an overlap of picometres.
+            if right.y > left.y {
+                self.intervals.push([left, right]);
+            }
+        }
+    }
+}
+
+/// The place between two probes at which the overlap ends.
+fn crossing(line: &mut impl Line, inside: &Probe, outside: &Probe, level: f64) -> End {
+    let (a, b) = ((inside.u, level - inside.f), (outside.u, level - outside.f));
+    let (low, high) = (a.0.min(b.0), a.0.max(b.0));
+    let mut u = if b.1.is_finite() { a.0 + (b.0 - a.0) * a.1 / (a.1 - b.1) } else { a.0 };
+    for _ in 0..MAX_STEPS {
+        let place = line.place(u);
+        let step = -place.overlap / place.overlap_slope;
+        u += step;
+        if !(u >= low && u <= high) {
+            break;
+        }
+        if step.abs() <= LAST_STEP {
+            return end_at(line.place(u), true);
+        }
+    }
+    let u = bracketed(a, b, BRACKET, |u| line.place(u).overlap);
+    end_at(line.place(u), true)
+}
+
+fn end_at(place: LinePlace, is_free: bool) -> End {
+    let LinePlace { u, y, dy, overlap_slope, .. } = place;
+    End { u, y, slope: is_free.then_some(overlap_slope / dy) }
+}
+
+impl End {
+    /// Coordinate across as it moves with `line` [m].
+    pub(super) fn moving<T: Real>(&self, line: &mut impl OverlapLine<T>) -> T {
+        match self.slope {
+            Some(slope) if T::HAS_SLOPES && slope != 0.0 => {
+                let overlap = line.at(T::from(self.y), self.u).overlap;
+                let moved = T::moving(self.y, -overlap / slope);
+                // What a slope that is a little off has left.
+                let rest = line.at(moved, self.u).overlap;
+                T::moving(self.y, moved - rest / slope)
+            }
+            _ => T::from(self.y),
+        }
+    }
+}
