@@ -89,7 +89,7 @@
 //! friction    coefficients over the surface of a rail and along the track
 //! io          profiles from files: SIMPACK, MiniProf, two columns; deviations; friction
 //! kinematics  motion of wheel and rail to creepage
-//! normal      hertz, piotrowski_kik, strips_on_grid, damping: separation to loaded strips
+//! normal      hertz, piotrowski_kik, least_energy, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers

@@ -50,73 +50,6 @@ pub fn solve(matrix: &mut [f64], stride: usize, right: &mut [f64]) -> bool {
     right.iter().all(|x| x.is_finite())
 }
 
-/// A matrix in two triangular factors, with its rows in the order of their pivots, for many right
-/// sides.
-#[derive(Clone, Debug, Default)]
-pub struct Factors {
-    rows: Vec<f64>,
-    order: Vec<usize>,
-    scratch: Vec<f64>,
-}
-
-impl Factors {
-    /// With room for `n` equations.
-    #[must_use]
-    pub fn with_capacity(n: usize) -> Self {
-        let (rows, scratch) = (Vec::with_capacity(n * n), Vec::with_capacity(n));
-        Self { rows, order: Vec::with_capacity(n), scratch }
-    }
-
-    /// Takes the `n` by `n` `matrix`; false where it is singular to working precision.
-    #[must_use]
-    pub fn of(&mut self, matrix: &[f64], n: usize) -> bool {
-        self.rows.clear();
-        self.rows.extend_from_slice(matrix);
-        self.order.clear();
-        self.order.extend(0..n);
-        let rows = &mut self.rows;
-        for column in 0..n {
-            let size = |row: usize| rows[row * n + column].abs();
-            let pivot =
-                (column..n).fold(column, |best, r| if size(r) > size(best) { r } else { best });
-            let largest = size(pivot);
-            if !(largest > f64::MIN_POSITIVE && largest.is_finite()) {
-                return false;
-            }
-            if pivot != column {
-                let (upper, lower) = rows.split_at_mut(pivot * n);
-                upper[column * n..(column + 1) * n].swap_with_slice(&mut lower[..n]);
-                self.order.swap(column, pivot);
-            }
-            let (upper, lower) = rows.split_at_mut((column + 1) * n);
-            let pivot_row = &upper[column * n + column..];
-            for row in lower.chunks_mut(n) {
-                let factor = row[column] / pivot_row[0];
-                row[column] = factor;
-                for (a, p) in row[column + 1..].iter_mut().zip(&pivot_row[1..]) {
-                    *a -= factor * p;
-                }
-            }
-        }
-        true
-    }
-
-    /// Solves for one right side, in place.
-    pub fn solve(&mut self, right: &mut [f64]) {
-        let n = self.order.len();
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        self.scratch.clear();
-        for (row, &from) in self.order.iter().enumerate() {
-            let known = dot(&self.rows[row * n..row * n + row], &self.scratch);
-            self.scratch.push(right[from] - known);
-        }
-        for row in (0..n).rev() {
-            let known = dot(&self.rows[row * n + row + 1..(row + 1) * n], &right[row + 1..n]);
-            right[row] = (self.scratch[row] - known) / self.rows[row * n + row];
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,21 +63,6 @@ mod tests {
         for i in 0..3 {
             approx::assert_relative_eq!(b[i], x[i], max_relative = 1e-14);
         }
-    }
-
-    #[test]
-    fn factors_solve_for_several_right_sides() {
-        let a = [0.0, 2.0, 1.0, 1.0, 0.0, 3.0, 4.0, 1.0, 0.0];
-        let mut factors = Factors::default();
-        assert!(factors.of(&a, 3));
-        for x in [[1.0, -2.0, 0.5], [0.3, 4.0, -7.0]] {
-            let mut b = [0, 3, 6].map(|row| (0..3).map(|k| a[row + k] * x[k]).sum::<f64>());
-            factors.solve(&mut b);
-            for i in 0..3 {
-                approx::assert_relative_eq!(b[i], x[i], max_relative = 1e-14);
-            }
-        }
-        assert!(!factors.of(&[1.0, 2.0, 2.0, 4.0], 2));
     }
 
     #[test]

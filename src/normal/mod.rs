@@ -15,7 +15,6 @@ pub(crate) mod rail_elements;
 pub(crate) mod shape_correction;
 mod solve;
 mod strips;
-pub mod strips_on_grid;
 pub(crate) mod uneven;
 mod zones;
 

@@ -13,8 +13,8 @@ pub enum NormalModel {
     /// The same with the ratio of length to width of the contact area corrected (section 2.4
     /// there).
     PiotrowskiKikCorrected,
-    /// The contact condition on every strip, coupled through the half-space, all overlaps of a rail
-    /// in one problem: see [`strips_on_grid`](super::strips_on_grid).
+    /// Strips coupled through the half-space whose pressures have the least energy, all overlaps of
+    /// a rail in one problem: see [`least_energy`](super::least_energy).
     #[default]
     Strips,
     /// The half-space solution on rectangular elements: slow, for checking the others.

@@ -24,7 +24,7 @@ use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
-use crate::normal::strips_on_grid::{GridSolver, MIN_STRIPS, solve_in_frame};
+use crate::normal::least_energy::{MIN_STRIPS, StripSolver, solve_in_frame};
 use crate::normal::{self, NormalProblem, Strips};
 use crate::tangential::{Creepage, RollingState, Tangential};
 use case::MAX_APPROACH;
@@ -106,7 +106,7 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
     let mut strips = Strips::with_capacity(MAX_ZONES, case.strips.max(MIN_STRIPS));
     let mut solver =
-        (case.normal_model == NormalModel::Strips).then(|| GridSolver::new(case.strips));
+        (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
     // `approach` counts from first touch.
     let mut press = |approach: f64| {

@@ -5,7 +5,7 @@ use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
 use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
-use super::strips::{Settled, TractionStrips};
+use super::strips::{Settled, Span, TractionStrips};
 use super::{fastrip, fastsim, tables};
 use crate::math::dual::Dual;
 use crate::normal::{Strips, Zone};
@@ -21,11 +21,12 @@ pub trait CreepNumber:
         None
     }
 
-    /// Solves on strips and hands the force of each strip to `each`; nothing where there is no
+    /// Solves on the strips of `span` and hands the force of each strip to `each`; nothing where there is no
     /// solution.
     fn on_strips(
         solver: &mut TractionStrips,
         loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        span: &Span<Self>,
         rolling: Rolling,
         each: impl FnMut(usize, StripForce<Self>),
     ) -> Option<Settled>;
@@ -47,10 +48,11 @@ impl<const N: usize> CreepNumber for Dual<N> {
     fn on_strips(
         solver: &mut TractionStrips,
         loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        span: &Span<Self>,
         rolling: Rolling,
         each: impl FnMut(usize, StripForce<Self>),
     ) -> Option<Settled> {
-        solver.moving_strip_forces(loaded, rolling, each)
+        solver.moving_strip_forces(loaded, span, rolling, each)
     }
 }
 
@@ -58,10 +60,11 @@ impl CreepNumber for f64 {
     fn on_strips(
         solver: &mut TractionStrips,
         loaded: &LoadedZone<'_, impl RigidSlip>,
+        span: &Span,
         rolling: Rolling,
         each: impl FnMut(usize, StripForce),
     ) -> Option<Settled> {
-        solver.strip_forces(loaded, rolling, each)
+        solver.strip_forces(loaded, span, rolling, each)
     }
 
     fn elements(zone: &Zone, strips: &Strips, count: [usize; 2]) -> Option<LoadedElements> {

@@ -4,11 +4,54 @@ use crate::common;
 use crate::common::planar::{HertzRow, steel_modulus};
 use crate::common::summary::Summary;
 use crate::common::{median_and_worst, read_table, value};
-use crate::strips_on_grid::Planar;
 use crate::tolerance;
+use wheelrail::geometry::contacts::separation::{Probe, Separation, SeparationPoint};
+use wheelrail::geometry::curve::{Curve, Knot};
 use wheelrail::math::quadrature::GaussLegendre;
+use wheelrail::math::root::bracketed;
+use wheelrail::math::spline::{SplineEnd, interpolating_slopes};
 use wheelrail::normal::least_energy::{StripSolver, solve_in_frame};
 use wheelrail::normal::{NormalProblem, Strips};
+
+/// A separation f(y) as a cubic spline.
+struct Planar(Curve);
+
+impl Planar {
+    fn through(points: &[[f64; 2]]) -> Self {
+        let y: Vec<f64> = points.iter().map(|p| p[0]).collect();
+        let f: Vec<f64> = points.iter().map(|p| p[1]).collect();
+        let slopes = interpolating_slopes(&y, &f, [SplineEnd::Natural; 2]);
+        let knots =
+            (0..y.len()).map(|i| Knot { s: y[i], point: [y[i], f[i]], tangent: [1.0, slopes[i]] });
+        Self(Curve::through(&knots.collect::<Vec<Knot>>()))
+    }
+
+    /// Knots, and places of least and greatest f between them.
+    fn probes(&self) -> Vec<Probe> {
+        let at = |u: f64| Probe { u, f: self.0.at(u).point[1] };
+        let knots: Vec<f64> = self.0.knots().collect();
+        let mut probes = vec![at(knots[0])];
+        for pair in knots.windows(2) {
+            let slope = |u: f64| self.0.at(u).first[1];
+            let [a, b] = [slope(pair[0]), slope(pair[1].next_down())];
+            if a * b < 0.0 {
+                probes.push(at(bracketed((pair[0], a), (pair[1], b), 1e-15, slope)));
+            }
+            probes.push(at(pair[1]));
+        }
+        probes
+    }
+}
+
+impl Separation for Planar {
+    fn at(&mut self, u: f64) -> SeparationPoint {
+        SeparationPoint { y: u, dy: 1.0, f: self.0.at(u).point[1], x: 0.0 }
+    }
+
+    fn with_slope(&mut self, u: f64) -> (SeparationPoint, f64) {
+        (Separation::at(self, u), self.0.at(u).first[1])
+    }
+}
 
 /// The zones of `line` under an `approach` counted from f = 0.
 fn press(solver: &mut StripSolver, line: &mut Planar, radius: f64, approach: f64) -> Strips {

@@ -68,7 +68,6 @@ mod second_rail;
 mod simulate;
 mod static_library;
 mod strips;
-mod strips_on_grid;
 mod strips_reliability;
 mod strips_sweeps;
 mod symmetry;

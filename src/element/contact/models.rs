@@ -11,7 +11,7 @@ use crate::material::MaterialPair;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
-use crate::normal::strips_on_grid::{GridFollower, GridSolver, MIN_STRIPS};
+use crate::normal::least_energy::{MIN_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
 use crate::normal::{NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
@@ -51,10 +51,10 @@ pub struct Models<T = f64> {
     /// Loaded zones of the contact under way.
     pub strips: Strips<T>,
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
-    pub strip_solver: Option<GridSolver>,
+    pub strip_solver: Option<StripSolver>,
     pub rail_strips: Strips<T>,
     /// Memory for derivatives of the zones of a whole rail.
-    pub strip_follower: Option<GridFollower<T>>,
+    pub strip_follower: Option<StripFollower<T>>,
     /// The outline of a rail that varies along the track, as it moves, where numbers have
     /// derivatives.
     pub outline: Option<Box<MovingOutline<T>>>,
@@ -76,7 +76,7 @@ impl Models {
     /// its greatest overlap; 0 where strips were not solved [-].
     #[must_use]
     pub fn normal_residual(&self) -> f64 {
-        self.strip_solver.as_ref().map_or(0.0, GridSolver::residual)
+        self.strip_solver.as_ref().map_or(0.0, StripSolver::residual)
     }
 
     /// The same models with memory for other numbers; without what only plain ones can be: a
@@ -104,7 +104,7 @@ impl Models {
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
-            strip_follower: self.strip_solver.as_ref().map(GridFollower::new),
+            strip_follower: self.strip_solver.as_ref().map(StripFollower::new),
             outline: rows.map(|rows| Box::new(MovingOutline::new(rows))),
             given: None,
             turn_of_normals: 0.0,
@@ -151,7 +151,7 @@ impl Models {
             rule: GaussLegendre::new(parameters.strips),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, strips),
-            strip_solver: is_strips.then(|| GridSolver::new(strips)),
+            strip_solver: is_strips.then(|| StripSolver::new(strips)),
             rail_strips: Strips::with_capacity(
                 if is_strips || parameters.normal_model == NormalModel::BoundaryElement {
                     MAX_ZONES

@@ -11,11 +11,14 @@ use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
 use crate::math::real::Real;
-use crate::normal::strips_on_grid::{Line, LinePlace, NEAR, STATION, walk_across};
+use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Least curvature along the track over that of the even wheel: in a trough that is hollow even for
 /// the wheel there is no Hertzian ellipse.
 pub(in crate::element) const MIN_CURVATURE_SHARE: f64 = 0.02;
+
+/// Place along a strip over its half length up to which waves along the track are bridged.
+const STATION: f64 = 0.7;
 
 /// Last Newton step towards a nearest point [m]: the error is of second order in it.
 const NEAREST: f64 = 1e-8;
@@ -103,8 +106,7 @@ impl<'a> LocalLine<'a> {
     }
 
     /// Distance to either side over which waves along the track are bridged by a wheel whose even
-    /// section has the radius `even`: over the length that a ball of it touches along, to the
-    /// station at which strips meet them [m].
+    /// section has the radius `even`: over the length that a ball of it touches along [m].
     fn bridge(&self, even: f64) -> f64 {
         STATION * (even * self.depth).sqrt()
     }
@@ -121,57 +123,8 @@ impl<'a> LocalLine<'a> {
 }
 
 impl LocalLine<'_> {
-    /// The place whose nearest point of the rail has the parameter `y`, and its point (y, z) [m]:
-    /// where the line crosses the normal of the rail, looked for from the parameter `guess`. A
-    /// little beyond its end the rail goes on as it does before. Nothing where the wheel ends, or a
-    /// body is bent more than the other one is far.
-    pub fn on_normal(&mut self, y: f64, guess: f64) -> Option<(LinePlace, [f64; 2])> {
-        let [start, end] = self.line.range();
-        let on = self.rail.curve().at(y);
-        let along = |v: [f64; 2]| v[0] * on.first[0] + v[1] * on.first[1];
-        let mut u = guess;
-        for _ in 0..MAX_CROSSINGS {
-            if !(u > start && u < end) {
-                return None;
-            }
-            let (at, derivative) = self.point(u);
-            let to = [at.point[0] - on.point[0], at.point[1] - on.point[1]];
-            let rate = along(derivative);
-            if rate < MIN_RATE {
-                return None;
-            }
-            let step = -along(to) / rate;
-            if step.abs() <= NEAR {
-                let speed = along(on.first);
-                let bending = to[0] * on.second[0] + to[1] * on.second[1];
-                let slowness = 1.0 / speed.sqrt();
-                let tangent = on.first.map(|first| first * slowness);
-                let away = [tangent[1], -tangent[0]];
-                let up = |v: [f64; 2]| v[0] * away[0] + v[1] * away[1];
-                let dy = rate / (speed - bending);
-                if !(speed - bending > MIN_STRAIGHTNESS * speed && dy > MIN_RATE) {
-                    return None;
-                }
-                let overlap_slope = -up(derivative);
-                let point = [0, 1].map(|i| at.point[i] + step * derivative[i]);
-                u += step;
-                self.near = [u, y, dy];
-                // The overlap along the normal that leans with the rail.
-                let [x, cosine] = self.met(y, at.x);
-                let overlap = cosine * (overlap_slope * step - up(to));
-                let overlap_slope = cosine * overlap_slope;
-                let place = LinePlace { u, y, dy, overlap, overlap_slope, x, tangent };
-                return Some((self.on_rail(place), point));
-            }
-            u += step;
-        }
-        None
-    }
-}
-
-impl LocalLine<'_> {
     /// The place at parameter `u`, its strip as if the rail had no end.
-    fn whole_place(&mut self, u: f64) -> LinePlace {
+    pub fn whole_place(&mut self, u: f64) -> LinePlace {
         let [start, end] = self.line.range();
         let u = u.clamp(start, end);
         let (at, derivative) = self.point(u);
@@ -201,7 +154,7 @@ impl LocalLine<'_> {
     }
 }
 
-impl Line for LocalLine<'_> {
+impl OverlapLine for LocalLine<'_> {
     fn place(&mut self, u: f64) -> LinePlace {
         let place = self.whole_place(u);
         self.on_rail(place)
@@ -218,13 +171,6 @@ impl Line for LocalLine<'_> {
             Some(deviations) => self.uneven_radius(u, deviations),
         }
     }
-
-    fn across(&mut self, y: f64, guess: f64) -> LinePlace {
-        match self.on_normal(y, guess) {
-            Some((place, _)) => place,
-            None => walk_across(self, y, guess),
-        }
-    }
 }
 
 /// Radius of the section of wheel and rail together along the rows of a rail that varies, for a
@@ -238,10 +184,4 @@ const FAR: f64 = 8e-3;
 
 /// Least rate at which the nearest point moves with the contact line: where bodies end it may stand
 /// still.
-const MIN_RATE: f64 = 0.05;
-
-/// Most points tried to find the one on a normal.
-const MAX_CROSSINGS: usize = 6;
-
-/// Least share of the distance from the centre of curvature of the rail.
-const MIN_STRAIGHTNESS: f64 = 0.2;
+pub(super) const MIN_RATE: f64 = 0.05;

@@ -1,7 +1,7 @@
 //! The strip model on a wheel and a rail with derivatives: the solution of plain numbers, moved.
 
 use super::cut_strip::{self, CutStrip};
-use super::local_line::{LocalLine, radius_on_rows};
+use super::local_line::{LocalLine, MIN_RATE, radius_on_rows};
 use super::strip_damping::StripDamping;
 use super::taken_zone::{TakenZone, deepest_within, zone_in_frame};
 use crate::element::contact::models::Models;
@@ -11,7 +11,7 @@ use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
-use crate::normal::strips_on_grid::{Line, LinePlace, OverlapLine, Place};
+use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from
 /// there.
@@ -33,71 +33,76 @@ fn depth<T: Real>(line: &ContactLine<T>, rail: &RailOutline<T>, search: &Contact
 }
 
 impl<T: Real> MovingLocal<'_, T> {
-    /// The place at coordinate `y` across, its strip as if the rail had no end.
-    fn whole_place(&mut self, y: T, guess: f64) -> Place<T> {
-        let Some((LinePlace { u, .. }, _)) = self.found.on_normal(y.value(), guess) else {
-            // Where a body ends nothing moves.
-            let LinePlace { u, overlap, x, tangent, .. } = self.found.across(y.value(), guess);
-            let tangent = tangent.map(T::from);
-            return Place { u: u.into(), overlap: overlap.into(), x: x.into(), tangent };
+    /// The place at parameter `u`, its strip as if the rail had no end.
+    fn whole_place(&mut self, u: T) -> LinePlace<T> {
+        let found = self.found.whole_place(u.value());
+        let (at, derivative) = self.line.even_with_derivative(u);
+        let on = self.rail.at(found.y.into());
+        let to = |point: [T; 2]| [at.point[0] - point[0], at.point[1] - point[1]];
+        let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
+        // The nearest point moves so that it stays the nearest one; the end of a body does not.
+        let bending = dot(on.first, on.first) - dot(to(on.point), on.second);
+        let away = dot(to(on.point), on.first);
+        let y = if away.value().abs() < AT_END * bending.value() {
+            T::moving(found.y, away / bending.value())
+        } else {
+            T::from(found.y)
         };
         let on = self.rail.at(y);
-        let to = |point: [T; 2]| [point[0] - on.point[0], point[1] - on.point[1]];
-        let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
-        let (at, derivative) = self.line.even_with_derivative(u.into());
-        let u = T::moving(u, -along(to(at.point)) / along(derivative).value());
-        let at = self.line.even_at(u);
-        let slowness =
-            T::from(1.0) / (on.first[0] * on.first[0] + on.first[1] * on.first[1]).sqrt();
+        let bending = dot(on.first, on.first) - dot(to(on.point), on.second);
+        let slowness = T::from(1.0) / dot(on.first, on.first).sqrt();
         let tangent = on.first.map(|first| first * slowness);
-        let to = to(at.point);
-        let overlap = to[1] * tangent[0] - to[0] * tangent[1];
-        let Some(along) = self.rail.along(y) else {
-            return Place { u, overlap, x: at.x, tangent };
-        };
-        let cosine = T::from(1.0) / along.lean.hypot(1.0.into());
-        Place { u, overlap: cosine * overlap, x: at.x + along.ahead, tangent }
+        let down = |v: [T; 2]| v[1] * tangent[0] - v[0] * tangent[1];
+        let (overlap, overlap_slope) = (down(to(on.point)), down(derivative));
+        let dy = (dot(derivative, on.first) / bending).at_least(MIN_RATE);
+        let along = self.rail.along(y);
+        let (ahead, cosine) = along.map_or((T::from(0.0), T::from(1.0)), |along| {
+            (along.ahead, T::from(1.0) / along.lean.hypot(1.0.into()))
+        });
+        LinePlace {
+            u,
+            y,
+            dy,
+            overlap: cosine * overlap,
+            overlap_slope: cosine * overlap_slope,
+            x: at.x + ahead,
+            tangent,
+        }
     }
 
-    /// What the end of a rail that varies leaves of the strip at a `place` with coordinate `y`.
-    fn cut(&self, y: T, place: &Place<T>) -> Option<CutStrip<T>> {
-        let ends = self.rail.ends(y)?.map(|end| end - place.x);
-        let along = self.rail.along(y)?;
+    /// What the end of a rail that varies leaves of the strip at a `place`.
+    fn cut(&self, place: &LinePlace<T>) -> Option<CutStrip<T>> {
+        let ends = self.rail.ends(place.y)?.map(|end| end - place.x);
+        let along = self.rail.along(place.y)?;
         let even = self.line.wheel_point(place.u).section_radius;
         cut_strip::cut(self.depth, along.gap, radius_on_rows(even, &along), ends)
     }
 }
 
 impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
-    fn at(&mut self, y: T, guess: f64) -> Place<T> {
-        let place = self.whole_place(y, guess);
-        match self.cut(y, &place) {
+    fn place(&mut self, u: T) -> LinePlace<T> {
+        let place = self.whole_place(u);
+        match self.cut(&place) {
             None => place,
             Some(CutStrip { ahead, less, .. }) => {
-                Place { overlap: place.overlap - less, x: place.x + ahead, ..place }
+                LinePlace { overlap: place.overlap - less, x: place.x + ahead, ..place }
             }
         }
     }
 
-    fn section_radius(&mut self, u: T) -> T {
+    fn radius(&mut self, u: T) -> T {
         let even = self.line.wheel_point(u).section_radius;
         if !self.rail.varies() {
             return even;
         }
-        let s = self.found.place(u.value()).y;
-        let (at, on) = (self.line.even_at(u).point, self.rail.at(s.into()));
-        let to = [at[0] - on.point[0], at[1] - on.point[1]];
-        let along = |v: [T; 2]| v[0] * on.first[0] + v[1] * on.first[1];
-        let slope = along(on.first) - (to[0] * on.second[0] + to[1] * on.second[1]);
-        let s = T::moving(s, along(to) / slope.value());
-        let radius = self.rail.along(s).map_or(even, |along| radius_on_rows(even, &along));
-        if self.rail.ends(s).is_none() {
-            return radius;
-        }
-        let place = self.whole_place(s, u.value());
-        self.cut(s, &place).map_or(radius, |cut| radius * cut.radius_share)
+        let place = self.whole_place(u);
+        let radius = self.rail.along(place.y).map_or(even, |along| radius_on_rows(even, &along));
+        self.cut(&place).map_or(radius, |cut| radius * cut.radius_share)
     }
 }
+
+/// How far a point may be from the normal of the rail that it was found on [m].
+const AT_END: f64 = 1e-6;
 
 /// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in
 /// `found`; false where the equations have none.
@@ -132,8 +137,8 @@ pub fn take_zone<T: Real>(
     let value = line.value();
     let found = LocalLine::of(&value, rail.rail, search);
     let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
-    let taken = zone_in_frame(index, damping, models, |u, y| {
-        let Place { u, tangent, overlap, .. } = local.at(y, u.value());
+    let taken = zone_in_frame(index, damping, models, |u| {
+        let LinePlace { tangent, overlap, .. } = local.place(u);
         (line.even_at(u).point, tangent, overlap)
     });
     let deepest = deepest_within(search, &models.strips.u);

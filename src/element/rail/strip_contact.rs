@@ -19,7 +19,7 @@ use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::normal::strips_on_grid::{Line, LinePlace};
+use crate::normal::least_energy::OverlapLine;
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
 /// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
@@ -109,12 +109,9 @@ fn take_zone(
     models: &mut Models,
 ) -> TakenZone {
     let mut local = LocalLine::of(line, rail, search);
-    let place = |u, y| {
-        if let Some((LinePlace { tangent, overlap, .. }, point)) = local.on_normal(y, u) {
-            return (point, tangent, overlap);
-        }
-        let LinePlace { tangent, overlap, .. } = local.place(u);
-        (line.at(u).point, tangent, overlap)
+    let place = |u| {
+        let place = local.place(u);
+        (line.at(u).point, place.tangent, place.overlap)
     };
     let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, &models.strips.u);

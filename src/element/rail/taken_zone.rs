@@ -30,12 +30,12 @@ pub(in crate::element) fn deepest_within<'a, T: Real>(
 
 /// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
 /// own, with derivatives where the numbers have them; `place` gives point, unit tangent and overlap
-/// at a parameter of the line and a coordinate across.
+/// at a parameter of the line.
 pub(in crate::element) fn zone_in_frame<T: Real>(
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
-    mut place: impl FnMut(T, T) -> ([T; 2], [T; 2], T),
+    mut place: impl FnMut(T) -> ([T; 2], [T; 2], T),
 ) -> TakenZone<T> {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     strips.clear();
@@ -45,7 +45,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
     let mut penetration = zero;
     for j in range {
-        let (point, direction, overlap) = place(all.u[j], all.y[j]);
+        let (point, direction, overlap) = place(all.u[j]);
         let at = [all.x[j], all.y[j], all.u[j]];
         let factor = damping.factor(*coefficient, at, point, direction, overlap);
         let pressure = all.pressure[j] * factor;

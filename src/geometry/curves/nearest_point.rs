@@ -20,8 +20,8 @@ pub struct Nearest {
     pub tangent: [f64; 2],
     /// The point (y, z) [m].
     pub point: [f64; 2],
-    /// How far the nearest point moves when the given point moves by one along the tangent: 1/(1 +
-    /// curvature · distance) [-].
+    /// How far the parameter moves when the given point moves by one along the tangent: 1/(1 +
+    /// curvature · distance) where the parameter is the arc [-].
     pub ratio: f64,
     /// Whether the rail's curve ends there, so that nothing lies opposite.
     pub beyond_end: bool,
@@ -107,7 +107,7 @@ pub(in crate::geometry) fn nearest(
     } else {
         to[0] * tangent[1] - to[1] * tangent[0]
     };
-    Nearest { s, distance, tangent, point: p.point, ratio, beyond_end }
+    Nearest { s, distance, tangent, point: p.point, ratio: ratio * slowness, beyond_end }
 }
 
 /// Points at equal steps of the parameter.

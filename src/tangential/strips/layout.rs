@@ -87,12 +87,12 @@ impl<T: Real> Layout<T> {
         }
     }
 
-    /// Lays nodes over the strips of a zone of this `width` with the numbers `strips`, which roll
-    /// forward; false where they have no area or no bound.
+    /// Lays nodes over the strips with the numbers `strips`, which end at `edges` and roll forward;
+    /// false where they have no area or no bound.
     pub fn lay(
         &mut self,
         strips: Range<usize>,
-        width: T,
+        edges: [T; 2],
         carrier: impl Fn(usize) -> Carrier<T>,
     ) -> bool {
         self.gather(strips, carrier);
@@ -105,7 +105,7 @@ impl<T: Real> Layout<T> {
         if !(total > 0.0 && total.value().is_finite() && most > 0.0 && most.is_finite()) {
             return false;
         }
-        let [left, right] = self.edges(width);
+        let [left, right] = edges;
         let mut next = 0;
         for i in 0..NODES {
             let wanted = total * ((i as f64 + 0.5) / NODES as f64);
@@ -122,7 +122,7 @@ impl<T: Real> Layout<T> {
             };
             self.nodes[i] = Node { bound: node.bound.at_least(MIN_BOUND * most), ..node };
         }
-        self.share_out([left, right]);
+        self.share_out(edges);
         self.reach();
         true
     }
@@ -144,23 +144,6 @@ impl<T: Real> Layout<T> {
             carrier.passed = passed + half;
             passed += half * 2.0;
         }
-    }
-
-    /// Where a zone of this `width` ends: beyond its outer strips by as much as they are wider than
-    /// half of the way to their neighbours.
-    fn edges(&self, width: T) -> [T; 2] {
-        let carriers = &self.carriers;
-        let (n, first, last) = (carriers.len(), carriers[0], carriers[carriers.len() - 1]);
-        let whole = (width - (last.y - first.y)).at_least(0.0);
-        if n == 1 {
-            return [first.y - whole * 0.5, first.y + whole * 0.5];
-        }
-        let wider = |own: &Carrier<T>, next: &Carrier<T>| {
-            (own.width - (own.y - next.y).abs() * 0.5).at_least(0.0)
-        };
-        let beyond = [wider(&first, &carriers[1]), wider(&last, &carriers[n - 2])];
-        let scale = whole / (beyond[0] + beyond[1]).at_least(f64::MIN_POSITIVE);
-        [first.y - beyond[0] * scale, last.y + beyond[1] * scale]
     }
 
     /// Bands of the nodes, and the load that each stands for.

@@ -7,7 +7,8 @@
 //! solves all of it (`newton`, `coupling`). Nothing is given of the shape of the zone, and the
 //! coefficients of Kalker's linear theory come out.
 //!
-//! Zones beside the one asked for have no part in it. Friction may differ from strip to strip, and
+//! Zones beside the one asked for have no part in it, nor has the other lobe of a zone in that of one
+//! lobe (`span`). Friction may differ from strip to strip, and
 //! so may the creepage.
 
 mod coupling;
@@ -22,8 +23,10 @@ mod points;
 mod scratch;
 mod sizes;
 mod solver;
+mod span;
 
 pub use newton::Settled;
 pub use points::MAX_POINTS;
 pub use scratch::Scratch;
 pub use solver::TractionStrips;
+pub use span::Span;

@@ -10,6 +10,7 @@
 use super::equations::Equations;
 use super::newton::Settled;
 use super::solver::{One, TractionStrips, carrier, solve};
+use super::span::Span;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::tangential::rigid_slip::RigidSlip;
@@ -24,13 +25,12 @@ impl TractionStrips {
     pub fn moving_strip_forces<const N: usize>(
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip<Dual<N>>, Dual<N>>,
+        span: &Span<Dual<N>>,
         rolling: Rolling,
         mut each: impl FnMut(usize, StripForce<Dual<N>>),
     ) -> Option<Settled> {
-        let zone = loaded.zone;
-        let range = zone.first..zone.first + zone.count;
-        let value = |j| carrier(loaded, rolling, j, |x: Dual<N>| x.value);
-        if !self.layout.lay(range.clone(), zone.width.value, value) {
+        let value = |j| carrier(loaded, span, rolling, j, |x: Dual<N>| x.value);
+        if !self.layout.lay(span.strips.clone(), span.edges.map(|edge| edge.value), value) {
             return None;
         }
         let material = loaded.material;
@@ -38,13 +38,12 @@ impl TractionStrips {
         settled.left.is_finite().then_some(())?;
         for direction in 0..N {
             let to = |x: Dual<N>| One { value: x.value, slopes: [x.slopes[direction]] };
-            let moving = |j| carrier(loaded, rolling, j, to);
-            if !self.moving.layout.lay(range.clone(), to(zone.width), moving) {
+            let moving = |j| carrier(loaded, span, rolling, j, to);
+            if !self.moving.layout.lay(span.strips.clone(), span.edges.map(to), moving) {
                 return None;
             }
             self.follow(material.poisson_ratio, to(material.shear_modulus));
-            for (i, place) in self.moving.layout.places.iter().enumerate() {
-                let j = zone.first + i;
+            for (place, j) in self.moving.layout.places.iter().zip(span.strips.clone()) {
                 let strips = loaded.strips;
                 let bound = to(loaded.friction_coefficient(j) * strips.pressure[j]);
                 let sizes = [bound, to(strips.half_length[j]), to(strips.width[j])];

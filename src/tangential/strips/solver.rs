@@ -8,6 +8,7 @@ use super::layout::{Between, Carrier, Layout};
 use super::newton::{Newton, Settled};
 use super::points::Points;
 use super::sizes::NODES;
+use super::span::Span;
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -61,31 +62,31 @@ impl TractionStrips {
         }
     }
 
-    /// Hands the force of each strip of `loaded` on the wheel to `each`; nothing where there is no
-    /// solution.
+    /// Hands the force of each strip of `span`, which is of `loaded`, on the wheel to `each`; nothing
+    /// where there is no solution.
     pub fn strip_forces(
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
+        span: &Span,
         rolling: Rolling,
         mut each: impl FnMut(usize, StripForce),
     ) -> Option<Settled> {
-        let settled = self.settle(loaded, rolling)?;
-        for (i, place) in self.layout.places.iter().enumerate() {
-            let j = loaded.zone.first + i;
+        let settled = self.settle(loaded, span, rolling)?;
+        for (place, j) in self.layout.places.iter().zip(span.strips.clone()) {
             each(j, self.force(loaded, rolling, j, place, &self.newton.strips));
         }
         Some(settled)
     }
 
-    /// Solves for the tractions of `loaded`.
+    /// Solves for the tractions of `span`.
     fn settle(
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
+        span: &Span,
         rolling: Rolling,
     ) -> Option<Settled> {
-        let zone = loaded.zone;
-        let strips = zone.first..zone.first + zone.count;
-        if !self.layout.lay(strips, zone.width, |j| carrier(loaded, rolling, j, |x| x)) {
+        let carrier = |j| carrier(loaded, span, rolling, j, |x| x);
+        if !self.layout.lay(span.strips.clone(), span.edges, carrier) {
             return None;
         }
         let settled = solve(self, loaded.material.poisson_ratio, loaded.material.shear_modulus);
@@ -148,7 +149,8 @@ impl TractionStrips {
         &mut self,
         loaded: &LoadedZone<'_, impl RigidSlip>,
     ) -> Option<impl Fn(usize, f64) -> ([f64; 2], bool)> {
-        self.settle(loaded, Rolling::Forward)?;
+        let span = Span::of(loaded.zone, loaded.strips, None);
+        self.settle(loaded, &span, Rolling::Forward)?;
         let own = &*self;
         Some(move |strip: usize, t: f64| {
             let place = &own.layout.places[strip];
@@ -173,10 +175,11 @@ fn between<'a, T>(place: &Between<T>, states: &'a [Strip<T>]) -> [&'a Strip<T>; 
     [place.node, (place.node + 1).min(states.len() - 1)].map(|k| &states[k])
 }
 
-/// Strip `j` of `loaded` as the layout has it, in the numbers that `to` makes; backward rolling
-/// seen in a mirror along x.
+/// Strip `j` of a `span` of `loaded` as the layout has it, in the numbers that `to` makes; backward
+/// rolling seen in a mirror along x.
 pub(super) fn carrier<T: Real, O: Real>(
     loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+    span: &Span<T>,
     rolling: Rolling,
     j: usize,
     to: impl Fn(T) -> O,
@@ -188,7 +191,7 @@ pub(super) fn carrier<T: Real, O: Real>(
         y: to(strips.y[j]),
         half_length: to(strips.half_length[j]),
         bound: to(loaded.friction_coefficient(j) * strips.pressure[j]),
-        width: to(strips.width[j]),
+        width: to(strips.width[j] * span.share(strips.y[j])),
         creepage: Creepage {
             longitudinal: to(creepage.longitudinal) * direction,
             lateral: to(creepage.lateral),
