@@ -24,7 +24,7 @@
 
 use std::array::from_fn;
 
-use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, TABLE};
+use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, SOFTNESS, TABLE};
 use super::lanes::{Four, LANES, Lanes, Simd};
 use super::lattice::Lattice;
 use super::problem::Problem;
@@ -143,6 +143,9 @@ pub(super) struct Pairs {
     pub half_inverse_square: Lanes,
     /// Cosine of the angle between the normals over h [1/m].
     pub inverse: Lanes,
+    /// What rounds the kink over t off, A/(2 h²) [m^-2] and B.
+    pub soft_rate: Lanes,
+    pub soft_base: Lanes,
     /// First coefficient of their rows of the table, less what the digits of the least w form.
     pub row: [u64; LANES],
 }
@@ -197,6 +200,7 @@ impl Hats {
             let places = simd.four(&hats.place) - one.place;
             let [first, .., last] = places.lanes();
             pairs.row = [FIRST_ROW.wrapping_add((FAR * ROW) as u64) & MASK; LANES];
+            let mut softness = SOFTNESS[FAR].map(|number| simd.splat(number));
             if first < ROWS as f64 && last > -(ROWS as f64) {
                 let apart = places * places;
                 for [apart_square, inverse] in APART {
@@ -205,6 +209,11 @@ impl Hats {
                 square = places.where_equal(1.0, simd.four(&hats.beside), square);
                 square = places.where_equal(-1.0, simd.splat(one.beside), square);
                 square = places.where_equal(0.0, simd.four(&hats.own), square);
+                for (apart_square, of_row) in [0.0, 1.0, 4.0, 9.0, 16.0].into_iter().zip(SOFTNESS) {
+                    softness = [0, 1].map(|k| {
+                        apart.where_equal(apart_square, simd.splat(of_row[k]), softness[k])
+                    });
+                }
                 let row = apart.min(simd.splat((FAR * FAR) as f64)).sqrt();
                 pairs.row = (row * ROW as f64 + WHOLE).digits::<0>([FIRST_ROW; LANES], MASK);
             }
@@ -216,6 +225,8 @@ impl Hats {
             }
             let inverse = simd.splat(1.0) / square;
             pairs.half_inverse_square = (inverse * 0.5).lanes();
+            pairs.soft_rate = (softness[0] * inverse * 0.5).lanes();
+            pairs.soft_base = softness[1].lanes();
             let mut inverse = inverse.sqrt();
             if self.is_turned {
                 let [y, z] = [0, 1].map(|axis| simd.four(&hats.tangent[axis]) * one.tangent[axis]);

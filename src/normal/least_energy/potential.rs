@@ -1,7 +1,7 @@
 //! Mutual potentials of four strips with one, and their derivatives by the squares of both half
 //! lengths.
 
-use super::kernel::{COEFFICIENTS, FIRST_EXPONENT, LAST_W, PIECE_BITS, T_SOFT, TABLE, Table};
+use super::kernel::{COEFFICIENTS, FIRST_EXPONENT, LAST_W, PIECE_BITS, SOFTEST, TABLE, Table};
 use super::lanes::{Four, Lanes, Simd};
 use super::pairs::Pairs;
 
@@ -68,19 +68,26 @@ pub(super) fn potentials<S: Simd, const SECOND: bool>(
     let sum = p + q;
     let w = (sum * g).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
-    let reciprocal = simd.splat(1.0) / sum;
+    let one = simd.splat(1.0);
+    let reciprocal = one / sum;
     let t = (p - q) * reciprocal;
-    let root = simd.splat(T_SOFT).add_product(t, t).sqrt();
+    // σ less what it is at least, its derivative by the sum of the squares, and r = sqrt(t² + σ).
+    let soft_rate = simd.four(&pairs.soft_rate);
+    let soft = one / simd.four(&pairs.soft_base).add_product(soft_rate, sum);
+    let softness = soft + SOFTEST;
+    let root = softness.add_product(t, t).sqrt();
+    let inverse_root = one / root;
     // F and its derivatives, the second one halved; and G.
     let [f, f1, f2] = cubic(&f, w);
     let [e, e1, e2] = cubic(&e, w);
     let value = h * f.add_product(root, e);
     let gh = g * h;
-    let inverse_root = simd.splat(1.0) / root;
+    let eh = e * h;
     let rate = inverse_root * reciprocal;
     let turn = t * rate;
-    let eh = e * h;
-    let by_sum = gh * f1.add_product(root, e1);
+    // - 2 r ∂r/∂(p + q) over r.
+    let fall = soft * soft * soft_rate * inverse_root;
+    let by_sum = (gh * f1.add_product(root, e1)).sub_product(eh * fall, simd.splat(0.5));
     let across = eh * turn;
     let even = by_sum.sub_product(across, t);
     let (by_p, by_q) = (even + across, even - across);
@@ -88,9 +95,13 @@ pub(super) fn potentials<S: Simd, const SECOND: bool>(
         let none = simd.splat(0.0);
         return Potentials { value, by_p, by_q, by_pp: none, by_pq: none, by_qq: none };
     }
-    let mixed = (gh * e1 * turn).sub_product(across, reciprocal);
-    let bend = eh * inverse_root * T_SOFT * (rate * rate);
-    let sums = (g * gh * f2.add_product(root, e2)).sub_product(t, mixed);
+    let half_fall = fall * inverse_root * 0.5;
+    let mixed = (gh * e1 * turn).sub_product(across, reciprocal).add_product(across, half_fall);
+    let bend = eh * inverse_root * softness * (rate * rate);
+    // r'' over 2, and what E and r have in the second derivative, halved.
+    let steep = (soft * soft_rate).sub_product(half_fall, simd.splat(0.5)) * fall * 0.5;
+    let of_root = (eh * steep).sub_product(gh * e1, fall * 0.5);
+    let sums = (g * gh * f2.add_product(root, e2) + of_root).sub_product(t, mixed);
     let all = (sums + sums).add_product(t * t, bend);
     let same = all + bend;
     let skew = mixed.sub_product(t, bend);
@@ -112,7 +123,8 @@ pub(super) fn potential<S: Simd>(
     let w = (sum * simd.four(&pairs.half_inverse_square)).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
     let t = (p - q) / sum;
-    let root = simd.splat(T_SOFT).add_product(t, t).sqrt();
+    let soft = simd.four(&pairs.soft_base).add_product(simd.four(&pairs.soft_rate), sum);
+    let root = (simd.splat(1.0) / soft + SOFTEST).add_product(t, t).sqrt();
     let of = |k: usize| f[k].add_product(root, e[k]);
     h * of(0).add_product(w, of(1).add_product(w, of(2).add_product(w, of(3))))
 }

@@ -17,7 +17,7 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
-use super::{FUNCTIONS, GREATEST_W, PIECES, ROWS, T_SOFT, knot};
+use super::{FUNCTIONS, GREATEST_W, PIECES, ROWS, SOFTEST, SOFTNESS, knot};
 use crate::math::elliptic;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
@@ -49,8 +49,8 @@ pub(super) struct Potential {
     rows: Vec<[Vec<f64>; 2]>,
     /// 1 - cos θ, and the weight of θ in the mean.
     angles: Vec<[f64; 2]>,
-    /// t, and its weights in F and in G.
-    fit: Vec<[f64; 3]>,
+    /// t, and the weight of its error.
+    fit: Vec<[f64; 2]>,
 }
 
 /// Places and weights from `from` to `from + long`.
@@ -90,25 +90,22 @@ fn abreast(s: f64, d: f64) -> f64 {
     2.0 * FRAC_2_PI / square.sqrt() * ratio
 }
 
-/// Weights of the least squares over t: each t with its parts in F and G.
+/// Places of the least squares over t, and their weights.
 ///
 /// The errors weigh as pairs occur: neighbours in a patch are about equally long.
-fn fit() -> Vec<[f64; 3]> {
-    let points: Vec<[f64; 3]> = (0..=FIT_STEPS)
-        .map(|i| {
-            let square = (i as f64 / FIT_STEPS as f64).powi(2);
-            let weight = (1.0 - square) / (square + 0.3) + 0.05;
-            [square.sqrt(), (square + T_SOFT).sqrt(), weight * weight]
-        })
-        .collect();
-    let moment = |n: i32| points.iter().map(|[_, root, weight]| weight * root.powi(n)).sum::<f64>();
-    let [m0, m1, m2] = [0, 1, 2].map(moment);
-    let scale = 1.0 / (m0 * m2 - m1 * m1);
-    let weights = |[t, root, weight]: [f64; 3]| {
-        let weight = weight * scale;
-        [t, weight * (m2 - m1 * root), weight * (m0 * root - m1)]
+fn fit() -> Vec<[f64; 2]> {
+    let place = |i: usize| {
+        let square = (i as f64 / FIT_STEPS as f64).powi(2);
+        let weight = (1.0 - square) / (square + 0.3) + 0.05;
+        [square.sqrt(), weight * weight]
     };
-    points.into_iter().map(weights).collect()
+    (0..=FIT_STEPS).map(place).collect()
+}
+
+/// sqrt(t² + σ) of row `row`.
+pub(super) fn root(row: usize, w: f64, t: f64) -> f64 {
+    let [rate, base] = SOFTNESS[row];
+    (t * t + SOFTEST + 1.0 / (rate * w + base)).sqrt()
 }
 
 impl Potential {
@@ -180,16 +177,23 @@ impl Potential {
         sums
     }
 
-    /// F and G of each row at `w`.
+    /// F and G of each row at `w`: of least squares over t.
     pub(super) fn functions(&self, w: f64) -> [f64; FUNCTIONS] {
-        let mut sums = [0.0; FUNCTIONS];
-        for [t, in_f, in_g] in &self.fit {
-            for (pair, value) in sums.chunks_exact_mut(2).zip(self.exact(w, *t)) {
-                pair[0] += in_f * value;
-                pair[1] += in_g * value;
-            }
+        let values: Vec<_> = self.fit.iter().map(|[t, _]| self.exact(w, *t)).collect();
+        let mut functions = [0.0; FUNCTIONS];
+        for (row, pair) in functions.chunks_exact_mut(2).enumerate() {
+            // About the means: roots differ by little where |t| is rounded off much.
+            let mean = |of: &dyn Fn(usize) -> f64| {
+                let parts = self.fit.iter().enumerate().map(|(i, [_, weight])| weight * of(i));
+                parts.sum::<f64>() / self.fit.iter().map(|[_, weight]| weight).sum::<f64>()
+            };
+            let roots: Vec<f64> = self.fit.iter().map(|[t, _]| root(row, w, *t)).collect();
+            let [root, value] = [mean(&|i| roots[i]), mean(&|i| values[i][row])];
+            let square = mean(&|i| (roots[i] - root).powi(2));
+            pair[1] = mean(&|i| (roots[i] - root) * (values[i][row] - value)) / square;
+            pair[0] = value - pair[1] * root;
         }
-        sums
+        functions
     }
 
     /// w dF/dw and w dG/dw, then w² d²F/dw² and w² d²G/dw², by differences of the fourth order.
@@ -217,7 +221,7 @@ fn text(potential: &Potential) -> String {
         "# Mutual potential of two strips with semi-elliptical loads: means over hats.\n\
          # Made by: cargo test --release --lib write_the_table -- --ignored, version {version}.\n\
          # Quadrature with elliptic integrals, fit over t: generate.rs beside this file.\n\
-         # All numbers are without dimension: K h = F(w) + sqrt(t^2 + {T_SOFT}) G(w).\n\
+         # All numbers are without dimension: K h = F(w) + sqrt(t^2 + s(w)) G(w), s as in mod.rs.\n\
          # A line a knot of w, from {} to {GREATEST_W} in {PIECES} pieces, equal in an octave.\n\
          # Columns: F G of 0, 1, 2, 3, 4 hats apart, F G of further ones.\n\
          # Last two lines: w dF/dw and w dG/dw at both ends.\n\
@@ -336,7 +340,7 @@ mod tests {
             let [first, second] = potential.slopes(w);
             let exact = [potential.functions(w), first, second];
             for (row, t) in (0..ROWS).flat_map(|row| [0.0_f64, 0.3, 1.0].map(|t| (row, t))) {
-                let root = (t * t + T_SOFT).sqrt();
+                let root = root(row, w, t);
                 let exact = exact.map(|f| f[2 * row] + root * f[2 * row + 1]);
                 // At constant t the kernel varies with w alone.
                 let [p, q] = [w * (1.0 + t), w * (1.0 - t)];

@@ -13,11 +13,13 @@
 //! at the distance h, for pairs further apart. With p = a_i², q = a_j²,
 //!
 //! ```text
-//! w = (p + q) / (2 h²)      t = (p - q) / (p + q)      K h = F(w) + sqrt(t² + 0.04) G(w)
+//! w = (p + q) / (2 h²)      t = (p - q) / (p + q)      K h = F(w) + sqrt(t² + σ(w)) G(w)
 //! ```
 //!
-//! F and G are fitted over t (`generate.rs`): K is off by less than 2e-3 for lengths up to twice
-//! one another, and by 1.5e-2 beside a strip without length. In w they are cubic splines, twice
+//! The logarithm that strips close together feel makes a kink of K over t where they are equally
+//! long, which their distance rounds off: σ = 1/40 + 1/(A w + B), with A and B by row such that the
+//! derivatives of K by the lengths are closest. F and G are fitted over t (`generate.rs`): K is off
+//! by less than FITK for lengths up to twice one another, and by FITE beside a strip without length. In w they are cubic splines, twice
 //! differentiable, eight pieces to each octave. Against the functions fitted these are off by at
 //! most 4e-6 K, their derivatives w d/dw by 1e-4 K and w² d²/dw² by 5e-3 K.
 //!
@@ -75,9 +77,17 @@ pub(super) const LAST_W: f64 = (1.0
     * (1_u64 << ((ROW_PIECES - 1) / PIECES_PER_OCTAVE)) as f64
     / (1_u64 << -FIRST_EXPONENT) as f64;
 
-/// Rounds |t| off at strips of equal length, where the kernel is smooth, over 0.2 in t: about where
-/// the fit over t is closest.
-pub(super) const T_SOFT: f64 = 0.04;
+/// What rounds |t| off at strips of equal length however close they are, 1/40, and A and B of each
+/// row. Fitted: the greatest error of dK/dt over |t| < 1/2 at w from 0.03 to 3e4.
+pub(super) const SOFTEST: f64 = 0.025;
+pub(super) const SOFTNESS: [[f64; 2]; ROWS] = [
+    [1.2, 16.7],
+    [0.17, 12.9],
+    [0.2 / 4.0, 1.6],
+    [0.2 / 9.0, 1.6],
+    [0.2 / 16.0, 1.6],
+    [0.2, 1.6],
+];
 
 /// Functions in the table: F and G of each row.
 const FUNCTIONS: usize = 2 * ROWS;
@@ -237,7 +247,10 @@ impl Kernel {
         let one = T::from(1.0);
         let inverse_sum = one / (p + q);
         let t = (p - q) * inverse_sum;
-        let root = (t * t + T_SOFT).sqrt();
+        let [rate, base] = SOFTNESS[row];
+        let softness = one / ((p + q) * half_inverse_square * rate + base);
+        let root = (t * t + softness + SOFTEST).sqrt();
+        let root_by_p = -softness * softness * half_inverse_square * (0.5 * rate) / root;
         let mut w_by_p = half_inverse_square;
         let mut w = (p + q) * w_by_p;
         if w > LAST_W {
@@ -245,38 +258,22 @@ impl Kernel {
         }
         let [[f, f_by_w], [g, g_by_w]] = self.functions(row, w);
         // dt/dp = (1 - t)/(p + q), dt/dq = -(1 + t)/(p + q).
-        let by_w = (f_by_w + root * g_by_w) * w_by_p;
+        let by_w = (f_by_w + root * g_by_w) * w_by_p + g * root_by_p;
         let by_t = g * t / root * inverse_sum;
         let by_p = by_w + by_t * (one - t);
         let by_q = by_w - by_t * (one + t);
         [inverse * (f + root * g), inverse * by_p, inverse * by_q]
     }
 
-    /// As [`value`](Self::value), then d²K/dp², d²K/dpdq and d²K/dq² [1/m⁵].
+    /// As [`value`](Self::value), then d²K/dp², d²K/dpdq and d²K/dq² [1/m⁵] as its derivatives
+    /// vary.
     #[cfg(test)]
     pub(super) fn second(&self, row: usize, p: f64, q: f64, inverse_square: f64) -> [f64; 6] {
-        let half = inverse_square / 2.0;
-        let [value, by_p, by_q] = self.value(row, [p, q], half, inverse_square.sqrt());
-        let (sum, scale) = (p + q, inverse_square.sqrt());
-        let t = (p - q) / sum;
-        let root = (t * t + T_SOFT).sqrt();
-        let inside = sum * half <= LAST_W;
-        let (w, w_by_p) = if inside { (sum * half, half) } else { (LAST_W, 0.0) };
-        let at = piece(row, w);
-        let c = &self.coefficients[at..at + COEFFICIENTS];
-        let [_, [g, g_by_w]] = self.functions(row, w);
-        let bend = |c: &[f64]| 2.0 * c[2] + 6.0 * c[3] * w;
-        let ww = (bend(&c[..4]) + root * bend(&c[4..])) * w_by_p * w_by_p;
-        let (root_t, root_tt) = (t / root, T_SOFT / root.powi(3));
-        let wt = g_by_w * root_t * w_by_p;
-        let (t_p, t_q) = ((1.0 - t) / sum, -(1.0 + t) / sum);
-        let second = |a: f64, b: f64, ab: f64| {
-            scale * (ww + wt * (a + b) + g * (root_tt * a * b + root_t * ab))
-        };
-        let pp = second(t_p, t_p, -2.0 * t_p / sum);
-        let pq = second(t_p, t_q, 2.0 * t / (sum * sum));
-        let qq = second(t_q, t_q, -2.0 * t_q / sum);
-        [value, by_p, by_q, pp, pq, qq]
+        use crate::math::dual::Dual;
+        let [p, q] = [Dual::<2>::variable(p, 0), Dual::variable(q, 1)];
+        let [half, inverse] = [inverse_square / 2.0, inverse_square.sqrt()].map(Dual::from);
+        let [value, by_p, by_q] = self.value(row, [p, q], half, inverse);
+        [value.value, by_p.value, by_q.value, by_p.slopes[0], by_p.slopes[1], by_q.slopes[1]]
     }
 }
 
