@@ -75,7 +75,8 @@ impl Tangential {
         elements_along: usize,
         elements: [usize; 2],
     ) -> Self {
-        let fastsim = March { rule: Fastsim::new(elements_along, bound), flexibilities };
+        let with_bound = |bound| March { rule: Fastsim::new(elements_along, bound), flexibilities };
+        let fastsim = with_bound(bound);
         let table = CreepForceTable::shared;
         let model = match model {
             TangentialModel::None => Model::None,
@@ -97,7 +98,8 @@ impl Tangential {
             }
             TangentialModel::Strips => Model::Strips(OnStrips {
                 solver: Scratch::new(STRIP_POINTS, elements[1]),
-                otherwise: fastsim,
+                // Bounded strip by strip as the solution is, of which lobes may take its place.
+                otherwise: with_bound(TractionBound::Elliptic),
             }),
         };
         Self { model, elements, laws: None, flash_temperature: None }
