@@ -6,16 +6,19 @@
 //! o³, nodes stand at whole steps of the measure
 //!
 //! ```text
-//! M = n/A ∫ hypot(s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E = 7/6 ∫ s³ dy/∫ s² dy
+//! M = n/A ∫ E^(1/4) hypot(s dy/∫ s dy, ½ |d(s^(3/2)/E^(3/2))|),   E = 7/6 ∫ s³ dy/∫ s² dy
 //! ```
 //!
-//! where the integrals go over the lobe that a place belongs to: on either side that of s² counts up
-//! to β² 16/15 b times the square of s between,
+//! where the integrals go over the lobe that a place belongs to. What is another lobe is not decided:
+//! all places of the interval count, but those behind a valley the less the deeper it is, by the
+//! eighth power of the least s on the way over the lower one of s at both ends of it. Behind a valley
+//! of three quarters it is a tenth.
 //!
-//! counted from its mean weighted by s². A is the integral for a parabola, so that a parabola has n
-//! nodes; a second lobe has E^(1/4) times as many, however far away it is. All of that is continuous
-//! in the pose: a lobe grows out of nothing, two lobes that join have the same nodes before and
-//! after, and nodes come and go at the ends of overlaps, where they carry nothing.
+//! The measure is counted from its mean weighted by s². A is the integral for a parabola, so that a
+//! parabola has n nodes; a second lobe has E^(1/4) times as many, however narrow it is and however far
+//! away. All of that is continuous in the pose: a lobe grows out of nothing, two lobes that join have
+//! the same nodes before and after, and nodes come and go at the ends of overlaps, where they carry
+//! nothing.
 
 use super::line::{LinePlace, OverlapLine};
 use super::overlap::{End, MAX_OVERLAPS, Overlaps};
@@ -36,8 +39,6 @@ const SAMPLE_ERROR: f64 = 1e-6;
 const STATIONS: usize = 32;
 /// The integral of the measure for a parabola, n/A apart.
 const PARABOLA: f64 = 1.5;
-/// Height of a lobe over an overlap up to which all of it counts there, β.
-const LOBE: f64 = 8.0;
 /// Width of a hat beyond the end of its overlap over that of the overlap: no hat is without width.
 const OVERHANG: f64 = 0.01;
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
@@ -72,7 +73,7 @@ struct Station<T> {
     overlap: T,
     share: T,
     /// Integrals of its square and its cube over the lobe [m].
-    lobe: [T; 2],
+    lobe: [T; 3],
     /// Measure of the nodes up to here [-].
     measure: T,
 }
@@ -284,7 +285,7 @@ impl<T: Real> Lattice<T> {
             } else {
                 cubic(a, b, t)[0].at_least(0.0)
             };
-            let (share, lobe, measure) = (zero, [zero; 2], zero);
+            let (share, lobe, measure) = (zero, [zero; 3], zero);
             self.stations.push(Station { y, sample, interval, overlap, share, lobe, measure });
         }
     }
@@ -376,50 +377,73 @@ impl<T: Real> Lattice<T> {
         if self.samples[last - 1].interval == self.samples[last].interval { last - 1 } else { last }
     }
 
+    /// Integrals of the overlap, its square and its cube over the lobe of station `k`: of what lies
+    /// behind a valley the less the deeper the valley is.
+    fn lobe_of(&self, k: usize) -> [T; 3] {
+        let zero = T::from(0.0);
+        let own = self.stations[k];
+        let mut lobe = [zero; 3];
+        if own.share.value() <= 0.0 {
+            return lobe;
+        }
+        let mut add = |other: &Station<T>, weight: T| {
+            let mut part = weight;
+            for sum in &mut lobe {
+                part *= other.share;
+                *sum += part;
+            }
+        };
+        let begin = k - k % (STATIONS + 1);
+        let stations = &self.stations[begin..begin + STATIONS + 1];
+        let h = stations[1].y - stations[0].y;
+        add(&own, h);
+        let (before, behind) = stations.split_at(k - begin);
+        let mut walk = |others: &mut dyn Iterator<Item = &Station<T>>| {
+            let mut least = own.share;
+            for other in others {
+                if other.share.value() <= 0.0 {
+                    break;
+                }
+                least = least.min(other.share);
+                let dip = least / own.share.min(other.share);
+                let fourth = (dip * dip) * (dip * dip);
+                add(other, h * fourth * fourth);
+            }
+        };
+        walk(&mut before.iter().rev());
+        walk(&mut behind[1..].iter());
+        lobe
+    }
+
     /// Measures the nodes up to each station.
     fn measure(&mut self) {
         let zero = T::from(0.0);
-        // Lobes from both sides.
-        let most_over_square = self.half_width * (LOBE * LOBE / HALF_WIDTH_OVER_INTEGRAL);
-        let grown = |[square, cube]: [T; 2], from: &Station<T>, to: &Station<T>| {
-            let h = if from.interval == to.interval { (to.y - from.y).abs() } else { zero } * 0.5;
-            let squares = [from, to].map(|station| station.share * station.share);
-            let square = square + h * (squares[0] + squares[1]);
-            let cube = cube + h * (squares[0] * from.share + squares[1] * to.share);
-            let most = squares[1] * most_over_square;
-            if square > most { [most, cube * (most / square)] } else { [square, cube] }
-        };
-        let mut lobe = [zero; 2];
-        for k in 1..self.stations.len() {
-            lobe = grown(lobe, &self.stations[k - 1], &self.stations[k]);
-            self.stations[k].lobe = lobe;
+        for k in 0..self.stations.len() {
+            self.stations[k].lobe = self.lobe_of(k);
         }
-        lobe = [zero; 2];
-        for k in (1..self.stations.len()).rev() {
-            lobe = grown(lobe, &self.stations[k], &self.stations[k - 1]);
-            let both = &mut self.stations[k - 1].lobe;
-            *both = [both[0] + lobe[0], both[1] + lobe[1]];
-        }
-        let mut area = zero;
-        for_pairs(&self.stations, |a, b| area += (b.y - a.y) * (a.share + b.share) * 0.5);
+        // s over the area of the lobe times E^(1/4), and s^(3/2)/E^(5/4).
         let rise = |station: &Station<T>| {
-            let [square, cube] = station.lobe;
+            let [area, square, cube] = station.lobe;
             if station.share > 0.0 && square > 0.0 {
                 let height = cube / square * DEPTH_OVER_MEAN;
-                station.share * station.share.sqrt() / (height * height.sqrt().sqrt())
+                let root = height.sqrt().sqrt();
+                [
+                    station.share / area * root,
+                    station.share * station.share.sqrt() / (height * root),
+                ]
             } else {
-                zero
+                [zero; 2]
             }
         };
         let mut measure = zero;
         let scale = self.wanted as f64 / PARABOLA;
-        let mut before = self.stations.first().map_or(zero, rise);
+        let mut before = self.stations.first().map_or([zero; 2], rise);
         for k in 0..self.stations.len() {
             let here = rise(&self.stations[k]);
             if k > 0 && self.stations[k].interval == self.stations[k - 1].interval {
                 let [a, b] = [&self.stations[k - 1], &self.stations[k]];
-                let across = (b.y - a.y) * (a.share + b.share) * 0.5 / area;
-                measure += across.hypot((here - before) * 0.5) * scale;
+                let across = (b.y - a.y) * (before[0] + here[0]) * 0.5;
+                measure += across.hypot((here[1] - before[1]) * 0.5) * scale;
             }
             self.stations[k].measure = measure;
             before = here;

@@ -80,14 +80,8 @@ pub(super) const LAST_W: f64 = (1.0
 /// What rounds |t| off at strips of equal length however close they are, 1/40, and A and B of each
 /// row. Fitted: the greatest error of dK/dt over |t| < 1/2 at w from 0.03 to 3e4.
 pub(super) const SOFTEST: f64 = 0.025;
-pub(super) const SOFTNESS: [[f64; 2]; ROWS] = [
-    [1.2, 16.7],
-    [0.17, 12.9],
-    [0.2 / 4.0, 1.6],
-    [0.2 / 9.0, 1.6],
-    [0.2 / 16.0, 1.6],
-    [0.2, 1.6],
-];
+pub(super) const SOFTNESS: [[f64; 2]; ROWS] =
+    [[1.2, 16.7], [0.17, 12.9], [0.2 / 4.0, 1.6], [0.2 / 9.0, 1.6], [0.2 / 16.0, 1.6], [0.2, 1.6]];
 
 /// Functions in the table: F and G of each row.
 const FUNCTIONS: usize = 2 * ROWS;
