@@ -486,7 +486,7 @@ impl<T: Real> Lattice<T> {
             let step = b.measure - a.measure;
             if a.interval == b.interval && step > 0.0 {
                 let t = ((target - a.measure) / step).within(0.0, 1.0);
-                let y = a.y + (b.y - a.y) * t;
+                let y = self.between_stations(k, t);
                 let mut sample = a.sample;
                 while sample < b.sample && self.samples[sample + 1].at.y <= y {
                     sample += 1;
@@ -498,6 +498,26 @@ impl<T: Real> Lattice<T> {
             number += 1.0;
         }
         self.spread_hats();
+    }
+
+    /// The place the share `t` of the measure behind station `k`: a smooth curve over the measure,
+    /// which rises with it.
+    fn between_stations(&self, k: usize, t: T) -> T {
+        let [a, b] = [&self.stations[k], &self.stations[k + 1]];
+        let (h, step) = (b.y - a.y, b.measure - a.measure);
+        // Twice the way from one neighbour to the other, where both are of the interval.
+        let slope = |before: Option<&Station<T>>, behind: Option<&Station<T>>| {
+            let measure = |of: Option<&Station<T>>, end: &Station<T>, other: T| {
+                of.filter(|of| of.interval == a.interval)
+                    .map_or(other, |of| of.measure - end.measure)
+            };
+            let (back, ahead) = (measure(before, a, -step), measure(behind, b, step));
+            [step * 2.0 / (step - back), step * 2.0 / (step + ahead)]
+        };
+        let before = k.checked_sub(1).map(|before| &self.stations[before]);
+        let [from, to] = slope(before, self.stations.get(k + 2));
+        let bend = -(from * 2.0) - to + 3.0;
+        a.y + h * (t * (from + t * (bend + t * (from + to - 2.0))))
     }
 
     fn place_node(

@@ -1,8 +1,6 @@
 //! Strips whose pressures have the least energy (Kalker's variational principle, restricted to
 //! pressures that are semi-elliptical along rolling).
 //!
-//! To take the place of [`strips_on_grid`](super::strips_on_grid), and not a model of the element yet.
-//!
 //! ```text
 //! p(x, y) = c(y) sqrt(a(y)² - (x - x_0(y))²),   l = (π/2) c a²/E*,   a² = (2/π) (S l) e^-χ/c_0 + f²
 //! W(l, χ) = ½ Σ w_i w_j l_i l_j K_ij/π - Σ w_i l_i (o_i - a_i²/(8 R_i)) + penalty(χ)   least over l ≥ 0 and χ

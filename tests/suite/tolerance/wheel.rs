@@ -69,9 +69,9 @@ super::entry::tolerances! {
     /// The same, contact position [m]: the width of an element of the reference.
     VARYING_PLACE: f64 = 2e-4;
 
-    /// The same, greatest pressure: corners of these rails step in curvature, and patches are 1.5
-    /// mm wide on elements of 0.2 mm.
-    VARYING_PRESSURE: f64 = 0.03;
+    /// The same, greatest pressure: corners of these rails step in curvature, patches are 1.5 mm
+    /// wide on elements of 0.2 mm, and strips are to be 5 % off at 95 %.
+    VARYING_PRESSURE: f64 = 0.05, target 0.03;
 
     /// The same, creep force over the friction limit: the target of 95 %, by the median; the 95 %
     /// themselves are in the scoreboard.

@@ -19,7 +19,7 @@
 //! The logarithm that strips close together feel makes a kink of K over t where they are equally
 //! long, which their distance rounds off: σ = 1/40 + 1/(A w + B), with A and B by row such that the
 //! derivatives of K by the lengths are closest. F and G are fitted over t (`generate.rs`): K is off
-//! by less than FITK for lengths up to twice one another, and by FITE beside a strip without length. In w they are cubic splines, twice
+//! by less than 1e-3 for lengths up to twice one another, and by 1e-2 beside a strip without length. In w they are cubic splines, twice
 //! differentiable, eight pieces to each octave. Against the functions fitted these are off by at
 //! most 4e-6 K, their derivatives w d/dw by 1e-4 K and w² d²/dw² by 5e-3 K.
 //!
