@@ -1,13 +1,14 @@
 //! A wheel or a wheelset that is evaluated for arrays.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use numpy::{PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
-use wheelrail::element::Element;
+use wheelrail::element::{Element, Remark, place_remark, remarks, without_effect};
 use wheelrail::error::ContactError;
 use wheelrail::variables::{Enumeration, Kind, Value, ValuesOf, Variable};
 
@@ -65,7 +66,7 @@ impl<S: InBulk> Evaluator<S> {
         mut states: PyReadwriteArray1<'_, u8>,
         threads: usize,
         tolerant: bool,
-    ) -> PyResult<HashMap<usize, String>> {
+    ) -> PyResult<Found> {
         let readers = readers::<S>(outputs);
         self.for_rows(
             py,
@@ -73,8 +74,8 @@ impl<S: InBulk> Evaluator<S> {
             (out.as_slice_mut()?, states.as_slice_mut()?),
             threads,
             tolerant,
-            |worker, numbers| {
-                let Worker { subject, values, .. } = worker;
+            |worker, row, numbers| {
+                let Worker { subject, values, told, .. } = worker;
                 for element in subject.elements_mut() {
                     // What a row gives must not depend on those before it.
                     element.set_fallbacks(0);
@@ -83,6 +84,16 @@ impl<S: InBulk> Evaluator<S> {
                 for (number, read) in numbers.iter_mut().zip(&readers) {
                     *number = read.of(values);
                 }
+                let mut tell = |k: usize, remark: Remark| {
+                    let (_, _, rows) = told.entry((remark.kind(), k)).or_insert_with(|| {
+                        let message = remark.message(S::PREFIXES[k]).to_string();
+                        (remark.title(), message, Vec::new())
+                    });
+                    rows.push(row);
+                };
+                let ValuesOf { parameters, input, output, .. } = &*values;
+                remarks(subject, parameters, input, output, &mut tell);
+                place_remark(subject, parameters, input, output, &mut tell);
                 let sunk = subject.elements().iter().any(|element| element.sunk().is_some());
                 Ok(if sunk { SUNK } else { FINE })
             },
@@ -102,7 +113,7 @@ impl<S: InBulk> Evaluator<S> {
         mut states: PyReadwriteArray1<'_, u8>,
         threads: usize,
         tolerant: bool,
-    ) -> PyResult<HashMap<usize, String>> {
+    ) -> PyResult<Found> {
         let readers = readers::<S>(outputs);
         self.for_rows(
             py,
@@ -110,8 +121,8 @@ impl<S: InBulk> Evaluator<S> {
             (out.as_slice_mut()?, states.as_slice_mut()?),
             threads,
             tolerant,
-            |worker, numbers| {
-                let Worker { subject, values, rates } = worker;
+            |worker, _, numbers| {
+                let Worker { subject, values, rates, .. } = worker;
                 subject.derivatives(&values.input, by, rates)?;
                 for (k, rate) in rates.iter().enumerate() {
                     values.output = *rate;
@@ -134,7 +145,7 @@ impl<S: InBulk> Evaluator<S> {
         threads: usize,
     ) -> PyResult<()> {
         let target = (out.as_slice_mut()?, states.as_slice_mut()?);
-        self.for_rows(py, inputs, target, threads, false, |worker, numbers| {
+        self.for_rows(py, inputs, target, threads, false, |worker, _, numbers| {
             numbers[0] = worker.subject.touching_height(&worker.values.input);
             Ok(FINE)
         })?;
@@ -199,8 +210,8 @@ impl<S: InBulk> Evaluator<S> {
         (numbers, states): (&mut [f64], &mut [u8]),
         threads: usize,
         tolerant: bool,
-        work: impl Fn(&mut Worker<S>, &mut [f64]) -> Result<u8, ContactError> + Sync + Send,
-    ) -> PyResult<HashMap<usize, String>> {
+        work: impl Fn(&mut Worker<S>, usize, &mut [f64]) -> Result<u8, ContactError> + Sync + Send,
+    ) -> PyResult<Found> {
         let columns = slices(inputs)?;
         let rows = states.len();
         let width = numbers.len() / rows.max(1);
@@ -211,6 +222,7 @@ impl<S: InBulk> Evaluator<S> {
                     subject: self.taken(),
                     values: self.values.clone(),
                     rates: Vec::new(),
+                    told: HashMap::new(),
                 })
                 .collect();
             let target = Target { numbers, width, states };
@@ -218,7 +230,7 @@ impl<S: InBulk> Evaluator<S> {
                 for (reference, column) in &columns {
                     put(&mut worker.values, *reference, column[row]);
                 }
-                match work(worker, numbers) {
+                match work(worker, row, numbers) {
                     Ok(found) => *state = found,
                     Err(error) if tolerant => {
                         numbers.fill(f64::NAN);
@@ -230,11 +242,37 @@ impl<S: InBulk> Evaluator<S> {
                 }
                 Ok(())
             });
-            self.given_back(workers.into_iter().map(|worker| worker.subject).collect());
-            done
+            let mut told = Told::new();
+            let mut subjects = Vec::with_capacity(workers.len());
+            for worker in workers {
+                join(&mut told, worker.told);
+                subjects.push(worker.subject);
+            }
+            self.given_back(subjects);
+            done.map(|()| told)
         });
-        done.map_err(|(row, error)| refused(py, &error, Some(row)))?;
-        Ok(refusals.into_inner().unwrap_or_else(PoisonError::into_inner))
+        let told = done.map_err(|(row, error)| refused(py, &error, Some(row)))?;
+        let mut told: Vec<_> = told.into_iter().collect();
+        told.sort_unstable_by_key(|(kind, _)| *kind);
+        let told = told.into_iter().map(|((_, k), (title, message, mut rows))| {
+            rows.sort_unstable();
+            (title, S::PREFIXES[k], message, rows)
+        });
+        Ok((refusals.into_inner().unwrap_or_else(PoisonError::into_inner), told.collect()))
+    }
+
+    /// What is to be said of the inputs that are given by FMI name: those without effect.
+    pub fn without_effect(&self, names: &[String]) -> Vec<(&'static str, String, String)> {
+        let all = S::parameters_of_elements(&self.values.parameters);
+        let mut found = Vec::new();
+        for name in names {
+            let side = S::PREFIXES.iter().position(|p| !p.is_empty() && name.starts_with(p));
+            let (k, prefix) = side.map_or((0, ""), |k| (k, S::PREFIXES[k]));
+            if let Some(remark) = without_effect(&all[k], &name[prefix.len()..]) {
+                found.push((remark.title(), name.clone(), remark.message(prefix).to_string()));
+            }
+        }
+        found
     }
 
     fn taken(&self) -> S {
@@ -247,11 +285,34 @@ impl<S: InBulk> Evaluator<S> {
     }
 }
 
+/// Refusals by row, and remarks: title, side, message of the first row, and all rows that have it.
+pub type Found = (HashMap<usize, String>, Vec<(&'static str, &'static str, String, Vec<usize>)>);
+
+/// The same by kind and element.
+type Told = HashMap<(usize, usize), (&'static str, String, Vec<usize>)>;
+
+/// Adds what another thread has found; the message is that of the first row.
+fn join(told: &mut Told, other: Told) {
+    for (kind, (title, message, rows)) in other {
+        match told.entry(kind) {
+            Entry::Vacant(free) => _ = free.insert((title, message, rows)),
+            Entry::Occupied(mut own) => {
+                let own = own.get_mut();
+                if rows.iter().min() < own.2.iter().min() {
+                    own.1 = message;
+                }
+                own.2.extend(rows);
+            }
+        }
+    }
+}
+
 /// What a thread has for its own.
 struct Worker<S: InBulk> {
     subject: S,
     values: ValuesOf<S>,
     rates: Vec<S::Output>,
+    told: Told,
 }
 
 /// How the number of an output is read; its type is looked up once.

@@ -1,6 +1,5 @@
 //! Wheel and wheelset as Python classes.
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 
 use numpy::{PyArray2, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2};
@@ -10,7 +9,7 @@ use wheelrail::element::{Element, WornBody};
 
 use crate::contacts::contacts;
 use crate::errors::{bad_value, refused};
-use crate::evaluator::{Columns, Evaluator, elements};
+use crate::evaluator::{Columns, Evaluator, Found, elements};
 use crate::profile::{pairs, points};
 use crate::subjects::InBulk;
 
@@ -55,7 +54,12 @@ macro_rules! unit {
                 worth_a_look.map(|(name, remark)| (name.clone(), remark.to_string())).collect()
             }
 
-            /// Evaluates rows; refusals by row.
+            /// What is to be said of inputs that are given by FMI name.
+            fn without_effect(&self, names: Vec<String>) -> Vec<(&'static str, String, String)> {
+                self.evaluator.without_effect(&names)
+            }
+
+            /// Evaluates rows; refusals by row, and remarks.
             fn evaluate(
                 &self,
                 py: Python<'_>,
@@ -65,7 +69,7 @@ macro_rules! unit {
                 states: PyReadwriteArray1<'_, u8>,
                 threads: usize,
                 tolerant: bool,
-            ) -> PyResult<HashMap<usize, String>> {
+            ) -> PyResult<Found> {
                 self.evaluator.evaluate(py, &inputs, &outputs, out, states, threads, tolerant)
             }
 
@@ -80,7 +84,7 @@ macro_rules! unit {
                 states: PyReadwriteArray1<'_, u8>,
                 threads: usize,
                 tolerant: bool,
-            ) -> PyResult<HashMap<usize, String>> {
+            ) -> PyResult<Found> {
                 self.evaluator.jacobian(py, &inputs, (&outputs, &by), out, states, threads, tolerant)
             }
 

@@ -166,7 +166,7 @@ def test_bad_rows_can_be_masked(wheel):
 
 
 def test_a_wheel_sunk_in_its_rail_is_no_lifted_wheel(wheel):
-    with pytest.warns(wheelrail.ContactWarning, match="touching_height"):
+    with pytest.warns(wheelrail.ContactWarning, match="below the top of its rail"):
         result = wheel.evaluate(y=0.75, z=[wheel.nominal_z - 1e-3, wheel.nominal_z + 0.2])
     assert result.sunk.tolist() == [False, True] and result["patch_count"].tolist() == [0, 0]
 

@@ -145,6 +145,8 @@ def test_bulk_is_the_whole_piece_by_piece(tmp_path, kind):
     serial = wheelrail.evaluate(table, outputs="wheel.force.*", threads=1, **_models())
     np.testing.assert_array_equal(written["wheel.force.z"], serial["wheel.force.z"])
     np.testing.assert_array_equal(written["wheel.y"], table["wheel.y"])
+    with pytest.raises(wheelrail.BadValueError, match="take the place of its source"):
+        bulk.evaluate(source, source)
     table.loc[700, "wheel.y"] = np.nan
     with pytest.raises(wheelrail.BadValueError) as caught:
         bulk.evaluate(table, tmp_path / f"other.{kind}", rows_at_once=300)

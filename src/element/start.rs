@@ -10,7 +10,7 @@ use super::wheel_on_rails::Element;
 
 /// Height above first touch from which on a wheel counts as far from its rails [m]: more than any
 /// bounce.
-const FAR_ABOVE: f64 = 0.01;
+pub(super) const FAR_ABOVE: f64 = 0.01;
 /// Depth below first touch from which on a wheel counts as inside its rails [m]: it would press
 /// with a hundred times its load.
 const INSIDE: f64 = 2e-3;
@@ -36,7 +36,7 @@ impl Element {
     pub fn set_start(&mut self, start: &Input) {
         let touching = self.touch(start);
         self.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
-        self.look_at_start(start, touching);
+        self.start_warning = self.look_at_start(start, touching);
     }
 
     /// What is odd about the place in which the wheel starts, if anything is.
@@ -45,14 +45,20 @@ impl Element {
         self.start_warning
     }
 
+    /// What is odd about the place of `input` as one in which a wheel starts.
+    pub(super) fn odd_place(&mut self, input: &Input) -> Option<StartWarning> {
+        let touching = self.touch(input);
+        self.look_at_start(input, touching)
+    }
+
     /// Looks at the place of `start`; `touching` is the height of first touch, if there is one.
-    fn look_at_start(&mut self, start: &Input, touching: Option<f64>) {
+    fn look_at_start(&mut self, start: &Input, touching: Option<f64>) -> Option<StartWarning> {
         if self.rails.iter().all(Option::is_none) {
-            return;
+            return None;
         }
         let [_, y, z] = start.wheel.position;
         // What is told is the cause: a rail in the way also changes the height of first touch.
-        self.start_warning = match (self.overlap_of_rail_2(start), touching) {
+        match (self.overlap_of_rail_2(start), touching) {
             (Some(overlap), _) => Some(StartWarning::InRail2 { overlap }),
             (None, None) => Some(StartWarning::BesideTheRails { y, side: self.side }),
             // Where a load is given the height follows from it.
@@ -64,7 +70,7 @@ impl Element {
                 Some(StartWarning::InsideARail { z, nominal })
             }
             (None, Some(_)) => None,
-        };
+        }
     }
 
     /// How far rails on a foundation sink under the wheel that starts [m].

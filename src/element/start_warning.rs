@@ -1,8 +1,6 @@
 //! What is odd about the place in which a wheel starts: nothing that is refused, but a host should
 //! hear of it before it wonders at the forces.
 
-use std::fmt;
-
 use super::parameters::Side;
 
 /// Something odd about the place in which a wheel starts.
@@ -74,31 +72,5 @@ impl StartWarning {
                 1e3 * overlap
             ),
         }
-    }
-}
-
-/// The words for a wheel that is `depth` [m] below the top of its rail, as
-/// [`Element::sunk`](crate::element::Element::sunk) has it; `prefix` as in
-/// [`StartWarning::message`].
-#[must_use]
-pub fn sunk_message(depth: f64, prefix: &str) -> impl fmt::Display {
-    SunkMessage { depth, prefix }
-}
-
-/// Written where it goes, during a run, so that nothing is allocated for it.
-struct SunkMessage<'a> {
-    depth: f64,
-    prefix: &'a str,
-}
-
-impl fmt::Display for SunkMessage<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the wheel is {:.1} mm below the top of its rail, deeper than the outlines tell a force: it carries nothing there, and is not \
-             lifted; see {}nominal.wheel_z for where it would just touch",
-            1e3 * self.depth,
-            self.prefix
-        )
     }
 }

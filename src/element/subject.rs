@@ -98,6 +98,9 @@ pub trait Subject: Clone + Debug {
     /// Load of element number `k` where loads are given, and what its rails carry [N].
     fn load_and_carried(k: usize, input: &Self::Input, output: &Self::Output) -> [f64; 2];
 
+    /// The output of element number `k`.
+    fn output_of_element(k: usize, output: &Self::Output) -> &Output;
+
     /// Forces on all bodies beside the velocities at which they do work.
     fn work_pairs(input: &Self::Input, output: &Self::Output) -> WorkPairs;
 
@@ -178,6 +181,10 @@ impl Subject for Element {
 
     fn load_and_carried(_: usize, input: &Input, output: &Output) -> [f64; 2] {
         [input.wheel_load, output.load_carried]
+    }
+
+    fn output_of_element(_: usize, output: &Output) -> &Output {
+        output
     }
 
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {

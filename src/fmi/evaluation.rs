@@ -1,16 +1,14 @@
 //! The element of the parameters, the outputs of the inputs, and what the host is told of them.
 
 use super::error::FmiError;
-use super::instance::Instance;
+use super::instance::{Idle, Instance};
 use super::life_cycle::Purpose;
 use super::logger::{Category, Logger};
 use super::types::Status;
-use crate::element::parameters::{VerticalMode, WearModel};
-use crate::element::subject::Subject;
-use crate::element::sunk_message;
-use crate::element::vertical_load::is_carried;
+use crate::element::parameters::WearModel;
+use crate::element::{Remark, remarks, without_effect};
 use crate::error::ContactError;
-use crate::variables::{Described, ValuesOf};
+use crate::variables::{Causality, Described, ValuesOf};
 
 impl<S: Described> Instance<S> {
     /// Makes the element if there is none of these parameters, or none of this input if the nominal
@@ -50,64 +48,67 @@ impl<S: Described> Instance<S> {
         Ok(self.warnings(fallbacks, logger))
     }
 
-    /// A warning if there are more fallbacks than `before`: a load that is not carried, or a
-    /// simpler model.
+    /// Tells what is odd about the outputs, each remark once until it is over; a warning if there
+    /// are more fallbacks than `before`, or something new.
     pub(super) fn warnings(&mut self, before: i32, logger: &Logger) -> Status {
         let count = S::fallback_count(&self.values.output);
-        let missed = self.report_loads(logger) + self.report_sunk(logger);
-        if count == before {
-            return Status::Ok;
-        }
-        if count.saturating_sub(before) > missed && logger.takes(Category::Warning) {
-            let message = format_args!(
-                "a contact found no room, or a solver fell back to a simpler model: fallback_count = {count}"
-            );
-            logger.log(Status::Warning, Category::Warning, message);
-        }
-        Status::Warning
-    }
-
-    /// The number of wheels that are too deep in their rails for a force; the first time they are
-    /// told.
-    fn report_sunk(&mut self, logger: &Logger) -> i32 {
-        let elements = self.element.iter().flat_map(Subject::elements);
-        let mut sunk = 0;
-        for (prefix, depth) in
-            S::PREFIXES.iter().zip(elements).filter_map(|(p, e)| Some((p, e.sunk()?)))
-        {
-            sunk += 1;
-            if !self.told.wheel_is_sunk && logger.takes(Category::Warning) {
-                let place = sunk_message(depth, prefix);
-                let message = format_args!("{place}; this is said once until it is out again");
-                logger.log(Status::Warning, Category::Warning, message);
-            }
-        }
-        self.told.wheel_is_sunk = sunk > 0;
-        sunk
-    }
-
-    /// The number of given loads that the rails do not carry; the first time they are told.
-    fn report_loads(&mut self, logger: &Logger) -> i32 {
+        let idle = self.tell_idle(logger);
+        let mut status = if count == before { idle } else { Status::Warning };
+        let Some(element) = &self.element else { return status };
         let ValuesOf { parameters, input, output, .. } = &self.values;
-        let all = S::parameters_of_elements(parameters).iter().zip(S::PREFIXES).enumerate();
-        let given = all.filter(|(_, (own, _))| own.vertical_mode == VerticalMode::Load);
-        let mut missed = 0;
-        for (k, (_, prefix)) in given {
-            let [load, carried] = S::load_and_carried(k, input, output);
-            if is_carried(load, carried) {
-                continue;
-            }
-            missed += 1;
-            if !self.told.load_is_missed && logger.takes(Category::Warning) {
-                let message = format_args!(
-                    "{prefix}wheel.load = {load} N, but the rails carry {carried:.0} N where the wheel is: {prefix}vertical.load_carried says how \
-                     much; this is said once until they carry it again"
-                );
+        let told = std::mem::take(&mut self.told);
+        // What has a remark of its own is counted as a fallback too.
+        let mut explained = 0;
+        let mut tell = |k: usize, remark: Remark| {
+            explained += i32::from(remark.is_a_fallback());
+            self.told[k][remark.kind()] = true;
+            if !told[k][remark.kind()] && logger.takes(Category::Warning) {
+                status = Status::Warning;
+                let message = remark.message(S::PREFIXES[k]);
+                let message = format_args!("{message}; this is said once until it is over");
                 logger.log(Status::Warning, Category::Warning, message);
             }
+        };
+        remarks(element, parameters, input, output, &mut tell);
+        if count.saturating_sub(before) > explained && logger.takes(Category::Warning) {
+            let fallback = Remark::Fallback { count: i64::from(count).unsigned_abs() };
+            let message = fallback.message("");
+            logger.log(Status::Warning, Category::Warning, format_args!("{message}"));
         }
-        self.told.load_is_missed = missed > 0;
-        missed
+        status
+    }
+
+    /// Looks which inputs have no effect with the parameters.
+    pub(super) fn look_for_idle(&mut self) {
+        let start = ValuesOf::<S>::default();
+        let all = S::parameters_of_elements(&self.values.parameters);
+        let inputs = S::UNIT.variables.iter().filter(|v| v.causality == Causality::Input);
+        let idle = inputs.filter_map(|variable| {
+            let place =
+                S::PREFIXES.iter().position(|p| !p.is_empty() && variable.name.starts_with(p));
+            let (k, side) = place.map_or((0, ""), |k| (k, S::PREFIXES[k]));
+            let remark = without_effect(&all[k], &variable.name[side.len()..])?;
+            let (reference, value) = (variable.reference, S::real(&start, variable.reference)?);
+            Some(Idle { reference, start: value, remark, side })
+        });
+        self.idle = idle.collect();
+    }
+
+    /// Tells which inputs without effect were given, each once.
+    pub(super) fn tell_idle(&mut self, logger: &Logger) -> Status {
+        let mut status = Status::Ok;
+        let values = &self.values;
+        self.idle.retain(|idle| {
+            let is_given = S::real(values, idle.reference)
+                .is_some_and(|now| now.to_bits() != idle.start.to_bits());
+            if is_given {
+                status = Status::Warning;
+                let message = idle.remark.message(idle.side);
+                logger.log(status, Category::Warning, format_args!("{message}"));
+            }
+            !is_given
+        });
+        status
     }
 
     /// The wear law, which is the same for all elements.

@@ -13,16 +13,26 @@ use super::life_cycle::{Experiment, Purpose, State};
 use super::slots::Slots;
 use super::snapshot::Snapshot;
 use super::types::ValueReference;
+use crate::element::Remark;
 use crate::variables::{Described, ValuesOf};
 
-/// What is said once, until all is well again.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Told {
-    /// The rails do not carry a given load.
-    pub load_is_missed: bool,
-    /// A wheel is too deep in a rail.
-    pub wheel_is_sunk: bool,
+/// The kinds of remarks that were told of each element and are not over yet.
+pub(super) type Told = [[bool; Remark::KINDS]; MAX_ELEMENTS];
+
+/// An input without effect.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Idle {
+    /// Its value reference.
+    pub reference: usize,
+    /// The value it starts from.
+    pub start: f64,
+    /// What is said of it, and the side of a wheelset.
+    pub remark: Remark,
+    pub side: &'static str,
 }
+
+/// Most elements of a unit: the wheels of a wheelset.
+const MAX_ELEMENTS: usize = 2;
 
 /// An instance of one unit.
 #[derive(Debug)]
@@ -58,6 +68,9 @@ pub struct Instance<S: Described> {
     pub(super) told: Told,
     /// Places of the elements of unknowns and knowns of a derivative through FMI 3.0.
     pub(super) flattened: [Vec<ValueReference>; 2],
+    /// Inputs that have no effect with these parameters, with the value they start from: said when
+    /// they get another one.
+    pub(super) idle: Vec<Idle>,
     /// Texts handed out by the last call that read texts.
     pub(super) handed_out: Vec<CString>,
     /// States handed out and not freed yet.
@@ -90,6 +103,7 @@ impl<S: Described> Instance<S> {
             held: Held::new::<S>(),
             told: Told::default(),
             flattened: [(); 2].map(|()| Vec::with_capacity(most_flattened)),
+            idle: Vec::new(),
             handed_out: Vec::new(),
             snapshots: Slots::new(),
         }

@@ -52,7 +52,8 @@ impl<S: Described> Instance<S> {
             Purpose::ModelExchange => State::EventMode,
             Purpose::CoSimulation => State::Stepping,
         };
-        let mut status = Status::Ok;
+        self.look_for_idle();
+        let mut status = self.tell_idle(logger);
         let elements = self.element.iter().flat_map(Subject::elements);
         for (prefix, element) in S::PREFIXES.iter().zip(elements) {
             if let Some(warning) = element.start_warning() {

@@ -338,6 +338,10 @@ impl Subject for Wheelset {
         [input.sides[k].wheel_load, output.sides[k].load_carried]
     }
 
+    fn output_of_element(k: usize, output: &Output) -> &element::Output {
+        &output.sides[k]
+    }
+
     fn work_pairs(input: &Input, output: &Output) -> WorkPairs {
         let sides = input.sides.iter().zip(&output.sides);
         let rails = sides.flat_map(|(input, output)| input.rails.iter().zip(&output.rails));

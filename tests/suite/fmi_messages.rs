@@ -164,6 +164,36 @@ fn a_load_that_the_rails_do_not_carry_is_told_with_its_numbers_once() {
     assert_eq!(said(), 2);
 }
 
+#[test]
+fn inputs_without_effect_and_a_wheel_that_slides_are_told_once() {
+    let host = Host::initializing();
+    assert_eq!(host.set_reals(&[("wheel.load", 5e4)]), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Warning);
+    assert!(
+        host.last().contains("wheel.load has no effect with vertical.mode = penetration"),
+        "{}",
+        host.last()
+    );
+    let said = || host.messages.lock().unwrap().len();
+    assert_eq!(said(), 1);
+    let force = |rate: f64| {
+        assert_eq!(host.set_reals(&[("wheel.load", 6e4), ("wheel.pitch_rate", rate)]), Status::Ok);
+        host.get_real("wheel.force.x")
+    };
+    force(-43.478);
+    assert_eq!(said(), 1, "{}", host.last());
+    for _ in 0..3 {
+        force(0.0);
+    }
+    assert_eq!(said(), 2, "{}", host.last());
+    for words in ["slip of 100 %", "wheel.pitch_rate = -43.47", "said once until it is over"] {
+        assert!(host.last().contains(words), "{}", host.last());
+    }
+    force(-43.478);
+    force(0.0);
+    assert_eq!(said(), 3);
+}
+
 /// Status and message with which a unit starts that has these starting values.
 fn started(reals: &[(&str, f64)], left: bool) -> (Status, String) {
     let host = Host::initializing();

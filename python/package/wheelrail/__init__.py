@@ -13,7 +13,7 @@ from ._contact import Contact, Field
 from ._element import Element, WheelSet
 from ._files import fmu, profile, profile_folder
 from ._native import __version__
-from ._result import Column, Jacobian, Result
+from ._result import Column, Jacobian, Remark, Result
 from ._table import evaluate
 from ._variables import Variable, variables
 from .errors import (
@@ -37,6 +37,7 @@ __all__ = [
     "Jacobian",
     "NoDerivativeError",
     "ProfileError",
+    "Remark",
     "Result",
     "UnknownVariableError",
     "Variable",

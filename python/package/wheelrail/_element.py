@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _native
 from ._contact import Contact, contact_of
 from ._files import folders
-from ._result import REFUSED, SUNK, Column, Jacobian, Layout, Result
+from ._result import REFUSED, Column, Jacobian, Layout, Remark, Result
 from ._variables import Unit, Variable, by_name, find, is_evaluated, select, variables
 from .errors import BadValueError, ContactWarning, admitted_count
 
@@ -33,14 +33,6 @@ Outputs = Union[Sequence[str], str, None]
 _SLICE = 0.2
 #: Rows of each thread in the first of these calls: a second at most of boundary elements.
 _FIRST_SLICE = 32
-
-#: Inputs that have an effect with one choice of a parameter alone.
-_ONLY_WITH = {
-    "wheel.load": ("vertical.mode", "load"),
-    "friction.coefficient": ("friction.distribution", "uniform"),
-    "friction.tread.coefficient": ("friction.distribution", "regions"),
-    "friction.gauge_face.coefficient": ("friction.distribution", "regions"),
-}
 
 
 class _Unit:
@@ -65,6 +57,14 @@ class _Unit:
         for name, remark in self._native.remarks():
             warnings.warn(f"{name}: {remark}", ContactWarning, stacklevel=3)
         self._tell_idle(settings)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_"):
+            raise AttributeError(
+                f"{type(self).__name__} has no attribute {name} to set: inputs go to evaluate, parameters to "
+                "a new element"
+            )
+        super().__setattr__(name, value)
 
     @classmethod
     def _class(cls) -> Any:
@@ -108,33 +108,32 @@ class _Unit:
         errors: Errors,
         progress: Progress,
         inputs: Mapping[str, Any],
+        tell: bool = True,
     ) -> Result:
         given = _Given(self._unit, table, inputs)
-        self._tell_idle(given.layout.inputs)
+        if tell:
+            self._tell_idle(given.layout.inputs)
         wanted = select(self._unit, outputs, self._default_outputs())
         references = [v.reference for v in wanted]
         data = np.empty((given.rows, len(wanted)))
         states = np.zeros(given.rows, dtype=np.uint8)
         count, tolerant = _threads(threads), _is_tolerant(errors)
         refusals: dict[int, str] = {}
+        remarks = Remarks()
 
         def work(rows: slice) -> None:
-            found = self._native.evaluate(
+            found, told = self._native.evaluate(
                 given.columns(rows), references, data[rows], states[rows], count, tolerant
             )
             refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
+            remarks.add(told, rows.start)
 
         in_slices(given.rows, work, count, progress)
-        sunk = int(np.count_nonzero(states == SUNK))
-        if sunk:
-            warnings.warn(
-                f"in {sunk} of {given.rows} rows a wheel is so deep below the top of its rail that there is "
-                "no force: result.sunk says where, touching_height what height just touches",
-                ContactWarning,
-                stacklevel=3,
-            )
+        if tell:
+            for remark in remarks.found():
+                warnings.warn(remark.text(given.rows), ContactWarning, stacklevel=3)
         columns = [Column(v.name, v.unit, v.description, v.kind == "integer") for v in wanted]
-        return Result(columns, data, states, refusals, given.layout)
+        return Result(columns, data, states, refusals, given.layout, remarks.found())
 
     def _jacobian(
         self,
@@ -169,7 +168,7 @@ class _Unit:
         references = [v.reference for v in wanted], [v.reference for v in directions]
 
         def work(rows: slice) -> None:
-            found = self._native.jacobian(
+            found, _ = self._native.jacobian(
                 given.columns(rows), *references, data[rows], states[rows], count, tolerant
             )
             refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
@@ -200,17 +199,15 @@ class _Unit:
 
     def _tell_idle(self, given: Iterable[str]) -> None:
         """Warns of inputs that have no effect with the parameters as they are."""
-        for name in given:
-            for input_, (parameter, item) in _ONLY_WITH.items():
-                if name.endswith(input_):
-                    chosen = self.parameters[parameter]
-                    # Items may be given by number.
-                    if isinstance(chosen, str) and chosen != item:
-                        warnings.warn(
-                            f'{name} has no effect with {parameter} = {chosen}: it has with "{item}"',
-                            ContactWarning,
-                            stacklevel=4,
-                        )
+        for _, _, message in self._idle(given):
+            warnings.warn(message, ContactWarning, stacklevel=4)
+
+    def _idle(self, given: Iterable[str]) -> list[tuple[str, str, str]]:
+        """Title, name and message for each of the inputs by name that has no effect."""
+        found: list[tuple[str, str, str]] = self._native.without_effect(
+            [find(self._unit, name).name for name in given]
+        )
+        return found
 
 
 class Element(_Unit):
@@ -459,6 +456,31 @@ class WheelSet(_Unit):
         return self._touching_height(threads, inputs)
 
 
+class Remarks:
+    """What is odd about the rows of a call, by kind."""
+
+    def __init__(self) -> None:
+        self._found: dict[tuple[str, str], tuple[str, list[int]]] = {}
+
+    def add(
+        self,
+        told: Iterable[tuple[str, str, str, list[int]]],
+        start: int,
+        members: npt.NDArray[np.intp] | None = None,
+    ) -> None:
+        """Takes what was found, by title and side or input, in the rows from `start` on; `members` are their numbers in the table."""
+        for title, about, message, rows in told:
+            _, all_rows = self._found.setdefault((title, about), (message, []))
+            all_rows.extend(start + row if members is None else int(members[row]) for row in rows)
+
+    def found(self) -> tuple[Remark, ...]:
+        """All of it, in the order in which it was found."""
+        return tuple(
+            Remark(title, about, message, np.sort(np.array(rows, dtype=np.intp)))
+            for (title, about), (message, rows) in self._found.items()
+        )
+
+
 class _Given:
     """Inputs of a call, broadcast."""
 
@@ -567,6 +589,10 @@ def _input(unit: Unit, name: str) -> Variable:
 
 
 def _numbers(name: str, value: Any) -> npt.NDArray[np.float64]:
+    if np.ma.is_masked(value):
+        raise BadValueError(
+            f"{name} has masked elements: leave these rows out, or fill them", variable=name
+        )
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:

@@ -26,6 +26,7 @@ _Floats = npt.NDArray[np.float64]
 _States = npt.NDArray[np.uint8]
 _Columns = Sequence[tuple[int, _Floats]]
 _Settings = Sequence[tuple[str, Any]]
+_Found = tuple[dict[int, str], list[tuple[str, str, str, list[int]]]]
 
 @final
 class Wheel:
@@ -33,6 +34,7 @@ class Wheel:
     @property
     def nominal_z(self) -> float: ...
     def remarks(self) -> list[tuple[str, str]]: ...
+    def without_effect(self, names: Sequence[str]) -> list[tuple[str, str, str]]: ...
     def evaluate(
         self,
         inputs: _Columns,
@@ -41,7 +43,7 @@ class Wheel:
         states: _States,
         threads: int,
         tolerant: bool,
-    ) -> dict[int, str]: ...
+    ) -> _Found: ...
     def jacobian(
         self,
         inputs: _Columns,
@@ -51,7 +53,7 @@ class Wheel:
         states: _States,
         threads: int,
         tolerant: bool,
-    ) -> dict[int, str]: ...
+    ) -> _Found: ...
     def touching_heights(
         self, inputs: _Columns, out: _Floats, states: _States, threads: int
     ) -> None: ...
@@ -62,6 +64,7 @@ class Wheelset:
     @property
     def nominal_z(self) -> float: ...
     def remarks(self) -> list[tuple[str, str]]: ...
+    def without_effect(self, names: Sequence[str]) -> list[tuple[str, str, str]]: ...
     def evaluate(
         self,
         inputs: _Columns,
@@ -70,7 +73,7 @@ class Wheelset:
         states: _States,
         threads: int,
         tolerant: bool,
-    ) -> dict[int, str]: ...
+    ) -> _Found: ...
     def jacobian(
         self,
         inputs: _Columns,
@@ -80,7 +83,7 @@ class Wheelset:
         states: _States,
         threads: int,
         tolerant: bool,
-    ) -> dict[int, str]: ...
+    ) -> _Found: ...
     def touching_heights(
         self, inputs: _Columns, out: _Floats, states: _States, threads: int
     ) -> None: ...

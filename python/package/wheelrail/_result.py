@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["Column", "Jacobian", "Result"]
+__all__ = ["Column", "Jacobian", "Remark", "Result"]
 
 Array = npt.NDArray[Any]
 
@@ -36,6 +36,40 @@ class Column:
     def keyword(self) -> str:
         """The name as an attribute of results."""
         return self.name.replace(".", "_").replace("[", "").replace("]", "")
+
+
+#: Row numbers that a warning names; the others are in `Remark.rows`.
+_NAMED_ROWS = 4
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Something odd about rows of a result, the same that the FMU logs and the command line tells.
+
+    Attributes
+    ----------
+    title : str
+        The kind in a few words.
+    about : str
+        The side of a wheelset with a point behind, or the input without effect.
+    message : str
+        Cause, place and remedy, with the numbers of the first row.
+    rows : ndarray of int
+        The rows that have it, in C order.
+    """
+
+    title: str
+    about: str
+    message: str
+    rows: npt.NDArray[np.intp]
+
+    def text(self, count: int) -> str:
+        """The message with its rows, of `count` rows in all."""
+        if count == 1:
+            return self.message
+        named = ", ".join(str(row) for row in self.rows[:_NAMED_ROWS])
+        more = ", …" if len(self.rows) > _NAMED_ROWS else ""
+        return f"in {len(self.rows)} of {count} rows ({named}{more}): {self.message}"
 
 
 @dataclass(frozen=True)
@@ -66,7 +100,9 @@ class Result(Mapping[str, Any]):
         states: npt.NDArray[np.uint8],
         refusals: Mapping[int, str],
         layout: Layout,
+        remarks: Sequence[Remark] = (),
     ) -> None:
+        self._remarks = tuple(remarks)
         self._columns = {column.name: (k, column) for k, column in enumerate(columns)}
         self._keywords = {column.keyword: column.name for column in columns}
         self._data = data
@@ -99,6 +135,11 @@ class Result(Mapping[str, Any]):
     def refusals(self) -> Mapping[int, str]:
         """Why rows were refused, by their number in C order."""
         return self._refusals
+
+    @property
+    def remarks(self) -> tuple[Remark, ...]:
+        """What is odd about rows, of each kind once: what the warnings of the call say."""
+        return self._remarks
 
     @property
     def units(self) -> Mapping[str, str]:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._element import Element, Errors, Outputs, WheelSet, _Unit
+from ._element import Element, Errors, Outputs, Remarks, WheelSet, _Unit
 from ._variables import Unit, Variable, find, is_evaluated, select, variables
-from .errors import BadValueError
+from .errors import BadValueError, ContactWarning
 
 if TYPE_CHECKING:
     import pandas
@@ -85,6 +86,7 @@ def evaluate(
     else:
         groups = [((), np.arange(len(table)))]
     wanted = [v.name for v in outputs_of(unit, outputs, table.columns, parameters)]
+    remarks = Remarks()
     parts: list[pandas.DataFrame] = []
     places: list[Any] = []
     for key, members in groups:
@@ -92,9 +94,14 @@ def evaluate(
         element = _element(unit, settings)
         inputs = {name: table[name].to_numpy()[members] for name in of_inputs}
         try:
-            result = element._evaluate(inputs, wanted, threads, errors, None, {})
+            result = element._evaluate(inputs, wanted, threads, errors, None, {}, tell=False)
         except Exception as error:
             raise _placed(error, members) from None
+        of_all = list(range(len(members)))
+        remarks.add([(*idle, of_all) for idle in element._idle(inputs)], 0, members)
+        remarks.add(
+            [(r.title, r.about, r.message, r.rows.tolist()) for r in result.remarks], 0, members
+        )
         part = result.to_pandas(inputs=False)
         if not of_inputs:
             part = part.loc[part.index.repeat(len(members))]
@@ -102,6 +109,8 @@ def evaluate(
             part[VALID] = np.broadcast_to(result.valid, (len(members),))
         parts.append(part)
         places.append(members)
+    for remark in remarks.found():
+        warnings.warn(remark.text(len(table)), ContactWarning, stacklevel=2)
     if not parts:
         return empty(unit, outputs, table.columns, parameters, errors).set_index(table.index)
     whole = pandas.concat(parts, ignore_index=True)

@@ -63,6 +63,8 @@ def evaluate(
 
     rows_at_once = admitted_count("rows_at_once", rows_at_once, 1)
     path = Path(target)
+    if isinstance(source, (str, os.PathLike)) and path.exists() and path.samefile(source):
+        raise BadValueError(f"{path}: the result would take the place of its source", variable="target")
     partial = path.with_name(path.name + ".partial")
     writer = _writer(path, partial)
     pieces, count = _pieces(source, rows_at_once)

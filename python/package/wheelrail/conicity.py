@@ -140,9 +140,9 @@ def contact_geometry(
     axle = WheelSet({"vertical.mode": "load", **parameters})
     given: Any = {"right.wheel.load": load, "left.wheel.load": load}
     counts = ["right.patch_count", "left.patch_count"]
-    found = axle.evaluate(
-        given, y=places, yaw=yaw, outputs=["vertical.roll", "vertical.wheelset_z", *counts, *heaviest]
-    )
+    # What stands beside its rails is NaN, and no remark.
+    outputs = ["vertical.roll", "vertical.wheelset_z", *counts, *heaviest]
+    found = axle._evaluate(given, outputs, None, "raise", None, {"y": places, "yaw": yaw}, tell=False)
     columns = [found[name] for name in heaviest]
     difference = columns[0] - columns[len(names)]
     conicity = np.full(places.shape, np.nan)

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use clap::Args;
 use wheelrail::io::number;
-use wheelrail::variables::find;
+use wheelrail::variables::{Kind, find};
 
 use crate::cases::{Cases, Header};
 use crate::element_rows::{placed, read_values};
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         }
         let cells = compared.cells();
         table.write_record(inputs[written].iter().chain(&cells))?;
-        add_to_lines(&mut lines, header, &inputs[written], &compared);
+        add_to_lines(&mut lines, header, &inputs, written, &compared);
         written += 1;
         summary.add(&compared);
         progress.inc(1);
@@ -126,12 +126,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             |(), (row, values)| {
                 let compared = wheel::compare(values, &folder);
                 let (compared, found) = compared.map_err(|error| placed(error, row))?;
+                let given = row.cells().map(|(_, name, _)| name);
+                let found = found.with_inputs(&values.parameters, given);
                 Ok((compared, found.at(|| row.place())))
             },
             &mut done,
         )
     };
     progress.finish_and_clear();
+    remarks.count();
     table.complete(result)?;
     if let Some(path) = &arguments.summary {
         summary.write(output::table(Some(path))?)?;
@@ -141,6 +144,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         own_models.dedup();
         let models = if let [one] = own_models.as_slice() { one } else { "fast models" };
         let first = header.columns().next().unwrap_or_default();
+        let first = if is_drawn_over(header, &inputs) { first } else { "row" };
         let abscissa = match unit(first) {
             "" => first.to_owned(),
             unit => format!("{first} [{unit}]"),
@@ -160,11 +164,27 @@ fn unit(column: &str) -> &'static str {
     find(column).map_or("", |variable| variable.unit)
 }
 
+/// Whether errors can be drawn over the first column; over what is no number, such as the profile
+/// 60E1, they are drawn row by row.
+fn is_drawn_over(header: &Header, all: &[Vec<String>]) -> bool {
+    let first = header.columns().next().and_then(|name| find(name).ok());
+    let is_real = first.is_none_or(|variable| matches!(variable.kind, Kind::Real | Kind::Integer));
+    is_real && all.iter().all(|row| row.first().is_some_and(|text| number(text).is_some()))
+}
+
 /// Adds a case to the line of its second column, at the value of its first.
-fn add_to_lines(lines: &mut Vec<Line>, header: &Header, inputs: &[String], compared: &Compared) {
-    let Some(at) = inputs.first().and_then(|text| number(text)) else { return };
-    let name = match (header.columns().nth(1), inputs.get(1)) {
-        (Some(column), Some(value)) => {
+fn add_to_lines(
+    lines: &mut Vec<Line>,
+    header: &Header,
+    all: &[Vec<String>],
+    row: usize,
+    compared: &Compared,
+) {
+    let is_number = is_drawn_over(header, all);
+    let given = all[row].first().and_then(|text| number(text)).filter(|_| is_number);
+    let at = given.unwrap_or((row + 1) as f64);
+    let name = match (header.columns().nth(1), all[row].get(1)) {
+        (Some(column), Some(value)) if is_number => {
             format!("{column} {value} {}", unit(column)).trim_end().into()
         }
         _ => String::new(),

@@ -72,6 +72,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             set(&mut values, &columns, &row)?;
             files.check(&values.parameters).with_context(|| row.place())?;
             let found = evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
+            let given = row.cells().map(|(column, ..)| columns[column].name);
+            let found = found.with_inputs(&values.parameters, given);
             Ok((line(&values, &computed)?, found.at(|| row.place())))
         },
         |(line, found)| {
@@ -88,6 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         },
     );
     progress.finish_and_clear();
+    remarks.count();
     table.complete(result)
 }
 
@@ -148,7 +151,8 @@ impl Evaluator {
         element.set_start(input);
         element.evaluate(input, output)?;
         values.nominal = element.nominal_wheel_z();
-        Ok(Found::about_places(element).with_profiles(profiles))
+        let found = Found::evaluated(element, parameters, input, output);
+        Ok(found.with_start(element).with_profiles(profiles))
     }
 
     /// The element with these parameters, and what was found in the files of profiles if it had to

@@ -139,7 +139,8 @@ fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatCo
     let mut element = Element::new(parameters, input, &[folder.into()])?;
     let mut output = Output::default();
     element.evaluate(input, &mut output)?;
-    Remarks::default().tell(&Found::all(&element));
+    let found = Found::evaluated(&element, parameters, input, &output).with_start(&element);
+    Remarks::default().tell(&found.with_profiles(element.profile_remarks().to_vec()));
     let mut at = *input;
     at.wheel.position[2] = output.wheel_z;
     let contacts = element.flat_contacts(&at)?;

@@ -87,14 +87,22 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for Variant { name, corners } in variants {
         let (values, outputs) = (corners[0].clone(), outputs.clone());
         let element = Element::new(&values.parameters, &values.input, &[cases.header().folder()])?;
-        progress.suspend(|| remarks.tell(&Found::all(&element).at(|| "row 1".into())));
+        let found =
+            Found::default().with_start(&element).with_profiles(element.profile_remarks().to_vec());
+        progress.suspend(|| remarks.tell(&found.at(|| "row 1".into())));
         let mut path = Path { element, corners, values, outputs };
         let mut history = Vec::with_capacity(count + 1);
         for step in 0..=count {
             history.push(path.at(step as f64 / steps as f64)?);
             // Rows count from 1.
             let row = || format!("row {}", (steps + step) as f64 / steps as f64);
-            let found = Found::about_depth(&path.element).at(row);
+            let found = Found::evaluated(
+                &path.element,
+                &path.values.parameters,
+                &path.values.input,
+                &path.values.output,
+            )
+            .at(row);
             if !found.is_empty() {
                 progress.suspend(|| remarks.tell(&found));
             }

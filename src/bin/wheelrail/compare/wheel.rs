@@ -31,7 +31,9 @@ pub fn compare(values: &Values, folder: &PathBuf) -> Result<(Compared, Found), C
     let mut element = Element::new(parameters, input, folders)?;
     let mut own = Output::default();
     element.evaluate(input, &mut own)?;
-    let found = Found::all(&element);
+    let found = Found::evaluated(&element, parameters, input, &own)
+        .with_start(&element)
+        .with_profiles(element.profile_remarks().to_vec());
     let repeats =
         if is_slow(parameters.normal_model, parameters.tangential_model) { 1 } else { REPEATS };
     let mut times = Vec::new();
