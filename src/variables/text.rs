@@ -21,7 +21,10 @@ impl<S: Described> ValuesOf<S> {
             Kind::Boolean => text.parse().ok().map(Value::Boolean),
             Kind::Text => Some(Value::Text(text)),
             Kind::Enumeration(e) => {
-                e.items.iter().find(|i| i.name == text).map(|i| Value::Integer(i.value))
+                // By number too, as the C interface and messages have them.
+                let number = text.parse().ok();
+                let item = e.items.iter().find(|i| i.name == text || Some(i.value) == number);
+                item.map(|i| Value::Integer(i.value))
             }
         };
         match value {

@@ -9,6 +9,8 @@ use anyhow::{Context, Result, bail};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use wheelrail::io::number;
 
+/// Names of columns beyond are none, nor are any with control characters.
+const LONGEST_NAME: usize = 100;
 /// Lines beyond are none of a table [bytes].
 const LONGEST_LINE: usize = 1 << 20;
 
@@ -56,6 +58,10 @@ impl Header {
             *[b'\t', b';'].iter().find(|d| line.as_bytes().contains(d)).unwrap_or(&b',');
         let columns = cells(line, delimiter).with_context(|| format!("cannot read {shown}"))?;
         for (index, name) in columns.iter().enumerate() {
+            if name.chars().count() > LONGEST_NAME || name.chars().any(char::is_control) {
+                let begin: String = name.escape_debug().take(40).collect();
+                bail!("{shown}: column {} is called \"{begin}...\": this is no table", index + 1);
+            }
             if name.is_empty() {
                 bail!("{shown}: column {} has no name", index + 1);
             }

@@ -36,16 +36,16 @@ use points::Points;
 #[command(verbatim_doc_comment)]
 pub struct Arguments {
     /// Table of measured points, CSV
-    #[arg(value_name = "POINTS.csv")]
-    pub points: PathBuf,
+    #[arg(value_name = "POINTS.csv", required_unless_present = "parameters")]
+    pub points: Option<PathBuf>,
     /// File for points and fit, CSV
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// File for a figure of points and fit, SVG
     #[arg(long, value_name = "FILE")]
     pub figure: Option<PathBuf>,
-    /// Parameters that are fitted; the others keep their start values or those of --set
-    #[arg(long = "parameters", value_name = "NAMES", value_delimiter = ',', default_values = Parameter::NAMES)]
+    /// Parameters that are fitted, parted by commas or blanks; the others keep their start values or those of --set
+    #[arg(long = "parameters", value_name = "NAMES", value_delimiter = ',', num_args = 1.., default_values = Parameter::NAMES)]
     pub parameters: Vec<String>,
     /// Relative radius of the bodies along rolling [m]
     #[arg(long, value_name = "M", default_value_t = 0.46, help_heading = "Contact")]
@@ -76,9 +76,19 @@ const COLUMNS: [&str; 8] = [
 /// # Errors
 /// With row and column: an unknown column, a value that is refused; fewer points than parameters.
 pub fn run(arguments: &Arguments) -> Result<()> {
+    let mut names = arguments.parameters.clone();
+    // Behind names that are parted by blanks the table is taken for the last of them.
+    let table = match &arguments.points {
+        Some(table) => table.clone(),
+        None => match names.pop() {
+            Some(last) if Parameter::named(&last).is_none() && !names.is_empty() => last.into(),
+            _ => bail!("POINTS.csv is missing: name the table of measured points"),
+        },
+    };
+    let table = table.as_path();
     let outputs = [arguments.output.as_deref(), arguments.figure.as_deref()];
-    output::check_names([arguments.points.as_path()], outputs)?;
-    let parameters = parameters(&arguments.parameters)?;
+    output::check_names([table], outputs)?;
+    let parameters = parameters(&names)?;
     let values = values(&arguments.settings)?;
     for (name, radius) in
         [("radius-along", arguments.radius_along), ("radius-across", arguments.radius_across)]
@@ -89,11 +99,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         );
     }
     let radii = [arguments.radius_along, arguments.radius_across];
-    let points = Points::read(&Cases::read(&arguments.points)?, &values, radii)?;
+    let points = Points::read(&Cases::read(table)?, &values, radii)?;
     ensure!(
         points.all.len() > parameters.len(),
         "{}: {} points do not determine {} parameters; name fewer in --parameters",
-        arguments.points.display(),
+        table.display(),
         points.all.len(),
         parameters.len()
     );

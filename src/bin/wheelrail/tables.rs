@@ -116,9 +116,15 @@ fn even(state: usize, dimension: usize) -> f64 {
     (0.5 + STEPS[dimension] * (state + 1) as f64).fract()
 }
 
+/// Most states of a check: some hours.
+const MOST_STATES: usize = 100_000;
+
 fn check(arguments: &Arguments, elements: [usize; 2], states: usize) -> Result<()> {
     ensure!(arguments.axis_ratio >= 1.0, "--axis-ratio: at least 1");
-    ensure!(states > 0, "--check: at least one state");
+    ensure!(
+        (1..=MOST_STATES).contains(&states),
+        "--check {states} is not admitted: 1 to {MOST_STATES} states"
+    );
     ensure!((0.0..=0.5).contains(&arguments.poisson_ratio), "--poisson-ratio: 0 to 0.5");
     let bar: ProgressBar = output::progress(Some(states), Some("file".as_ref()))?;
     let errors = (0..states).into_par_iter().map(|state| {

@@ -67,6 +67,13 @@ pub enum ProfileRemark {
         /// How to mirror in this format.
         remedy: &'static str,
     },
+    /// The same of many sections of a body that varies.
+    Repeated {
+        /// What is found in the first of them.
+        first: Box<ProfileRemark>,
+        /// In how many others besides.
+        others: usize,
+    },
     /// Points at which the profile doubles back, left out.
     PointsLeftOut {
         /// The file.
@@ -80,7 +87,11 @@ impl ProfileRemark {
     /// Whether something was mended or is suspect, so that the file should be looked at.
     #[must_use]
     pub fn is_warning(&self) -> bool {
-        !matches!(self, Self::Smoothing { is_too_noisy: false, .. })
+        match self {
+            Self::Smoothing { is_too_noisy, .. } => *is_too_noisy,
+            Self::Repeated { first, .. } => first.is_warning(),
+            _ => true,
+        }
     }
 }
 
@@ -125,6 +136,9 @@ impl fmt::Display for ProfileRemark {
                 "{file}:{line}: the rail lies lower in its middle than at its sides and is taken as it stands; if it is a head, mirror it: \
                  {remedy}"
             ),
+            Self::Repeated { first, others } => {
+                write!(f, "{first}; and the same in {others} other sections")
+            }
             Self::PointsLeftOut { file, lines } => {
                 let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
                 write!(

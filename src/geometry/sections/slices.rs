@@ -8,8 +8,9 @@
 mod approximating_spline;
 
 use std::f64::consts::TAU;
+use std::mem::discriminant;
 
-use crate::geometry::profiles::profile::Profile;
+use crate::geometry::profiles::profile::{Profile, ProfileRemark};
 use crate::math::real::Real;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 use approximating_spline::near;
@@ -102,13 +103,24 @@ impl Slices {
     #[must_use]
     pub fn first_profile(&self) -> Profile {
         let mut profile = self.all[0].profile.clone();
-        for slice in &self.all[1..] {
-            for remark in slice.profile.remarks.iter().filter(|remark| remark.is_warning()) {
-                if !profile.remarks.contains(remark) {
-                    profile.remarks.push(remark.clone());
-                }
+        let rest = profile.remarks.iter().filter(|remark| !remark.is_warning()).cloned();
+        let mut remarks: Vec<ProfileRemark> = rest.collect();
+        let mut found: Vec<&ProfileRemark> = Vec::new();
+        for remark in self.all.iter().flat_map(|slice| &slice.profile.remarks) {
+            if remark.is_warning() && !found.contains(&remark) {
+                found.push(remark);
             }
         }
+        // One line for each kind, however many sections have it.
+        while let Some(&first) = found.first() {
+            let before = found.len();
+            found.retain(|other| discriminant(*other) != discriminant(first));
+            remarks.push(match before - found.len() - 1 {
+                0 => first.clone(),
+                others => ProfileRemark::Repeated { first: Box::new(first.clone()), others },
+            });
+        }
+        profile.remarks = remarks;
         profile
     }
 

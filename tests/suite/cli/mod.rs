@@ -252,3 +252,81 @@ fn what_was_mended_in_a_profile_is_told_once_on_standard_error() {
         assert!(warnings[0].contains("mirrored in z"), "{told}");
     }
 }
+
+#[test]
+fn sweep_tells_a_jump_from_a_slope() {
+    // Two convex bodies: nothing to jump. From above the rail to 0.1 mm inside it, and 2 mm aside.
+    let (_folder, path) = written(
+        "wheel.profile,rail[1].profile,rail[1].inclination,wheel.y,wheel.z\n\
+         convex:0.3,arc:0.3,0,0.75,-0.4601\nconvex:0.3,arc:0.3,0,0.75,-0.4599\nconvex:0.3,arc:0.3,0,0.752,-0.4599\n",
+    );
+    let smooth = success(&["sweep", &path, "--steps", "50"]);
+    let force = smooth.iter().find(|row| row["output"] == "wheel.force.z").unwrap();
+    assert!(number(force, "jump") <= 0.0 && number(force, "largest") > 1e4, "{force:?}");
+    assert!(force["at"].is_empty());
+
+    // Piotrowski and Kik have one contact point for an overlap: where the deepest of two minima
+    // changes, the force jumps.
+    let (folder, path) = written(
+        "wheel.y,wheel.z,normal.model\n0.7495,-0.4597,piotrowski_kik\n0.7508,-0.4597,piotrowski_kik\n",
+    );
+    let figure = folder.path().join("sweep.svg");
+    let history = folder.path().join("history.csv");
+    let found = success(&[
+        "sweep",
+        &path,
+        "--steps",
+        "40",
+        "--figure",
+        figure.to_str().unwrap(),
+        "--history",
+        history.to_str().unwrap(),
+    ]);
+    let force = found.iter().find(|row| row["output"] == "wheel.force.z").unwrap();
+    let at = number(force, "at");
+    assert!(number(force, "jump") > 0.01 && (1.0..2.0).contains(&at), "{force:?}");
+    assert!(std::fs::read_to_string(figure).unwrap().contains("jumps by"));
+    assert_eq!(table(&std::fs::read(history).unwrap()).len(), 41);
+}
+
+#[test]
+fn sweep_compares_models_along_one_path() {
+    let (folder, path) = written(
+        "wheel.y,wheel.z,normal.model\n0.7495,-0.4597,piotrowski_kik\n0.7508,-0.4597,piotrowski_kik\n",
+    );
+    let figure = folder.path().join("sweep.svg");
+    let vary = "normal.model=hertz,piotrowski_kik";
+    let drawn = figure.to_str().unwrap();
+    let found = success(&["sweep", &path, "--steps", "20", "--vary", vary, "--figure", drawn]);
+    let jump = |model: &str| {
+        let force = |row: &&HashMap<_, _>| row["output"] == "wheel.force.z";
+        let row = found.iter().filter(|row| row["normal.model"] == model).find(force);
+        number(row.unwrap(), "jump")
+    };
+    // Both jump where the deepest of two minima changes, an ellipse further.
+    assert!(jump("hertz") > jump("piotrowski_kik") && jump("piotrowski_kik") > 0.01);
+    let drawing = std::fs::read_to_string(figure).unwrap();
+    assert!(drawing.contains("hertz, jumps by") && drawing.contains("wheel.force.z [N] by"));
+}
+
+#[test]
+fn sweep_refuses_what_is_no_path() {
+    let (_folder, path) = written("wheel.y,wheel.z\n0.7495,-0.4597\n");
+    assert!(failure(&["sweep", &path]).contains("at least two rows"));
+    let (_folder, path) = written("wheel.y,normal.model\n0.75,hertz\n0.75,strips\n");
+    assert!(failure(&["sweep", &path]).contains("row 2 has other parameters"));
+}
+
+#[test]
+fn tables_are_measured_against_solutions_and_refuse_what_they_cannot() {
+    let rows = success(&["tables", "--check", "4", "--elements", "8,12", "--axis-ratio", "3"]);
+    assert_eq!(rows.len(), 4);
+    assert!(rows.iter().all(|row| number(row, "mean") <= number(row, "worst")));
+    let force = rows.iter().find(|row| row["quantity"] == "force_over_limit").unwrap();
+    // Eight elements along are coarse.
+    assert!(number(force, "worst") > 0.0 && number(force, "worst") < 0.05, "{force:?}");
+    let message = failure(&["tables", "--check", "4", "--elements", "12,8"]);
+    assert!(message.contains("--elements"), "{message}");
+    let message = failure(&["tables", "--check", "4", "--poisson-ratio", "0.7"]);
+    assert!(message.contains("--poisson-ratio"), "{message}");
+}

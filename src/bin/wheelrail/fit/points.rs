@@ -31,6 +31,8 @@ pub struct Points {
 
 const NEEDED: [&str; 4] = ["creepage_longitudinal", "adhesion", "load_n", "speed_m_s"];
 const OTHERS: [&str; 2] = ["creepage_lateral", "spin_per_mm"];
+/// Most adhesion: no dry metal has more, and numbers in per cent do [-].
+const MOST_ADHESION: f64 = 2.0;
 /// Half the width over which the separation is given, over the radius across.
 const REACH: f64 = 0.3;
 /// Points of the separation to either side.
@@ -70,6 +72,11 @@ impl Points {
                 [needed(NEEDED[0])?, needed(NEEDED[1])?, needed(NEEDED[2])?, needed(NEEDED[3])?];
             ensure!(load > 0.0, "{}: load_n = {load} has to be above 0", row.place());
             ensure!(speed >= 0.0, "{}: speed_m_s = {speed} has to be at least 0", row.place());
+            ensure!(
+                adhesion.abs() <= MOST_ADHESION,
+                "{}: adhesion = {adhesion} is more than {MOST_ADHESION}: it is the force over the normal force, 0.35 and not 35 per cent",
+                row.place()
+            );
             ensure!(
                 longitudinal * adhesion >= 0.0,
                 "{}: creepage_longitudinal and adhesion have to have the same sign",

@@ -179,7 +179,7 @@ impl<'fmu> Instance<'fmu> {
             let get_real = self.fmu.functions.get_real;
             get_real(self.component, references.as_ptr(), references.len(), values.as_mut_ptr())
         };
-        self.check(status, "reading the outputs")
+        self.check(status, "evaluating its parameters and inputs")
     }
 
     /// Gets one Integer by its value reference.
@@ -197,7 +197,7 @@ impl<'fmu> Instance<'fmu> {
                 value.as_mut_ptr(),
             )
         };
-        self.check(status, "reading the outputs")?;
+        self.check(status, "evaluating its parameters and inputs")?;
         Ok(value[0])
     }
 

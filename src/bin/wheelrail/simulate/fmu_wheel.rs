@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use wheelrail::element::output::{REPORTED_PATCHES, Wrench};
+use wheelrail::variables::find;
 
 use crate::importer::{Fmu, Instance};
 use crate::wheelset::record::Patch;
@@ -74,6 +75,8 @@ impl<'fmu> FmuWheel<'fmu> {
         let mut instance = Instance::new(fmu, &format!("{side} wheel"))?;
         instance.set_text("side", side)?;
         for (name, value) in settings {
+            // A name with a slip in it gets the nearest one, which the unit's description does not.
+            find(name).with_context(|| format!("--set {name}"))?;
             // Rails are placed for the right wheel; the left one is its mirror image.
             match value.parse::<f64>() {
                 Ok(y) if side == "left" && PLACES.contains(&name.as_str()) => {
