@@ -100,10 +100,10 @@ pub enum FmiError {
         /// What would be admitted.
         allowed: &'static str,
     },
-    /// A step that starts beyond the end.
-    #[error("the step starts at {time} s, after the stop time of {stop} s")]
+    /// A step that ends beyond the end.
+    #[error("the step ends at {time} s, after the stop time of {stop} s")]
     AfterStop {
-        /// Start of the step [s].
+        /// End of the step [s].
         time: f64,
         /// Stop time of the experiment [s].
         stop: f64,

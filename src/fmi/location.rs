@@ -5,13 +5,21 @@ use std::path::{Path, PathBuf};
 /// The folder that a `file:` URI in any of its forms, or a plain absolute path, names.
 ///
 /// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or
-/// without a slash at the end, percent-encoded or not. `None` for anything else.
+/// without a slash at the end, percent-encoded or not. `None` for anything else. A folder whose own
+/// name holds what looks encoded, passed as it is, is found where the decoded one is not there.
 pub fn of_uri(uri: &str) -> Option<PathBuf> {
+    let found = named(uri, decoded)?;
+    let as_it_stands = || named(uri, |text| Some(text.to_owned())).filter(|path| path.exists());
+    if found.exists() { Some(found) } else { as_it_stands().or(Some(found)) }
+}
+
+/// The folder that `uri` names, its path read by `read`.
+fn named(uri: &str, read: impl Fn(&str) -> Option<String>) -> Option<PathBuf> {
     let has_scheme = uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"));
     let path = if has_scheme {
         let rest = &uri[5..];
         let rest = rest.strip_prefix("//localhost").unwrap_or(rest);
-        decoded(rest)?
+        read(rest)?
     } else if uri.starts_with('/') {
         uri.to_owned()
     } else {
@@ -85,6 +93,17 @@ mod tests {
         assert_eq!(of_uri("file:///r%C3%A4der"), Some("/räder".into()));
         assert_eq!(of_uri("file:///100%/x"), Some("/100%/x".into()));
         assert_eq!(of_uri("file:///"), Some("/".into()));
+    }
+
+    #[test]
+    fn a_folder_with_a_percent_sign_in_its_name_is_found_encoded_or_not() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("run%20a");
+        std::fs::create_dir(&folder).unwrap();
+        let plain = folder.to_str().unwrap();
+        assert_eq!(of_uri(&format!("file://{plain}")), Some(folder.clone()));
+        let encoded = plain.replace('%', "%25");
+        assert_eq!(of_uri(&format!("file://{encoded}")), Some(folder.clone()));
     }
 
     #[test]

@@ -22,13 +22,14 @@
 use crate::geometry::profiles::point_noise::last_digit;
 use crate::geometry::profiles::profile::{ProfileError, ProfileKind};
 use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, Remedies};
-use crate::io::point_lines::PointLines;
-use crate::io::table::{Line, lines, numbers};
+use crate::io::point_lines::{PointLines, comment_of, parted};
+use crate::io::stated::Stated;
+use crate::io::table::{Line, lines, number, numbers};
 
 const REMEDIES: Remedies = Remedies {
     units: "write Units=mm or Units=inch into the header",
-    mirror_y: "change the sign of the X column",
-    mirror_z: "change the sign of the Y column (MiniProf: flange tip positive, rail sides negative)",
+    mirror_y: "change the sign of the X column, or write # mirror_y 1 and # shift_y_mm",
+    mirror_z: "change the sign of the Y column, or write # mirror_z 1 (MiniProf: flange tip positive, rail sides negative)",
 };
 
 const EXPECTED: &str = "after the header every line needs the numbers of the columns in ColumnDef (X and Y at \
@@ -41,7 +42,7 @@ const WIDEST_IN_INCHES: f64 = 10.0;
 
 /// Whether a text looks like a `MiniProf` file.
 pub(crate) fn is_recognised(content: &str) -> bool {
-    content.trim_start().starts_with("MINIPROF")
+    content.trim_start().trim_start_matches('#').starts_with("MINI")
         || lines(content)
             .any(|l| l.text.starts_with("XYPoints=") || l.text.starts_with("ColumnDef="))
 }
@@ -60,22 +61,16 @@ pub(crate) fn read(
     file: &str,
     content: &str,
     kind: ProfileKind,
+    stated: &Stated,
 ) -> Result<ProfilePoints, ProfileError> {
     let all: Vec<Line> = lines(content).collect();
-    let first_numbers = all.iter().position(|l| numbers(l.text).is_some_and(|n| n.len() >= 2));
-    let Some(first_numbers) = first_numbers else {
+    let Some(start) = first_point(&all) else {
         return Err(ProfileError::UnknownFormat {
             file: file.into(),
             line: all.len(),
             what: "it ends without a line of numbers".into(),
         });
     };
-    // What follows the blank line after the header are points, even if the first of them is spoilt.
-    let start = all[..first_numbers]
-        .iter()
-        .rposition(|l| l.text.is_empty())
-        .map_or(first_numbers, |i| i + 1);
-    let start = if start > 1 { start } else { first_numbers };
     let header = read_header(file, &all[..start])?;
 
     let pick = header.columns.unwrap_or([0, 1]);
@@ -84,15 +79,15 @@ pub(crate) fn read(
         found.read(*line)?;
     }
     let (last_digit, remarks) = (last_digit(&found.coordinates()), found.remarks(0));
-    let mut points = found.points;
-    if let Some(count) = header.count.filter(|&count| count > points.len()) {
+    let (mut points, left_out) = (found.points, found.left_out);
+    if let Some(count) = header.count.filter(|&count| count > points.len() + left_out) {
         return Err(ProfileError::Truncated {
             file: file.into(),
             line: points.last().map_or(start, |p| p.line),
             what: format!("it has {} points and its header announces {count}", points.len()),
         });
     }
-    let unit = header.unit.unwrap_or_else(|| unit_from_extent(&points));
+    let unit = stated.unit.or(header.unit).unwrap_or_else(|| unit_from_extent(&points));
     let sign = if kind == ProfileKind::Rail { -1.0 } else { 1.0 };
     for p in &mut points {
         p.point = p.point.map(|x| x * unit * sign);
@@ -103,11 +98,43 @@ pub(crate) fn read(
         last_digit: last_digit * unit,
         unit_is_stated: header.unit.is_some(),
         direction_is_stated: false,
+        side_is_stated: false,
+        origin_is_stated: false,
         is_measured_rail: kind == ProfileKind::Rail,
         smoothing: None,
         remedies: REMEDIES,
         remarks,
     })
+}
+
+/// Lines of points that follow each other from which on they are no part of a header, which may hold
+/// a few numbers too.
+const FEWEST_IN_A_ROW: usize = 5;
+
+/// Where the points begin: after the last blank line before the first lines of numbers that follow
+/// each other, even if the first point is spoilt; without a blank line where these lines begin.
+fn first_point(all: &[Line]) -> Option<usize> {
+    // A spoilt point begins with a number all the same.
+    let begins_with_number = |line: &Line| {
+        let first = line.text.split([' ', '\t', ',', ';']).find(|c| !c.is_empty());
+        first.is_some_and(|column| number(column).is_some())
+    };
+    let is_point = |line: &Line| numbers(parted(line.text).0).is_some_and(|n| n.len() >= 2);
+    let is_comment = |line: &Line| comment_of(line.text).is_some();
+    let in_a_row = |from: usize| {
+        let row = all[from..].iter().filter(|l| !is_comment(l)).take(FEWEST_IN_A_ROW);
+        row.take_while(|l| is_point(l)).count()
+    };
+    let rows = (0..all.len()).filter(|&i| is_point(&all[i]));
+    let first = rows.clone().find(|&i| in_a_row(i) == FEWEST_IN_A_ROW).or_else(|| {
+        // Of so few points the first ones.
+        rows.clone().next()
+    })?;
+    let blank = all[..first].iter().rposition(|l| l.text.is_empty()).map(|i| i + 1);
+    let is_of_points = |from: &usize| {
+        *from > 1 && all[*from..first].iter().all(|l| begins_with_number(l) || is_comment(l))
+    };
+    Some(blank.filter(is_of_points).unwrap_or(first))
 }
 
 fn read_header(file: &str, header: &[Line]) -> Result<Header, ProfileError> {
@@ -179,6 +206,11 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+
+    fn read(file: &str, content: &str, kind: ProfileKind) -> Result<ProfilePoints, ProfileError> {
+        let stated = Stated::of(file, content)?;
+        super::read(file, content, kind, &stated).map(|points| stated.apply(points))
+    }
     use crate::geometry::profiles::profile_points::tests::sampled;
 
     const WHEEL: ProfileKind = ProfileKind::Wheel;

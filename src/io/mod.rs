@@ -14,6 +14,7 @@ mod simpack;
 mod slice_list;
 mod slice_tokens;
 mod slices_file;
+mod stated;
 mod table;
 mod two_column;
 

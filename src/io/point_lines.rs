@@ -15,6 +15,12 @@ pub(crate) fn parted(text: &str) -> (&str, &str) {
     (data.trim(), comment.trim_start_matches(COMMENT).trim())
 }
 
+/// The comment that a line consists of, if it is one.
+pub(crate) fn comment_of(text: &str) -> Option<&str> {
+    let (data, comment) = parted(text);
+    (data.is_empty() && !comment.is_empty()).then_some(comment)
+}
+
 /// The points of a file as its lines are read.
 #[derive(Debug)]
 pub(crate) struct PointLines<'a> {
@@ -29,6 +35,8 @@ pub(crate) struct PointLines<'a> {
     pub points: Vec<FilePoint>,
     /// Lines before the first point that are none.
     pub passed_over: Vec<Line<'a>>,
+    /// Points that are commented out.
+    pub left_out: usize,
 }
 
 impl<'a> PointLines<'a> {
@@ -38,13 +46,24 @@ impl<'a> PointLines<'a> {
         columns: std::ops::RangeInclusive<usize>,
         expected: &'static str,
     ) -> Self {
-        Self { file, pick, columns, expected, points: Vec::new(), passed_over: Vec::new() }
+        Self {
+            file,
+            pick,
+            columns,
+            expected,
+            points: Vec::new(),
+            passed_over: Vec::new(),
+            left_out: 0,
+        }
     }
 
     /// Takes a line: a point, a comment, nothing, or before the first point a line of words or of a
     /// single number.
     pub(crate) fn read(&mut self, line: Line<'a>) -> Result<(), ProfileError> {
-        let line = Line { text: parted(line.text).0, ..line };
+        let (data, comment) = parted(line.text);
+        let is_left_out = data.is_empty() && numbers(comment).is_some_and(|n| n.len() >= 2);
+        self.left_out += usize::from(is_left_out);
+        let line = Line { text: data, ..line };
         if line.text.is_empty() {
             return Ok(());
         }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::draft::{Draft, write as write_whole};
+use super::stated::Stated;
 use super::{miniprof, simpack, two_column};
 use crate::error::ContactError;
 use crate::geometry::profiles::point_noise::{ADMITTED_SMOOTHING, SMOOTHING_ALLOWED};
@@ -158,13 +159,17 @@ fn read(
         let (file, what) = (file.into(), what.into());
         return Err(ProfileError::BadSlices { file, line: 1, what });
     }
-    match extension.as_str() {
+    let stated = Stated::of(file, content)?;
+    let points = match extension.as_str() {
         "prw" | "prr" if simpack_like || !miniprof_like => simpack::read(file, content, kind),
-        "whl" | "ban" if miniprof_like || !simpack_like => miniprof::read(file, content, kind),
+        "whl" | "ban" if miniprof_like || !simpack_like => {
+            miniprof::read(file, content, kind, &stated)
+        }
         _ if simpack_like => simpack::read(file, content, kind),
-        _ if miniprof_like => miniprof::read(file, content, kind),
-        _ => two_column::read(file, content),
-    }
+        _ if miniprof_like => miniprof::read(file, content, kind, &stated),
+        _ => two_column::read(file, content, &stated),
+    };
+    points.map(|points| stated.apply(points))
 }
 
 #[cfg(test)]

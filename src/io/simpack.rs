@@ -26,7 +26,7 @@ use crate::io::table::{Line, lines, number};
 
 const REMEDIES: Remedies = Remedies {
     units: "set units.len.f to the number of units in a metre, 1000 for millimetres",
-    mirror_y: "set mirror.y = 1 (or 0 if it is 1)",
+    mirror_y: "set mirror.y = 1 (or 0 if it is 1), and shift.y",
     mirror_z: "set mirror.z = 1 (or 0 if it is 1)",
 };
 
@@ -134,6 +134,9 @@ pub(crate) fn read(
         last_digit,
         unit_is_stated: false,
         direction_is_stated: kind == ProfileKind::Rail,
+        side_is_stated: false,
+        // The running circle, whatever the sign of y.
+        origin_is_stated: true,
         is_measured_rail: false,
         smoothing: None,
         remedies: REMEDIES,

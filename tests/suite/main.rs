@@ -18,6 +18,7 @@ mod docs;
 mod element;
 mod element_normal;
 mod errors;
+mod field_profiles;
 mod flange_climb;
 mod fmi3;
 mod fmi_directional_derivative;

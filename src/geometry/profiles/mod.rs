@@ -11,4 +11,5 @@ pub(super) mod profile_order;
 pub(crate) mod profile_points;
 pub(super) mod profile_remark;
 pub(super) mod rail_heads;
+mod smoothing;
 pub mod standard_profiles;

@@ -16,6 +16,16 @@ const FLANGE_RISE: f64 = 0.008;
 const RIM_FACE: f64 = 0.010;
 /// A head that lies lower than its sides by more than this on average stands on its head [m].
 const HEAD_SAG: f64 = 1e-4;
+/// A head beside a groove is higher than what leads down into it by more than this [m].
+const HEAD_BESIDE_GROOVE: f64 = 1e-3;
+/// Widths below which a file holds no whole profile [m].
+const NARROWEST_WHEEL: f64 = 0.03;
+const NARROWEST_RAIL: f64 = 0.015;
+/// Distance of the running circle from the end of a wheel below which it is at the edge [m].
+const EDGE: f64 = 0.008;
+/// How far around the running circle its slope is taken [m], and the steepest slope of a tread [-].
+const AROUND: f64 = 0.003;
+const STEEPEST_TREAD: f64 = 0.4;
 /// Depth below the top at which a gauge face is recognised [m].
 const GAUGE_DEPTH: f64 = 0.014;
 pub(crate) fn enough(profile: &ProfilePoints) -> Result<(), ProfileError> {
@@ -119,13 +129,85 @@ fn rail_orientation(profile: &ProfilePoints) -> Option<Mirror> {
         .sum();
     let what = "the head lies below its sides, and z is positive down";
     let line = points[points.len() / 2].line;
-    (area < -HEAD_SAG * (last[0] - first[0])).then_some(Mirror { axis: 1, line, what })
+    let is_low = area < -HEAD_SAG * (last[0] - first[0]);
+    (is_low && falls_and_rises(points)).then_some(Mirror { axis: 1, line, what })
+}
+
+/// Whether the points go down to the lowest one and up again, as a head that stands on its head
+/// does; a grooved rail has a head beside its groove.
+fn falls_and_rises(points: &[FilePoint]) -> bool {
+    let z = |p: &FilePoint| p.point[1];
+    let lowest = (0..points.len()).max_by(|a, b| z(&points[*a]).total_cmp(&z(&points[*b])));
+    let (left, right) = points.split_at(lowest.unwrap_or(0));
+    is_steady(left.iter().map(z)) && is_steady(right.iter().rev().map(z))
+}
+
+/// Whether heights grow, but for less than what a head is higher than its sides.
+fn is_steady(mut heights: impl Iterator<Item = f64>) -> bool {
+    let mut lowest = f64::NEG_INFINITY;
+    heights.all(|z| {
+        lowest = lowest.max(z);
+        lowest - z < HEAD_BESIDE_GROOVE
+    })
+}
+
+/// What is unlikely about the place of a wheel's running circle and the width of the points, in
+/// words; `points` are in order and where the profile has them.
+pub(crate) fn unlikely(profile: &ProfilePoints, kind: ProfileKind) -> Option<String> {
+    let points = &profile.points;
+    let y = range(points, 0);
+    let [from, to] = y.map(|y| 1e3 * y);
+    let width = to - from;
+    let narrowest = if kind == ProfileKind::Wheel { NARROWEST_WHEEL } else { NARROWEST_RAIL };
+    if width < 1e3 * narrowest {
+        return Some(format!(
+            "the {kind} is {width:.1} mm wide, from y = {from:.1} to {to:.1} mm: that is a part of a profile, or in another unit"
+        ));
+    }
+    if kind == ProfileKind::Rail {
+        return None;
+    }
+    if -y[0] < EDGE || y[1] < EDGE {
+        return Some(format!(
+            "y = 0, the nominal running circle, lies at the edge of the wheel, which goes from y = {from:.1} to {to:.1} mm"
+        ));
+    }
+    let around: Vec<_> =
+        points.iter().filter(|p| p.point[0].abs() < AROUND).map(|p| p.point).collect();
+    let [first, last] = [around.first()?, around.last()?];
+    let slope = (last[1] - first[1]) / (last[0] - first[0]).max(f64::MIN_POSITIVE);
+    (slope.abs() > STEEPEST_TREAD).then(|| {
+        format!(
+            "y = 0, the nominal running circle, lies on a flank of {:.0} degrees, in the flange",
+            slope.abs().atan().to_degrees()
+        )
+    })
+}
+
+/// Whether a wheel with positive y has its flange at the far end: then y counts from the field
+/// side, and where the running circle is is not said.
+pub(crate) fn flange_is_far(profile: &ProfilePoints) -> Option<usize> {
+    let points = &profile.points;
+    let mut heights: Vec<f64> = points.iter().map(|p| p.point[1]).collect();
+    heights.sort_by(f64::total_cmp);
+    let tread = heights[heights.len() / 2];
+    let off = |p: &&FilePoint| (p.point[1] - tread).abs();
+    let tip = points.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+    let [from, to] = range(points, 0);
+    // A rim face or a chamfer at the very end goes the other way from the axle than a flange.
+    let is_flange = off(&tip) > FLANGE_RISE && to - tip.point[0] > RIM_FACE / 4.0;
+    (is_flange && tip.point[0] > 0.5 * (from + to)).then_some(tip.line)
 }
 
 /// Whether only the side at positive y of a rail goes down as deep as a gauge face does.
 pub(crate) fn gauge_side_is_positive(profile: &ProfilePoints) -> bool {
     let points = profile.points.iter().map(|p| p.point);
     let Some(top) = points.clone().min_by(|a, b| a[1].total_cmp(&b[1])) else { return false };
+    // The walls of a groove are not the sides of the rail.
+    let ends = [profile.points[0], profile.points[profile.points.len() - 1]];
+    if ends.iter().all(|end| end.point[1] < top[1] + GAUGE_DEPTH) {
+        return false;
+    }
     let is_deep = |side: f64| {
         points.clone().any(|p| p[1] > top[1] + GAUGE_DEPTH && (p[0] - top[0]) * side > 0.0)
     };

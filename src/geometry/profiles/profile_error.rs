@@ -210,6 +210,23 @@ pub enum ProfileError {
         /// Largest lateral coordinate [mm].
         to_mm: f64,
     },
+    /// A wheel that is measured from its field side.
+    #[error(
+        "{file}:{line}: y counts from the field side, {from_mm} to {to_mm} mm, with the flange at its far end: which circle is the nominal running \
+         circle is not said; mirror the file and shift it so that y = 0 is there: {remedy}"
+    )]
+    FlangeFar {
+        /// The file.
+        file: String,
+        /// A line on the flange.
+        line: usize,
+        /// Smallest lateral coordinate [mm].
+        from_mm: f64,
+        /// Largest lateral coordinate [mm].
+        to_mm: f64,
+        /// How to mirror in this format.
+        remedy: &'static str,
+    },
     /// A rail whose gauge cannot be measured.
     #[error(
         "\"{name}\" has no gauge face {depth_mm} mm below its top; give a profile that reaches down there on its gauge side \

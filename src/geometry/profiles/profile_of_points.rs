@@ -17,6 +17,9 @@
 //! rolling circle at y = 0 and the nominal radius at z = 0. A rail is taken as it stands; a
 //! `MiniProf` rail gets its origin at its highest point.
 //!
+//! **Likelihood.** A wheel or rail too narrow for one, and a running circle at the edge or in the
+//! flange, are told. A wheel with positive y alone whose flange is at the far end is refused.
+//!
 //! **Smoothing.** y and z are smoothed as splines over the arc length, so that flanks and vertical
 //! faces fare as well as the tread. The strength is a wavelength L: a wave of that length along the
 //! profile keeps half its amplitude, one of 2 L 94 %, one of L/2 6 %, whatever the spacing of the
@@ -24,15 +27,17 @@
 //! curvature is spread over about L and the profile moves there by 0.16 Δκ (L/2π)². With L = 2 mm
 //! that is 1.3 µm on S1002 (flank to flange root, Δκ = 77 1/m), 1.0 µm at the gauge corner of 60E1
 //! (from 80 to 13 mm) and 6 µm at the 3 mm fillet under its head. Unless it is given, L follows
-//! from the noise of the points ([`point_noise`](crate::geometry::profiles::point_noise)).
+//! from the noise of the points ([`point_noise`](crate::geometry::profiles::point_noise)), bounded by
+//! what it may do to the surface: 3 µm besides the noise, so that kinks and dents stay.
 
 use crate::geometry::curves::curve::{Curve, Knot};
 use crate::geometry::profiles::point_noise::{LONGEST_CHOSEN, chosen_wavelength, noise};
 use crate::geometry::profiles::profile::{Profile, ProfileError, ProfileKind, ProfileRemark};
 use crate::geometry::profiles::profile_checks::{self, Mirror};
+use crate::geometry::profiles::profile_error::rounded_mm;
 use crate::geometry::profiles::profile_order;
-use crate::geometry::profiles::profile_points::ProfilePoints;
-use crate::math::spline::{penalty_of_wavelength, smoothing_spline};
+use crate::geometry::profiles::profile_points::{ProfilePoints, range};
+use crate::geometry::profiles::smoothing::{bounded, smooth};
 
 /// Points closer than this to the one before are dropped [m]: no measurement resolves them.
 const MERGE_DISTANCE: f64 = 1e-6;
@@ -56,17 +61,25 @@ impl ProfilePoints {
         self.mend_unit()?;
         self.run_from_flange();
         let from_flange_back = kind == ProfileKind::Wheel
+            && !self.origin_is_stated
             && self.points.iter().all(|p| p.point[0] > FLANGE_BACK_TOLERANCE);
         if from_flange_back {
+            self.check_flange_back()?;
             self.points.iter_mut().for_each(|p| p.point[0] -= RUNNING_CIRCLE);
         }
         self.mend_orientation(kind)?;
+        if let Some(what) = profile_checks::unlikely(&self, kind) {
+            let (file, remedy) = (self.file.clone(), self.remedies.units);
+            self.remarks.push(ProfileRemark::Unlikely { file, what, remedy });
+        }
         self.merge(MERGE_DISTANCE);
         profile_checks::enough(&self)?;
-        let wavelength = if wavelength < 0.0 { self.choose_wavelength() } else { wavelength };
+        let is_chosen = wavelength < 0.0;
+        let wavelength = if is_chosen { self.choose_wavelength() } else { wavelength };
         self.merge(MERGE_DISTANCE.max(MERGE_SHARE * wavelength));
         self.leave_out_strays(wavelength);
         profile_checks::enough(&self)?;
+        let wavelength = if is_chosen { self.bound_wavelength(wavelength) } else { wavelength };
         profile_order::order(&self, wavelength)?;
 
         let points = self.places();
@@ -134,6 +147,7 @@ impl ProfilePoints {
         }
         let other_side = kind == ProfileKind::Rail
             && self.is_measured_rail
+            && !self.side_is_stated
             && profile_checks::gauge_side_is_positive(self);
         if mirrored.is_some() || other_side {
             self.points.iter_mut().for_each(|p| p.point[0] = -p.point[0]);
@@ -160,6 +174,38 @@ impl ProfilePoints {
         let (file, is_too_noisy) = (self.file.clone(), needed > wavelength);
         self.remarks.push(ProfileRemark::Smoothing { file, noise, wavelength, is_too_noisy });
         wavelength
+    }
+
+    /// The longest wavelength up to `wavelength` that leaves the surface where it is: noise is taken
+    /// off, kinks and dents stay [m].
+    fn bound_wavelength(&mut self, wavelength: f64) -> f64 {
+        let points = self.places();
+        let remark = self.remarks.iter_mut().rev();
+        let found = remark.filter_map(|remark| match remark {
+            ProfileRemark::Smoothing { noise, wavelength, .. } => Some((*noise, wavelength)),
+            _ => None,
+        });
+        let Some((noise, told)) = found.into_iter().next() else { return wavelength };
+        let bounded = bounded(&points, wavelength, noise);
+        *told = bounded;
+        bounded
+    }
+
+    /// Refuses a wheel that is counted from its flange back and is not there, in the numbers of the
+    /// file.
+    fn check_flange_back(&self) -> Result<(), ProfileError> {
+        let [from, to] = range(&self.points, 0);
+        let [from_mm, to_mm] = [from, to].map(rounded_mm);
+        let file = self.file.clone();
+        if let Some(line) = profile_checks::flange_is_far(self) {
+            let remedy = self.remedies.mirror_y;
+            return Err(ProfileError::FlangeFar { file, line, from_mm, to_mm, remedy });
+        }
+        if from < RUNNING_CIRCLE && to > RUNNING_CIRCLE {
+            return Ok(());
+        }
+        let line = self.points[0].line.min(self.points[self.points.len() - 1].line);
+        Err(ProfileError::OffRunningCircle { file, line, from_mm, to_mm })
     }
 
     /// Leaves out points at which the profile doubles back, if few of them set it right.
@@ -200,47 +246,6 @@ fn height_at_rolling_circle(curve: &Curve) -> f64 {
         if y(middle) <= 0.0 { low = middle } else { high = middle }
     }
     curve.at(low).point[1]
-}
-
-/// Knots of the smoothed curve through distinct points.
-fn smooth(points: &[[f64; 2]], wavelength: f64) -> Vec<Knot> {
-    let penalty = penalty_of_wavelength(wavelength);
-    let mut fitted = fit(points, &chord_lengths(points), penalty);
-    if penalty > 0.0 {
-        // The chords of noisy points are longer than the profile: take the length from the smoothed
-        // one. Two points may then fall together, and the parameter must grow all the same.
-        let rough = chord_lengths(points);
-        let smoothed: Vec<[f64; 2]> = fitted.iter().map(|k| k.point).collect();
-        let mut s = vec![0.0];
-        for (i, pair) in smoothed.windows(2).enumerate() {
-            let least = 0.01 * (rough[i + 1] - rough[i]);
-            s.push(s[i] + (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]).max(least));
-        }
-        fitted = fit(points, &s, penalty);
-    }
-    fitted
-}
-
-fn fit(points: &[[f64; 2]], s: &[f64], penalty: f64) -> Vec<Knot> {
-    let [y, z] = [0, 1].map(|i| {
-        let values: Vec<f64> = points.iter().map(|p| p[i]).collect();
-        smoothing_spline(s, &values, penalty)
-    });
-    (0..s.len())
-        .map(|i| Knot {
-            s: s[i],
-            point: [y.values[i], z.values[i]],
-            tangent: [y.slopes[i], z.slopes[i]],
-        })
-        .collect()
-}
-
-fn chord_lengths(points: &[[f64; 2]]) -> Vec<f64> {
-    let mut s = vec![0.0];
-    for pair in points.windows(2) {
-        s.push(s[s.len() - 1] + (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]));
-    }
-    s
 }
 
 #[cfg(test)]

@@ -23,6 +23,8 @@ pub(crate) struct Remedies {
 }
 
 /// What a reader has found in a file: y to the field side, z down [m].
+// Each is a fact by itself: what the file states is not guessed.
+#[allow(clippy::struct_excessive_bools)]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ProfilePoints {
     /// The file, for messages.
@@ -36,6 +38,10 @@ pub(crate) struct ProfilePoints {
     pub unit_is_stated: bool,
     /// Whether the format or the file says which way z points.
     pub direction_is_stated: bool,
+    /// Whether the file says on which side the flange, or the gauge, is.
+    pub side_is_stated: bool,
+    /// Whether the format or the file says where y = 0 is.
+    pub origin_is_stated: bool,
     /// Whether a rail is as an instrument sees it: its gauge side the one that goes deeper, its
     /// origin to be at its highest point.
     pub is_measured_rail: bool,
@@ -76,6 +82,8 @@ pub(crate) mod tests {
             last_digit: 0.0,
             unit_is_stated: false,
             direction_is_stated: false,
+            side_is_stated: false,
+            origin_is_stated: false,
             is_measured_rail: false,
             smoothing: None,
             remedies: REMEDIES,

@@ -67,6 +67,15 @@ pub enum ProfileRemark {
         /// How to mirror in this format.
         remedy: &'static str,
     },
+    /// A profile of unlikely width or with an unlikely running circle, taken as it stands.
+    Unlikely {
+        /// The file.
+        file: String,
+        /// What is unlikely, with its numbers.
+        what: String,
+        /// How to state the unit in this format.
+        remedy: &'static str,
+    },
     /// The same of many sections of a body that varies.
     Repeated {
         /// What is found in the first of them.
@@ -136,6 +145,12 @@ impl fmt::Display for ProfileRemark {
                 "{file}:{line}: the rail lies lower in its middle than at its sides and is taken as it stands; if it is a head, mirror it: \
                  {remedy}"
             ),
+            Self::Unlikely { file, what, remedy } => {
+                write!(
+                    f,
+                    "{file}: {what}; taken as it stands: check the file, its origin and its unit ({remedy})"
+                )
+            }
             Self::Repeated { first, others } => {
                 write!(f, "{first}; and the same in {others} other sections")
             }

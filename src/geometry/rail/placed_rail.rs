@@ -5,6 +5,7 @@ use crate::geometry::curves::curve::{Curve, Knot};
 pub use crate::geometry::curves::nearest_point::Nearest;
 use crate::geometry::curves::nearest_point::{CoarsePoints, nearest};
 use crate::geometry::profiles::profile::Profile;
+use crate::geometry::rail::gauge_face::gauge_face;
 use crate::geometry::rail::varying_rail::{VaryingRail, WheelAbove};
 use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
@@ -49,8 +50,8 @@ impl PlacedRail {
         mirrored: bool,
     ) -> Result<Self, GaugeFaceMissing> {
         let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
-        let gauge_face = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
-        Ok(Self { marker: [0.5 * gauge - gauge_face, 0.0], ..rail })
+        let [face, top] = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
+        Ok(Self { marker: [0.5 * gauge - face, 0.0 - top], ..rail })
     }
 
     /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail
@@ -330,24 +331,6 @@ fn highest_point(curve: &Curve) -> [f64; 2] {
         }
     }
     best
-}
-
-/// y of the outermost point of the gauge side (negative y) at `depth` below the top.
-fn gauge_face(curve: &Curve, depth: f64) -> Option<f64> {
-    let knots: Vec<f64> = curve.knots().collect();
-    let below = |s: f64| curve.at(s).point[1] - depth;
-    knots
-        .windows(2)
-        .filter_map(|pair| {
-            let (a, b) = (below(pair[0]), below(pair[1]));
-            if (a < 0.0) == (b < 0.0) {
-                return None;
-            }
-            let s = crate::math::root::bracketed((pair[0], a), (pair[1], b), 1e-15, below);
-            Some(curve.at(s).point[0])
-        })
-        .filter(|&y| y < 0.0)
-        .min_by(f64::total_cmp)
 }
 
 /// Greatest concave curvature over the ends and middles of all pieces, ≥ 0.
