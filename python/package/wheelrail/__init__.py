@@ -8,6 +8,9 @@ several machines, :mod:`wheelrail.plot` draws. `fmu` gives the path of the FMUs 
 Track frame: x forward, y to the right, z down; SI and radians.
 """
 
+from importlib import import_module
+from types import ModuleType
+
 from . import conicity, planar
 from ._contact import Contact, Field
 from ._element import Element, WheelSet
@@ -25,6 +28,20 @@ from .errors import (
     UnknownVariableError,
 )
 from .wear import WearRun
+
+#: Modules that are imported when they are first asked for: they need pandas, matplotlib or Dask.
+_ON_DEMAND = ("bulk", "dask", "plot")
+
+
+def __getattr__(name: str) -> ModuleType:
+    if name in _ON_DEMAND:
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_ON_DEMAND})
+
 
 __all__ = [
     "BadValueError",

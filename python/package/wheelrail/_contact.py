@@ -13,7 +13,7 @@ __all__ = ["Contact", "Field"]
 Array = npt.NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Field:
     """Pressure and tractions of a zone element by element, in the contact plane.
 
@@ -46,13 +46,20 @@ class Field:
     slip_y: Array | None
     adherence: npt.NDArray[np.uint8]
 
+    def __repr__(self) -> str:
+        across, along = self.pressure.shape
+        return (
+            f"<wheelrail.Field: {along} x {across} elements, {1e-3 * self.normal_force:.1f} kN, "
+            f"{1e-6 * float(self.pressure.max(initial=0.0)):.0f} MPa at most>"
+        )
+
     @property
     def normal_force(self) -> float:
         """Sum of the pressure [N]."""
         return float(self.pressure.sum() * self.dx * self.dy)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Contact:
     """A contact of wheel and rail laid flat.
 
@@ -88,6 +95,14 @@ class Contact:
     wheel: Array
     rail_head: Array
     fields: list[Field] = field(default_factory=list)
+
+    def __repr__(self) -> str:
+        y, z = 1e3 * self.position
+        return (
+            f"<wheelrail.Contact: rail[{self.rail}] at y = {y:.1f}, z = {z:.2f} mm, "
+            f"angle {np.degrees(self.contact_angle):.1f} deg, penetration {1e6 * self.penetration:.1f} um, "
+            f"{len(self.fields)} zones>"
+        )
 
 
 def contact_of(found: dict[str, Any]) -> Contact:

@@ -456,6 +456,22 @@ class WheelSet(_Unit):
         return self._touching_height(threads, inputs)
 
 
+def _name_keywords(unit: type[_Unit]) -> None:
+    """Lists the keywords of a class in its help, which cannot see them."""
+    import textwrap
+
+    all_of = variables(unit._unit)
+    lines = [unit.__doc__ or "", "    Keywords", "    --------"]
+    for title, causality in (("Inputs", "input"), ("Parameters", "parameter")):
+        names = ", ".join(v.keyword for v in all_of if v.causality == causality)
+        lines += [f"    {title}:", *textwrap.wrap(names, 88, initial_indent=" " * 8, subsequent_indent=" " * 8)]
+    unit.__doc__ = "\n".join(lines) + "\n"
+
+
+for _unit in (Element, WheelSet):
+    _name_keywords(_unit)
+
+
 class Remarks:
     """What is odd about the rows of a call, by kind."""
 

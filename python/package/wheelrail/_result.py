@@ -38,6 +38,8 @@ class Column:
         return self.name.replace(".", "_").replace("[", "").replace("]", "")
 
 
+#: Rows and columns that a notebook shows of a result.
+_SHOWN = (8, 8)
 #: Row numbers that a warning names; the others are in `Remark.rows`.
 _NAMED_ROWS = 4
 
@@ -188,6 +190,24 @@ class Result(Mapping[str, Any]):
         refused = int(np.count_nonzero(self._states == REFUSED))
         also = f", {refused} rows refused" if refused else ""
         return f"<wheelrail.Result: {len(self)} quantities of shape {self.shape}{also}>"
+
+    def _repr_html_(self) -> str:
+        """A small table for notebooks: the first rows and quantities, with units."""
+        from html import escape
+
+        rows = range(min(self._data.shape[0], _SHOWN[0]))
+        given = [(name, "", np.ravel(values)) for name, values in self.inputs.items()]
+        found = [(name, c.unit, self._data[:, k]) for name, (k, c) in self._columns.items()]
+        shown = (given + found)[: _SHOWN[1]]
+        head = "".join(f"<th>{escape(n)}{f' [{escape(u)}]' if u else ''}</th>" for n, u, _ in shown)
+        body = "".join(
+            f"<tr><th>{row}</th>{''.join(f'<td>{values[row]:.6g}</td>' for _, _, values in shown)}</tr>"
+            for row in rows
+        )
+        return f"<table><tr><th></th>{head}</tr>{body}</table><p>{escape(repr(self)[1:-1])}</p>"
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
 
     def to_pandas(self, *, inputs: bool = True) -> pandas.DataFrame:
         """One row for each case, one column for each quantity; needs pandas.

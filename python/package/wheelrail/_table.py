@@ -19,6 +19,13 @@ __all__ = ["evaluate"]
 
 #: Name of the column that says which rows were not refused.
 VALID = "valid"
+#: Name of the column that is passed over: it says which row is which.
+LABEL = "id"
+
+
+def is_label(name: Any) -> bool:
+    """Whether a column only says which row is which."""
+    return str(name).lower() == LABEL
 
 
 def outputs_of(
@@ -51,7 +58,7 @@ def evaluate(
     ----------
     table : DataFrame
         One row for each case; columns are inputs and parameters by FMI name or keyword. What is left out
-        keeps its start value.
+        keeps its start value. A column ``id`` is passed over.
     unit : {"WheelRail", "WheelSet"}
         One wheel, or two on an axle.
     outputs, threads, errors
@@ -71,7 +78,7 @@ def evaluate(
         raise BadValueError(
             f"table is a {type(table).__name__}: it takes a DataFrame", variable="table"
         )
-    found = {name: find(unit, str(name)) for name in table.columns}
+    found = {name: find(unit, str(name)) for name in table.columns if not is_label(name)}
     of_parameters = [name for name, v in found.items() if v.causality == "parameter"]
     of_inputs = [name for name, v in found.items() if v.causality == "input"]
     for name, v in found.items():
@@ -85,7 +92,7 @@ def evaluate(
         groups = [(key, np.array(members)) for key, members in kinds.items()]
     else:
         groups = [((), np.arange(len(table)))]
-    wanted = [v.name for v in outputs_of(unit, outputs, table.columns, parameters)]
+    wanted = [v.name for v in outputs_of(unit, outputs, found, parameters)]
     remarks = Remarks()
     parts: list[pandas.DataFrame] = []
     places: list[Any] = []
@@ -112,7 +119,7 @@ def evaluate(
     for remark in remarks.found():
         warnings.warn(remark.text(len(table)), ContactWarning, stacklevel=2)
     if not parts:
-        return empty(unit, outputs, table.columns, parameters, errors).set_index(table.index)
+        return empty(unit, outputs, found, parameters, errors).set_index(table.index)
     whole = pandas.concat(parts, ignore_index=True)
     order = np.empty(len(table), dtype=np.intp)
     order[np.concatenate(places)] = np.arange(len(table))

@@ -77,6 +77,11 @@ impl Header {
         self.columns.iter()
     }
 
+    /// What parts the columns.
+    pub fn delimiter(&self) -> char {
+        self.delimiter.into()
+    }
+
     /// Number of the column called `name`, from 0.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns().position(|column| column == name)
@@ -194,6 +199,11 @@ impl Row {
     /// The cell in `column`; `None` if it is empty, which is as if the column were left out.
     pub fn cell(&self, column: usize) -> Option<&str> {
         self.cells.get(column).filter(|cell| !cell.is_empty())
+    }
+
+    /// All cells as they stand.
+    pub fn all_cells(&self) -> impl Iterator<Item = &str> {
+        self.cells.iter()
     }
 
     /// Names and values of the cells that are not empty, with the numbers of their columns.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use wheelrail::error::ContactError;
-use wheelrail::variables::{Values, Variable, find};
+use wheelrail::variables::{Causality, UnknownVariable, Values, Variable, find};
 
 use crate::cases::{Cases, Header, Row};
 use crate::named_files::NamedFiles;
@@ -28,30 +28,63 @@ pub fn read_values<'a>(
     rows.collect()
 }
 
-/// The variables that the columns of a table set.
+/// The variables that the columns of a table set; none is that of a column of labels.
 ///
 /// # Errors
 /// The column that names none, or one that is computed.
-pub fn variables(header: &Header) -> Result<Vec<&'static Variable>> {
-    header.columns().map(|name| settable(header, name)).collect()
+pub fn variables(header: &Header) -> Result<Vec<Option<&'static Variable>>> {
+    let all: Vec<Option<&Variable>> = header
+        .columns()
+        .map(|name| if is_label(name) { Ok(None) } else { settable(header, name).map(Some) })
+        .collect::<Result<_>>()?;
+    for (k, variable) in all.iter().enumerate() {
+        if let Some(variable) = variable.filter(|own| all[..k].contains(&Some(*own))) {
+            let name = header.columns().nth(k).unwrap_or_default();
+            bail!("{}: {} is there twice", header.column_place(name), variable.name);
+        }
+    }
+    Ok(all)
+}
+
+/// Whether a column only says which row is which.
+pub fn is_label(name: &str) -> bool {
+    name.eq_ignore_ascii_case("id")
 }
 
 /// Sets what a row has.
 ///
 /// # Errors
 /// With row and column, a value that is refused.
-pub fn set(values: &mut Values, columns: &[&Variable], row: &Row) -> Result<()> {
+pub fn set(values: &mut Values, columns: &[Option<&Variable>], row: &Row) -> Result<()> {
     for (column, _, text) in row.cells() {
-        values.set_from_text(columns[column], text).with_context(|| row.cell_place(column))?;
+        if let Some(variable) = columns[column] {
+            values.set_from_text(variable, text).with_context(|| row.cell_place(column))?;
+        }
     }
     Ok(())
+}
+
+/// The variable of that FMI name, or of the short name that inputs have in Python: y for wheel.y,
+/// load for wheel.load, friction for friction.coefficient.
+///
+/// # Errors
+/// A name that no variable has, with the nearest one.
+fn by_name(name: &str) -> Result<&'static Variable, UnknownVariable> {
+    find(name).or_else(|unknown| {
+        let long = match name {
+            "friction" => "friction.coefficient".to_owned(),
+            _ => format!("wheel.{name}"),
+        };
+        let found = find(&long).ok().filter(|variable| variable.causality == Causality::Input);
+        found.ok_or(unknown)
+    })
 }
 
 fn settable(header: &Header, name: &str) -> Result<&'static Variable> {
     if name == "separation" {
         bail!("{}: a table of planar problems is one for patch", header.column_place(name));
     }
-    let variable = find(name).with_context(|| header.column_place(name))?;
+    let variable = by_name(name).with_context(|| header.column_place(name))?;
     if !variable.is_settable() {
         bail!(
             "{}: it is computed by the element; columns are inputs and parameters",

@@ -1,16 +1,17 @@
 //! `wheelrail evaluate`: the contact element for every row of a table.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use wheelrail::element::{Element, Input, Parameters};
 use wheelrail::error::ContactError;
-use wheelrail::variables::{Causality, VARIABLES, Values, Variable};
+use wheelrail::variables::{Causality, VARIABLES, Values, Variable, find};
 
 use crate::batch;
-use crate::cases::CaseReader;
+use crate::cases::{CaseReader, Row};
 use crate::element_rows::{placed, set, variables};
 use crate::models::is_slow;
 use crate::named_files::NamedFiles;
@@ -22,11 +23,13 @@ use crate::remarks::{Found, ProfileRemarks, Remarks};
 ///
 /// The header of CASES names inputs and parameters of the FMU, such as wheel.y, wheel.z, side or
 /// normal.model; what is left out, or an empty cell, keeps its start value (docs/fmi.md lists
-/// them). Enumerations are given by the names of their items, profile files relative to CASES. The
-/// result has one row for each case and one column for every output and calculated parameter. Lines
-/// that begin with # are comments.
+/// them). Inputs may have their short names of Python too: y, vx, load, friction. Enumerations are
+/// given by the names or numbers of their items, profile files relative to CASES. The result has one
+/// row for each case: the columns of CASES, then every output and calculated parameter, or those of
+/// --outputs. A column id is passed on. Lines that begin with # are comments.
 ///
-/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too.
+/// Columns are parted by commas, or by semicolons or tabs, and then decimal commas are read too;
+/// the result is parted as CASES is, with decimal points.
 /// Rows are evaluated on all cores, or as many threads as the environment variable
 /// RAYON_NUM_THREADS says, and written in their order as they are done. A file gets its name when
 /// it is complete: what is done of it before, when the run is stopped or a row is refused, stays in
@@ -39,6 +42,10 @@ pub struct Arguments {
     /// Where the cases come from and the results go.
     #[command(flatten)]
     pub files: TableFiles,
+    /// Outputs that are written, by FMI name, parted by commas; * stands for anything; without it
+    /// all of them
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub outputs: Vec<String>,
 }
 
 /// Evaluates all rows.
@@ -53,10 +60,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let count = if cases.is_file() { Some(check(cases, path)?) } else { None };
     let reader = CaseReader::open(cases)?;
     let columns = variables(reader.header())?;
-    let computed: Vec<&Variable> = VARIABLES
-        .iter()
-        .filter(|v| matches!(v.causality, Causality::Output | Causality::CalculatedParameter))
-        .collect();
+    let computed = selected(&arguments.outputs)?;
+    let delimiter = reader.header().delimiter();
+    let given: Vec<String> =
+        reader.header().columns().map(|name| quoted(name, delimiter).into_owned()).collect();
+    let head = given.iter().map(String::as_str).chain(computed.iter().map(|v| v.name));
+    let head = head.collect::<Vec<_>>().join(delimiter.encode_utf8(&mut [0; 4])) + "\n";
     let files = NamedFiles::new(reader.header().folder(), &[path]);
     let folder = reader.header().folder();
     let table = output::table(path)?;
@@ -72,9 +81,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             set(&mut values, &columns, &row)?;
             files.check(&values.parameters).with_context(|| row.place())?;
             let found = evaluator.evaluate(&mut values).map_err(|error| placed(error, &row))?;
-            let given = row.cells().map(|(column, ..)| columns[column].name);
+            let given = row.cells().filter_map(|(column, ..)| Some(columns[column]?.name));
             let found = found.with_inputs(&values.parameters, given);
-            Ok((line(&values, &computed)?, found.at(|| row.place())))
+            Ok((line(&row, delimiter, &values, &computed)?, found.at(|| row.place())))
         },
         |(line, found)| {
             if !found.is_empty() {
@@ -82,7 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             }
             // Only now, so that a table that cannot be evaluated leaves nothing but its error.
             if std::mem::take(&mut header_due) {
-                table.write_record(computed.iter().map(|v| v.name))?;
+                table.write_line(head.as_bytes())?;
             }
             table.write_line(line.as_bytes())?;
             progress.inc(1);
@@ -111,12 +120,53 @@ fn check(path: &Path, result: Option<&Path>) -> Result<usize> {
     Ok(count)
 }
 
-/// The computed values of a row as a line of the result: numbers, which need no quotation marks.
-fn line(values: &Values, computed: &[&Variable]) -> Result<String> {
+/// Outputs and calculated parameters by their names and patterns; all of them without any.
+fn selected(wanted: &[String]) -> Result<Vec<&'static Variable>> {
+    let is_computed =
+        |v: &&Variable| matches!(v.causality, Causality::Output | Causality::CalculatedParameter);
+    let all: Vec<&Variable> = VARIABLES.iter().filter(is_computed).collect();
+    let mut found = Vec::new();
+    for pattern in wanted {
+        let fitting = all.iter().filter(|v| fits(v.name, pattern));
+        let new: Vec<_> = fitting.filter(|v| !found.contains(*v)).copied().collect();
+        found.extend(new);
+        if !all.iter().any(|v| fits(v.name, pattern)) {
+            let near = find(pattern)
+                .map_or_else(|e| e.to_string(), |v| format!("{} is no output", v.name));
+            bail!("--outputs {pattern}: {near}");
+        }
+    }
+    Ok(if wanted.is_empty() { all } else { found })
+}
+
+/// Whether a name fits a pattern in which * stands for anything.
+fn fits(name: &str, pattern: &str) -> bool {
+    let Some((begin, rest)) = pattern.split_once('*') else { return name == pattern };
+    name.strip_prefix(begin).is_some_and(|name| {
+        (0..=name.len()).any(|k| name.is_char_boundary(k) && fits(&name[k..], rest))
+    })
+}
+
+/// A cell as it stands, in quotation marks where it holds what parts cells.
+fn quoted(cell: &str, delimiter: char) -> Cow<'_, str> {
+    if cell.contains([delimiter, '"']) {
+        format!("\"{}\"", cell.replace('"', "\"\"")).into()
+    } else {
+        cell.into()
+    }
+}
+
+/// A row as a line of the result: its own cells, then the computed values, numbers that need no
+/// quotation marks.
+fn line(row: &Row, delimiter: char, values: &Values, computed: &[&Variable]) -> Result<String> {
     let mut line = String::with_capacity(16 * computed.len());
+    for cell in row.all_cells() {
+        line.push_str(&quoted(cell, delimiter));
+        line.push(delimiter);
+    }
     for (k, variable) in computed.iter().enumerate() {
         if k > 0 {
-            line.push(',');
+            line.push(delimiter);
         }
         values.write_text(variable, &mut line)?;
     }

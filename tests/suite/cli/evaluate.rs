@@ -149,8 +149,16 @@ fn evaluate_counts_the_fallbacks_of_each_row_by_itself() {
 #[test]
 fn evaluate_reads_decimal_commas_and_exponents_of_fortran() {
     let plain = written("wheel.y,wheel.z,wheel.yaw\n0.7512,-0.4597,0.0015\n");
-    let wanted = wheelrail(&["evaluate", &plain.1]).stdout;
-    assert!(!wanted.is_empty());
+    // What is computed; the columns of the table stand before it as they are.
+    let computed = |path: &str| {
+        let output = wheelrail(&["evaluate", path, "--outputs", "wheel.force.*,patch_count"]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        let cells =
+            |line: &str| line.split([',', ';', '\t']).rev().take(4).map(str::to_owned).collect();
+        text.lines().map(cells).collect::<Vec<Vec<String>>>()
+    };
+    let wanted = computed(&plain.1);
+    assert_eq!(wanted.len(), 2);
     for text in [
         "wheel.y;wheel.z;wheel.yaw\n0,7512;-0,4597;1,5E-3\n",
         "wheel.y\twheel.z\twheel.yaw\r\n0,7512\t-0,4597\t0,0015\r\n",
@@ -158,8 +166,30 @@ fn evaluate_reads_decimal_commas_and_exponents_of_fortran() {
         "wheel.y,wheel.z,wheel.yaw\n7.512D-1,-0.4597d0,1.5D-3\n",
     ] {
         let (_folder, path) = written(text);
-        assert_eq!(wheelrail(&["evaluate", &path]).stdout, wanted, "{text}");
+        assert_eq!(computed(&path), wanted, "{text}");
     }
+}
+
+#[test]
+fn columns_of_the_table_pass_through_and_outputs_are_those_asked_for() {
+    let (_folder, path) =
+        written("id;y;vx;friction\n\"first; of all\";0,7512;20;0,4\nb;0,75;20;0,3\n");
+    let output = wheelrail(&["evaluate", &path, "--outputs", "wheel.force.z,patch[1].con*"]);
+    assert!(output.status.success(), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("id;y;vx;friction;wheel.force.z;patch[1].contact_angle"));
+    assert!(lines.next().unwrap().starts_with("\"first; of all\";0.7512;20;0.4;-"));
+    for (table, words) in [
+        ("y,wheel.y\n0.75,0.75\n", "wheel.y is there twice"),
+        ("yy\n0.75\n", "there is no variable \"yy\""),
+    ] {
+        let (_folder, path) = written(table);
+        let said = String::from_utf8(wheelrail(&["evaluate", &path]).stderr).unwrap();
+        assert!(said.contains(words), "{said}");
+    }
+    let said = wheelrail(&["evaluate", &path, "--outputs", "wheel.force.q"]).stderr;
+    assert!(String::from_utf8(said).unwrap().contains("the nearest name is wheel.force"));
 }
 
 #[test]
