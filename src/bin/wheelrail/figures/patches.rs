@@ -1,4 +1,4 @@
-//! Where the patches run on rail heads and wheels, as bands coloured by the normal force.
+//! Where the patches run on rail heads and wheels, as bands coloured by the greatest pressure.
 
 use std::ops::Range;
 use std::path::Path;
@@ -17,8 +17,8 @@ const SIZE: (u32, u32) = (1240, 860);
 const COLUMNS: usize = 400;
 const SCALE_WIDTH: u32 = 110;
 const SCALE_STEPS: u32 = 64;
-/// Least range of the colours: smaller differences of force are not worth a colour [kN].
-const MIN_SCALE: f64 = 10.0;
+/// Least range of the colours: smaller differences of pressure are not worth a colour [GPa].
+const MIN_SCALE: f64 = 0.3;
 
 /// Lightness grows evenly from dark violet to yellow (matplotlib's viridis, CC0, nine of its
 /// colours).
@@ -49,9 +49,8 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
     let area = area.titled(&format!("Contact patches: {title}"), heading(26))?;
     let (charts, scale) = area.split_horizontally(px(SIZE.0 - SCALE_WIDTH));
     let shown = thinned(records, COLUMNS);
-    let forces =
-        shown.iter().flat_map(|r| r.patches.iter().flatten()).map(|p| 1e-3 * p.normal_force);
-    let forces_range = range_of(forces, MIN_SCALE);
+    let pressures = shown.iter().flat_map(|r| r.patches.iter().flatten()).map(pressure);
+    let pressures_range = range_of(pressures, MIN_SCALE);
 
     let cells = charts.split_evenly((2, 2));
     // The left wheel on the left; records hold the right one first.
@@ -70,12 +69,13 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
                 y_range: y_range.clone(),
                 wheel,
                 position,
-                forces: forces_range.clone(),
+                pressures: pressures_range.clone(),
             };
             panel.draw(&cells[2 * row + column], track, &shown)?;
         }
     }
-    draw_scale(&scale, &forces_range)?;
+    draw_scale(&scale, &pressures_range)?;
+    draw_ramp_sign(&scale)?;
     Ok(())
 }
 
@@ -86,8 +86,8 @@ struct Panel {
     y_range: Range<f64>,
     wheel: usize,
     position: Position,
-    /// Forces at the ends of the colours [kN].
-    forces: Range<f64>,
+    /// Pressures at the ends of the colours [GPa].
+    pressures: Range<f64>,
 }
 
 impl Panel {
@@ -116,22 +116,49 @@ impl Panel {
             // Light ones last: a small patch is seen before a large one.
             record.patches[self.wheel].iter().map(move |patch| {
                 let (y, half) = (1e3 * (self.position)(patch), 0.5e3 * patch.width);
-                let color = color(share(1e-3 * patch.normal_force, &self.forces));
+                let color = color(share(pressure(patch), &self.pressures));
                 Rectangle::new([(start, y - half), (end, y + half)], color.filled())
             })
         });
         chart.draw_series(bands)?;
+        // Where there are several, their edges tell them apart.
+        let several = shown.iter().enumerate().filter(|(_, r)| r.patches[self.wheel].len() > 1);
+        let edges = several.flat_map(|(index, record)| {
+            let (start, end) = (distance(index), distance((index + 1).min(last)));
+            record.patches[self.wheel].iter().flat_map(move |patch| {
+                let (y, half) = (1e3 * (self.position)(patch), 0.5e3 * patch.width);
+                [y - half, y + half]
+                    .map(|y| PathElement::new(vec![(start, y), (end, y)], INK.stroke_width(px(1))))
+            })
+        });
+        chart.draw_series(edges)?;
         Ok(())
     }
 }
 
-fn draw_scale(area: &Area<'_>, forces: &Range<f64>) -> Result<()> {
+/// What the shaded stretch is, above the scale; edges are those of two-point contact.
+fn draw_ramp_sign(area: &Area<'_>) -> Result<()> {
+    let (x, y) = (px(14) as i32, px(60) as i32);
+    let side = px(16) as i32;
+    area.draw(&Rectangle::new([(x, y), (x + side, y + side)], RAMP.filled()))?;
+    area.draw(&Text::new("ramp", (x + side + px(6) as i32, y), text(16)))?;
+    let y = y + px(28) as i32;
+    let line = vec![(x, y + side / 2), (x + side, y + side / 2)];
+    area.draw(&PathElement::new(line, INK.stroke_width(px(2))))?;
+    for (row, words) in (0..).zip(["edges of", "two patches"]) {
+        let place = (x + side + px(6) as i32, y + row * px(17) as i32);
+        area.draw(&Text::new(words, place, text(14)))?;
+    }
+    Ok(())
+}
+
+fn draw_scale(area: &Area<'_>, pressures: &Range<f64>) -> Result<()> {
     let mut chart = ChartBuilder::on(area)
         .margin_top(px(140))
         .margin_bottom(px(140))
         .margin_right(px(10))
         .set_label_area_size(LabelAreaPosition::Right, px(70))
-        .build_cartesian_2d(0.0..1.0, forces.clone())?;
+        .build_cartesian_2d(0.0..1.0, pressures.clone())?;
     chart
         .configure_mesh()
         .disable_mesh()
@@ -142,22 +169,27 @@ fn draw_scale(area: &Area<'_>, forces: &Range<f64>) -> Result<()> {
         .y_label_formatter(&label)
         .label_style(text(16))
         .axis_desc_style(text(17))
-        .y_desc("normal force of the patch [kN]")
+        .y_desc("greatest pressure of the patch [GPa]")
         .draw()?;
-    let width = (forces.end - forces.start) / f64::from(SCALE_STEPS);
+    let width = (pressures.end - pressures.start) / f64::from(SCALE_STEPS);
     let band = |index: u32| {
-        let low = forces.start + width * f64::from(index);
-        let color = color(share(low, forces));
+        let low = pressures.start + width * f64::from(index);
+        let color = color(share(low, pressures));
         // Up to the end, under the bands to come, so that no seam shows.
-        Rectangle::new([(0.0, low), (1.0, forces.end)], color.filled())
+        Rectangle::new([(0.0, low), (1.0, pressures.end)], color.filled())
     };
     chart.draw_series((0..SCALE_STEPS).map(band))?;
     Ok(())
 }
 
-/// Where `force` lies in the range of the colours, 0 to 1.
-fn share(force: f64, forces: &Range<f64>) -> f64 {
-    (force - forces.start) / (forces.end - forces.start)
+/// Greatest pressure of a patch [GPa].
+fn pressure(patch: &Patch) -> f64 {
+    1e-9 * patch.max_pressure
+}
+
+/// Where `pressure` lies in the range of the colours, 0 to 1.
+fn share(pressure: f64, pressures: &Range<f64>) -> f64 {
+    (pressure - pressures.start) / (pressures.end - pressures.start)
 }
 
 /// Colour of a share from 0 to 1.

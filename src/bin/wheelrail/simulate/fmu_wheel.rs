@@ -38,8 +38,16 @@ const WRENCH: [&str; 6] = [
 ];
 
 /// What is read of each patch, in the order of the fields of [`Patch`].
-const PATCH: [&str; 7] =
-    ["normal_force", "contact_angle", "rail_y", "wheel_y", "width", "position.y", "rolling_radius"];
+const PATCH: [&str; 8] = [
+    "normal_force",
+    "contact_angle",
+    "rail_y",
+    "wheel_y",
+    "width",
+    "position.y",
+    "rolling_radius",
+    "max_pressure",
+];
 
 /// Whether a run gives the variable `name` its values.
 pub fn is_driven(name: &str) -> bool {
@@ -155,6 +163,7 @@ impl<'fmu> FmuWheel<'fmu> {
                 width: v[4],
                 position_y: v[5],
                 rolling_radius: v[6],
+                max_pressure: v[7],
             })
             .collect())
     }

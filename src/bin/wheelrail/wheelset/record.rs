@@ -41,4 +41,6 @@ pub struct Patch {
     pub position_y: f64,
     /// Distance of the contact point from the axle [m].
     pub rolling_radius: f64,
+    /// Greatest pressure [Pa].
+    pub max_pressure: f64,
 }
