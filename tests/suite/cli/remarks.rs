@@ -88,15 +88,25 @@ fn a_wheel_at_the_end_of_a_profile_is_told() {
     });
     std::fs::write(folder.path().join("cut.txt"), text).unwrap();
     let path = folder.path().join("cases.csv");
-    let head = "rail[1].profile,rail[1].placement,rail[1].position.y,vertical.mode,wheel.profile,wheel.y,normal.model";
-    let row = "cut.txt,origin,0.75,load,conical:0.05";
-    std::fs::write(
-        &path,
-        format!("{head}\n{row},0.74,strips\n{row},0.695,strips\n{row},0.695,boundary_element\n"),
-    )
-    .unwrap();
+    let head = "rail[1].profile,rail[1].placement,rail[1].position.y,rail[1].inclination,vertical.mode,wheel.profile,wheel.y,normal.model";
+    let row = |inclination: f64, y: f64, model: &str| {
+        format!("cut.txt,origin,0.75,{inclination},load,conical:0.05,{y},{model}")
+    };
+    // In the middle of both, where the rail leans outwards, and where the wheel is farther out.
+    let rows = [
+        row(0.025, 0.75, "boundary_element"),
+        row(-0.08, 0.75, "boundary_element"),
+        row(-0.05, 0.79, "piotrowski_kik"),
+    ];
+    std::fs::write(&path, format!("{head}\n{}\n", rows.join("\n"))).unwrap();
     let told = warnings(&["evaluate", path.to_str().unwrap()]);
-    assert!(!told.iter().any(|line| line.contains("row 1 ")), "{told:#?}");
+    assert_eq!(told.len(), 2, "{told:#?}");
+    for (line, words) in told.iter().zip([
+        ["row 2 (line 3)", "end of rail[1].profile, y = -36.00 mm", "are no reference on an edge"],
+        ["row 3 (line 4)", "end of wheel.profile, y = -70.00 mm", "bears on an edge"],
+    ]) {
+        assert!(words.iter().all(|part| line.contains(part)), "{line}");
+    }
 }
 
 #[test]
