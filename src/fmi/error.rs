@@ -101,10 +101,15 @@ pub enum FmiError {
         allowed: &'static str,
     },
     /// A step that ends beyond the end.
-    #[error("the step ends at {time} s, after the stop time of {stop} s")]
+    #[error(
+        "argument communicationStepSize = {step} is not admitted: the step from {time} s would end at {} s, after the stop time of {stop} s",
+        time + step
+    )]
     AfterStop {
-        /// End of the step [s].
+        /// Start of the step [s].
         time: f64,
+        /// Its length [s].
+        step: f64,
         /// Stop time of the experiment [s].
         stop: f64,
     },
@@ -152,6 +157,29 @@ pub enum FmiError {
         interface: Interface,
         /// What the host gave.
         given: String,
+    },
+    /// A resource location that names no folder.
+    #[error(
+        "{} \"{given}\" names no folder that exists ({folder}): profiles beside the unit will not be found",
+        interface.location_argument().0
+    )]
+    NoFolder {
+        /// Through which the host came.
+        interface: Interface,
+        /// What the host gave.
+        given: String,
+        /// What it was taken for.
+        folder: String,
+    },
+    /// A URI through FMI 3.0.
+    #[error(
+        "resourcePath \"{given}\" is a URI, as FMI 2.0 has it, where FMI 3.0 has an absolute path: taken for {folder}"
+    )]
+    UriForPath {
+        /// What the host gave.
+        given: String,
+        /// What it was taken for.
+        folder: String,
     },
     /// A function of the other version of the standard.
     #[error("the instance was made through FMI {}: call the functions that begin with {own}", own.version())]

@@ -8,11 +8,13 @@ use std::sync::{Mutex, TryLockError};
 
 use super::any_instance::AnyInstance;
 use super::error::FmiError;
+use super::floating_point::OwnSettings;
 use super::handle::{self, Entry};
 use super::interface::Interface;
 use super::life_cycle::{Purpose, State};
 use super::logger::{Category, Logger};
 use super::types::{Component, Status};
+use super::unload;
 use crate::variables::{Unit, WHEEL, WHEELSET, shortened};
 
 /// A function of an interface and the states in which the standard allows it.
@@ -62,7 +64,7 @@ macro_rules! calls {
 }
 pub(super) use calls;
 
-/// Runs a call on the instance of a handle.
+/// Runs a call on the instance of a handle, with the processor set as Rust wants it.
 ///
 /// A handle that is none gives an error without a message, and so does a call made from within the
 /// logger: it could call again, and so on. An instance that is busy in another thread is told.
@@ -72,6 +74,7 @@ pub fn guard(
     call: Call,
     body: impl FnOnce(&mut AnyInstance, &Logger) -> Result<Status, FmiError>,
 ) -> Status {
+    let _settings = OwnSettings::apply();
     catch_unwind(AssertUnwindSafe(|| {
         let Some(entry) = handle::find(component) else { return Status::Error };
         let mut instance = match entry.instance.try_lock() {
@@ -127,6 +130,8 @@ pub struct Request<'a> {
 
 /// Makes an instance and puts it into the table; null, with a message, if that is not possible.
 pub fn instantiate(request: Request, logger: Logger) -> Component {
+    let _settings = OwnSettings::apply();
+    unload::expect();
     let Call { name, interface, .. } = request.call;
     catch_unwind(AssertUnwindSafe(|| match examine(request, &logger) {
         Ok((unit, purpose, folders)) => {
@@ -166,8 +171,7 @@ fn examine(
         })?;
     let location = request.location?;
     let resources = interface.resources(location);
-    if resources.is_none() && !location.is_empty() {
-        let warning = FmiError::BadLocation { interface, given: shortened(location) };
+    if let Some(warning) = interface.odd_location(location, resources.as_deref()) {
         logger.log(Status::Warning, Category::Warning, format_args!("{name}: {warning}"));
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
@@ -177,6 +181,7 @@ fn examine(
 
 /// Takes the instance out of the table; freed, forged and null handles do nothing.
 pub fn free(component: Component) {
+    let _settings = OwnSettings::apply();
     // A panic while dropping must not cross the interface; there is nobody to tell.
     let _ = catch_unwind(|| drop(handle::remove(component)));
 }

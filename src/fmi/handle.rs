@@ -32,6 +32,17 @@ pub fn find(component: Component) -> Option<Arc<Entry>> {
     INSTANCES.read().unwrap_or_else(PoisonError::into_inner).get(component).cloned()
 }
 
+/// Gives back the memory of the table if no instance is in it; whether that is so.
+pub fn forget_if_empty() -> bool {
+    // Whoever holds the lock now has an instance.
+    let Ok(mut table) = INSTANCES.try_write() else { return false };
+    let is_empty = table.is_empty();
+    if is_empty {
+        *table = Slots::new();
+    }
+    is_empty
+}
+
 /// Takes an instance out of the table. A call under way keeps it until it ends.
 pub fn remove(component: Component) -> Option<Arc<Entry>> {
     INSTANCES.write().unwrap_or_else(PoisonError::into_inner).remove(component)

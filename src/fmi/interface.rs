@@ -2,10 +2,11 @@
 //! know it.
 
 use std::fmt::{self, Display, Formatter};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use super::error::FmiError;
 use super::location;
-use crate::variables::{Kind, Variable};
+use crate::variables::{Kind, Variable, shortened};
 
 /// A version of the standard; shown as what the names of its functions begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +70,31 @@ impl Interface {
         }
     }
 
-    /// The folder of resources that this argument names; `None` for what is not admitted.
+    /// The folder of resources that this argument names; `None` for what is not admitted. Hosts
+    /// that know FMI 2.0 give a URI through FMI 3.0 too.
     pub fn resources(self, location: &str) -> Option<PathBuf> {
         match self {
             Self::V2 => location::of_uri(location),
+            Self::V3 if location::is_uri(location) => location::of_uri(location),
             Self::V3 => location::of_path(location),
+        }
+    }
+
+    /// What is odd about this argument, with the folder that it was taken for.
+    pub fn odd_location(self, location: &str, folder: Option<&Path>) -> Option<FmiError> {
+        let given = || shortened(location);
+        match folder {
+            None if location.is_empty() => None,
+            None => Some(FmiError::BadLocation { interface: self, given: given() }),
+            Some(folder) if !folder.is_dir() => Some(FmiError::NoFolder {
+                interface: self,
+                given: given(),
+                folder: folder.display().to_string(),
+            }),
+            Some(folder) if self == Self::V3 && location::is_uri(location) => {
+                Some(FmiError::UriForPath { given: given(), folder: folder.display().to_string() })
+            }
+            Some(_) => None,
         }
     }
 }

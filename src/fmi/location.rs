@@ -5,27 +5,29 @@ use std::path::{Path, PathBuf};
 /// The folder that a `file:` URI in any of its forms, or a plain absolute path, names.
 ///
 /// Hosts write `file:///path`, `file:/path`, `file://localhost/path` and `file:////path`, with or
-/// without a slash at the end, percent-encoded or not. `None` for anything else. A folder whose own
-/// name holds what looks encoded, passed as it is, is found where the decoded one is not there.
+/// without a slash at the end, percent-encoded or not. A folder whose name holds `%20` and that was
+/// not encoded is known by its being there while the decoded one is not. `None` for anything else.
 pub fn of_uri(uri: &str) -> Option<PathBuf> {
-    let found = named(uri, decoded)?;
-    let as_it_stands = || named(uri, |text| Some(text.to_owned())).filter(|path| path.exists());
-    if found.exists() { Some(found) } else { as_it_stands().or(Some(found)) }
+    if !is_uri(uri) {
+        return folder(uri);
+    }
+    let rest = &uri[5..];
+    let rest = rest.strip_prefix("//localhost").unwrap_or(rest);
+    let decoded = decoded(rest).and_then(|path| folder(&path));
+    if decoded.as_ref().is_some_and(|folder| folder.exists()) {
+        return decoded;
+    }
+    folder(rest).filter(|as_it_stands| as_it_stands.exists()).or(decoded)
 }
 
-/// The folder that `uri` names, its path read by `read`.
-fn named(uri: &str, read: impl Fn(&str) -> Option<String>) -> Option<PathBuf> {
-    let has_scheme = uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"));
-    let path = if has_scheme {
-        let rest = &uri[5..];
-        let rest = rest.strip_prefix("//localhost").unwrap_or(rest);
-        read(rest)?
-    } else if uri.starts_with('/') {
-        uri.to_owned()
-    } else {
-        return None;
-    };
-    let path = path.strip_prefix("//").map_or(path.as_str(), |rest| {
+/// Whether this is a `file:` URI.
+pub fn is_uri(location: &str) -> bool {
+    location.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("file:"))
+}
+
+/// The folder of a path behind the scheme, with any number of slashes at its beginning.
+fn folder(path: &str) -> Option<PathBuf> {
+    let path = path.strip_prefix("//").map_or(path, |rest| {
         // Two slashes are an empty host; more of them are slips of hosts that mean one.
         let rest = rest.trim_start_matches('/');
         &path[path.len() - rest.len() - 1..]
@@ -96,20 +98,24 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_with_a_percent_sign_in_its_name_is_found_encoded_or_not() {
-        let root = tempfile::tempdir().unwrap();
-        let folder = root.path().join("run%20a");
-        std::fs::create_dir(&folder).unwrap();
-        let plain = folder.to_str().unwrap();
-        assert_eq!(of_uri(&format!("file://{plain}")), Some(folder.clone()));
-        let encoded = plain.replace('%', "%25");
-        assert_eq!(of_uri(&format!("file://{encoded}")), Some(folder.clone()));
-    }
-
-    #[test]
     fn what_is_no_file_is_refused() {
         for uri in ["http://host/x", "relative/x", "file:relative", "file:///%ff", "fil", "ä"] {
             assert_eq!(of_uri(uri), None, "{uri}");
+        }
+    }
+
+    #[test]
+    fn a_folder_with_a_percent_sign_is_found_encoded_or_not() {
+        let root = tempfile::tempdir().unwrap();
+        for name in ["run%20a", "{34f75fd6}", "%7B34f75fd6%7D", "a b", "%ff"] {
+            let path = root.path().join(name);
+            std::fs::create_dir(&path).unwrap();
+            let text = path.to_str().unwrap();
+            let encoded = text.replace('%', "%25").replace(' ', "%20").replace('{', "%7B");
+            for given in [text, &encoded] {
+                assert_eq!(of_uri(&format!("file://{given}")), Some(path.clone()), "{given}");
+            }
+            std::fs::remove_dir(&path).unwrap();
         }
     }
 

@@ -10,6 +10,7 @@
 //! both       what functions do that both interfaces have with the same arguments
 //! arguments  raw pointers as slices and texts
 //! guard      finds the instance, checks that the call is legal now, stops panics, logs
+//! floating_point   settings of the processor during a call
 //! handle     the table of instances
 //! slots      a table whose places the host holds as an index and a generation
 //! any_instance   an instance of one unit or the other
@@ -32,6 +33,7 @@
 //! logger     messages to the host
 //! error      why a call is refused
 //! interface  what messages have to know of the version of the standard
+//! unload     what is given back when the library goes
 //! location   the folder of resources from its URI or path
 //! types      the types that both interfaces have
 //! ```
@@ -59,6 +61,7 @@ mod error;
 mod evaluation;
 mod events;
 mod extrapolation;
+mod floating_point;
 mod guard;
 mod handle;
 mod held;
@@ -75,6 +78,7 @@ mod slots;
 mod snapshot;
 mod stepping;
 mod types;
+mod unload;
 pub mod v2;
 pub mod v3;
 mod worn_files;

@@ -59,6 +59,11 @@ impl<T> Slots<T> {
         self.0.get_mut(place).filter(|slot| slot.generation == generation)?.entry.as_mut()
     }
 
+    /// Whether there is no entry.
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().all(|slot| slot.entry.is_none())
+    }
+
     /// Takes an entry out of the table.
     pub fn remove(&mut self, key: Key) -> Option<T> {
         let (place, generation) = parts(key)?;

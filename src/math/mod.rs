@@ -11,3 +11,4 @@ pub(crate) mod real;
 pub mod root;
 pub(crate) mod smooth_step;
 pub mod spline;
+pub(crate) mod until_unload;

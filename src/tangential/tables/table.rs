@@ -1,7 +1,6 @@
 //! The table in memory: interpolation of its splines, without and with derivatives.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::OnceLock;
 
 use super::bound::Bound;
 use super::coefficients::{self, Place};
@@ -16,6 +15,7 @@ use super::splines::Splines;
 use super::ellipse_force::{EllipseForce, ForceSlopes};
 use super::sliding;
 use crate::math::b_spline;
+use crate::math::until_unload::UntilUnload;
 
 /// The committed table.
 const FILE: &[u8] = include_bytes!("creep_forces.table");
@@ -70,7 +70,7 @@ impl CreepForceTable {
     /// If the file in the library has another size than the code, which a test excludes.
     #[must_use]
     pub fn shared() -> &'static Self {
-        static TABLE: OnceLock<CreepForceTable> = OnceLock::new();
+        static TABLE: UntilUnload<CreepForceTable> = UntilUnload::new();
         TABLE.get_or_init(|| {
             let nodes = Nodes::from_bytes(FILE).expect("the table in the library is whole");
             Self::new(&nodes)

@@ -1,6 +1,6 @@
 //! Life cycle, handles, arguments, messages, and what the unit has none of.
 
-use std::ffi::CStr;
+use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
 use wheelrail::fmi::v2::{fmi2DoStep, fmi2Reset};
@@ -84,6 +84,25 @@ fn resources_are_an_absolute_path() {
 }
 
 #[test]
+fn a_uri_as_of_fmi_2_is_taken_for_its_path_and_told() {
+    for (folder, told) in
+        [("fmu/resources", "taken for"), ("nowhere", "names no folder that exists")]
+    {
+        let uri = format!("file://{}/{folder}", env!("CARGO_MANIFEST_DIR"));
+        let mut arguments = Arguments3::of(&WHEEL);
+        arguments.resources = Some(CString::new(uri.clone()).unwrap());
+        let host = Host3::instantiate(&WHEEL, &arguments);
+        let (status, _, text) = host.messages.lock().unwrap()[0].clone();
+        assert_eq!(status, Status::Warning);
+        assert!(text.contains(&format!("resourcePath \"{uri}\"")) && text.contains(told), "{text}");
+        host.initialize();
+        assert_eq!(host.set_text("wheel.profile", "S1002_worn.txt"), Status::Ok);
+        let found = fmi3ExitInitializationMode(host.component) == Status::Ok;
+        assert_eq!(found, folder == "fmu/resources", "{}", host.last());
+    }
+}
+
+#[test]
 fn a_run_goes_through_its_states_and_back() {
     let host = Host3::new(&WHEEL);
     let c = host.component;
@@ -105,6 +124,8 @@ fn a_run_goes_through_its_states_and_back() {
     assert_eq!(fmi3ExitInitializationMode(c), Status::Ok);
     assert_eq!(host.step_to(0.25, 0.5), (Status::Ok, [FALSE; 3], 0.75));
     assert!(host.reads("time", 0.75));
+    assert_eq!(host.step(0.75, 0.5), Status::Error);
+    assert!(host.last().contains("1.25 s, after the stop time of 1 s"), "{}", host.last());
     assert_eq!(host.step(0.75, -1.0), Status::Error);
     assert!(host.last().contains("communicationStepSize = -1"), "{}", host.last());
     assert_eq!(host.set_reals(&[("track.gauge", 1.5)]), Status::Error);
