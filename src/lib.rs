@@ -97,6 +97,7 @@
 //! wheelset    two of them on one axle
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
 //! variables   everything above by name, from modelDescription/variables.toml
+//! pack        a unit rewritten with the user's files and values (feature `pack`)
 //! fmi         the C interfaces of FMI 2.0 and 3.0 for co-simulation and model exchange
 //! ```
 //!
@@ -114,6 +115,8 @@ pub mod geometry;
 pub mod io;
 pub mod material;
 mod open;
+#[cfg(feature = "pack")]
+pub mod pack;
 pub mod planar;
 pub mod variables;
 pub mod wear;

@@ -7,6 +7,7 @@ mod conicity;
 mod contacts;
 mod errors;
 mod evaluator;
+mod pack;
 mod planar;
 mod profile;
 mod rows;
@@ -28,6 +29,7 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_solve, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_fields, module)?)?;
+    module.add_function(wrap_pyfunction!(pack::pack, module)?)?;
     module.add_function(wrap_pyfunction!(conicity::rolling_radii, module)?)?;
     module.add_function(wrap_pyfunction!(conicity::equivalent_conicity, module)?)?;
     Ok(())

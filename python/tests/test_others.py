@@ -198,6 +198,30 @@ def test_the_fmus_of_the_package_give_the_same_forces(name):
         wheelrail.fmu("Wheel")
 
 
+@pytest.mark.parametrize("unit", ["WheelRail", "WheelSet3"])
+def test_a_packed_unit_brings_its_profiles_along(unit, tmp_path):
+    fmpy = pytest.importorskip("fmpy")
+    side = "right." if "Set" in unit else ""
+    own = tmp_path / "own.txt"
+    own.write_bytes((wheelrail.profile_folder() / "S1002_worn.txt").read_bytes())
+    values = {f"{side}friction.coefficient": 0.25, "normal.model": "hertz"}
+    packed = wheelrail.pack(tmp_path / "Own.fmu", wheel=own, rail="54E1", values=values, unit=unit)
+    first = packed.read_bytes()
+    assert wheelrail.pack(packed, wheel=own, rail="54E1", values=values, unit=unit).read_bytes() == first
+    own.unlink()
+    description = fmpy.read_model_description(str(packed))
+    starts = {v.name: v.start for v in description.modelVariables}
+    assert description.modelName == "Own" and starts[f"{side}wheel.profile"] == "own.txt"
+    assert float(starts[f"{side}friction.coefficient"]) == 0.25 and starts["normal.model"] == "1"
+    force = "wheelset.force.z" if side else "wheel.force.z"
+    assert fmpy.simulate_fmu(str(packed), output=[force], stop_time=1e-3)[force][0] < -1e3
+    with pytest.raises(wheelrail.BadValueError, match="nowhere.prw"):
+        wheelrail.pack(tmp_path / "None.fmu", wheel="nowhere.prw", unit=unit)
+    with pytest.raises(wheelrail.UnknownVariableError):
+        wheelrail.pack(tmp_path / "None.fmu", values={"wheel.q": 1.0}, unit=unit)
+    assert not (tmp_path / "None.fmu").exists()
+
+
 def test_licences_are_there():
     import importlib.metadata
 

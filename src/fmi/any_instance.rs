@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use super::error::FmiError;
 use super::instance::Instance;
 use super::interface::Interface;
 use super::life_cycle::{Purpose, State};
+use super::starts::Starts;
 use crate::element::Element;
 use crate::variables::{Described, Unit};
 use crate::wheelset::Wheelset;
@@ -30,18 +32,21 @@ macro_rules! on_instance {
 pub(super) use on_instance;
 
 impl AnyInstance {
-    /// An instance of `unit` with start values.
+    /// An instance of `unit` with the start values of the crate, or of a packed unit.
     pub fn new(
         unit: &Unit,
         interface: Interface,
         purpose: Purpose,
         profile_folders: Vec<PathBuf>,
-    ) -> Self {
-        if unit.guid == Wheelset::UNIT.guid {
-            Self::Wheelset(Box::new(Instance::new(interface, purpose, profile_folders)))
+        starts: &Starts,
+    ) -> Result<Self, FmiError> {
+        Ok(if unit.guid == Wheelset::UNIT.guid {
+            let starts = Box::new(starts.values()?);
+            Self::Wheelset(Box::new(Instance::new(interface, purpose, profile_folders, starts)))
         } else {
-            Self::Wheel(Box::new(Instance::new(interface, purpose, profile_folders)))
-        }
+            let starts = Box::new(starts.values()?);
+            Self::Wheel(Box::new(Instance::new(interface, purpose, profile_folders, starts)))
+        })
     }
 
     /// Place in the life cycle.

@@ -43,7 +43,8 @@ mod tests {
     use crate::wheelset::Wheelset;
 
     fn saved<S: Described>() -> Snapshot<S> {
-        let mut instance = Instance::<S>::new(Interface::V2, Purpose::CoSimulation, Vec::new());
+        let (purpose, starts) = (Purpose::CoSimulation, Box::default());
+        let mut instance = Instance::<S>::new(Interface::V2, purpose, Vec::new(), starts);
         instance.setup_experiment(None, 0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization(&Logger::silent()).unwrap();

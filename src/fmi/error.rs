@@ -158,6 +158,14 @@ pub enum FmiError {
         /// What the host gave.
         given: String,
     },
+    /// Start values beside the unit that cannot be taken.
+    #[error("{file}, {problem}")]
+    BadStarts {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// A resource location that names no folder.
     #[error(
         "{} \"{given}\" names no folder that exists ({folder}): profiles beside the unit will not be found",

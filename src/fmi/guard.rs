@@ -13,9 +13,10 @@ use super::handle::{self, Entry};
 use super::interface::Interface;
 use super::life_cycle::{Purpose, State};
 use super::logger::{Category, Logger};
+use super::starts::Starts;
 use super::types::{Component, Status};
 use super::unload;
-use crate::variables::{Unit, WHEEL, WHEELSET, shortened};
+use crate::variables::{WHEEL, WHEELSET, shortened};
 
 /// A function of an interface and the states in which the standard allows it.
 #[derive(Clone, Copy, Debug)]
@@ -132,12 +133,11 @@ pub struct Request<'a> {
 pub fn instantiate(request: Request, logger: Logger) -> Component {
     let _settings = OwnSettings::apply();
     unload::expect();
-    let Call { name, interface, .. } = request.call;
+    let name = request.call.name;
     catch_unwind(AssertUnwindSafe(|| match examine(request, &logger) {
-        Ok((unit, purpose, folders)) => {
+        Ok(instance) => {
             logger.log(Status::Ok, Category::Events, format_args!("{name}"));
-            let instance = Mutex::new(AnyInstance::new(unit, interface, purpose, folders));
-            handle::insert(Entry { logger, instance }).unwrap_or(null_mut())
+            handle::insert(Entry { logger, instance: Mutex::new(instance) }).unwrap_or(null_mut())
         }
         Err(error) => {
             logger.explain(format_args!("{name}: {error}"));
@@ -147,12 +147,9 @@ pub fn instantiate(request: Request, logger: Logger) -> Component {
     .unwrap_or(null_mut())
 }
 
-/// Of which unit the instance is, what it is for, and where profiles are looked for: in the
-/// resources, then in the working directory.
-fn examine(
-    request: Request,
-    logger: &Logger,
-) -> Result<(&'static Unit, Purpose, Vec<PathBuf>), FmiError> {
+/// The instance that is asked for. Profiles are looked for in the resources, then in the working
+/// directory.
+fn examine(request: Request, logger: &Logger) -> Result<AnyInstance, FmiError> {
     let Call { name, interface, .. } = request.call;
     if request.instance_name.is_empty() {
         return Err(FmiError::NoName);
@@ -175,8 +172,10 @@ fn examine(
         logger.log(Status::Warning, Category::Warning, format_args!("{name}: {warning}"));
     }
     let working_directory = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
+    let starts = Starts::beside(resources.as_deref())?;
     let folders = resources.map(|folder| folder.join("profiles")).into_iter();
-    Ok((unit, purpose, folders.chain([working_directory]).collect()))
+    let folders = folders.chain([working_directory]).collect();
+    AnyInstance::new(unit, interface, purpose, folders, &starts)
 }
 
 /// Takes the instance out of the table; freed, forged and null handles do nothing.

@@ -43,6 +43,8 @@ pub struct Instance<S: Described> {
     pub purpose: Purpose,
     /// Place in the life cycle.
     pub state: State,
+    /// Where it starts, and again after a reset.
+    starts: Box<ValuesOf<S>>,
     pub(super) values: ValuesOf<S>,
     pub(super) profile_folders: Vec<PathBuf>,
     pub(super) element: Option<S>,
@@ -79,7 +81,12 @@ pub struct Instance<S: Described> {
 
 impl<S: Described> Instance<S> {
     /// An instance with start values; profiles are looked for in the folders, in order.
-    pub fn new(interface: Interface, purpose: Purpose, profile_folders: Vec<PathBuf>) -> Self {
+    pub fn new(
+        interface: Interface,
+        purpose: Purpose,
+        profile_folders: Vec<PathBuf>,
+        starts: Box<ValuesOf<S>>,
+    ) -> Self {
         let most_flattened = match interface {
             Interface::V2 => 0,
             Interface::V3 => S::UNIT.variables.len(),
@@ -88,7 +95,8 @@ impl<S: Described> Instance<S> {
             interface,
             purpose,
             state: State::Instantiated,
-            values: ValuesOf::default(),
+            values: (*starts).clone(),
+            starts,
             profile_folders,
             element: None,
             parameters_changed: true,
@@ -112,10 +120,9 @@ impl<S: Described> Instance<S> {
     /// Back to what it was after instantiation; states handed out stay good.
     pub fn reset(&mut self) {
         let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
-        *self = Self {
-            snapshots,
-            ..Self::new(self.interface, self.purpose, std::mem::take(&mut self.profile_folders))
-        };
+        let folders = std::mem::take(&mut self.profile_folders);
+        let starts = self.starts.clone();
+        *self = Self { snapshots, ..Self::new(self.interface, self.purpose, folders, starts) };
     }
 
     /// Whether there is an element of the parameters as they are.

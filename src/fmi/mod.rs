@@ -33,6 +33,7 @@
 //! logger     messages to the host
 //! error      why a call is refused
 //! interface  what messages have to know of the version of the standard
+//! starts     start values beside a packed unit
 //! unload     what is given back when the library goes
 //! location   the folder of resources from its URI or path
 //! types      the types that both interfaces have
@@ -76,6 +77,7 @@ mod references;
 mod saved_states;
 mod slots;
 mod snapshot;
+mod starts;
 mod stepping;
 mod types;
 mod unload;

@@ -7,6 +7,7 @@
 //! the model descriptions of the FMUs, so that they cannot disagree.
 
 mod spelling;
+mod start_file;
 mod table;
 mod text;
 mod values;
@@ -15,6 +16,7 @@ mod variable;
 use crate::element::Element;
 use crate::wheelset::Wheelset;
 
+pub use start_file::{START_FILE, StartFileError};
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
 pub use values::{Coupling, Described, ValuesOf, check};
 pub(crate) use values::{admits, shortened};

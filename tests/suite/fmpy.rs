@@ -35,6 +35,13 @@ fn fmpy_gets_through_fmi_3_what_it_gets_through_fmi_2() {
     check("check_fmi3.py");
 }
 
+/// Needs the command line besides.
+#[test]
+#[cfg(feature = "cli")]
+fn fmpy_gets_from_packed_units_what_their_users_put_in() {
+    check("check_packed.py");
+}
+
 #[test]
 fn a_bogie_hunts_from_its_published_speed_on() {
     check("check_vehicles.py");
@@ -61,6 +68,8 @@ fn check(file: &str) {
     let mut command = Command::new(fmpy());
     let command = command.arg(script).env("WHEELRAIL_FMU", packaged::fmu());
     let command = command.env("WHEELRAIL_WHEELSET", packaged::wheelset());
+    let command = command
+        .env("WHEELRAIL_PROGRAM", option_env!("CARGO_BIN_EXE_wheelrail").unwrap_or_default());
     run(command.env("WHEELRAIL_REPORT", report), file);
 }
 

@@ -3,7 +3,8 @@
 `Element` is one wheel with the rails under it, `WheelSet` two on an axle; :mod:`wheelrail.planar` contact
 problems given by a separation, :mod:`wheelrail.conicity` the contact geometry of a wheelset, `WearRun`
 profiles that wear. :mod:`wheelrail.bulk` evaluates tables larger than memory, :mod:`wheelrail.dask` on
-several machines, :mod:`wheelrail.plot` draws. `fmu` gives the path of the FMUs that come with it.
+several machines, :mod:`wheelrail.plot` draws. `fmu` gives the path of the FMUs that come with it,
+`pack` one with your profiles inside.
 
 Track frame: x forward, y to the right, z down; SI and radians.
 """
@@ -16,6 +17,7 @@ from ._contact import Contact, Field
 from ._element import Element, WheelSet
 from ._files import fmu, profile, profile_folder
 from ._native import __version__
+from ._pack import pack
 from ._result import Column, Jacobian, Remark, Result
 from ._table import evaluate
 from ._variables import Variable, variables
@@ -64,6 +66,7 @@ __all__ = [
     "conicity",
     "evaluate",
     "fmu",
+    "pack",
     "planar",
     "profile",
     "profile_folder",

@@ -1,6 +1,7 @@
 """The native part: places are FMI references, rows are C-contiguous arrays that are filled."""
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, final
 
 import numpy as np
@@ -13,6 +14,7 @@ __all__ = [
     "__version__",
     "contacts_of",
     "equivalent_conicity",
+    "pack",
     "planar_fields",
     "planar_solve",
     "profile_points",
@@ -102,6 +104,14 @@ def contacts_of(wheel: Wheel, inputs: Sequence[tuple[int, float]]) -> list[dict[
 def profile_points(
     name: str, body: str, smoothing: float, folders: Sequence[str], count: int
 ) -> _Floats: ...
+def pack(
+    source: Path,
+    target: Path,
+    profiles: Sequence[str | None],
+    settings: Sequence[tuple[str, str]],
+    name: str,
+    description: str,
+) -> None: ...
 def planar_solve(
     wheel: Wheel,
     separation: _Floats,

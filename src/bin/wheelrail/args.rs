@@ -2,7 +2,9 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::{compare, conicity, evaluate, fit, linearize, patch, plot, simulate, sweep, tables};
+use crate::{
+    compare, conicity, evaluate, fit, linearize, pack, patch, plot, simulate, sweep, tables,
+};
 
 /// Wheel-rail contact: forces, patches and a running wheelset
 ///
@@ -29,6 +31,7 @@ pub enum Command {
     Tables(tables::Arguments),
     Sweep(sweep::Arguments),
     Fit(fit::Arguments),
+    Pack(pack::Arguments),
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod models;
 mod named_files;
 mod options;
 mod output;
+mod pack;
 mod patch;
 mod planar_cases;
 mod plot;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
+        Command::Pack(arguments) => pack::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use wheelrail::element::parameters::{NormalModel, TangentialModel, VerticalMode};
-use wheelrail::element::{Element, FlatContact, Output};
+use wheelrail::element::{Element, FlatContact, Input, Output, Parameters};
 use wheelrail::planar::{Adherence, ContactField, Indentation, PlanarCase, fields};
 use wheelrail::variables::Values;
 
@@ -103,33 +103,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::check_names(planar.separation_files(), outputs)?;
         let case = &planar.cases[arguments.row - 1];
         let title = case.separation.display().to_string();
-        draw(arguments, &planar.planar(case), title, Vec::new(), 0, false)
+        draw(arguments, &figure(&planar.planar(case), title, Vec::new(), 0, false)?)
     } else {
         let all = read_values(&cases, &outputs)?;
         let (row, values) = &all[arguments.row - 1];
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;
-        let contact = &contacts[index];
-        let title = format!(
-            "{} on {}, contact angle {:.2} degrees",
-            values.parameters.wheel.profile,
-            values.parameters.rails[contact.rail as usize - 1].profile,
-            contact.contact_angle.to_degrees()
-        );
-        let case = values.parameters.planar_case(
-            &contact.separation,
-            contact.radius,
-            Indentation::Approach(contact.penetration),
-            contact.creepage,
-            contact.friction,
-        );
-        let case = PlanarCase {
-            speed: values.input.wheel.velocity[0].abs(),
-            friction_across: &contact.friction_across,
-            ..case
-        };
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
-        draw(arguments, &case, title, contacts.clone(), index, load_given)
+        draw(arguments, &wheel_figure(values, contacts, index, load_given)?)
     }
 }
 
@@ -153,14 +134,63 @@ fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatCo
     }
 }
 
-fn draw(
-    arguments: &Arguments,
+/// The heaviest contact of a wheel as a figure; its files lie in `folder`.
+///
+/// # Errors
+/// If the wheel touches no rail, or a model fails.
+pub fn of_wheel(parameters: &Parameters, input: &Input, folder: &Path) -> Result<Figure> {
+    let values = Values { parameters: parameters.clone(), input: *input, ..Values::default() };
+    let (contacts, index) = contacts(&values, folder, 1)?;
+    let load_given = parameters.vertical_mode == VerticalMode::Load;
+    wheel_figure(&values, contacts, index, load_given)
+}
+
+/// One contact of a wheel as a figure.
+fn wheel_figure(
+    values: &Values,
+    contacts: Vec<FlatContact>,
+    index: usize,
+    load_given: bool,
+) -> Result<Figure> {
+    let contact = &contacts[index];
+    let title = format!(
+        "{} on {}, contact angle {:.2} degrees",
+        values.parameters.wheel.profile,
+        values.parameters.rails[contact.rail as usize - 1].profile,
+        contact.contact_angle.to_degrees()
+    );
+    let case = values.parameters.planar_case(
+        &contact.separation,
+        contact.radius,
+        Indentation::Approach(contact.penetration),
+        contact.creepage,
+        contact.friction,
+    );
+    let case = PlanarCase {
+        speed: values.input.wheel.velocity[0].abs(),
+        friction_across: &contact.friction_across,
+        ..case
+    };
+    figure(&case, title, contacts.clone(), index, load_given)
+}
+
+fn draw(arguments: &Arguments, figure: &Figure) -> Result<()> {
+    if let Some(path) = &arguments.fields {
+        write_fields(path, &figure.sides)?;
+    }
+    figure.draw(&arguments.output)?;
+    std::iter::once(&arguments.output)
+        .chain(&arguments.fields)
+        .try_for_each(|path| output::say(&format!("{}\n", path.display())))
+}
+
+fn figure(
     case: &PlanarCase<'_>,
     title: String,
     contacts: Vec<FlatContact>,
     drawn: usize,
     same_load: bool,
-) -> Result<()> {
+) -> Result<Figure> {
     // At the height that carries the load by the models of the row, boundary elements carry another
     // one.
     let indentation = if same_load {
@@ -190,14 +220,7 @@ fn draw(
     if sides.iter().any(|side| side.fields.is_empty()) {
         bail!("no contact to draw: the bodies do not touch");
     }
-    if let Some(path) = &arguments.fields {
-        write_fields(path, &sides)?;
-    }
-    let figure = Figure { title, friction: case.friction, contacts, drawn, sides };
-    figure.draw(&arguments.output)?;
-    std::iter::once(&arguments.output)
-        .chain(&arguments.fields)
-        .try_for_each(|path| output::say(&format!("{}\n", path.display())))
+    Ok(Figure { title, friction: case.friction, contacts, drawn, sides })
 }
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {

@@ -4,6 +4,7 @@
 mod evaluate;
 mod fit;
 mod linearize;
+mod pack;
 mod patch;
 mod plot;
 mod remarks;
@@ -74,6 +75,7 @@ fn every_subcommand_explains_itself() {
         &["compare", "-h"],
         &["plot", "-h"],
         &["fit", "-h"],
+        &["pack", "-h"],
     ] {
         let output = wheelrail(arguments);
         assert!(output.status.success());

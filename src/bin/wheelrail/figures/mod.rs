@@ -7,6 +7,7 @@ pub mod conicity;
 pub mod contact;
 pub mod errors;
 pub mod fit;
+pub mod icon;
 pub mod motion;
 pub mod patches;
 pub mod roots;
