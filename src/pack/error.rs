@@ -35,14 +35,14 @@ pub enum PackError {
         /// The archive.
         file: String,
         /// What is wrong.
-        problem: StartFileError,
+        problem: Box<StartFileError>,
     },
     /// A name that no variable has.
     #[error(transparent)]
-    Unknown(UnknownVariable),
+    Unknown(Box<UnknownVariable>),
     /// A value or a profile that is not admitted.
     #[error(transparent)]
-    Contact(#[from] ContactError),
+    Contact(Box<ContactError>),
     /// A value of several lines.
     #[error("{name}: a value of several lines is not admitted")]
     Lines {
@@ -97,4 +97,10 @@ pub enum PackError {
         /// Why.
         reason: String,
     },
+}
+
+impl From<ContactError> for PackError {
+    fn from(error: ContactError) -> Self {
+        Self::Contact(Box::new(error))
+    }
 }

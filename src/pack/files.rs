@@ -43,7 +43,7 @@ impl Named {
             Self::Profile(ProfileKind::Wheel)
         } else if name.contains("rail[") && name.ends_with(".profile") {
             Self::Profile(ProfileKind::Rail)
-        } else if name.ends_with(".file") || name.ends_with("friction.profile") {
+        } else if name.rsplit('.').next() == Some("file") || name == "friction.profile" {
             Self::Table
         } else {
             Self::Nothing
@@ -218,10 +218,9 @@ fn words(line: &str) -> Vec<String> {
     for letter in line.chars() {
         match quote {
             Some(mark) if letter == mark => quote = None,
-            Some(_) => words.last_mut().unwrap_or(&mut String::new()).push(letter),
             None if letter == '\'' || letter == '"' => quote = Some(letter),
             None if letter.is_whitespace() || ",;".contains(letter) => words.push(String::new()),
-            None => words.last_mut().unwrap_or(&mut String::new()).push(letter),
+            Some(_) | None => words.last_mut().unwrap_or(&mut String::new()).push(letter),
         }
     }
     // A table may have blanks in a name without quotes.

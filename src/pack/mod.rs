@@ -73,7 +73,10 @@ impl Pack {
     pub fn open(source: &Path) -> Result<Self, PackError> {
         let source = Source::read(source)?;
         let text = source.text(&format!("resources/{START_FILE}")).unwrap_or_default();
-        let broken = |problem| PackError::StartFile { file: source.path.clone(), problem };
+        let broken = |problem| PackError::StartFile {
+            file: source.path.clone(),
+            problem: Box::new(problem),
+        };
         let values = if source.unit.guid == crate::variables::WHEELSET.guid {
             UnitValues::Wheelset(Box::new(WheelsetValues::from_start_file(&text).map_err(broken)?))
         } else {
@@ -96,7 +99,8 @@ impl Pack {
     /// Variable and value: a name that no variable has, a value that is not admitted, a file that is
     /// not there.
     pub fn set(&mut self, name: &str, value: &str) -> Result<(), PackError> {
-        let variable = self.unit().find(name).map_err(PackError::Unknown)?;
+        let variable =
+            self.unit().find(name).map_err(|unknown| PackError::Unknown(Box::new(unknown)))?;
         if value.contains(['\n', '\r']) {
             return Err(PackError::Lines { name: variable.name });
         }
@@ -191,7 +195,7 @@ impl Pack {
             unit: self.unit(),
             start: &start,
         };
-        let mut entries = self.source.changed(&self.files);
+        let mut entries = Source::changed(&self.files);
         let xml = description::rewritten(&self.source.description, &changes)?;
         entries.insert("modelDescription.xml".into(), xml.into_bytes());
         let starts = on_values!(&self.values, |values| values.start_file());

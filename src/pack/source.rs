@@ -91,7 +91,7 @@ impl Source {
     }
 
     /// The entries that files of the user make.
-    pub fn changed(&self, files: &Files) -> BTreeMap<String, Vec<u8>> {
+    pub fn changed(files: &Files) -> BTreeMap<String, Vec<u8>> {
         let all = files.taken().map(|(name, bytes)| (format!("{FOLDER}{name}"), bytes.to_vec()));
         all.collect()
     }

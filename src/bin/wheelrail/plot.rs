@@ -110,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;
         let load_given = values.parameters.vertical_mode == VerticalMode::Load;
-        draw(arguments, &wheel_figure(values, contacts, index, load_given)?)
+        draw(arguments, &wheel_figure(values, &contacts, index, load_given)?)
     }
 }
 
@@ -142,13 +142,13 @@ pub fn of_wheel(parameters: &Parameters, input: &Input, folder: &Path) -> Result
     let values = Values { parameters: parameters.clone(), input: *input, ..Values::default() };
     let (contacts, index) = contacts(&values, folder, 1)?;
     let load_given = parameters.vertical_mode == VerticalMode::Load;
-    wheel_figure(&values, contacts, index, load_given)
+    wheel_figure(&values, &contacts, index, load_given)
 }
 
 /// One contact of a wheel as a figure.
 fn wheel_figure(
     values: &Values,
-    contacts: Vec<FlatContact>,
+    contacts: &[FlatContact],
     index: usize,
     load_given: bool,
 ) -> Result<Figure> {
@@ -171,7 +171,7 @@ fn wheel_figure(
         friction_across: &contact.friction_across,
         ..case
     };
-    figure(&case, title, contacts.clone(), index, load_given)
+    figure(&case, title, contacts.to_vec(), index, load_given)
 }
 
 fn draw(arguments: &Arguments, figure: &Figure) -> Result<()> {

@@ -394,7 +394,7 @@ impl<T: Real> Lattice<T> {
             }
         };
         let begin = k - k % (STATIONS + 1);
-        let stations = &self.stations[begin..begin + STATIONS + 1];
+        let stations = &self.stations[begin..=begin + STATIONS];
         let h = stations[1].y - stations[0].y;
         add(&own, h);
         let (before, behind) = stations.split_at(k - begin);

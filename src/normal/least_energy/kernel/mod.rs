@@ -31,10 +31,9 @@
 #[cfg(test)]
 mod generate;
 
-use std::sync::OnceLock;
-
 use crate::math::real::Real;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
+use crate::math::until_unload::UntilUnload;
 
 /// Rows: 0 to 4 hats apart, and further.
 pub(super) const ROWS: usize = 6;
@@ -175,7 +174,7 @@ impl Kernel {
     /// If the file in the library has another size than the code, which a test excludes.
     #[must_use]
     pub fn shared() -> &'static Self {
-        static KERNEL: OnceLock<Kernel> = OnceLock::new();
+        static KERNEL: UntilUnload<Kernel> = UntilUnload::new();
         KERNEL.get_or_init(|| Self::from_text(FILE).expect("the table in the library is whole"))
     }
 
