@@ -377,50 +377,49 @@ impl<T: Real> Lattice<T> {
         if self.samples[last - 1].interval == self.samples[last].interval { last - 1 } else { last }
     }
 
-    /// Integrals of the overlap, its square and its cube over the lobe of station `k`: of what lies
+    /// Integrals of the overlap, its square and its cube over the lobe of each station: of what lies
     /// behind a valley the less the deeper the valley is.
-    fn lobe_of(&self, k: usize) -> [T; 3] {
-        let zero = T::from(0.0);
-        let own = self.stations[k];
-        let mut lobe = [zero; 3];
-        if own.share.value() <= 0.0 {
-            return lobe;
-        }
-        let mut add = |other: &Station<T>, weight: T| {
+    fn sum_up_lobes(&mut self) {
+        let add = |station: &mut Station<T>, share: T, weight: T| {
             let mut part = weight;
-            for sum in &mut lobe {
-                part *= other.share;
+            for sum in &mut station.lobe {
+                part *= share;
                 *sum += part;
             }
         };
-        let begin = k - k % (STATIONS + 1);
-        let stations = &self.stations[begin..=begin + STATIONS];
-        let h = stations[1].y - stations[0].y;
-        add(&own, h);
-        let (before, behind) = stations.split_at(k - begin);
-        let mut walk = |others: &mut dyn Iterator<Item = &Station<T>>| {
-            let mut least = own.share;
-            for other in others {
-                if other.share.value() <= 0.0 {
-                    break;
+        for stations in self.stations.chunks_exact_mut(STATIONS + 1) {
+            let h = stations[1].y - stations[0].y;
+            for one in 0..stations.len() {
+                let own = stations[one].share;
+                if own.value() <= 0.0 {
+                    continue;
                 }
-                least = least.min(other.share);
-                let dip = least / own.share.min(other.share);
-                let fourth = (dip * dip) * (dip * dip);
-                add(other, h * fourth * fourth);
+                add(&mut stations[one], own, h);
+                let mut least = own;
+                for other in one + 1..stations.len() {
+                    let share = stations[other].share;
+                    if share.value() <= 0.0 {
+                        break;
+                    }
+                    least = least.min(share);
+                    let lower = own.min(share);
+                    let mut weight = h;
+                    if least < lower {
+                        let dip = least / lower;
+                        let fourth = (dip * dip) * (dip * dip);
+                        weight *= fourth * fourth;
+                    }
+                    add(&mut stations[one], share, weight);
+                    add(&mut stations[other], own, weight);
+                }
             }
-        };
-        walk(&mut before.iter().rev());
-        walk(&mut behind[1..].iter());
-        lobe
+        }
     }
 
     /// Measures the nodes up to each station.
     fn measure(&mut self) {
         let zero = T::from(0.0);
-        for k in 0..self.stations.len() {
-            self.stations[k].lobe = self.lobe_of(k);
-        }
+        self.sum_up_lobes();
         // s over the area of the lobe times E^(1/4), and s^(3/2)/E^(5/4).
         let rise = |station: &Station<T>| {
             let [area, square, cube] = station.lobe;
