@@ -104,7 +104,8 @@
 //! # Features
 //!
 //! `cli` (the program `wheelrail`) and `package` (a release build packs `WheelRail.fmu`) are on by
-//! default and bring most of the dependencies. As a library: `default-features = false`.
+//! default and bring most of the dependencies; `pack` (units rewritten with the user's files and
+//! values) comes with `cli`. As a library: `default-features = false`.
 
 pub mod conicity;
 pub mod element;

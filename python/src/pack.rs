@@ -9,6 +9,7 @@ use crate::errors::{bad_value, refused, unknown};
 
 /// Packs `source` as `target` with profiles of wheel and rail, start values, name and description.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "Python names them")]
 pub fn pack(
     py: Python<'_>,
     source: PathBuf,
@@ -17,6 +18,7 @@ pub fn pack(
     settings: Vec<(String, String)>,
     name: &str,
     description: &str,
+    dummy_state: bool,
 ) -> PyResult<()> {
     let packed = || -> Result<(), PackError> {
         let mut pack = Pack::open(&source)?;
@@ -32,6 +34,9 @@ pub fn pack(
         }
         pack.set_name(name)?;
         pack.set_description(description);
+        if dummy_state {
+            pack.add_dummy_state();
+        }
         pack.write(&target)
     };
     py.detach(packed).map_err(|error| match &error {

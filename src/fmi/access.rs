@@ -9,7 +9,7 @@ use super::life_cycle::State;
 use super::logger::Logger;
 use super::references::{is_boolean, is_integer, is_real, is_text, refusal, unreadable};
 use super::types::{Status, ValueReference};
-use crate::variables::{Causality, Described, Kind, Value, admits};
+use crate::variables::{Causality, Described, Kind, Value, admits, state_references};
 
 impl<S: Described> Instance<S> {
     /// Reads real variables.
@@ -19,10 +19,16 @@ impl<S: Described> Instance<S> {
         out: &mut [f64],
         logger: &Logger,
     ) -> Result<Status, FmiError> {
-        let status = self.prepare_to_read(references.iter().copied(), is_real, logger)?;
+        // The dummy state is not in the table.
+        let own = self.dummy_state.map(|_| state_references(S::UNIT));
+        let in_table = |r: &ValueReference| own.is_none_or(|own| !own.contains(&(*r as usize)));
+        let read = references.iter().copied().filter(in_table);
+        let status = self.prepare_to_read(read, is_real, logger)?;
         for (out, &reference) in out.iter_mut().zip(references) {
             // Read at every step: by its type, which was checked.
             if let Some(value) = S::real(&self.values, reference as usize) {
+                *out = value;
+            } else if let Some(value) = self.dummy_value(reference) {
                 *out = value;
             }
         }
@@ -83,6 +89,21 @@ impl<S: Described> Instance<S> {
             *out = text.as_ptr();
         }
         Ok(status)
+    }
+
+    /// Sets real variables; all or, if one of the values is refused, none. The dummy state is set by
+    /// itself.
+    pub fn set_real(
+        &mut self,
+        references: &[ValueReference],
+        values: &[f64],
+    ) -> Result<Status, FmiError> {
+        if let ([reference], [value]) = (references, values)
+            && self.set_dummy_value(*reference, *value)?
+        {
+            return Ok(Status::Ok);
+        }
+        self.set(references, |i| Value::Real(values[i]))
     }
 
     /// Sets variables; all or, if one of the values is refused, none.

@@ -39,13 +39,26 @@ impl AnyInstance {
         purpose: Purpose,
         profile_folders: Vec<PathBuf>,
         starts: &Starts,
+        has_state: bool,
     ) -> Result<Self, FmiError> {
         Ok(if unit.guid == Wheelset::UNIT.guid {
-            let starts = Box::new(starts.values()?);
-            Self::Wheelset(Box::new(Instance::new(interface, purpose, profile_folders, starts)))
+            let values = Box::new(starts.values()?);
+            Self::Wheelset(Box::new(Instance::new(
+                interface,
+                purpose,
+                profile_folders,
+                values,
+                has_state,
+            )))
         } else {
-            let starts = Box::new(starts.values()?);
-            Self::Wheel(Box::new(Instance::new(interface, purpose, profile_folders, starts)))
+            let values = Box::new(starts.values()?);
+            Self::Wheel(Box::new(Instance::new(
+                interface,
+                purpose,
+                profile_folders,
+                values,
+                has_state,
+            )))
         })
     }
 

@@ -12,7 +12,7 @@ use super::interface::Interface;
 use super::logger::Logger;
 use super::references::{is_boolean, is_integer, is_real, is_text, wrong_type};
 use super::types::{Status, ValueReference};
-use crate::variables::{Described, Kind, Unit, Value};
+use crate::variables::{Described, Kind, STATE_NAME, Unit, Value};
 
 /// What a reference stands for.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,8 @@ enum Target {
     Time,
     /// The event indicator.
     EventIndicator,
+    /// The dummy state or its derivative.
+    Dummy,
 }
 
 /// Names of the variables that are not in the table; `build/xml3.rs` declares them.
@@ -46,7 +48,7 @@ impl Target {
     fn len(self) -> usize {
         match self {
             Self::Elements(elements) => elements.len(),
-            Self::Time | Self::EventIndicator => 1,
+            Self::Time | Self::EventIndicator | Self::Dummy => 1,
         }
     }
 }
@@ -98,6 +100,13 @@ impl WholeNumber {
 }
 
 impl<S: Described> Instance<S> {
+    fn target(&self, reference: ValueReference) -> Result<Target, FmiError> {
+        match self.dummy_value(reference) {
+            Some(_) => Ok(Target::Dummy),
+            None => Target::of(S::UNIT, reference),
+        }
+    }
+
     /// Checks that the references are of variables of a type, and that they have as many elements
     /// as there are values.
     fn survey(
@@ -108,7 +117,7 @@ impl<S: Described> Instance<S> {
     ) -> Result<(), FmiError> {
         let mut wanted = 0;
         for &reference in references {
-            let target = Target::of(S::UNIT, reference)?;
+            let target = self.target(reference)?;
             match target {
                 Target::Elements(_) => {
                     let variable = &S::UNIT.variables[reference as usize];
@@ -116,9 +125,10 @@ impl<S: Described> Instance<S> {
                         return Err(wrong_type(self.interface, variable));
                     }
                 }
-                Target::Time | Target::EventIndicator if belongs(Kind::Real) => {}
+                Target::Time | Target::EventIndicator | Target::Dummy if belongs(Kind::Real) => {}
                 Target::Time => return Err(not_real(TIME)),
                 Target::EventIndicator => return Err(not_real(EVENT_INDICATOR)),
+                Target::Dummy => return Err(not_real(STATE_NAME)),
             }
             wanted += target.len();
         }
@@ -136,7 +146,7 @@ impl<S: Described> Instance<S> {
         let mut status = self.prepare_to_read(places(S::UNIT, references), is_real, logger)?;
         let mut out = out.iter_mut();
         for &reference in references {
-            let one = match Target::of(S::UNIT, reference)? {
+            let one = match self.target(reference)? {
                 Target::Elements(elements) => {
                     for (&place, out) in elements.iter().zip(&mut out) {
                         *out = S::real(&self.values, place as usize).unwrap_or_default();
@@ -144,6 +154,7 @@ impl<S: Described> Instance<S> {
                     continue;
                 }
                 Target::Time => self.time(),
+                Target::Dummy => self.dummy_value(reference).unwrap_or_default(),
                 Target::EventIndicator => {
                     let (found, indicator) = self.event_indicator(logger)?;
                     status = status.max(found);
@@ -210,7 +221,7 @@ impl<S: Described> Instance<S> {
     ) -> Result<Status, FmiError> {
         // What can be set is a variable by itself.
         for &reference in references {
-            match Target::of(S::UNIT, reference)? {
+            match self.target(reference)? {
                 Target::Elements([_]) => {}
                 Target::Elements(_) => {
                     let array = &S::UNIT.variables[reference as usize];
@@ -218,6 +229,7 @@ impl<S: Described> Instance<S> {
                 }
                 Target::Time => return Err(FmiError::Computed(TIME)),
                 Target::EventIndicator => return Err(FmiError::Computed(EVENT_INDICATOR)),
+                Target::Dummy => return Err(FmiError::Computed(STATE_NAME)),
             }
         }
         self.survey(references, ("nValues", count), belongs)?;
@@ -230,6 +242,11 @@ impl<S: Described> Instance<S> {
         references: &[ValueReference],
         values: &[f64],
     ) -> Result<Status, FmiError> {
+        if let ([reference], [value]) = (references, values)
+            && self.set_dummy_value(*reference, *value)?
+        {
+            return Ok(Status::Ok);
+        }
         self.set_all(references, values.len(), is_real, |i| Value::Real(values[i]))
     }
 
@@ -293,9 +310,10 @@ impl<S: Described> Instance<S> {
             (knowns, "known", "it is no input and no parameter"),
         ] {
             for &reference in references {
-                let name = match Target::of(S::UNIT, reference)? {
+                let name = match self.target(reference)? {
                     Target::Time => TIME,
                     Target::EventIndicator if role == "known" => EVENT_INDICATOR,
+                    Target::Dummy if role == "known" => STATE_NAME,
                     _ => continue,
                 };
                 return Err(FmiError::NoDerivative { name, role, reason });
@@ -319,7 +337,7 @@ impl<S: Described> Instance<S> {
         // From the last to the first, to leave room for event indicators.
         let (mut from, mut to) = (in_table, sensitivity.len());
         for &reference in unknowns.iter().rev() {
-            let target = Target::of(S::UNIT, reference)?;
+            let target = self.target(reference)?;
             for _ in 0..target.len() {
                 to -= 1;
                 sensitivity[to] = match target {
@@ -327,7 +345,7 @@ impl<S: Described> Instance<S> {
                         from -= 1;
                         sensitivity[from]
                     }
-                    Target::Time | Target::EventIndicator => 0.0,
+                    Target::Time | Target::EventIndicator | Target::Dummy => 0.0,
                 };
             }
         }

@@ -8,6 +8,7 @@ use std::ptr::null_mut;
 use super::any_instance::on_instance;
 use super::arguments::{array, array_mut, texts, write};
 use super::bytes;
+use super::dummy_state::Asked;
 use super::error::FmiError;
 use super::guard::{Call, guard};
 use super::logger::Category;
@@ -175,21 +176,39 @@ pub fn set_time(call: Call, component: Component, time: f64) -> Status {
     })
 }
 
-/// Accepts `count` continuous states, or what goes with them: there are none. The argument that
-/// holds the count is named first.
-pub fn no_states(
+/// Gives what is asked of the continuous states, of which there are none but in the variant with a
+/// dummy state. The argument that holds the count is named first.
+///
+/// # Safety
+/// FMI 2.0, 3.2.2, and FMI 3.0, 3.2.1: `elements` holds `count` elements.
+pub unsafe fn continuous_states(
+    call: Call,
+    component: Component,
+    asked: Asked,
+    (name, count): (&'static str, usize),
+    (elements_name, elements): (&'static str, *mut f64),
+) -> Status {
+    guard(component, call, |instance, _| {
+        // SAFETY: the caller's promise.
+        let out = unsafe { array_mut(elements_name, elements, count)? };
+        on_instance!(instance, |i| i.continuous_states(name, asked, out))
+    })
+}
+
+/// Sets the continuous states, of which there are none but in the variant with a dummy state.
+///
+/// # Safety
+/// FMI 2.0, 3.2.2, and FMI 3.0, 3.2.1: `states` holds `count` elements.
+pub unsafe fn set_continuous_states(
     call: Call,
     component: Component,
     (name, count): (&'static str, usize),
-    (elements, is_null): (&'static str, bool),
+    (states_name, states): (&'static str, *const f64),
 ) -> Status {
-    guard(component, call, |_, _| match count {
-        0 => Ok(Status::Ok),
-        _ if is_null => Err(FmiError::NullPointer(elements)),
-        _ => {
-            let allowed = "0: the unit has no continuous states";
-            Err(FmiError::BadArgument { name, value: count as f64, allowed })
-        }
+    guard(component, call, |instance, _| {
+        // SAFETY: the caller's promise.
+        let states = unsafe { array(states_name, states, count)? };
+        on_instance!(instance, |i| i.set_continuous_states(name, states))
     })
 }
 

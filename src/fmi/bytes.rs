@@ -44,7 +44,7 @@ mod tests {
 
     fn saved<S: Described>() -> Snapshot<S> {
         let (purpose, starts) = (Purpose::CoSimulation, Box::default());
-        let mut instance = Instance::<S>::new(Interface::V2, purpose, Vec::new(), starts);
+        let mut instance = Instance::<S>::new(Interface::V2, purpose, Vec::new(), starts, false);
         instance.setup_experiment(None, 0.5, Some(2.0)).unwrap();
         instance.enter_initialization().unwrap();
         instance.exit_initialization(&Logger::silent()).unwrap();

@@ -70,7 +70,7 @@ mod register {
     /// FPCR.
     pub type Word = u64;
     /// Traps, rounding, flushing to zero, other NaN and half precision formats.
-    pub const SETTINGS: Word = 0x07f7_9f07;
+    pub const SETTINGS: Word = 0x07ff_9f07;
     /// No traps, to nearest, small numbers kept.
     pub const DEFAULT: Word = 0;
 

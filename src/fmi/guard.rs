@@ -16,7 +16,7 @@ use super::logger::{Category, Logger};
 use super::starts::Starts;
 use super::types::{Component, Status};
 use super::unload;
-use crate::variables::{WHEEL, WHEELSET, shortened};
+use crate::variables::{WHEEL, WHEELSET, shortened, unit_of};
 
 /// A function of an interface and the states in which the standard allows it.
 #[derive(Clone, Copy, Debug)]
@@ -157,14 +157,12 @@ fn examine(request: Request, logger: &Logger) -> Result<AnyInstance, FmiError> {
     let purpose = request.purpose?;
     let given = request.identity?;
     // One library serves both: the description says which variables the host knows.
-    let unit =
-        [&WHEEL, &WHEELSET].into_iter().find(|unit| unit.guid == given).ok_or_else(|| {
-            FmiError::WrongGuid {
-                interface,
-                given: shortened(given),
-                wheel: WHEEL.guid,
-                wheelset: WHEELSET.guid,
-            }
+    let (unit, has_state) =
+        unit_of(given, &[&WHEEL, &WHEELSET]).ok_or_else(|| FmiError::WrongGuid {
+            interface,
+            given: shortened(given),
+            wheel: WHEEL.guid,
+            wheelset: WHEELSET.guid,
         })?;
     let location = request.location?;
     let resources = interface.resources(location);
@@ -175,7 +173,7 @@ fn examine(request: Request, logger: &Logger) -> Result<AnyInstance, FmiError> {
     let starts = Starts::beside(resources.as_deref())?;
     let folders = resources.map(|folder| folder.join("profiles")).into_iter();
     let folders = folders.chain([working_directory]).collect();
-    AnyInstance::new(unit, interface, purpose, folders, &starts)
+    AnyInstance::new(unit, interface, purpose, folders, &starts, has_state)
 }
 
 /// Takes the instance out of the table; freed, forged and null handles do nothing.

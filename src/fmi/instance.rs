@@ -55,6 +55,8 @@ pub struct Instance<S: Described> {
     /// Inputs were set, or the element made, since the outputs were evaluated.
     pub(super) outputs_stale: bool,
     pub(super) experiment: Option<Experiment>,
+    /// The continuous state of the variant that has one.
+    pub(super) dummy_state: Option<f64>,
     pub(super) time: f64,
     /// Time derivatives of the inputs over the next step.
     pub(super) extrapolation: Extrapolation,
@@ -86,6 +88,7 @@ impl<S: Described> Instance<S> {
         purpose: Purpose,
         profile_folders: Vec<PathBuf>,
         starts: Box<ValuesOf<S>>,
+        has_state: bool,
     ) -> Self {
         let most_flattened = match interface {
             Interface::V2 => 0,
@@ -103,6 +106,7 @@ impl<S: Described> Instance<S> {
             nominal_input: None,
             outputs_stale: true,
             experiment: None,
+            dummy_state: has_state.then_some(0.0),
             time: 0.0,
             extrapolation: Extrapolation::new(S::UNIT),
             slopes_at: None,
@@ -121,8 +125,9 @@ impl<S: Described> Instance<S> {
     pub fn reset(&mut self) {
         let snapshots = std::mem::replace(&mut self.snapshots, Slots::new());
         let folders = std::mem::take(&mut self.profile_folders);
-        let starts = self.starts.clone();
-        *self = Self { snapshots, ..Self::new(self.interface, self.purpose, folders, starts) };
+        let (starts, has_state) = (self.starts.clone(), self.dummy_state.is_some());
+        let (interface, purpose) = (self.interface, self.purpose);
+        *self = Self { snapshots, ..Self::new(interface, purpose, folders, starts, has_state) };
     }
 
     /// Whether there is an element of the parameters as they are.

@@ -20,6 +20,7 @@
 //! arrays     the same as FMI 3.0 has them: patches as arrays, time and event indicator as variables
 //! monitor    energy residual, stiffness and damping
 //! directional   derivatives of outputs
+//! dummy_state   the state of the variant that has one
 //! events     event mode, continuous time and the event indicator
 //! moving_rails  rails with a mass, moved on over a step
 //! worn_files worn profiles at the end of a run
@@ -58,6 +59,7 @@ mod bytes;
 mod coupling;
 mod differences;
 mod directional;
+mod dummy_state;
 mod error;
 mod evaluation;
 mod events;

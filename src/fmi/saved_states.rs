@@ -73,6 +73,7 @@ impl<S: Described> Instance<S> {
             memories: self.memories(),
             experiment: self.experiment,
             time: self.time,
+            dummy_state: self.dummy_state,
         }
     }
 
@@ -111,6 +112,7 @@ impl<S: Described> Instance<S> {
         }
         old.experiment = self.experiment;
         old.time = self.time;
+        old.dummy_state = self.dummy_state;
     }
 
     fn restore(&mut self, saved: &Snapshot<S>) -> Result<(), FmiError> {
@@ -140,6 +142,7 @@ impl<S: Described> Instance<S> {
         self.outputs_stale = saved.outputs == Outputs::Stale;
         self.experiment = saved.experiment;
         self.time = saved.time;
+        self.dummy_state = self.dummy_state.and(saved.dummy_state.or(self.dummy_state));
         if let Some(element) = &mut self.element {
             for (element, memory) in element.elements_mut().iter_mut().zip(&saved.memories) {
                 element.set_track_state(memory.track);

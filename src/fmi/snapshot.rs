@@ -34,6 +34,8 @@ pub struct Snapshot<S: Described> {
     pub experiment: Option<Experiment>,
     /// End of the last step [s].
     pub time: f64,
+    /// The dummy state; bytes leave it to the host, which knows it.
+    pub dummy_state: Option<f64>,
 }
 
 /// What one element remembers.

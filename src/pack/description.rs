@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, Writer, XmlVersion};
 
+use super::dummy_state::DummyState;
 use super::error::PackError;
-use crate::variables::{Described, Kind, Unit, Value, ValuesOf, Variable};
+use crate::variables::{Described, Kind, Unit, Value, ValuesOf, Variable, WITH_STATE};
 
 /// What is to be other than in the source.
 pub struct Changes<'a> {
@@ -18,6 +19,8 @@ pub struct Changes<'a> {
     pub unit: &'static Unit,
     /// Start value of a variable that can be set, as FMI writes it.
     pub start: &'a dyn Fn(&Variable) -> String,
+    /// Whether it gets a dummy state.
+    pub adds_state: bool,
 }
 
 /// Which unit a description is of.
@@ -117,8 +120,24 @@ pub fn rewritten(xml: &str, changes: &Changes<'_>) -> Result<String, PackError> 
     let mut writer = Writer::new(Vec::new());
     let mut walk = Walk::default();
     let mut described = BTreeSet::new();
+    let is_fmi_3 = xml.contains("instantiationToken=");
+    let mut state = changes.adds_state.then(|| DummyState::new(changes.unit, is_fmi_3));
     loop {
         let event = reader.read_event().map_err(|e| unsound(e.to_string()))?;
+        let mut behind = String::new();
+        if let Some(state) = &mut state {
+            let before = match &event {
+                Event::Start(element) | Event::Empty(element) => {
+                    state.before(element.name().as_ref())
+                }
+                Event::End(element) => {
+                    behind = state.behind(element.name().as_ref());
+                    state.before_end(element.name().as_ref())
+                }
+                _ => String::new(),
+            };
+            writer.get_mut().extend(before.into_bytes());
+        }
         let event = match event {
             Event::Eof => break,
             Event::Start(element) => {
@@ -136,6 +155,7 @@ pub fn rewritten(xml: &str, changes: &Changes<'_>) -> Result<String, PackError> 
             other => other,
         };
         writer.write_event(event).map_err(|e| unsound(e.to_string()))?;
+        writer.get_mut().extend(behind.into_bytes());
     }
     for variable in changes.unit.variables.iter().filter(|v| v.is_settable()) {
         let declared = variable.start.map(declared);
@@ -165,8 +185,17 @@ fn changed(
     described: &mut BTreeSet<&'static str>,
 ) -> Result<BytesStart<'static>, String> {
     if element.name().as_ref() == "fmiModelDescription" {
-        let new = [("modelName", changes.name), ("description", changes.description)];
-        return with(element, &new);
+        let token = match attribute(element, "guid")? {
+            Some(_) => "guid",
+            None => "instantiationToken",
+        };
+        let identity = attribute(element, token)?.unwrap_or_default() + WITH_STATE;
+        let identity = Some(&*identity).filter(|_| changes.adds_state);
+        let (name, description) = (changes.name, changes.description);
+        return with(
+            element,
+            &[("modelName", name), ("description", description), (token, identity)],
+        );
     }
     let Some(name) = walk.begin(element)? else { return Ok(element.to_owned()) };
     let Ok(variable) = changes.unit.find(&name) else { return Ok(element.to_owned()) };

@@ -36,14 +36,15 @@ enum Named {
 impl Named {
     fn by(variable: &Variable) -> Self {
         let name = variable.name;
+        let last = name.rsplit('.').next().unwrap_or_default();
         // Worn profiles are written.
         if name.contains("wear.") {
             Self::Nothing
         } else if name.ends_with("wheel.profile") {
             Self::Profile(ProfileKind::Wheel)
-        } else if name.contains("rail[") && name.ends_with(".profile") {
+        } else if name.contains("rail[") && last == "profile" {
             Self::Profile(ProfileKind::Rail)
-        } else if name.rsplit('.').next() == Some("file") || name == "friction.profile" {
+        } else if last == "file" || name.ends_with("friction.profile") {
             Self::Table
         } else {
             Self::Nothing
@@ -60,6 +61,11 @@ impl Files {
     /// Those that the user has brought, with their contents.
     pub fn taken(&self) -> impl Iterator<Item = (&str, &[u8])> + Clone {
         self.taken.iter().map(|name| (name.as_str(), self.all[name].as_slice()))
+    }
+
+    /// The entries that files of the user make in the archive.
+    pub fn entries(&self) -> BTreeMap<String, Vec<u8>> {
+        self.taken().map(|(name, bytes)| (format!("{FOLDER}{name}"), bytes.to_vec())).collect()
     }
 
     /// All of them in a folder of their own.
@@ -216,11 +222,14 @@ fn words(line: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut quote = None;
     for letter in line.chars() {
-        match quote {
-            Some(mark) if letter == mark => quote = None,
-            None if letter == '\'' || letter == '"' => quote = Some(letter),
-            None if letter.is_whitespace() || ",;".contains(letter) => words.push(String::new()),
-            Some(_) | None => words.last_mut().unwrap_or(&mut String::new()).push(letter),
+        if quote == Some(letter) {
+            quote = None;
+        } else if quote.is_none() && (letter == '\'' || letter == '"') {
+            quote = Some(letter);
+        } else if quote.is_none() && (letter.is_whitespace() || ",;".contains(letter)) {
+            words.push(String::new());
+        } else if let Some(word) = words.last_mut() {
+            word.push(letter);
         }
     }
     // A table may have blanks in a name without quotes.

@@ -7,12 +7,14 @@
 //! source       the archive that is rewritten
 //! files        files that go into the resources, and what they are called there
 //! description  modelDescription.xml with other start values
+//! dummy_state  what a description with a dummy state has besides
 //! page         what documentation/index.html says of the user's unit
 //! check        whether an archive holds what it is to hold
 //! ```
 
 mod check;
 mod description;
+mod dummy_state;
 mod error;
 mod files;
 mod page;
@@ -38,6 +40,7 @@ pub struct Pack {
     name: Option<String>,
     description: Option<String>,
     pictures: Option<Pictures>,
+    has_dummy_state: bool,
 }
 
 /// Pictures of the contact.
@@ -73,9 +76,9 @@ impl Pack {
     pub fn open(source: &Path) -> Result<Self, PackError> {
         let source = Source::read(source)?;
         let text = source.text(&format!("resources/{START_FILE}")).unwrap_or_default();
-        let broken = |problem| PackError::StartFile {
-            file: source.path.clone(),
-            problem: Box::new(problem),
+        let broken = |problem| {
+            let (file, problem) = (source.path.clone(), Box::new(problem));
+            PackError::StartFile { file, problem }
         };
         let values = if source.unit.guid == crate::variables::WHEELSET.guid {
             UnitValues::Wheelset(Box::new(WheelsetValues::from_start_file(&text).map_err(broken)?))
@@ -83,7 +86,15 @@ impl Pack {
             UnitValues::Wheel(Box::new(Values::from_start_file(&text).map_err(broken)?))
         };
         let files = Files::new(source.profiles());
-        Ok(Self { source, values, files, name: None, description: None, pictures: None })
+        Ok(Self {
+            source,
+            values,
+            files,
+            name: None,
+            description: None,
+            pictures: None,
+            has_dummy_state: false,
+        })
     }
 
     /// Whose variables it has.
@@ -148,6 +159,12 @@ impl Pack {
         self.description = Some(words.join(" "));
     }
 
+    /// Gives model exchange a dummy state, der(x) = 0, for importers that cannot integrate a unit
+    /// without states; a unit that has it keeps it.
+    pub fn add_dummy_state(&mut self) {
+        self.has_dummy_state = true;
+    }
+
     /// Takes over pictures of the contact.
     pub fn set_pictures(&mut self, pictures: Pictures) {
         self.pictures = Some(pictures);
@@ -194,8 +211,9 @@ impl Pack {
             description: self.description.as_deref(),
             unit: self.unit(),
             start: &start,
+            adds_state: self.has_dummy_state && !self.source.has_state,
         };
-        let mut entries = Source::changed(&self.files);
+        let mut entries = self.files.entries();
         let xml = description::rewritten(&self.source.description, &changes)?;
         entries.insert("modelDescription.xml".into(), xml.into_bytes());
         let starts = on_values!(&self.values, |values| values.start_file());

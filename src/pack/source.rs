@@ -9,8 +9,8 @@ use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 use super::description;
 use super::error::PackError;
-use super::files::{FOLDER, Files};
-use crate::variables::{Unit, WHEEL, WHEELSET};
+use super::files::FOLDER;
+use crate::variables::{Unit, WHEEL, WHEELSET, unit_of};
 
 /// A unit of this crate as an archive.
 pub struct Source {
@@ -20,6 +20,8 @@ pub struct Source {
     pub unit: &'static Unit,
     /// `modelDescription.xml`.
     pub description: String,
+    /// Whether it is with a dummy state.
+    pub has_state: bool,
     /// `modelName`.
     pub model_name: String,
     bytes: Vec<u8>,
@@ -63,14 +65,14 @@ impl Source {
         let xml = xml.ok_or_else(|| failed("it has no modelDescription.xml".into()))?;
         let xml = String::from_utf8(xml.clone()).map_err(|e| failed(e.to_string()))?;
         let identity = description::identity(&xml).map_err(failed)?;
-        let unit = [&WHEEL, &WHEELSET].into_iter().find(|unit| unit.guid == identity.token);
-        let Some(unit) = unit else {
+        let known = unit_of(&identity.token, &[&WHEEL, &WHEELSET]);
+        let Some((unit, has_state)) = known else {
             let found = identity.token;
             let (wheel, wheelset) = (WHEEL.guid, WHEELSET.guid);
             return Err(PackError::Foreign { file, found, wheel, wheelset });
         };
         let model_name = identity.model_name;
-        Ok(Self { path: file, unit, description: xml, model_name, bytes, entries })
+        Ok(Self { path: file, unit, has_state, description: xml, model_name, bytes, entries })
     }
 
     /// An entry that is a text.
@@ -88,12 +90,6 @@ impl Source {
     pub fn icon(&self) -> &'static str {
         let of_fmi_3 = "terminalsAndIcons/icon.png";
         if self.entries.contains_key(of_fmi_3) { of_fmi_3 } else { "model.png" }
-    }
-
-    /// The entries that files of the user make.
-    pub fn changed(files: &Files) -> BTreeMap<String, Vec<u8>> {
-        let all = files.taken().map(|(name, bytes)| (format!("{FOLDER}{name}"), bytes.to_vec()));
-        all.collect()
     }
 
     /// The archive with these entries in the place of its own, sorted and without a date: the same

@@ -6,6 +6,7 @@
 //! them come the tables [`WHEEL`] and [`WHEELSET`], the typed access of [`ValuesOf`], the GUIDs and
 //! the model descriptions of the FMUs, so that they cannot disagree.
 
+mod dummy_state;
 mod spelling;
 mod start_file;
 mod table;
@@ -16,6 +17,7 @@ mod variable;
 use crate::element::Element;
 use crate::wheelset::Wheelset;
 
+pub use dummy_state::{DERIVATIVE_NAME, STATE_NAME, WITH_STATE, state_references, unit_of};
 pub use start_file::{START_FILE, StartFileError};
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
 pub use values::{Coupling, Described, ValuesOf, check};

@@ -52,10 +52,16 @@ fn clients() -> PathBuf {
 
 /// What a client written in Python answers.
 fn answers(client: &str) -> Table {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{client}.csv"));
+    answers_of(client, &packaged::fmu())
+}
+
+/// The same for a unit.
+fn answers_of(client: &str, unit: &Path) -> Table {
+    let file = unit.file_stem().unwrap().to_string_lossy();
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{client}-{file}.csv"));
     let script = in_tree("tests/importers").join(format!("client_{client}.py"));
     let mut command = Command::new(clients());
-    command.arg(script).arg(packaged::fmu()).arg(in_tree(POSITIONS)).arg(&file);
+    command.arg(script).arg(unit).arg(in_tree(POSITIONS)).arg(&file);
     run(&mut command, client);
     Table::read(&file)
 }
@@ -106,6 +112,25 @@ fn libcosim_gets_the_same_bits() {
 #[ignore = "installs its client"]
 fn ecos_gets_the_same_bits() {
     same_as_in_fmpy(&answers("ecos"));
+}
+
+/// A profile, and a choice, which libcosim and ecos cannot set: both are in the unit.
+#[test]
+#[ignore = "installs its client"]
+#[cfg(feature = "cli")]
+fn a_packed_unit_is_the_same_in_all_of_them() {
+    let unit = Path::new(env!("CARGO_TARGET_TMPDIR")).join("PackedForImporters.fmu");
+    let mut pack = wheelrail::pack::Pack::open(&packaged::fmu()).unwrap();
+    let profile = in_tree("fmu/resources/profiles/S1002_worn.txt");
+    pack.set_wheel(profile.to_str().unwrap()).unwrap();
+    pack.set("normal.model", "hertz").unwrap();
+    pack.add_dummy_state();
+    pack.write(&unit).unwrap();
+    let first = answers_of("fmpy", &unit);
+    assert_ne!(first.bits(), in_fmpy().bits());
+    for client in ["libcosim", "ecos"] {
+        assert_eq!(answers_of(client, &unit).bits(), first.bits(), "{client}");
+    }
 }
 
 #[test]

@@ -22,6 +22,7 @@ mod field_profiles;
 mod flange_climb;
 mod fmi3;
 mod fmi_directional_derivative;
+mod fmi_dummy_state;
 mod fmi_foundation;
 mod fmi_input_derivatives;
 mod fmi_lifecycle;

@@ -111,6 +111,7 @@ def pack(
     settings: Sequence[tuple[str, str]],
     name: str,
     description: str,
+    dummy_state: bool,
 ) -> None: ...
 def planar_solve(
     wheel: Wheel,

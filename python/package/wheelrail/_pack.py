@@ -23,6 +23,7 @@ def pack(
     source: str | os.PathLike[str] | None = None,
     name: str | None = None,
     description: str = "Contact of railway wheel and rail",
+    dummy_state: bool = False,
 ) -> Path:
     """Pack an FMU with your profiles and values inside, to be mailed as one file.
 
@@ -43,6 +44,8 @@ def pack(
         A unit as a file in the place of ``unit``; it may be packed already.
     name, description : str, optional
         Of the model; without a name it is that of the file.
+    dummy_state : bool
+        Whether model exchange has a state, der(x) = 0, for importers that cannot integrate without.
 
     Returns
     -------
@@ -58,7 +61,8 @@ def pack(
     path = Path(source) if source is not None else fmu(unit)
     profiles = [None if profile is None else os.fspath(profile) for profile in (wheel, rail)]
     settings = [(variable, _text(value)) for variable, value in (values or {}).items()]
-    _native.pack(path, target, profiles, settings, target.stem if name is None else name, description)
+    title = target.stem if name is None else name
+    _native.pack(path, target, profiles, settings, title, description, dummy_state)
     return target
 
 

@@ -41,6 +41,10 @@ pub struct Arguments {
     /// Description of the model; without it profiles and what is set
     #[arg(long, value_name = "TEXT")]
     description: Option<String>,
+    /// Give model exchange a dummy state, der(x) = 0, for importers that cannot integrate a unit
+    /// without states
+    #[arg(long)]
+    dummy_state: bool,
     /// The packed unit
     #[arg(long, short, value_name = "FILE.fmu")]
     output: PathBuf,
@@ -70,6 +74,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     pack.set_name(arguments.name.as_deref().or(stem.as_deref()).unwrap_or_default())?;
     pack.set_description(&description(arguments));
+    if arguments.dummy_state {
+        pack.add_dummy_state();
+    }
     match pictures(&pack) {
         Ok(pictures) => pack.set_pictures(pictures),
         // What is at fault with the values is told below; a wheel in the air is no fault.

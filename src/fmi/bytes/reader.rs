@@ -201,6 +201,7 @@ impl<'a> Reader<'a> {
             extrapolation,
             experiment: planned.then_some(Experiment { start, stop: stops.then_some(stop) }),
             time,
+            dummy_state: None,
         })
     }
 }

@@ -1,12 +1,13 @@
 //! Model exchange: forces at any time the host's integrator asks for them.
 //!
-//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole
+//! There are no continuous states but in the variant with a dummy one: outputs follow from the inputs, as in co-simulation, and whole
 //! numbers among them change at events.
 
 use super::calls;
 use super::types::{Boolean, Component, EventInfo, FALSE, Status};
 use crate::fmi::arguments::write;
 use crate::fmi::both;
+use crate::fmi::dummy_state::Asked;
 use crate::fmi::guard::guard;
 use crate::fmi::life_cycle::State;
 
@@ -61,26 +62,31 @@ pub extern "C" fn fmi2SetTime(component: Component, time: f64) -> Status {
     both::set_time(calls::SET_TIME, component, time)
 }
 
-/// `fmi2SetContinuousStates`: there are none.
+/// `fmi2SetContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetContinuousStates(
     component: Component,
     states: *const f64,
     count: usize,
 ) -> Status {
-    let states = ("x", states.is_null());
-    both::no_states(calls::SET_CONTINUOUS_STATES, component, ("nx", count), states)
+    let states = ("x", states);
+    // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
+    unsafe {
+        both::set_continuous_states(calls::SET_CONTINUOUS_STATES, component, ("nx", count), states)
+    }
 }
 
-/// `fmi2GetDerivatives`: there are none.
+/// `fmi2GetDerivatives`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetDerivatives(
     component: Component,
     derivatives: *mut f64,
     count: usize,
 ) -> Status {
-    let derivatives = ("derivatives", derivatives.is_null());
-    both::no_states(calls::GET_DERIVATIVES, component, ("nx", count), derivatives)
+    let (call, elements) = (calls::GET_DERIVATIVES, ("derivatives", derivatives));
+    let count = ("nx", count);
+    // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
+    unsafe { both::continuous_states(call, component, Asked::Derivatives, count, elements) }
 }
 
 /// `fmi2GetEventIndicators`: negative where outputs that are whole numbers are others than at the
@@ -96,24 +102,28 @@ pub unsafe extern "C" fn fmi2GetEventIndicators(
     unsafe { both::event_indicators(call, component, "ni", indicators, count) }
 }
 
-/// `fmi2GetContinuousStates`: there are none.
+/// `fmi2GetContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetContinuousStates(
     component: Component,
     states: *mut f64,
     count: usize,
 ) -> Status {
-    let states = ("x", states.is_null());
-    both::no_states(calls::GET_CONTINUOUS_STATES, component, ("nx", count), states)
+    let (call, elements) = (calls::GET_CONTINUOUS_STATES, ("x", states));
+    let count = ("nx", count);
+    // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
+    unsafe { both::continuous_states(call, component, Asked::Values, count, elements) }
 }
 
-/// `fmi2GetNominalsOfContinuousStates`: there are none.
+/// `fmi2GetNominalsOfContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(
     component: Component,
     nominals: *mut f64,
     count: usize,
 ) -> Status {
-    let nominals = ("x_nominal", nominals.is_null());
-    both::no_states(calls::GET_NOMINALS, component, ("nx", count), nominals)
+    let (call, elements) = (calls::GET_NOMINALS, ("x_nominal", nominals));
+    let count = ("nx", count);
+    // SAFETY: FMI 2.0, 3.2.2: the array holds `nx` elements.
+    unsafe { both::continuous_states(call, component, Asked::Nominals, count, elements) }
 }

@@ -37,7 +37,7 @@ pub unsafe extern "C" fn fmi2SetReal(
         // SAFETY: FMI 2.0, 2.1.7: both arrays hold `nvr` elements.
         let (references, values) =
             unsafe { (array("vr", references, count)?, array("value", values, count)?) };
-        on_instance!(instance, |i| i.set(references, |i| Value::Real(values[i])))
+        on_instance!(instance, |i| i.set_real(references, values))
     })
 }
 

@@ -1,12 +1,14 @@
 //! Model exchange: forces at any time the host's integrator asks for them.
 //!
-//! There are no continuous states: outputs follow from the inputs, as in co-simulation, and whole
+//! There are no continuous states but in the variant with a dummy one: outputs follow from the inputs, as in co-simulation, and whole
 //! numbers among them change at events.
 
 use super::calls;
 use super::types::{Boolean, Component, FALSE, Status};
+use crate::fmi::any_instance::on_instance;
 use crate::fmi::arguments::write;
 use crate::fmi::both;
+use crate::fmi::dummy_state::Asked;
 use crate::fmi::error::FmiError;
 use crate::fmi::guard::guard;
 use crate::fmi::life_cycle::State;
@@ -86,26 +88,36 @@ pub extern "C" fn fmi3SetTime(component: Component, time: f64) -> Status {
     both::set_time(calls::SET_TIME, component, time)
 }
 
-/// `fmi3SetContinuousStates`: there are none.
+/// `fmi3SetContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetContinuousStates(
     component: Component,
     states: *const f64,
     count: usize,
 ) -> Status {
-    let states = ("continuousStates", states.is_null());
-    both::no_states(calls::SET_CONTINUOUS_STATES, component, (STATES, count), states)
+    let states = ("continuousStates", states);
+    // SAFETY: FMI 3.0, 3.2.1: the array holds `nContinuousStates` elements.
+    unsafe {
+        both::set_continuous_states(
+            calls::SET_CONTINUOUS_STATES,
+            component,
+            (STATES, count),
+            states,
+        )
+    }
 }
 
-/// `fmi3GetContinuousStateDerivatives`: there are none.
+/// `fmi3GetContinuousStateDerivatives`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetContinuousStateDerivatives(
     component: Component,
     derivatives: *mut f64,
     count: usize,
 ) -> Status {
-    let derivatives = ("derivatives", derivatives.is_null());
-    both::no_states(calls::GET_STATE_DERIVATIVES, component, (STATES, count), derivatives)
+    let (call, elements) = (calls::GET_STATE_DERIVATIVES, ("derivatives", derivatives));
+    let count = (STATES, count);
+    // SAFETY: FMI 3.0, 3.2.1: the array holds `nContinuousStates` elements.
+    unsafe { both::continuous_states(call, component, Asked::Derivatives, count, elements) }
 }
 
 /// `fmi3GetEventIndicators`: negative where outputs that are whole numbers are others than at the
@@ -121,26 +133,30 @@ pub unsafe extern "C" fn fmi3GetEventIndicators(
     unsafe { both::event_indicators(call, component, name, indicators, count) }
 }
 
-/// `fmi3GetContinuousStates`: there are none.
+/// `fmi3GetContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetContinuousStates(
     component: Component,
     states: *mut f64,
     count: usize,
 ) -> Status {
-    let states = ("continuousStates", states.is_null());
-    both::no_states(calls::GET_CONTINUOUS_STATES, component, (STATES, count), states)
+    let (call, elements) = (calls::GET_CONTINUOUS_STATES, ("continuousStates", states));
+    let count = (STATES, count);
+    // SAFETY: FMI 3.0, 3.2.1: the array holds `nContinuousStates` elements.
+    unsafe { both::continuous_states(call, component, Asked::Values, count, elements) }
 }
 
-/// `fmi3GetNominalsOfContinuousStates`: there are none.
+/// `fmi3GetNominalsOfContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetNominalsOfContinuousStates(
     component: Component,
     nominals: *mut f64,
     count: usize,
 ) -> Status {
-    let nominals = ("nominals", nominals.is_null());
-    both::no_states(calls::GET_NOMINALS, component, (STATES, count), nominals)
+    let (call, elements) = (calls::GET_NOMINALS, ("nominals", nominals));
+    let count = (STATES, count);
+    // SAFETY: FMI 3.0, 3.2.1: the array holds `nContinuousStates` elements.
+    unsafe { both::continuous_states(call, component, Asked::Nominals, count, elements) }
 }
 
 /// `fmi3GetNumberOfEventIndicators`: one for all outputs that are whole numbers.
@@ -155,15 +171,16 @@ pub unsafe extern "C" fn fmi3GetNumberOfEventIndicators(
     })
 }
 
-/// `fmi3GetNumberOfContinuousStates`: there are none.
+/// `fmi3GetNumberOfContinuousStates`: none, or that of the variant with a dummy state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetNumberOfContinuousStates(
     component: Component,
     count: *mut usize,
 ) -> Status {
-    guard(component, calls::GET_NUMBER_OF_STATES, |_, _| {
+    guard(component, calls::GET_NUMBER_OF_STATES, |instance, _| {
+        let number = on_instance!(instance, |i| i.state_count());
         // SAFETY: FMI 3.0, 2.3.2: the argument points to one size.
-        unsafe { write(STATES, count, 0) }
+        unsafe { write(STATES, count, number) }
     })
 }
 

@@ -53,7 +53,7 @@ fn pack(unit: &str, target: &Path, more: &[&str]) -> Output {
 }
 
 /// A host with an instance of a packed unit, whose files lie in `folder`.
-#[allow(clippy::unnecessary_box_returns, reason = "the instance knows where its host is")]
+#[allow(clippy::unnecessary_box_returns, reason = "the logger has its address")]
 fn host_of(archive: &Path, folder: &Path, guid: &str) -> Box<Host> {
     zip::ZipArchive::new(File::open(archive).unwrap()).unwrap().extract(folder).unwrap();
     let location = format!("file://{}/resources", folder.display());
