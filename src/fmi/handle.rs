@@ -33,6 +33,7 @@ pub fn find(component: Component) -> Option<Arc<Entry>> {
 }
 
 /// Gives back the memory of the table if no instance is in it; whether that is so.
+#[cfg(target_os = "linux")]
 pub fn forget_if_empty() -> bool {
     // Whoever holds the lock now has an instance.
     let Ok(mut table) = INSTANCES.try_write() else { return false };

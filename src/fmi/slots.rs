@@ -60,6 +60,7 @@ impl<T> Slots<T> {
     }
 
     /// Whether there is no entry.
+    #[cfg(target_os = "linux")]
     pub fn is_empty(&self) -> bool {
         self.0.iter().all(|slot| slot.entry.is_none())
     }

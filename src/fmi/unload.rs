@@ -1,30 +1,43 @@
 //! What is given back when a host unloads the library.
+//!
+//! By a function in the section that the loader of Linux calls: `atexit` would do, but zig's glibc
+//! calls what a library has given to it at the end of the process, when the library may be gone.
+//! Elsewhere the memory of the tables stays, as that of any static variable does.
 #![allow(unsafe_code)]
 
-use std::sync::Once;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::handle;
-use crate::math::until_unload::give_back_all;
+/// Whether an instance was ever made: a program that works with elements alone may end while its
+/// other threads still calculate.
+static SERVES_A_HOST: AtomicBool = AtomicBool::new(false);
 
-/// Asks the system to call [`at_unload`] when this library is unloaded, or at the end of the
-/// process; once.
+/// Takes note that instances are made, at whose end memory may be given back.
 pub fn expect() {
-    static ASKED: Once = Once::new();
-    ASKED.call_once(|| {
-        // Without room for one more such function the memory stays, as that of any static variable.
-        // SAFETY: a function of the library that calls it is called before the library goes.
-        let _ = unsafe { libc::atexit(at_unload) };
-    });
+    SERVES_A_HOST.store(true, Ordering::Relaxed);
 }
 
-/// Gives back the tables that all instances share.
-///
-/// A process may end while other threads still calculate: where an instance is left, nothing is
-/// touched.
-extern "C" fn at_unload() {
-    if handle::forget_if_empty() {
-        // SAFETY: all that calculates in a unit is an instance, and there is none and will be none:
-        // the library is being unloaded, or the process ends.
-        unsafe { give_back_all() };
+#[cfg(target_os = "linux")]
+mod on_linux {
+    use super::{Ordering, SERVES_A_HOST};
+    use crate::fmi::handle;
+    use crate::math::until_unload::give_back_all;
+
+    /// The loader calls what is in this section when it unloads the library, and at the end of the
+    /// process.
+    #[used]
+    // SAFETY: the section holds pointers to such functions.
+    #[unsafe(link_section = ".fini_array")]
+    static AT_UNLOAD: extern "C" fn() = at_unload;
+
+    /// Gives back the tables that all instances share.
+    ///
+    /// A process may end while other threads still calculate: where an instance is left, nothing is
+    /// touched.
+    extern "C" fn at_unload() {
+        if SERVES_A_HOST.load(Ordering::Relaxed) && handle::forget_if_empty() {
+            // SAFETY: all that calculates in a unit is an instance, and there is none and will be
+            // none: the library is being unloaded, or the process ends.
+            unsafe { give_back_all() };
+        }
     }
 }

@@ -49,10 +49,11 @@ impl<T: Send + Sync + 'static> UntilUnload<T> {
     }
 }
 
-/// Gives back the memory of all values.
+/// Gives back the memory of all values; systems without a call at unloading never do.
 ///
 /// # Safety
 /// Nobody uses one of the values any more or asks for one: the library is about to be unloaded.
+#[cfg_attr(not(target_os = "linux"), allow(dead_code))]
 pub unsafe fn give_back_all() {
     let made = std::mem::take(&mut *MADE.lock().unwrap_or_else(PoisonError::into_inner));
     for Made { place, give_back } in made {

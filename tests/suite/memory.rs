@@ -25,11 +25,14 @@ fn reference(name: &str) -> String {
     find(name).unwrap().reference.to_string()
 }
 
-#[test]
-#[cfg(all(target_os = "linux", target_env = "gnu"))]
-fn a_library_that_is_unloaded_leaves_nothing_and_a_host_its_exceptions() {
+/// Bytes that a library leaves behind each time it is loaded, run and unloaded.
+///
+/// # Panics
+/// If it gets into the way of the floating point settings of its host, or the host does not live on
+/// to its end.
+pub fn left_behind(library: &Path) -> f64 {
     let run = Command::new(compiled("coming_host.c"))
-        .arg(packaged::library())
+        .arg(library)
         .arg(GUID)
         .args(["wheel.z", "wheel.force.z"].map(reference))
         .arg("20")
@@ -37,7 +40,13 @@ fn a_library_that_is_unloaded_leaves_nothing_and_a_host_its_exceptions() {
         .unwrap();
     let told = String::from_utf8_lossy(&run.stderr);
     assert!(run.status.success(), "{}: {told}", run.status);
-    let left: f64 = String::from_utf8(run.stdout).unwrap().trim().parse().unwrap();
+    String::from_utf8(run.stdout).unwrap().trim().parse().unwrap()
+}
+
+#[test]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn a_library_that_is_unloaded_leaves_nothing_and_a_host_its_exceptions() {
+    let left = left_behind(&packaged::library());
     // The tables of creep forces alone have 1.5 MB.
     assert!(left < 10e3, "{left} bytes stay behind each time");
 }
