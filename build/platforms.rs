@@ -2,8 +2,10 @@
 //! `WHEELRAIL_PLATFORMS` asks for them, others, as far as there are tools for them.
 //!
 //! `linux64` asks for a library that runs on the glibc of old distributions too: cargo-zigbuild
-//! links it against 2.17. `win64` needs the standard library for [`WINDOWS`] and the linker of
-//! MinGW-w64. A library that is there already can be packed instead (`WHEELRAIL_LIBRARY`).
+//! links it against 2.17. `aarch64-linux` is made in the same way, for which FMI 2.0 has no name of
+//! its own: it has that of FMI 3.0 there too (FMI 2.0.4, 2.3). `win64` needs the standard library
+//! for [`WINDOWS`] and the linker of MinGW-w64. A library that is there already can be packed
+//! instead (`WHEELRAIL_LIBRARY`).
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -14,6 +16,10 @@ use std::{env, thread};
 const LINUX: &str = "x86_64-unknown-linux-gnu";
 /// Oldest glibc on which the library of cargo-zigbuild runs: that of 2012.
 const GLIBC: &str = "2.17";
+/// Name of the platform of 64-bit Arm.
+const ARM_NAME: &str = "aarch64-linux";
+/// Its target.
+const ARM: &str = "aarch64-unknown-linux-gnu";
 /// Target of `win64`.
 const WINDOWS: &str = "x86_64-pc-windows-gnu";
 /// The linker for it.
@@ -76,8 +82,8 @@ fn build(root: &Path, out: &Path, target: &str) -> Vec<Library> {
     let asked = env::var(VARIABLE).unwrap_or_default();
     let asked: Vec<&str> =
         asked.split([',', ' ']).map(str::trim).filter(|name| !name.is_empty()).collect();
-    if let Some(name) = asked.iter().find(|name| !["linux64", "win64"].contains(name)) {
-        panic!("{VARIABLE} names {name}: linux64 and win64 can be asked for");
+    if let Some(name) = asked.iter().find(|name| !["linux64", ARM_NAME, "win64"].contains(name)) {
+        panic!("{VARIABLE} names {name}: linux64, {ARM_NAME} and win64 can be asked for");
     }
     if !asked.is_empty() {
         // Tools may be installed after they were missed.
@@ -117,11 +123,11 @@ impl Job {
 fn plan(target: &str, asked: &[&str]) -> (Vec<Job>, Vec<String>) {
     let own = own(target);
     let (mut jobs, mut missing) = (Vec::new(), Vec::new());
-    for (platform, wanted) in [("linux64", LINUX), ("win64", WINDOWS)] {
+    for (platform, wanted) in [("linux64", LINUX), (ARM_NAME, ARM), ("win64", WINDOWS)] {
         if !asked.contains(&platform) || (platform == "win64" && own.platform == "win64") {
             continue;
         }
-        let zigbuild = platform == "linux64";
+        let zigbuild = platform != "win64";
         let own_target = platform == own.platform;
         let wanted = if own_target { target } else { wanted };
         let tools = if zigbuild { zigbuild_is_there() } else { linker_is_there() };
@@ -145,7 +151,7 @@ fn plan(target: &str, asked: &[&str]) -> (Vec<Job>, Vec<String>) {
 
 fn what(platform: &str) -> String {
     match platform {
-        "linux64" => format!("for glibc {GLIBC}, could not be built"),
+        "linux64" | ARM_NAME => format!("for glibc {GLIBC}, could not be built"),
         _ => "could not be built".into(),
     }
 }
