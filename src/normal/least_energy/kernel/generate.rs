@@ -102,10 +102,19 @@ fn fit() -> Vec<[f64; 2]> {
     (0..=FIT_STEPS).map(place).collect()
 }
 
-/// sqrt(t² + σ) of row `row`.
-pub(super) fn root(row: usize, w: f64, t: f64) -> f64 {
+/// r = sqrt(t² + σ) of row `row`.
+fn root(row: usize, w: f64, t: f64) -> f64 {
     let [rate, base] = SOFTNESS[row];
     (t * t + SOFTEST + 1.0 / (rate * w + base)).sqrt()
+}
+
+/// w dr/dw and w² d²r/dw².
+#[cfg(test)]
+fn root_slopes(row: usize, w: f64, t: f64) -> [f64; 2] {
+    let [rate, base] = SOFTNESS[row];
+    let soft = 1.0 / (rate * w + base);
+    let (step, root) = (w * rate * soft, root(row, w, t));
+    [-soft * step / (2.0 * root), soft * step * step * (1.0 / root - soft / (4.0 * root.powi(3)))]
 }
 
 impl Potential {
@@ -340,8 +349,13 @@ mod tests {
             let [first, second] = potential.slopes(w);
             let exact = [potential.functions(w), first, second];
             for (row, t) in (0..ROWS).flat_map(|row| [0.0_f64, 0.3, 1.0].map(|t| (row, t))) {
-                let root = root(row, w, t);
-                let exact = exact.map(|f| f[2 * row] + root * f[2 * row + 1]);
+                let (root, [rise, bend]) = (root(row, w, t), root_slopes(row, w, t));
+                let [value, first, second] = exact.map(|f| [f[2 * row], f[2 * row + 1]]);
+                let exact = [
+                    value[0] + root * value[1],
+                    first[0] + root * first[1] + rise * value[1],
+                    second[0] + root * second[1] + 2.0 * rise * first[1] + bend * value[1],
+                ];
                 // At constant t the kernel varies with w alone.
                 let [p, q] = [w * (1.0 + t), w * (1.0 - t)];
                 let [k, kp, kq, kpp, kpq, kqq] = kernel.second(row, p, q, 1.0);
