@@ -135,7 +135,7 @@ pub(crate) fn read(
         unit_is_stated: false,
         direction_is_stated: kind == ProfileKind::Rail,
         side_is_stated: false,
-        // The running circle, whatever the sign of y.
+        // The running circle, where the points reach it.
         origin_is_stated: true,
         is_measured_rail: false,
         smoothing: None,

@@ -60,9 +60,10 @@ impl ProfilePoints {
         profile_checks::enough(&self)?;
         self.mend_unit()?;
         self.run_from_flange();
-        let from_flange_back = kind == ProfileKind::Wheel
-            && !self.origin_is_stated
-            && self.points.iter().all(|p| p.point[0] > FLANGE_BACK_TOLERANCE);
+        // Where the format says that y = 0 is the running circle, it holds for points that reach it.
+        let least = if self.origin_is_stated { 0.0 } else { FLANGE_BACK_TOLERANCE };
+        let from_flange_back =
+            kind == ProfileKind::Wheel && self.points.iter().all(|p| p.point[0] > least);
         if from_flange_back {
             self.check_flange_back()?;
             self.points.iter_mut().for_each(|p| p.point[0] -= RUNNING_CIRCLE);
