@@ -20,7 +20,11 @@ use crate::math::fixed_vec::FixedVec;
 /// Most steps with a new factor.
 pub(super) const MAX_STEPS: usize = 40;
 /// Greatest change of a load per width over that of the ellipse, and of χ, in one step.
-const MAX_CHANGE: [f64; 2] = [1.5, 0.5];
+const MAX_CHANGE: [f64; 2] = [1.5, 1.0];
+/// Steps without second derivatives before the first one with them, and the change of a load per
+/// width over that of the ellipse at which there are enough of them.
+const MOST_RELAXED: usize = 4;
+const RELAXED: f64 = 0.1;
 /// What a change of χ counts against one of a load per width over that of the ellipse.
 const SHAPE_WEIGHT: f64 = 0.05;
 /// Expected error of a load per width over that of the ellipse at which it ends.
@@ -155,6 +159,13 @@ impl Newton {
         self.curvature.resize(self.load.len(), 1.0);
         self.system.nodes.clear();
         self.mark_tops();
+        self.choose_nodes(simd, table);
+        for _ in 0..MOST_RELAXED {
+            if self.system.relax(simd, table, &self.problem) < RELAXED {
+                break;
+            }
+        }
+        self.system.give_loads(&mut self.load);
         self.last.energy = f64::INFINITY;
         for _ in 0..MAX_STEPS {
             self.steps += 1;
@@ -206,9 +217,20 @@ impl Newton {
         }
         let is_loaded = |i: usize| load.get(i).is_some_and(|&load| load > 0.0);
         wanted.clear();
+        let mut place = 0;
         for i in 0..load.len() {
+            let is_taken = system.nodes.get(place) == Some(&i);
+            place += usize::from(is_taken);
             let is_beside = !is_first && (is_loaded(i + 1) || is_loaded(i.wrapping_sub(1)));
-            if extra[i] || is_loaded(i) || is_beside && system.pull(simd, table, problem, i) < 0.0 {
+            let mut grows = || {
+                let by_load = if is_taken {
+                    system.gradient(place - 1)
+                } else {
+                    system.pull(simd, table, problem, i)
+                };
+                by_load < 0.0
+            };
+            if extra[i] || is_loaded(i) || is_beside && grows() {
                 wanted.push(i);
             }
         }

@@ -1,0 +1,177 @@
+//! How many nodes there are up to each place.
+//!
+//! With s = o/δ, δ and b the depth and half the width of the parabola with the same integrals of o²
+//! and o³, nodes stand at whole steps of the measure
+//!
+//! ```text
+//! M = (n/A) ∫ hypot(E^(1/4) s dy/∫ s dy, ½ |d(s^(3/2)/E^(5/4))|),   E = 7/6 ∫ s³ dy/∫ s² dy
+//! ```
+//!
+//! where the integrals go over the lobe that a place belongs to, of which E is the height. The
+//! measure is counted from its mean weighted by s². A is the integral for a parabola, so that a
+//! parabola has n nodes; a second lobe has E^(1/4) times as many, however narrow it is and however
+//! far away. A lobe grows out of nothing, and two lobes that join have the same nodes before and
+//! after.
+
+use std::array::from_fn;
+
+use super::super::line::OverlapLine;
+use super::Lattice;
+use super::lobes::{self, PLACES};
+use super::sample::between;
+use crate::math::real::Real;
+
+/// The integral of the measure for a parabola, n/A apart.
+pub(super) const PARABOLA: f64 = 1.5;
+/// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
+pub(super) const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+/// Half its width over the integral of the square of the overlap over the square of its depth.
+pub(super) const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
+
+/// A place up to which nodes are measured; those of an interval are equally far apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Station<T> {
+    /// Coordinate across [m], and number of the sample before it.
+    pub y: T,
+    pub sample: usize,
+    /// Number of the interval of overlap.
+    pub interval: usize,
+    /// Overlap, not below zero [m]; that over the depth of the parabola [-].
+    pub overlap: T,
+    pub share: T,
+    /// Integrals of that, its square and its cube over the lobe [m].
+    pub lobe: [T; 3],
+    /// Measure of the nodes up to here [-].
+    pub measure: T,
+}
+
+impl<T: Real> Lattice<T> {
+    /// The parabola of the overlap; false where there is none.
+    pub(super) fn size_up(&mut self, line: &mut impl OverlapLine<T>) -> bool {
+        let zero = T::from(0.0);
+        let (mut square, mut cube, mut place) = (zero, zero, zero);
+        for_pairs(&self.stations, |a, b| {
+            let h = (b.y - a.y) * 0.5;
+            for station in [a, b] {
+                let weight = h * station.overlap * station.overlap;
+                square += weight;
+                cube += weight * station.overlap;
+                place += weight * station.y;
+            }
+        });
+        if !(square.value().is_normal() && cube.value().is_normal()) {
+            return false;
+        }
+        self.depth = cube / square * DEPTH_OVER_MEAN;
+        self.half_width = square / (self.depth * self.depth) * HALF_WIDTH_OVER_INTEGRAL;
+        let middle = self.sample_before(place / square);
+        let [a, b] = [&self.samples[middle], &self.samples[middle + 1]];
+        let t = ((place / square - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
+        self.radius = line.radius(between(a, b, t).at.u);
+        let scale = T::from(1.0) / self.depth;
+        for station in self.stations.iter_mut() {
+            station.share = station.overlap * scale;
+        }
+        true
+    }
+
+    /// Number of the sample before the place `y` across, of an interval that goes on behind it.
+    fn sample_before(&self, y: T) -> usize {
+        let behind = self.samples.partition_point(|sample| sample.at.y.value() <= y.value());
+        let last = behind.clamp(1, self.samples.len() - 1);
+        if self.samples[last - 1].interval == self.samples[last].interval { last - 1 } else { last }
+    }
+
+    /// Integrals of the overlap, its square and its cube over the lobe of each station.
+    fn sum_up_lobes(&mut self) {
+        for stations in self.stations.chunks_exact_mut(PLACES) {
+            let h = stations[1].y - stations[0].y;
+            let sums = lobes::sums(&from_fn(|k| stations[k].share));
+            for (k, station) in stations.iter_mut().enumerate() {
+                station.lobe = [0, 1, 2].map(|power| sums[power][k] * h);
+            }
+        }
+    }
+
+    /// Measures the nodes up to each station.
+    pub(super) fn measure(&mut self) {
+        let zero = T::from(0.0);
+        self.sum_up_lobes();
+        // s over the area of the lobe times E^(1/4), and s^(3/2)/E^(5/4).
+        let rise = |station: &Station<T>| {
+            let [area, square, cube] = station.lobe;
+            if station.share > 0.0 && square > 0.0 {
+                let height = cube / square * DEPTH_OVER_MEAN;
+                let root = height.sqrt().sqrt();
+                [
+                    station.share / area * root,
+                    station.share * station.share.sqrt() / (height * root),
+                ]
+            } else {
+                [zero; 2]
+            }
+        };
+        let mut measure = zero;
+        let scale = self.wanted as f64 / PARABOLA;
+        let mut before = self.stations.first().map_or([zero; 2], rise);
+        for k in 0..self.stations.len() {
+            let here = rise(&self.stations[k]);
+            if k > 0 && self.stations[k].interval == self.stations[k - 1].interval {
+                let [a, b] = [&self.stations[k - 1], &self.stations[k]];
+                let across = (b.y - a.y) * (before[0] + here[0]) * 0.5;
+                measure += across.hypot((here[1] - before[1]) * 0.5) * scale;
+            }
+            self.stations[k].measure = measure;
+            before = here;
+        }
+        // As many as there is room for.
+        let most = (self.nodes.capacity() - 1) as f64;
+        if measure > most {
+            let less = T::from(most) / measure;
+            for station in self.stations.iter_mut() {
+                station.measure *= less;
+            }
+            measure = T::from(most);
+        }
+        let (mut sum, mut weight) = (zero, zero);
+        for_pairs(&self.stations, |a, b| {
+            let h = b.y - a.y;
+            for station in [a, b] {
+                let own = h * station.share * station.share;
+                weight += own;
+                sum += own * station.measure;
+            }
+        });
+        let mean = sum / weight;
+        self.extent = [-mean, measure - mean];
+    }
+
+    /// The place the share `t` of the measure behind station `k`: a smooth curve over the measure,
+    /// which rises with it.
+    pub(super) fn between_stations(&self, k: usize, t: T) -> T {
+        let [a, b] = [&self.stations[k], &self.stations[k + 1]];
+        let (h, step) = (b.y - a.y, b.measure - a.measure);
+        // Twice the way from one neighbour to the other, where both are of the interval.
+        let of_interval = |of: &&Station<T>| of.interval == a.interval;
+        let before = k.checked_sub(1).map(|k| &self.stations[k]).filter(of_interval);
+        let behind = self.stations.get(k + 2).filter(of_interval);
+        // Twice the share of the step in that to the neighbour beyond: the rates at both ends.
+        let from = before.map_or(step, |before| a.measure - before.measure) + step;
+        let to = behind.map_or(step, |behind| behind.measure - b.measure) + step;
+        let [from, to] = [from, to].map(|both| step * 2.0 / both);
+        let bend = -(from * 2.0) - to + 3.0;
+        a.y + h * (t * (from + t * (bend + t * (from + to - 2.0))))
+    }
+}
+
+/// Calls `each` with every two neighbouring stations of one interval.
+pub(super) fn for_pairs<T: Real>(
+    stations: &[Station<T>],
+    mut each: impl FnMut(&Station<T>, &Station<T>),
+) {
+    for pair in stations.windows(2) {
+        if pair[0].interval == pair[1].interval {
+            each(&pair[0], &pair[1]);
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The overlap of one interval, taken at steps that follow it: with its slope, it is a cubic between
+//! two of them, and a step is halved until the place in its middle agrees.
+
+use super::super::line::{LinePlace, OverlapLine};
+use super::super::overlap::End;
+use super::Lattice;
+use super::lobes;
+use super::measure::Station;
+use crate::math::real::Real;
+
+/// Steps in each interval in which the overlap is taken at first, and how often one is halved at
+/// most: a millimetre of a rail down to a hundredth of it.
+pub(super) const STEPS: usize = 8;
+pub(super) const MAX_HALVINGS: f64 = 6.0;
+/// Most places of all intervals at which the overlap is taken.
+pub(super) const MAX_SAMPLES: usize = 1024;
+/// Integral that a step may be wrong by over the depth times the width of a parabola of the same
+/// width and slopes at its ends: from there to twice as much the halves of the step come in.
+pub(super) const SAMPLE_ERROR: f64 = 1e-6;
+
+/// A place at which the overlap is taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample<T> {
+    pub at: LinePlace<T>,
+    /// Number of the interval of overlap.
+    pub interval: usize,
+    /// Derivatives of the overlap and of the parameter by the coordinate across, before and behind
+    /// the place: only where the line folds they are two [-].
+    pub slope: [T; 2],
+    pub rate: [T; 2],
+    /// Integral of the overlap from the first place of the interval on, and the integral of that
+    /// [m², m³].
+    pub integrals: [T; 2],
+}
+
+/// Value and both integrals of the cubic between two samples at the share `t` of the way.
+pub(super) fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
+    let h = b.at.y - a.at.y;
+    let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope[1] * h, b.slope[0] * h]);
+    let (c0, c1, c2, c3) = (a.at.overlap, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
+    let value = c0 + t * (c1 + t * (c2 + t * c3));
+    let first = t * (c0 + t * (c1 * 0.5 + t * (c2 * (1.0 / 3.0) + t * c3 * 0.25)));
+    let second =
+        t * t * (c0 * 0.5 + t * (c1 * (1.0 / 6.0) + t * (c2 * (1.0 / 12.0) + t * c3 * 0.05)));
+    let [one, two] = a.integrals;
+    [value, one + h * first, two + h * (t * one + h * second)]
+}
+
+/// What two samples say of the place at the share `t` of the way: overlap and parameter of the line
+/// are cubics.
+pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> {
+    let (h, rise) = (b.at.y - a.at.y, b.at.u - a.at.u);
+    let rates = [a.rate[1] * h, b.rate[0] * h];
+    let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
+    let turn = rates[0] + rates[1] - rise * 2.0;
+    let u = a.at.u + t * (rates[0] + t * (bend + t * turn));
+    let rate = (rates[0] + t * (bend * 2.0 + t * turn * 3.0)) / h;
+    let [overlap, one, two] = cubic(a, b, t);
+    let secant = (b.at.overlap - a.at.overlap) / h;
+    let [from, to] = [a.slope[1], b.slope[0]];
+    let slope =
+        from + t * (secant * 6.0 - from * 4.0 - to * 2.0 + t * ((from + to - secant * 2.0) * 3.0));
+    let mix = |a: T, b: T| a + (b - a) * t;
+    let (x, y) = (mix(a.at.x, b.at.x), mix(a.at.y, b.at.y));
+    let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
+    let at = LinePlace { u, y, overlap, x, tangent, ..a.at };
+    Sample { at, interval: a.interval, slope: [slope; 2], rate: [rate; 2], integrals: [one, two] }
+}
+
+impl<T: Real> Sample<T> {
+    /// This one, `weight` of the way towards another one of the same place across.
+    fn towards(&self, other: &Self, weight: T) -> Self {
+        let mix = |a: T, b: T| a + (b - a) * weight;
+        let (a, b) = (&self.at, &other.at);
+        let both = |a: [T; 2], b: [T; 2]| [mix(a[0], b[0]), mix(a[1], b[1])];
+        let at = LinePlace {
+            u: mix(a.u, b.u),
+            overlap: mix(a.overlap, b.overlap),
+            x: mix(a.x, b.x),
+            tangent: both(a.tangent, b.tangent),
+            ..*b
+        };
+        let (slope, rate) = (both(self.slope, other.slope), both(self.rate, other.rate));
+        Self { at, slope, rate, ..*other }
+    }
+}
+
+impl<T: Real> Lattice<T> {
+    /// Takes the overlap in one interval.
+    pub(super) fn sample(
+        &mut self,
+        line: &mut impl OverlapLine<T>,
+        interval: usize,
+        ends: &[End; 2],
+    ) {
+        let zero = T::from(0.0);
+        let [from, to] = [0, 1].map(|side| ends[side].moving(line));
+        let mut take = |u: T, is_end: bool| {
+            let mut at = line.place(u);
+            // Where an overlap ends there is none, to rounding: its powers would feel that.
+            if is_end {
+                at.overlap = zero;
+            }
+            let rate = T::from(1.0) / at.dy;
+            let (slope, rate) = ([at.overlap_slope * rate; 2], [rate; 2]);
+            Sample { at, interval, slope, rate, integrals: [zero; 2] }
+        };
+        // Beyond the last interval there is no room for.
+        if self.samples.len() + 2 * STEPS >= self.samples.capacity() {
+            return;
+        }
+        let first = self.samples.len();
+        let ends_taken = [take(from, ends[0].is_free), take(to, ends[1].is_free)];
+        let width = ends_taken[1].at.y - ends_taken[0].at.y;
+        let slopes = ends_taken[0].slope[1].abs() + ends_taken[1].slope[0].abs();
+        let most = width * width * slopes * (SAMPLE_ERROR / 8.0);
+        self.samples.push(ends_taken[0]);
+        self.is_folded = false;
+        for k in 1..=STEPS {
+            let share = k as f64 / STEPS as f64;
+            let to =
+                if k < STEPS { take(from + (to - from) * share, false) } else { ends_taken[1] };
+            self.go_to(&mut take, to, most, [T::from(1.0), T::from(MAX_HALVINGS)]);
+        }
+        let [low, high] = [self.samples[first].at.y, self.samples[self.samples.len() - 1].at.y];
+        if self.samples.len() - first < 2 {
+            self.samples.truncate(first);
+            return;
+        }
+        let mut sample = first;
+        for k in 0..=lobes::STEPS {
+            let y = low + (high - low) * (k as f64 / lobes::STEPS as f64);
+            while sample + 2 < self.samples.len() && self.samples[sample + 1].at.y <= y {
+                sample += 1;
+            }
+            let [a, b] = [&self.samples[sample], &self.samples[sample + 1]];
+            let t = (y - a.at.y) / (b.at.y - a.at.y);
+            let overlap = if (k == 0 && ends[0].is_free) || (k == lobes::STEPS && ends[1].is_free) {
+                zero
+            } else {
+                cubic(a, b, t)[0].at_least(0.0)
+            };
+            let (share, lobe, measure) = (zero, [zero; 3], zero);
+            self.stations.push(Station { y, sample, interval, overlap, share, lobe, measure });
+        }
+    }
+
+    /// Takes the places up to `to`, the step halved up to `halvings` times. What the place in its
+    /// middle says beside what both ends say has the weight `weight`, so that places come and go
+    /// without a jump.
+    fn go_to(
+        &mut self,
+        take: &mut impl FnMut(T, bool) -> Sample<T>,
+        to: Sample<T>,
+        most: T,
+        [weight, halvings]: [T; 2],
+    ) {
+        let from = self.samples[self.samples.len() - 1];
+        let found = take((from.at.u + to.at.u) * 0.5, false);
+        let h = to.at.y - from.at.y;
+        let expected = between(&from, &to, (found.at.y - from.at.y) / h);
+        let middle = expected.towards(&found, weight);
+        let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
+        let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
+        if error > 0.0 && halvings > 0.0 && has_room {
+            let error = error.at_most(1.0);
+            let weight = weight * error * error * (error * -2.0 + 3.0);
+            let halves = [weight, halvings - 1.0];
+            self.go_to(take, middle, most, halves);
+            self.go_to(take, to, most, halves);
+        } else {
+            self.push(middle);
+            self.push(to);
+        }
+    }
+
+    /// Adds a sample with the integrals up to it. Where the line folds, what lies behind is passed
+    /// over, straight.
+    pub(super) fn push(&mut self, mut sample: Sample<T>) {
+        let last = self.samples.len() - 1;
+        let before = &mut self.samples[last];
+        if sample.at.y.value() <= before.at.y.value() {
+            self.is_folded = true;
+            return;
+        }
+        if self.is_folded {
+            self.is_folded = false;
+            let h = sample.at.y - before.at.y;
+            let slope = (sample.at.overlap - before.at.overlap) / h;
+            let rate = (sample.at.u - before.at.u) / h;
+            (before.slope[1], before.rate[1]) = (slope, rate);
+            (sample.slope[0], sample.rate[0]) = (slope, rate);
+        }
+        let [_, one, two] = cubic(before, &sample, T::from(1.0));
+        sample.integrals = [one, two];
+        self.samples.push(sample);
+    }
+}
