@@ -72,11 +72,13 @@ impl System {
     #[inline(always)]
     fn relax_loads<S: Simd>(&mut self, simd: S) -> f64 {
         let (blocks, stride) = (self.blocks, stride::<0>(self.blocks));
-        let nodes = self.fixed[..blocks].iter().zip(&self.state).zip(&self.sums);
-        for (gradient, ((fixed, state), sums)) in self.gradient.iter_mut().zip(nodes) {
+        for b in 0..blocks {
+            let (fixed, state, sums) = (&self.fixed[b], &self.state[b], &self.sums[b]);
+            let bending = simd.four(&fixed.bending);
             let rest = simd.four(&sums.displacement) - simd.four(&fixed.overlap);
-            *gradient =
-                rest.add_product(simd.four(&fixed.bending), simd.four(&state.square)).lanes();
+            self.gradient[b] = rest.add_product(bending, simd.four(&state.square)).lanes();
+            let by_square = simd.four(&sums.by_square) + bending;
+            self.by_smooth[b] = (by_square * simd.four(&state.load_rate)).lanes();
         }
         let mut greatest = 0.0_f64;
         for sweep in 0..SWEEPS {
