@@ -150,7 +150,14 @@ fn origins_are_those_of_the_format_or_the_wheel_is_refused_in_its_own_numbers() 
             text(points, 4)
         )
     };
-    // Of SIMPACK the running circle is the origin, whatever the sign of y.
+    // Of SIMPACK the running circle is the origin where the points reach it, else the flange back.
+    let from_back: Vec<[f64; 2]> = wheel().iter().map(|p| [p[0] + 70.0, p[1]]).collect();
+    let [found, expected] = [from_back, wheel()].map(|p| read("a.prw", &prw(p), WHEEL).bounds());
+    for (found, expected) in [(found.y, expected.y), (found.z, expected.z)] {
+        // The last digit in the file.
+        let off = (0..2).map(|end| (found[end] - expected[end]).abs()).fold(0.0, f64::max);
+        assert!(off <= 1e-7, "{off:e}: {found:?} for {expected:?}");
+    }
     let part: Vec<[f64; 2]> = wheel().into_iter().filter(|p| p[0] >= 0.0).collect();
     let error = try_read("a.prw", &prw(part), WHEEL).unwrap_err();
     assert!(error.contains("to 58 mm"), "{error}");

@@ -87,7 +87,7 @@ impl<T: Real> Gradient<T> {
         shape: &[T],
     ) {
         let (n, zero, scales) = (load.len(), T::from(0.0), &lattice.scales);
-        let (kernel, long) = (Kernel::shared(), scales.square);
+        let kernel = Kernel::shared();
         for column in [&mut self.smooth, &mut self.square, &mut self.rate] {
             column.clear();
         }
@@ -106,7 +106,7 @@ impl<T: Real> Gradient<T> {
         for j in (0..n).filter(is_loaded) {
             for i in (0..=j).filter(is_loaded) {
                 let [value, by_p, by_q] =
-                    hats[j].potential(&hats[i], kernel, long, [self.square[i], self.square[j]]);
+                    hats[j].potential(&hats[i], kernel, [self.square[i], self.square[j]]);
                 self.by_load[i] += value * load[j];
                 self.by_square[i] += by_p * load[j];
                 if i < j {

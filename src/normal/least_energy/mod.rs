@@ -23,6 +23,7 @@
 //! energy (`system`, `newton`), and loaded runs of nodes are zones (`zones`).
 
 mod derivative;
+mod displaced;
 mod factor;
 mod kernel;
 mod lanes;

@@ -12,18 +12,11 @@
 //! e = (v_i + v_j)/D² - 1/3,  q = (μ_i - μ_j)/D³ (third moments),  r = (right - left)/(right + left)
 //! ```
 //!
-//! Strips of a yawed wheel are displaced along x by Δx as well. With the half length A of the
-//! ellipse that the problem is scaled by,
-//!
-//! ```text
-//! h² grows by the factor 1 + (Δx/D)² (D² + 0.178 A²)/(D² + 1.18 A²)
-//! ```
-//!
-//! which makes D² + Δx² of D² far away, and little of Δx for strips that pass each other closely. Both
-//! numbers are fitted to ellipses turned against the track, up to slopes of 1 of their middle lines.
+//! Strips of a yawed wheel are displaced along x by Δx as well: see `displaced`.
 
 use std::array::from_fn;
 
+use super::displaced::Growth;
 use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, SOFTNESS, TABLE};
 use super::lanes::{Four, LANES, Lanes, Simd};
 use super::lattice::Lattice;
@@ -38,7 +31,6 @@ const BESIDE: [f64; 3] = [-0.4836, 1.9765, -0.3389];
 const ITSELF: f64 = 0.1821;
 /// k² and 1/(k² - 1/3) of nodes k apart.
 const APART: [[f64; 2]; 3] = [[4.0, 3.0 / 11.0], [9.0, 3.0 / 26.0], [16.0, 3.0 / 47.0]];
-const SHIFT: [f64; 2] = [0.178, 1.18];
 /// Least square of the distance of two hats over the sum of their variances: where a line folds,
 /// those of two intervals may lie in one place.
 const CLOSEST: f64 = 2.0;
@@ -88,8 +80,8 @@ impl<T: Real> Hat<T> {
     }
 
     /// Potential K of its strip and that of `other` with these squares of the half lengths, and
-    /// its derivatives by these, where `long` is the square of the half length of the ellipse.
-    pub fn potential(&self, other: &Self, kernel: &Kernel, long: T, squares: [T; 2]) -> [T; 3] {
+    /// its derivatives by these.
+    pub fn potential(&self, other: &Self, kernel: &Kernel, squares: [T; 2]) -> [T; 3] {
         let (away, shift) = (other.centre - self.centre, other.x - self.x);
         let place = other.place.value() - self.place.value();
         let variances = other.variance + self.variance;
@@ -102,14 +94,23 @@ impl<T: Real> Hat<T> {
             -1.0 => self.beside,
             _ => near.map_or(far, |[_, inverse]| far * inverse),
         };
+        let sum = squares[0] + squares[1];
+        let mut growth = None;
         if place != 0.0 && shift.value() != 0.0 {
-            let [near, far] = SHIFT.map(|share| distance + long * share);
-            square *= shift * shift * near / (far * distance) + 1.0;
+            let own = Growth::new(shift * shift / distance, sum * 0.5 / distance);
+            square *= own.factor;
+            growth = Some(own);
         }
         let inverse = T::from(1.0) / square;
         let cosine = other.tangent[0] * self.tangent[0] + other.tangent[1] * self.tangent[1];
         let row = FAR.min(place.abs() as usize);
-        kernel.value(row, squares, inverse * 0.5, inverse.sqrt() * cosine)
+        let [value, by_p, by_q] =
+            kernel.value(row, squares, inverse * 0.5, inverse.sqrt() * cosine);
+        let Some(Growth { rate, .. }) = growth else { return [value, by_p, by_q] };
+        // K goes with the inverse of all lengths.
+        let by_distance = -(value * 0.5) - squares[0] * by_p - squares[1] * by_q;
+        let more = rate / sum * by_distance;
+        [value, by_p + more, by_q + more]
     }
 }
 
@@ -146,6 +147,9 @@ pub(super) struct Pairs {
     /// What rounds the kink over t off, A/(2 h²) [m^-2] and B.
     pub soft_rate: Lanes,
     pub soft_base: Lanes,
+    /// Square of the displacement over that of the distance, (Δx/D)² [-], and 1/(2 D²) [m^-2].
+    pub displacement: Lanes,
+    pub half_inverse_distance: Lanes,
     /// First coefficient of their rows of the table, less what the digits of the least w form.
     pub row: [u64; LANES],
 }
@@ -154,22 +158,20 @@ pub(super) struct Pairs {
 #[derive(Clone, Debug)]
 pub(super) struct Hats {
     fours: FixedVec<Hat<Lanes>>,
-    is_skewed: bool,
+    /// Whether strips are displaced along x.
+    pub is_skewed: bool,
     is_turned: bool,
-    /// What squares of distances between displaced strips grow by, in the factor [m²].
-    long: [f64; 2],
 }
 
 impl Hats {
     pub fn new(most: usize) -> Self {
         let fours = FixedVec::new(most.div_ceil(LANES));
-        Self { fours, is_skewed: false, is_turned: false, long: [0.0; 2] }
+        Self { fours, is_skewed: false, is_turned: false }
     }
 
     /// Takes the hats of `nodes`.
     pub fn take(&mut self, problem: &Problem, nodes: &[usize]) {
         (self.is_skewed, self.is_turned) = (problem.is_skewed, problem.is_turned);
-        self.long = SHIFT.map(|share| share * problem.scales.square);
         self.fours.clear();
         for nodes in nodes.chunks(LANES) {
             // Somewhere else, where there are less than four.
@@ -219,9 +221,10 @@ impl Hats {
             }
             if self.is_skewed {
                 let shift = simd.four(&hats.x) - one.x;
-                let [near, far] = self.long.map(|long| distance + long);
-                let grown = square * (shift * shift * near / (far * distance) + 1.0);
-                square = places.where_equal(0.0, square, grown);
+                let inverse = simd.splat(1.0) / distance;
+                let displacement = shift * shift * inverse;
+                pairs.displacement = places.where_equal(0.0, simd.splat(0.0), displacement).lanes();
+                pairs.half_inverse_distance = (inverse * 0.5).lanes();
             }
             let inverse = simd.splat(1.0) / square;
             pairs.half_inverse_square = (inverse * 0.5).lanes();

@@ -1,6 +1,7 @@
 //! Mutual potentials of four strips with one, and their derivatives by the squares of both half
 //! lengths.
 
+use super::displaced::Growths;
 use super::kernel::{COEFFICIENTS, FIRST_EXPONENT, LAST_W, PIECE_BITS, SOFTEST, TABLE, Table};
 use super::lanes::{Four, Lanes, Simd};
 use super::pairs::Pairs;
@@ -14,6 +15,7 @@ const SMALLEST_W: f64 = 1.0 / (1_u64 << -FIRST_EXPONENT) as f64;
 
 /// Potentials K [1/m] and their derivatives by the squares p of the half lengths of the four strips
 /// and q of the one.
+#[derive(Clone, Copy)]
 pub(super) struct Potentials<S: Simd> {
     pub value: Four<S>,
     pub by_p: Four<S>,
@@ -53,18 +55,55 @@ fn row(table: &Table, place: u64, from: usize) -> Lanes {
     [table[at], table[at + 1], table[at + 2], table[at + 3]]
 }
 
-/// Potentials of four strips of half lengths p^½ with one of q^½; second derivatives are not there
-/// unless they are asked for.
+/// 1/(2 h²), 1/h and what rounds the kink over t off, of four pairs of these sums of the squares, with
+/// the growth of h² by displacements where there are any.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn potentials<S: Simd, const SECOND: bool>(
+fn spacing<S: Simd, const SKEWED: bool>(
+    simd: S,
+    pairs: &Pairs,
+    sum: Four<S>,
+) -> ([Four<S>; 3], Option<Growths<S>>) {
+    let (g, h) = (simd.four(&pairs.half_inverse_square), simd.four(&pairs.inverse));
+    let soft_rate = simd.four(&pairs.soft_rate);
+    if !SKEWED {
+        return ([g, h, soft_rate], None);
+    }
+    let lengths = sum * simd.four(&pairs.half_inverse_distance);
+    let growth = Growths::new(simd, simd.four(&pairs.displacement), lengths);
+    let less = simd.splat(1.0) / growth.factor;
+    ([g * less, h * less.sqrt(), soft_rate * less], Some(growth))
+}
+
+/// Potentials of four strips of half lengths p^½ with one of q^½, displaced ones if `SKEWED`; second
+/// derivatives are not there unless they are asked for.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn potentials<S: Simd, const SECOND: bool, const SKEWED: bool>(
     simd: S,
     table: &Table,
     pairs: &Pairs,
     p: Four<S>,
     q: Four<S>,
 ) -> Potentials<S> {
-    let (g, h) = (simd.four(&pairs.half_inverse_square), simd.four(&pairs.inverse));
+    let (spacing, growth) = spacing::<S, SKEWED>(simd, pairs, p + q);
+    let abreast = potentials_at::<S, SECOND>(simd, table, pairs, spacing, [p, q]);
+    match growth {
+        Some(growth) => growth.complete::<SECOND>(simd, p, q, &abreast),
+        None => abreast,
+    }
+}
+
+/// Those of strips that lie abreast.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn potentials_at<S: Simd, const SECOND: bool>(
+    simd: S,
+    table: &Table,
+    pairs: &Pairs,
+    [g, h, soft_rate]: [Four<S>; 3],
+    [p, q]: [Four<S>; 2],
+) -> Potentials<S> {
     let sum = p + q;
     let w = (sum * g).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
@@ -72,7 +111,6 @@ pub(super) fn potentials<S: Simd, const SECOND: bool>(
     let reciprocal = one / sum;
     let t = (p - q) * reciprocal;
     // σ less what it is at least, its derivative by the sum of the squares, and r = sqrt(t² + σ).
-    let soft_rate = simd.four(&pairs.soft_rate);
     let soft = one / simd.four(&pairs.soft_base).add_product(soft_rate, sum);
     let softness = soft + SOFTEST;
     let root = softness.add_product(t, t).sqrt();
@@ -85,7 +123,7 @@ pub(super) fn potentials<S: Simd, const SECOND: bool>(
     let eh = e * h;
     let rate = inverse_root * reciprocal;
     let turn = t * rate;
-    // - 2 r ∂r/∂(p + q) over r.
+    // - 2 ∂r/∂(p + q).
     let fall = soft * soft * soft_rate * inverse_root;
     let by_sum = (gh * f1.add_product(root, e1)).sub_product(eh * fall, simd.splat(0.5));
     let across = eh * turn;
@@ -112,18 +150,19 @@ pub(super) fn potentials<S: Simd, const SECOND: bool>(
 /// As [`potentials`], the values alone.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn potential<S: Simd>(
+pub(super) fn potential<S: Simd, const SKEWED: bool>(
     simd: S,
     table: &Table,
     pairs: &Pairs,
     p: Four<S>,
     q: Four<S>,
 ) -> Four<S> {
-    let (sum, h) = (p + q, simd.four(&pairs.inverse));
-    let w = (sum * simd.four(&pairs.half_inverse_square)).min(simd.splat(LAST_W));
+    let sum = p + q;
+    let ([g, h, soft_rate], _) = spacing::<S, SKEWED>(simd, pairs, sum);
+    let w = (sum * g).min(simd.splat(LAST_W));
     let [f, e] = coefficients(simd, table, pairs, w);
     let t = (p - q) / sum;
-    let soft = simd.four(&pairs.soft_base).add_product(simd.four(&pairs.soft_rate), sum);
+    let soft = simd.four(&pairs.soft_base).add_product(soft_rate, sum);
     let root = (simd.splat(1.0) / soft + SOFTEST).add_product(t, t).sqrt();
     let of = |k: usize| f[k].add_product(root, e[k]);
     h * of(0).add_product(w, of(1).add_product(w, of(2).add_product(w, of(3))))

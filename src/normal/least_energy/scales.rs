@@ -22,8 +22,6 @@ pub(super) struct Scales<T = f64> {
     pub level: T,
     /// Square of the least half length [m²].
     pub least_square: T,
-    /// Square of the half length of the ellipse [m²].
-    pub square: T,
     /// π over `load`, by which overlaps become displacements of unit loads [1/m].
     pub unit: T,
     /// What penalties are multiplied by: energy in the same units [m].
@@ -48,7 +46,6 @@ impl<T: Real> Scales<T> {
             square_over_load: T::from(2.0 / PI) / pressure_over_length,
             level: -(across * b * b / depth) + 1.0,
             least_square: a * a * (MIN_LENGTH * MIN_LENGTH),
-            square: a * a,
             unit,
             energy: unit * depth * half_width * 2.0,
             depth: unit * depth,

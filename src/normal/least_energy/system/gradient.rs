@@ -64,6 +64,19 @@ impl System {
     /// Sums and second derivatives over all pairs, those below the diagonal and beside it.
     #[inline(always)]
     pub(super) fn sum_up<S: Simd, const SECOND: bool>(&mut self, simd: S, table: &Table) {
+        if self.hats.is_skewed {
+            self.sum_up_pairs::<S, SECOND, true>(simd, table);
+        } else {
+            self.sum_up_pairs::<S, SECOND, false>(simd, table);
+        }
+    }
+
+    #[inline(always)]
+    fn sum_up_pairs<S: Simd, const SECOND: bool, const SKEWED: bool>(
+        &mut self,
+        simd: S,
+        table: &Table,
+    ) {
         let blocks = self.blocks;
         let stride = stride::<0>(blocks);
         self.sums[..blocks].fill(Sums::default());
@@ -81,7 +94,13 @@ impl System {
             let second = &mut self.second[second + from..second + blocks];
             let rows = column.iter().zip(state).zip(sums).zip(second);
             for (b, (((pairs, state), sums), second)) in rows.enumerate() {
-                let k = potentials::<S, SECOND>(simd, table, pairs, simd.four(&state.square), q);
+                let k = potentials::<S, SECOND, SKEWED>(
+                    simd,
+                    table,
+                    pairs,
+                    simd.four(&state.square),
+                    q,
+                );
                 add_product(simd, &mut sums.displacement, k.value, load);
                 add_product(simd, &mut sums.by_square, k.by_p, load);
                 let others = simd.four(&state.load);

@@ -55,7 +55,12 @@ impl System {
                 let mut sum = simd.splat(0.0);
                 for (pairs, state) in pairs.iter().zip(&self.state) {
                     let squares = simd.four(&state.square);
-                    let value = potential(simd, table, pairs, squares, simd.splat(square));
+                    let square = simd.splat(square);
+                    let value = if self.hats.is_skewed {
+                        potential::<S, true>(simd, table, pairs, squares, square)
+                    } else {
+                        potential::<S, false>(simd, table, pairs, squares, square)
+                    };
                     sum = sum.add_product(value, simd.four(&state.load));
                 }
                 sum.sum() + push
