@@ -5,6 +5,7 @@ use crate::common;
 use crate::common::wheel::{element, evaluate, pressed, rolling};
 use crate::tolerance;
 use wheelrail::element::Parameters;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::geometry::contact_line::{ContactLine, WheelPose};
 use wheelrail::geometry::curve::Curve;
 use wheelrail::geometry::profile::ProfileKind;
@@ -168,4 +169,25 @@ fn the_section_along_the_rail_of_a_yawed_wheel_has_the_radius_of_its_surface() {
         }
     }
     assert!(worst < tolerance::SECTION_CURVATURE, "{worst}");
+}
+
+#[test]
+fn strips_of_a_yawed_flange_carry_what_boundary_elements_do() {
+    // Strips lie up to five times as far apart along the track as across there.
+    for yaw in [-0.03, -0.05, -0.07] {
+        let loads = [NormalModel::Strips, NormalModel::BoundaryElement].map(|normal_model| {
+            let mut parameters = Parameters::default();
+            (parameters.normal_model, parameters.tangential_model) =
+                (normal_model, TangentialModel::None);
+            let mut element = element(&parameters);
+            let mut input = rolling(8e-3, 20.0);
+            input.wheel.yaw = yaw;
+            let input = pressed(&mut element, &input, 4e-5);
+            let output = evaluate(&mut element, &input);
+            output.patches.iter().map(|patch| patch.normal_force).sum::<f64>()
+        });
+        let error = loads[0] / loads[1] - 1.0;
+        println!("{yaw}: {loads:.0?} N, {:.2} %", 100.0 * error);
+        assert!(error.abs() < tolerance::YAWED_FLANGE, "{yaw}: {loads:?}");
+    }
 }

@@ -19,8 +19,8 @@
 //!
 //! The force is the derivative of W by the approach, so that errors of l and χ enter it in second
 //! order only. There are no regions, edges or valleys: nodes stand where the bodies overlap
-//! (`lattice`), the pairs of them have a potential (`pairs`, `kernel`), Newton's method finds the least
-//! energy (`system`, `newton`), and loaded runs of nodes are zones (`zones`).
+//! (`lattice`), the pairs of them have a potential (`pairs`, `displaced`, `kernel`), Newton's method
+//! finds the least energy (`system`, `newton`), and loaded runs of nodes are zones (`zones`).
 
 mod derivative;
 mod displaced;

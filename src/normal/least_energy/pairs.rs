@@ -211,7 +211,8 @@ impl Hats {
                 square = places.where_equal(1.0, simd.four(&hats.beside), square);
                 square = places.where_equal(-1.0, simd.splat(one.beside), square);
                 square = places.where_equal(0.0, simd.four(&hats.own), square);
-                for (apart_square, of_row) in [0.0, 1.0, 4.0, 9.0, 16.0].into_iter().zip(SOFTNESS) {
+                for (row, of_row) in SOFTNESS[..FAR].iter().enumerate() {
+                    let apart_square = (row * row) as f64;
                     softness = [0, 1].map(|k| {
                         apart.where_equal(apart_square, simd.splat(of_row[k]), softness[k])
                     });

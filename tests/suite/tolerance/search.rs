@@ -53,6 +53,10 @@ super::entry::tolerances! {
     /// is lopsided by a hundredth of its length.
     YAWED_PLACE: f64 = 1e-4;
 
+    /// Load of strips on the flange of wheels yawed by up to 0.07 rad against boundary elements: the
+    /// target for the worst greatest pressure, as loads have none there.
+    YAWED_FLANGE: f64 = 0.05;
+
     /// Curvature along the rail of a yawed wheel against that of its surface: brute force by
     /// differences.
     SECTION_CURVATURE: f64 = 4e-3;

@@ -78,7 +78,8 @@ pub(super) const LAST_W: f64 = (1.0
     / (1_u64 << -FIRST_EXPONENT) as f64;
 
 /// What rounds |t| off at strips of equal length however close they are, 1/40, and A and B of each
-/// row. Fitted: the greatest error of dK/dt over |t| < 1/2 at w from 0.03 to 3e4.
+/// row. Fitted: the greatest error of dK/dt over |t| < 1/2 at w from 0.03 to 3e4. From two hats apart
+/// on what counts is the distance, k h: A is that of two points over k².
 pub(super) const SOFTEST: f64 = 0.025;
 pub(super) const SOFTNESS: [[f64; 2]; ROWS] =
     [[1.2, 16.7], [0.17, 12.9], [0.2 / 4.0, 1.6], [0.2 / 9.0, 1.6], [0.2 / 16.0, 1.6], [0.2, 1.6]];
