@@ -179,7 +179,10 @@ mod tests {
                 assert_eq!((left, strips.zones.len()), (0, 1));
                 let error = strips.load() / load - 1.0;
                 println!("{ratio:5} {slope:5}: load {:+.2} %", 100.0 * error);
-                assert!(error.abs() < 0.01, "{ratio} {slope}: {error}");
+                // The middle line of such an ellipse is not quite that of the greatest overlaps, on
+                // which strips are held: targets of the worst of planar problems and of kinked rails.
+                let most = if slope > 0.5 { 0.015 } else { 0.005 };
+                assert!(error.abs() < most, "{ratio} {slope}: {error}");
             }
         }
     }
