@@ -50,7 +50,7 @@ super::entry::tolerances! {
     /// for the worst of an element by default.
     MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.04];
 
-    /// The same, lateral.
+    /// The same, lateral: the same targets.
     MANCHESTER_TABLES_FY: [f64; 2] = [0.001, 0.04];
 
     /// Normal force of wheels of simple shapes on rollers against CONTACT: the target for loads.
