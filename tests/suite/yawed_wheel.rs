@@ -173,7 +173,7 @@ fn the_section_along_the_rail_of_a_yawed_wheel_has_the_radius_of_its_surface() {
 
 #[test]
 fn strips_of_a_yawed_flange_carry_what_boundary_elements_do() {
-    // Strips lie up to five times as far apart along the track as across there.
+    // Strips lie further apart along the track than across there.
     for yaw in [-0.03, -0.05, -0.07] {
         let loads = [NormalModel::Strips, NormalModel::BoundaryElement].map(|normal_model| {
             let mut parameters = Parameters::default();

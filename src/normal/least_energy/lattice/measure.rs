@@ -22,11 +22,11 @@ use super::sample::between;
 use crate::math::real::Real;
 
 /// The integral of the measure for a parabola, n/A apart.
-pub(super) const PARABOLA: f64 = 1.5;
+const PARABOLA: f64 = 1.5;
 /// Depth of a parabola over the mean of its overlap, weighted by the square of the overlap.
-pub(super) const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
+const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
-pub(super) const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
+const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 
 /// A place up to which nodes are measured; those of an interval are equally far apart.
 #[derive(Clone, Copy, Debug)]
@@ -165,10 +165,7 @@ impl<T: Real> Lattice<T> {
 }
 
 /// Calls `each` with every two neighbouring stations of one interval.
-pub(super) fn for_pairs<T: Real>(
-    stations: &[Station<T>],
-    mut each: impl FnMut(&Station<T>, &Station<T>),
-) {
+fn for_pairs<T: Real>(stations: &[Station<T>], mut each: impl FnMut(&Station<T>, &Station<T>)) {
     for pair in stations.windows(2) {
         if pair[0].interval == pair[1].interval {
             each(&pair[0], &pair[1]);

@@ -10,13 +10,13 @@ use crate::math::real::Real;
 
 /// Steps in each interval in which the overlap is taken at first, and how often one is halved at
 /// most: a millimetre of a rail down to a hundredth of it.
-pub(super) const STEPS: usize = 8;
-pub(super) const MAX_HALVINGS: f64 = 6.0;
+const STEPS: usize = 8;
+const MAX_HALVINGS: f64 = 6.0;
 /// Most places of all intervals at which the overlap is taken.
 pub(super) const MAX_SAMPLES: usize = 1024;
 /// Integral that a step may be wrong by over the depth times the width of a parabola of the same
 /// width and slopes at its ends: from there to twice as much the halves of the step come in.
-pub(super) const SAMPLE_ERROR: f64 = 1e-6;
+const SAMPLE_ERROR: f64 = 1e-6;
 
 /// A place at which the overlap is taken.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub(super) struct Sample<T> {
 }
 
 /// Value and both integrals of the cubic between two samples at the share `t` of the way.
-pub(super) fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
+fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
     let h = b.at.y - a.at.y;
     let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope[1] * h, b.slope[0] * h]);
     let (c0, c1, c2, c3) = (a.at.overlap, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
@@ -176,7 +176,7 @@ impl<T: Real> Lattice<T> {
 
     /// Adds a sample with the integrals up to it. Where the line folds, what lies behind is passed
     /// over, straight.
-    pub(super) fn push(&mut self, mut sample: Sample<T>) {
+    fn push(&mut self, mut sample: Sample<T>) {
         let last = self.samples.len() - 1;
         let before = &mut self.samples[last];
         if sample.at.y.value() <= before.at.y.value() {

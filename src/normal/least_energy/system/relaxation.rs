@@ -77,6 +77,7 @@ impl System {
             let bending = simd.four(&fixed.bending);
             let rest = simd.four(&sums.displacement) - simd.four(&fixed.overlap);
             self.gradient[b] = rest.add_product(bending, simd.four(&state.square)).lanes();
+            // What nodes beside loaded ones feel hangs on it.
             let by_square = simd.four(&sums.by_square) + bending;
             self.by_smooth[b] = (by_square * simd.four(&state.load_rate)).lanes();
         }
