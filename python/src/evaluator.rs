@@ -1,35 +1,31 @@
 //! A wheel or a wheelset that is evaluated for arrays.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use std::mem::take;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use numpy::{PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
-use wheelrail::element::{Element, Remark, place_remark, remarks, without_effect};
+use wheelrail::element::{Element, without_effect};
 use wheelrail::error::ContactError;
 use wheelrail::variables::{Enumeration, Kind, Value, ValuesOf, Variable};
 
 use crate::errors::{bad_value, refused, unknown};
 use crate::rows::{Target, fill, threads_for};
 use crate::subjects::{InBulk, put};
-
-/// States of a row.
-pub const FINE: u8 = 0;
-pub const REFUSED: u8 = 1;
-pub const SUNK: u8 = 2;
+use crate::worker::{FINE, Message, REFUSED, Reader, Told, Worker, join, readers, sorted};
 
 /// Columns of inputs: FMI reference and a value for every row.
 pub type Columns<'py> = Vec<(usize, PyReadonlyArray1<'py, f64>)>;
 
-/// What all evaluations start from, and subjects for the threads.
+/// What all evaluations start from, and workers for the threads.
 pub struct Evaluator<S: InBulk> {
     pub values: ValuesOf<S>,
     pub subject: S,
     /// Those that no thread uses now.
-    spare: Mutex<Vec<S>>,
+    spare: Mutex<Vec<Worker<S>>>,
 }
 
 impl<S: InBulk> Evaluator<S> {
@@ -74,30 +70,43 @@ impl<S: InBulk> Evaluator<S> {
             (out.as_slice_mut()?, states.as_slice_mut()?),
             threads,
             tolerant,
-            |worker, row, numbers| {
-                let Worker { subject, values, told, .. } = worker;
-                for element in subject.elements_mut() {
-                    // What a row gives must not depend on those before it.
-                    element.set_fallbacks(0);
-                }
-                subject.evaluate_all(&values.input, &mut values.output)?;
-                for (number, read) in numbers.iter_mut().zip(&readers) {
-                    *number = read.of(values);
-                }
-                let mut tell = |k: usize, remark: Remark| {
-                    let (_, _, rows) = told.entry((remark.kind(), k)).or_insert_with(|| {
-                        let message = remark.message(S::PREFIXES[k]).to_string();
-                        (remark.title(), message, Vec::new())
-                    });
-                    rows.push(row);
-                };
-                let ValuesOf { parameters, input, output, .. } = &*values;
-                remarks(subject, parameters, input, output, &mut tell);
-                place_remark(subject, parameters, input, output, &mut tell);
-                let sunk = subject.elements().iter().any(|element| element.sunk().is_some());
-                Ok(if sunk { SUNK } else { FINE })
-            },
+            |worker, row, numbers| worker.evaluate(row, &readers, numbers),
         )
+    }
+
+    /// Evaluates one row with the inputs at their places.
+    pub fn evaluate_one(
+        &self,
+        py: Python<'_>,
+        places: &Places,
+        inputs: &[f64],
+        tolerant: bool,
+    ) -> PyResult<OneRow> {
+        let mut numbers = vec![0.0; places.outputs.len()];
+        let (done, told) = py.detach(|| {
+            let mut worker = self.taken();
+            for (reference, value) in places.inputs.iter().zip(inputs) {
+                put(&mut worker.values, *reference, *value);
+            }
+            let done = worker.evaluate(0, &places.outputs, &mut numbers);
+            let told = take(&mut worker.told);
+            self.given_back([worker]);
+            (done, told)
+        });
+        match done {
+            Ok(state) => Ok(OneRow { numbers, state, refusal: None, told: sorted::<S>(told) }),
+            Err(error) if tolerant => {
+                numbers.fill(f64::NAN);
+                let refusal = Some(error.to_string());
+                Ok(OneRow { numbers, state: REFUSED, refusal, told: Vec::new() })
+            }
+            Err(error) => Err(refused(py, &error, Some(0))),
+        }
+    }
+
+    /// Where inputs and outputs lie, by FMI reference.
+    pub fn places(inputs: Vec<usize>, outputs: &[usize]) -> Places {
+        Places { inputs, outputs: readers::<S>(outputs) }
     }
 
     /// Fills `out` with the derivatives of `outputs` by the inputs `by`: output after output, those
@@ -186,20 +195,18 @@ impl<S: InBulk> Evaluator<S> {
         done.map_err(|(row, error): (usize, ContactError)| refused(py, &error, Some(row)))
     }
 
-    /// The values with the given inputs, for one evaluation.
-    pub fn values_with(&self, inputs: &[(usize, f64)]) -> ValuesOf<S> {
-        let mut values = self.values.clone();
+    /// A subject for a while, and the values with the given inputs.
+    pub fn borrowed<R>(
+        &self,
+        inputs: &[(usize, f64)],
+        use_it: impl FnOnce(&mut S, &mut ValuesOf<S>) -> R,
+    ) -> R {
+        let mut worker = self.taken();
         for (reference, value) in inputs {
-            put(&mut values, *reference, *value);
+            put(&mut worker.values, *reference, *value);
         }
-        values
-    }
-
-    /// A subject for a while.
-    pub fn borrowed<R>(&self, use_it: impl FnOnce(&mut S) -> R) -> R {
-        let mut subject = self.taken();
-        let result = use_it(&mut subject);
-        self.given_back(vec![subject]);
+        let result = use_it(&mut worker.subject, &mut worker.values);
+        self.given_back([worker]);
         result
     }
 
@@ -217,14 +224,8 @@ impl<S: InBulk> Evaluator<S> {
         let width = numbers.len() / rows.max(1);
         let refusals = Mutex::new(HashMap::new());
         let done = py.detach(|| {
-            let mut workers: Vec<Worker<S>> = (0..threads_for(rows, threads))
-                .map(|_| Worker {
-                    subject: self.taken(),
-                    values: self.values.clone(),
-                    rates: Vec::new(),
-                    told: HashMap::new(),
-                })
-                .collect();
+            let mut workers: Vec<Worker<S>> =
+                (0..threads_for(rows, threads)).map(|_| self.taken()).collect();
             let target = Target { numbers, width, states };
             let done = fill(target, &mut workers, |worker, row, numbers, state| {
                 for (reference, column) in &columns {
@@ -243,22 +244,15 @@ impl<S: InBulk> Evaluator<S> {
                 Ok(())
             });
             let mut told = Told::new();
-            let mut subjects = Vec::with_capacity(workers.len());
-            for worker in workers {
-                join(&mut told, worker.told);
-                subjects.push(worker.subject);
+            for worker in &mut workers {
+                join(&mut told, take(&mut worker.told));
             }
-            self.given_back(subjects);
+            self.given_back(workers);
             done.map(|()| told)
         });
         let told = done.map_err(|(row, error)| refused(py, &error, Some(row)))?;
-        let mut told: Vec<_> = told.into_iter().collect();
-        told.sort_unstable_by_key(|(kind, _)| *kind);
-        let told = told.into_iter().map(|((_, k), (title, message, mut rows))| {
-            rows.sort_unstable();
-            (title, S::PREFIXES[k], message, rows)
-        });
-        Ok((refusals.into_inner().unwrap_or_else(PoisonError::into_inner), told.collect()))
+        let refusals = refusals.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok((refusals, sorted::<S>(told)))
     }
 
     /// What is to be said of the inputs that are given by FMI name: those without effect.
@@ -275,69 +269,41 @@ impl<S: InBulk> Evaluator<S> {
         found
     }
 
-    fn taken(&self) -> S {
+    fn taken(&self) -> Worker<S> {
         let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        spare.unwrap_or_else(|| self.subject.clone())
-    }
-
-    fn given_back(&self, subjects: Vec<S>) {
-        self.spare.lock().unwrap_or_else(PoisonError::into_inner).extend(subjects);
-    }
-}
-
-/// Refusals by row, and remarks: title, side, message of the first row, and all rows that have it.
-pub type Found = (HashMap<usize, String>, Vec<(&'static str, &'static str, String, Vec<usize>)>);
-
-/// The same by kind and element.
-type Told = HashMap<(usize, usize), (&'static str, String, Vec<usize>)>;
-
-/// Adds what another thread has found; the message is that of the first row.
-fn join(told: &mut Told, other: Told) {
-    for (kind, (title, message, rows)) in other {
-        match told.entry(kind) {
-            Entry::Vacant(free) => _ = free.insert((title, message, rows)),
-            Entry::Occupied(mut own) => {
-                let own = own.get_mut();
-                if rows.iter().min() < own.2.iter().min() {
-                    own.1 = message;
-                }
-                own.2.extend(rows);
-            }
-        }
-    }
-}
-
-/// What a thread has for its own.
-struct Worker<S: InBulk> {
-    subject: S,
-    values: ValuesOf<S>,
-    rates: Vec<S::Output>,
-    told: Told,
-}
-
-/// How the number of an output is read; its type is looked up once.
-enum Reader {
-    Real(usize),
-    Integer(usize),
-}
-
-impl Reader {
-    fn of<S: InBulk>(&self, values: &ValuesOf<S>) -> f64 {
-        let found = match *self {
-            Self::Real(reference) => S::real(values, reference),
-            Self::Integer(reference) => S::integer(values, reference).map(f64::from),
+        let Some(mut worker) = spare else {
+            let (subject, values) = (self.subject.clone(), self.values.clone());
+            return Worker { subject, values, rates: Vec::new(), told: Told::new() };
         };
-        found.unwrap_or(f64::NAN)
+        // Rows write nothing else, and parameters hold texts, which are slow to copy.
+        (worker.values.input, worker.values.output) = (self.values.input, self.values.output);
+        worker
+    }
+
+    fn given_back(&self, workers: impl IntoIterator<Item = Worker<S>>) {
+        self.spare.lock().unwrap_or_else(PoisonError::into_inner).extend(workers);
     }
 }
 
-fn readers<S: InBulk>(outputs: &[usize]) -> Vec<Reader> {
-    let reader = |&reference: &usize| match S::UNIT.variables[reference].kind {
-        Kind::Real => Reader::Real(reference),
-        _ => Reader::Integer(reference),
-    };
-    outputs.iter().map(reader).collect()
+/// Where inputs and outputs of an evaluation lie, looked up once for their names.
+#[pyclass(frozen, module = "wheelrail._native")]
+pub struct Places {
+    inputs: Vec<usize>,
+    outputs: Vec<Reader>,
 }
+
+/// What one row gives.
+pub struct OneRow {
+    /// Outputs in the order of their places.
+    pub numbers: Vec<f64>,
+    pub state: u8,
+    /// Why it is refused.
+    pub refusal: Option<String>,
+    pub told: Vec<Message>,
+}
+
+/// Refusals by row, and remarks.
+pub type Found = (HashMap<usize, String>, Vec<Message>);
 
 fn slices<'a>(inputs: &'a Columns<'_>) -> PyResult<Vec<(usize, &'a [f64])>> {
     inputs.iter().map(|(reference, column)| Ok((*reference, column.as_slice()?))).collect()

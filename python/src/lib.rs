@@ -14,6 +14,7 @@ mod rows;
 mod subjects;
 mod tables;
 mod units;
+mod worker;
 
 use pyo3::prelude::*;
 
@@ -24,6 +25,7 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<units::Wheel>()?;
     module.add_class::<units::Wheelset>()?;
     module.add_class::<units::WearingWheel>()?;
+    module.add_class::<evaluator::Places>()?;
     module.add_function(wrap_pyfunction!(units::contacts_of, module)?)?;
     module.add_function(wrap_pyfunction!(tables::variables, module)?)?;
     module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;

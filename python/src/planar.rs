@@ -11,9 +11,9 @@ use wheelrail::planar::{Indentation, PlanarCase, fields, solve};
 
 use crate::contacts::field_dict;
 use crate::errors::refused;
-use crate::evaluator::{FINE, REFUSED};
 use crate::rows::{Target, fill, threads_for};
 use crate::units::Wheel;
+use crate::worker::{FINE, REFUSED};
 
 /// Numbers of a case: radius, approach or load, longitudinal, lateral and spin creepage, friction,
 /// speed.

@@ -2,16 +2,29 @@
 
 use std::path::PathBuf;
 
-use numpy::{PyArray2, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2};
+use numpy::{
+    PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1, PyReadwriteArray2, ToPyArray,
+};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat, PyInt, PyTuple};
 use wheelrail::element::{Element, WornBody};
 
 use crate::contacts::contacts;
 use crate::errors::{bad_value, refused};
-use crate::evaluator::{Columns, Evaluator, Found, elements};
+use crate::evaluator::{Columns, Evaluator, Found, OneRow, Places, elements};
 use crate::profile::{pairs, points};
 use crate::subjects::InBulk;
+use crate::worker::Message;
+
+/// Outputs of one row, its state, why it is refused, and remarks.
+type FoundOne<'py> = (Bound<'py, PyArray2<f64>>, u8, Option<String>, Vec<Message>);
+
+/// The values if all are numbers of Python, which `float64` of `NumPy` is too.
+fn numbers(values: &Bound<'_, PyTuple>) -> Option<Vec<f64>> {
+    let is_number =
+        |v: &Bound<'_, PyAny>| v.is_instance_of::<PyFloat>() || v.is_instance_of::<PyInt>();
+    values.iter_borrowed().map(|v| is_number(&v).then(|| v.extract().ok()).flatten()).collect()
+}
 
 /// A class for each subject: classes of Python have no type parameters.
 macro_rules! unit {
@@ -73,6 +86,28 @@ macro_rules! unit {
                 self.evaluator.evaluate(py, &inputs, &outputs, out, states, threads, tolerant)
             }
 
+            /// Where inputs and outputs lie, by FMI reference, for `evaluate_one`.
+            #[staticmethod]
+            fn places(inputs: Vec<usize>, outputs: Vec<usize>) -> Places {
+                Evaluator::<$subject>::places(inputs, &outputs)
+            }
+
+            /// Evaluates one row of numbers of Python: outputs, state, refusal and remarks; None if
+            /// a value is anything else.
+            fn evaluate_one<'py>(
+                &self,
+                py: Python<'py>,
+                places: &Places,
+                inputs: &Bound<'py, PyTuple>,
+                tolerant: bool,
+            ) -> PyResult<Option<FoundOne<'py>>> {
+                let Some(inputs) = numbers(inputs) else { return Ok(None) };
+                let OneRow { numbers, state, refusal, told } =
+                    self.evaluator.evaluate_one(py, places, &inputs, tolerant)?;
+                let numbers = numbers.to_pyarray(py).reshape([1, numbers.len()])?;
+                Ok(Some((numbers, state, refusal, told)))
+            }
+
             /// Derivatives of the outputs by the inputs for rows; refusals by row.
             fn jacobian(
                 &self,
@@ -121,8 +156,7 @@ pub fn contacts_of<'py>(
     inputs: Vec<(usize, f64)>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {
     let evaluator = wheel.evaluator();
-    let mut values = evaluator.values_with(&inputs);
-    let found = py.detach(|| evaluator.borrowed(|element| contacts(element, &mut values)));
+    let found = py.detach(|| evaluator.borrowed(&inputs, contacts));
     let found = found.map_err(|error| refused(py, &error, None))?;
     found.iter().map(|contact| contact.dict(py)).collect()
 }

@@ -6,7 +6,7 @@ import os
 import time
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,8 +14,9 @@ import numpy.typing as npt
 from . import _native
 from ._contact import Contact, contact_of
 from ._files import folders
-from ._result import REFUSED, Column, Jacobian, Layout, Remark, Result
-from ._variables import Unit, Variable, by_name, find, is_evaluated, select, variables
+from ._given import Given, Inputs, Kept, input_of, inputs_of, named
+from ._result import REFUSED, Column, Columns, Jacobian, Layout, Remark, Result
+from ._variables import Unit, Variable, find, fmi_names, is_evaluated, select, variables
 from .errors import BadValueError, ContactWarning, admitted_count
 
 if TYPE_CHECKING:
@@ -33,6 +34,32 @@ Outputs = Union[Sequence[str], str, None]
 _SLICE = 0.2
 #: Rows of each thread in the first of these calls: a second at most of boundary elements.
 _FIRST_SLICE = 32
+#: States of a result of one row, by the state of the row.
+_STATE_OF_ONE = [np.array([state], dtype=np.uint8) for state in range(3)]
+#: The variable of the environment that says how many threads there are.
+_NUM_THREADS = "WHEELRAIL_NUM_THREADS"
+#: Names of outputs or directions as they are asked for, which a dictionary can hold.
+Chosen = Union[tuple[str, ...], str, None]
+
+
+class _Evaluation(NamedTuple):
+    """Names of inputs and outputs of an evaluation, looked up."""
+
+    inputs: Inputs
+    #: FMI references of the outputs.
+    references: list[int]
+    columns: Columns
+    #: The same for the native part.
+    places: Any
+
+
+class _Differentiation(NamedTuple):
+    """Names of inputs, outputs and directions of a jacobian, looked up."""
+
+    inputs: Inputs
+    outputs: tuple[str, ...]
+    by: tuple[str, ...]
+    references: tuple[list[int], list[int]]
 
 
 class _Unit:
@@ -52,11 +79,16 @@ class _Unit:
                 raise BadValueError(f"{variable.name} is given twice", variable=variable.name)
             settings[variable.name] = value
         self._settings = settings
+        # Parameters never change, and with them what names stand for.
+        self._inputs_by_names: Kept[tuple[str, ...], Inputs] = Kept()
+        self._evaluations: Kept[tuple[tuple[str, ...], Chosen], _Evaluation] = Kept()
+        self._jacobians: Kept[tuple[tuple[str, ...], Chosen, Chosen], _Differentiation] = Kept()
         made = [(name, value) for name, value in settings.items()]
         self._native: Any = self._class()(made, folders())
         for name, remark in self._native.remarks():
             warnings.warn(f"{name}: {remark}", ContactWarning, stacklevel=3)
-        self._tell_idle(settings)
+        for _, _, message in self._idle(settings):
+            warnings.warn(message, ContactWarning, stacklevel=3)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_"):
@@ -110,20 +142,29 @@ class _Unit:
         inputs: Mapping[str, Any],
         tell: bool = True,
     ) -> Result:
-        given = _Given(self._unit, table, inputs)
+        names, values = named(table, inputs)
+        wanted = _chosen(outputs)
+        call = self._evaluations.get((names, wanted)) or self._evaluation(names, wanted)
         if tell:
-            self._tell_idle(given.layout.inputs)
-        wanted = select(self._unit, outputs, self._default_outputs())
-        references = [v.reference for v in wanted]
-        data = np.empty((given.rows, len(wanted)))
+            for message in call.inputs.idle:
+                warnings.warn(message, ContactWarning, stacklevel=3)
+        tolerant = _is_tolerant(errors)
+        if progress is None or progress is False:
+            if threads is not None or _NUM_THREADS in os.environ:
+                _threads(threads)
+            one = self._native.evaluate_one(call.places, values, tolerant)
+            if one is not None:
+                return _one_row(call, values, one, tell)
+        given = Given(call.inputs, values, table)
+        data = np.empty((given.rows, len(call.references)))
         states = np.zeros(given.rows, dtype=np.uint8)
-        count, tolerant = _threads(threads), _is_tolerant(errors)
+        count = _threads(threads)
         refusals: dict[int, str] = {}
         remarks = Remarks()
 
         def work(rows: slice) -> None:
             found, told = self._native.evaluate(
-                given.columns(rows), references, data[rows], states[rows], count, tolerant
+                given.columns(rows), call.references, data[rows], states[rows], count, tolerant
             )
             refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
             remarks.add(told, rows.start)
@@ -132,8 +173,7 @@ class _Unit:
         if tell:
             for remark in remarks.found():
                 warnings.warn(remark.text(given.rows), ContactWarning, stacklevel=3)
-        columns = [Column(v.name, v.unit, v.description, v.kind == "integer") for v in wanted]
-        return Result(columns, data, states, refusals, given.layout, remarks.found())
+        return Result(call.columns, data, states, refusals, given.layout, remarks.found())
 
     def _jacobian(
         self,
@@ -145,46 +185,38 @@ class _Unit:
         progress: Progress,
         inputs: Mapping[str, Any],
     ) -> Jacobian:
-        given = _Given(self._unit, table, inputs)
-        self._tell_idle(given.layout.inputs)
-        own = "wheel" if self._unit == "WheelRail" else "wheelset"
-        wanted = select(self._unit, outputs, [f"{own}.force.*", f"{own}.moment.*"])
-        for v in wanted:
-            if v.kind != "real":
-                raise BadValueError(
-                    f"outputs: {v.name} is a count and has no derivatives", variable=v.name
-                )
-        if by is None:
-            motions = "x y z roll yaw pitch vx vy vz roll_rate yaw_rate pitch_rate"
-            by = [f"{own}.{motion}" for motion in motions.split()]
-        directions = [_input(self._unit, n) for n in ([by] if isinstance(by, str) else by)]
-        if not directions:
-            raise BadValueError("by names no input", variable="by")
-        shape = (len(wanted), len(directions))
+        names, values = named(table, inputs)
+        wanted, directions = _chosen(outputs), _chosen(by)
+        key = (names, wanted, directions)
+        call = self._jacobians.get(key) or self._differentiation(*key)
+        for message in call.inputs.idle:
+            warnings.warn(message, ContactWarning, stacklevel=3)
+        given = Given(call.inputs, values, table)
+        shape = (len(call.outputs), len(call.by))
         data = np.empty((given.rows, shape[0] * shape[1]))
         states = np.zeros(given.rows, dtype=np.uint8)
         count, tolerant = _threads(threads), _is_tolerant(errors)
         refusals: dict[int, str] = {}
-        references = [v.reference for v in wanted], [v.reference for v in directions]
 
         def work(rows: slice) -> None:
             found, _ = self._native.jacobian(
-                given.columns(rows), *references, data[rows], states[rows], count, tolerant
+                given.columns(rows), *call.references, data[rows], states[rows], count, tolerant
             )
             refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
 
         in_slices(given.rows, work, count, progress)
         return Jacobian(
             data.reshape(*given.layout.shape, *shape),
-            tuple(v.name for v in wanted),
-            tuple(v.name for v in directions),
-            (states != REFUSED).reshape(given.layout.shape),
+            call.outputs,
+            call.by,
+            (states != REFUSED).reshape(given.layout.shape)[()],
             refusals,
-            {name: v.name for name, v in by_name(self._unit).items()},
+            fmi_names(self._unit),
         )
 
     def _touching_height(self, threads: int | None, inputs: Mapping[str, Any]) -> Any:
-        given = _Given(self._unit, None, inputs)
+        names, values = named(None, inputs)
+        given = Given(self._inputs(names), values)
         data = np.empty((given.rows, 1))
         states = np.zeros(given.rows, dtype=np.uint8)
         count = _threads(threads)
@@ -195,12 +227,53 @@ class _Unit:
             ),
             count,
         )
-        return data.reshape(given.layout.shape)[()]
+        return data.reshape(given.layout.shape) if given.layout.shape else data.item()
 
-    def _tell_idle(self, given: Iterable[str]) -> None:
-        """Warns of inputs that have no effect with the parameters as they are."""
-        for _, _, message in self._idle(given):
-            warnings.warn(message, ContactWarning, stacklevel=4)
+    def _inputs(self, names: tuple[str, ...]) -> Inputs:
+        """The inputs of these names."""
+        kept = self._inputs_by_names.get(names)
+        if kept is None:
+            found = inputs_of(self._unit, names)
+            idle = tuple(message for _, _, message in self._idle(found))
+            kept = Inputs(tuple(found), tuple(found.values()), idle)
+            self._inputs_by_names.keep(names, kept)
+        return kept
+
+    def _evaluation(self, names: tuple[str, ...], outputs: Chosen) -> _Evaluation:
+        inputs = self._inputs(names)
+        wanted = select(self._unit, outputs, self._default_outputs)
+        references = [v.reference for v in wanted]
+        columns = columns_of(wanted)
+        places = self._native.places(list(inputs.references), references)
+        found = _Evaluation(inputs, references, columns, places)
+        return self._evaluations.keep((names, outputs), found)
+
+    def _differentiation(
+        self, names: tuple[str, ...], outputs: Chosen, by: Chosen
+    ) -> _Differentiation:
+        inputs = self._inputs(names)
+        own = "wheel" if self._unit == "WheelRail" else "wheelset"
+        wanted = select(self._unit, outputs, lambda: [f"{own}.force.*", f"{own}.moment.*"])
+        for v in wanted:
+            if v.kind != "real":
+                raise BadValueError(
+                    f"outputs: {v.name} is a count and has no derivatives", variable=v.name
+                )
+        motions = "x y z roll yaw pitch vx vy vz roll_rate yaw_rate pitch_rate"
+        if by is None:
+            directions: Iterable[str] = [f"{own}.{motion}" for motion in motions.split()]
+        else:
+            directions = [by] if isinstance(by, str) else by
+        along = [input_of(self._unit, name) for name in directions]
+        if not along:
+            raise BadValueError("by names no input", variable="by")
+        found = _Differentiation(
+            inputs,
+            tuple(v.name for v in wanted),
+            tuple(v.name for v in along),
+            ([v.reference for v in wanted], [v.reference for v in along]),
+        )
+        return self._jacobians.keep((names, outputs, by), found)
 
     def _idle(self, given: Iterable[str]) -> list[tuple[str, str, str]]:
         """Title, name and message for each of the inputs by name that has no effect."""
@@ -289,7 +362,7 @@ class Element(_Unit):
         Returns
         -------
         Result
-            Arrays of the shape that the inputs broadcast to.
+            Arrays of the shape that the inputs broadcast to; numbers where every input is one.
 
         Raises
         ------
@@ -347,7 +420,7 @@ class Element(_Unit):
 
         Returns
         -------
-        ndarray
+        ndarray or float
             Of the shape that the inputs broadcast to; NaN where the wheel stands beside its rails.
         """
         return self._touching_height(threads, inputs)
@@ -363,7 +436,8 @@ class Element(_Unit):
         **inputs : float
             As in `evaluate`, one number each.
         """
-        given = _Given(self._unit, None, inputs)
+        names, values = named(None, inputs)
+        given = Given(self._inputs(names), values)
         if given.rows != 1:
             raise BadValueError(f"contacts takes one position, not {given.rows}: see evaluate")
         one = [(reference, float(column[0])) for reference, column in given.columns(slice(0, 1))]
@@ -472,6 +546,30 @@ for _unit in (Element, WheelSet):
     _name_keywords(_unit)
 
 
+def _one_row(
+    call: _Evaluation,
+    values: tuple[Any, ...],
+    one: tuple[npt.NDArray[np.float64], int, str | None, list[tuple[str, str, str, list[int]]]],
+    tell: bool,
+) -> Result:
+    """The result of one row, from what the native part gives."""
+    data, state, refusal, told = one
+    remarks = Remarks()
+    remarks.add(told, 0)
+    found = remarks.found()
+    if tell:
+        for remark in found:
+            warnings.warn(remark.text(1), ContactWarning, stacklevel=4)
+    layout = Layout((), dict(zip(call.inputs.names, values)))
+    refusals = {} if refusal is None else {0: refusal}
+    return Result(call.columns, data, _STATE_OF_ONE[state], refusals, layout, found)
+
+
+def columns_of(outputs: Iterable[Variable]) -> Columns:
+    """The columns of these outputs."""
+    return Columns(*(Column(v.name, v.unit, v.description, v.kind == "integer") for v in outputs))
+
+
 class Remarks:
     """What is odd about the rows of a call, by kind."""
 
@@ -495,60 +593,6 @@ class Remarks:
             Remark(title, about, message, np.sort(np.array(rows, dtype=np.intp)))
             for (title, about), (message, rows) in self._found.items()
         )
-
-
-class _Given:
-    """Inputs of a call, broadcast."""
-
-    def __init__(
-        self, unit: Unit, table: Mapping[str, Any] | None, inputs: Mapping[str, Any]
-    ) -> None:
-        given: dict[str, Any] = {}
-        references: list[int] = []
-        if not (table is None or hasattr(table, "keys")):
-            raise BadValueError(
-                f"table is a {type(table).__name__}: it takes a mapping or a DataFrame; arrays are "
-                "keywords, such as y=",
-                variable="table",
-            )
-        pairs = [(str(name), table[name]) for name in table] if table is not None else []
-        for name, value in [*pairs, *inputs.items()]:
-            variable = _input(unit, name)
-            if variable.name in given:
-                raise BadValueError(f"{variable.name} is given twice", variable=variable.name)
-            given[variable.name] = value
-            references.append(variable.reference)
-        dims: tuple[str, ...] | None = None
-        coords: dict[str, Any] | None = None
-        if any(hasattr(value, "dims") and hasattr(value, "coords") for value in given.values()):
-            given, dims, coords = _aligned(given)
-        arrays = {name: _numbers(name, value) for name, value in given.items()}
-        try:
-            shape = np.broadcast_shapes(*(a.shape for a in arrays.values()))
-        except ValueError:
-            shapes = ", ".join(f"{name} {a.shape}" for name, a in arrays.items())
-            raise BadValueError(f"inputs do not broadcast together: {shapes}") from None
-        index = getattr(table, "index", None)
-        self.layout = Layout(shape, arrays, dims, coords, index if len(shape) == 1 else None)
-        self.rows = int(np.prod(shape, dtype=np.int64))
-        self._columns = [
-            # One number stands for a column without taking the room of one.
-            (r, np.broadcast_to(a, shape).ravel() if a.size != 1 else a.reshape(1))
-            for r, a in zip(references, arrays.values())
-        ]
-
-    def repeat(self, rows: int) -> None:
-        """Takes the one row there is for as many."""
-        self.layout = Layout((rows,), self.layout.inputs)
-        self.rows = rows
-
-    def columns(self, rows: slice) -> list[tuple[int, npt.NDArray[np.float64]]]:
-        """The columns of some rows."""
-        count = rows.stop - rows.start
-        return [
-            (r, np.full(count, column[0]) if column.size == 1 else column[rows])
-            for r, column in self._columns
-        ]
 
 
 def in_slices(
@@ -596,55 +640,17 @@ def _teller(progress: Progress, rows: int) -> tuple[Callable[[int], object], Cal
     return (lambda done: told(done, rows)), (lambda: None)
 
 
-def _input(unit: Unit, name: str) -> Variable:
-    variable = find(unit, name)
-    if variable.causality != "input":
-        what = "a parameter: give it to the element" if variable.causality == "parameter" else "computed"
-        raise BadValueError(f'"{name}" is no input, it is {what}', variable=variable.name)
-    return variable
-
-
-def _numbers(name: str, value: Any) -> npt.NDArray[np.float64]:
-    if np.ma.is_masked(value):
-        raise BadValueError(
-            f"{name} has masked elements: leave these rows out, or fill them", variable=name
-        )
-    try:
-        array = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise BadValueError(f"{name} is no array of numbers: {error}", variable=name) from None
-    return array
-
-
-def _aligned(
-    given: Mapping[str, Any],
-) -> tuple[dict[str, Any], tuple[str, ...], dict[str, Any]]:
-    """DataArrays broadcast by the names of their dimensions."""
-    import xarray
-
-    labelled = {n: v for n, v in given.items() if isinstance(v, xarray.DataArray)}
-    for name, value in given.items():
-        if name not in labelled and np.ndim(value) > 0:
-            raise BadValueError(
-                f"{name} is an array without names of dimensions beside DataArrays: make it one",
-                variable=name,
-            )
-    together = xarray.broadcast(*labelled.values())
-    first = together[0]
-    dims = tuple(str(d) for d in first.dims)
-    coords = {str(d): first.coords[d] for d in first.dims if d in first.coords}
-    values = dict(given)
-    values.update((n, v.values) for n, v in zip(labelled, together))
-    return values, dims, coords
+def _chosen(names: Sequence[str] | str | None) -> Chosen:
+    return names if names is None or isinstance(names, str) else tuple(names)
 
 
 def _threads(threads: int | None) -> int:
     if threads is None:
-        text = os.environ.get("WHEELRAIL_NUM_THREADS")
+        text = os.environ.get(_NUM_THREADS)
         if text is None:
             affinity = getattr(os, "sched_getaffinity", None)
             return len(affinity(0)) if affinity else os.cpu_count() or 1
-        return admitted_count("WHEELRAIL_NUM_THREADS", int(text) if text.isdecimal() else text, 1)
+        return admitted_count(_NUM_THREADS, int(text) if text.isdecimal() else text, 1)
     return admitted_count("threads", threads, 1)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 __all__ = [
+    "Places",
     "Wheel",
     "WearingWheel",
     "Wheelset",
@@ -28,7 +29,11 @@ _Floats = npt.NDArray[np.float64]
 _States = npt.NDArray[np.uint8]
 _Columns = Sequence[tuple[int, _Floats]]
 _Settings = Sequence[tuple[str, Any]]
-_Found = tuple[dict[int, str], list[tuple[str, str, str, list[int]]]]
+_Told = list[tuple[str, str, str, list[int]]]
+_Found = tuple[dict[int, str], _Told]
+
+@final
+class Places: ...
 
 @final
 class Wheel:
@@ -46,6 +51,11 @@ class Wheel:
         threads: int,
         tolerant: bool,
     ) -> _Found: ...
+    @staticmethod
+    def places(inputs: Sequence[int], outputs: Sequence[int]) -> Places: ...
+    def evaluate_one(
+        self, places: Places, inputs: tuple[Any, ...], tolerant: bool
+    ) -> tuple[_Floats, int, str | None, _Told] | None: ...
     def jacobian(
         self,
         inputs: _Columns,
@@ -76,6 +86,11 @@ class Wheelset:
         threads: int,
         tolerant: bool,
     ) -> _Found: ...
+    @staticmethod
+    def places(inputs: Sequence[int], outputs: Sequence[int]) -> Places: ...
+    def evaluate_one(
+        self, places: Places, inputs: tuple[Any, ...], tolerant: bool
+    ) -> tuple[_Floats, int, str | None, _Told] | None: ...
     def jacobian(
         self,
         inputs: _Columns,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -36,6 +36,20 @@ class Column:
     def keyword(self) -> str:
         """The name as an attribute of results."""
         return self.name.replace(".", "_").replace("[", "").replace("]", "")
+
+
+class Columns:
+    """The quantities of a result by their names, the same object for all results that have them."""
+
+    def __init__(self, *columns: Column) -> None:
+        placed = [(k, column) for k, column in enumerate(columns)]
+        self.by_name = {column.name: (k, column) for k, column in placed}
+        #: By names as attributes too.
+        self.by_any_name = {column.keyword: (k, column) for k, column in placed} | self.by_name
+        self.keywords = tuple(column.keyword for column in columns)
+
+    def __len__(self) -> int:
+        return len(self.by_name)
 
 
 #: Rows and columns that a notebook shows of a result.
@@ -74,12 +88,12 @@ class Remark:
         return f"in {len(self.rows)} of {count} rows ({named}{more}): {self.message}"
 
 
-@dataclass(frozen=True)
-class Layout:
+class Layout(NamedTuple):
     """What the rows of a result stand for."""
 
     shape: tuple[int, ...]
-    inputs: Mapping[str, Array]
+    #: By FMI name arrays, or numbers where the result is of one.
+    inputs: Mapping[str, Any]
     #: Names of the dimensions and coordinates along them, if the inputs had any.
     dims: tuple[str, ...] | None = None
     coords: Mapping[str, Any] | None = None
@@ -90,27 +104,27 @@ class Layout:
 class Result(Mapping[str, Any]):
     """What an evaluation gives: a mapping from names to arrays of the shape that the inputs broadcast to.
 
-    ``result["wheel.force.z"]`` and ``result.wheel_force_z`` are the same array. Whole numbers are
-    ``int64``, all else ``float64`` in SI units. Where a row was refused (``errors="nan"``) numbers are
-    NaN and whole numbers -1.
+    ``result["wheel.force.z"]`` and ``result.wheel_force_z`` are the same. Whole numbers are ``int64``, all
+    else ``float64`` in SI units. Where every input is one number the shape is ``()``, and what is named is
+    no array but a ``float``, or an ``int``. Where a row was refused (``errors="nan"``) numbers are NaN and
+    whole numbers -1.
     """
 
     def __init__(
         self,
-        columns: Sequence[Column],
+        columns: Columns,
         data: npt.NDArray[np.float64],
         states: npt.NDArray[np.uint8],
         refusals: Mapping[int, str],
         layout: Layout,
-        remarks: Sequence[Remark] = (),
+        remarks: tuple[Remark, ...] = (),
     ) -> None:
-        self._remarks = tuple(remarks)
-        self._columns = {column.name: (k, column) for k, column in enumerate(columns)}
-        self._keywords = {column.keyword: column.name for column in columns}
+        self._remarks = remarks
+        self._columns = columns
         self._data = data
         self._states = states
         self._layout = layout
-        self._refusals = dict(refusals)
+        self._refusals = refusals
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -118,20 +132,22 @@ class Result(Mapping[str, Any]):
         return self._layout.shape
 
     @property
-    def inputs(self) -> Mapping[str, Array]:
+    def inputs(self) -> Mapping[str, Any]:
         """The inputs that were given, by FMI name, broadcast to `shape`."""
         shape = self._layout.shape
+        if not shape:
+            return {name: float(v) for name, v in self._layout.inputs.items()}
         return {name: np.broadcast_to(v, shape) for name, v in self._layout.inputs.items()}
 
     @property
-    def valid(self) -> npt.NDArray[np.bool_]:
+    def valid(self) -> Any:
         """Where the row was evaluated and not refused."""
-        return np.asarray(self._states != REFUSED).reshape(self.shape)
+        return np.asarray(self._states != REFUSED).reshape(self.shape)[()]
 
     @property
-    def sunk(self) -> npt.NDArray[np.bool_]:
+    def sunk(self) -> Any:
         """Where a wheel is so deep below the top of its rail that there is no force: no lifted wheel."""
-        return np.asarray(self._states == SUNK).reshape(self.shape)
+        return np.asarray(self._states == SUNK).reshape(self.shape)[()]
 
     @property
     def refusals(self) -> Mapping[int, str]:
@@ -146,24 +162,29 @@ class Result(Mapping[str, Any]):
     @property
     def units(self) -> Mapping[str, str]:
         """SI unit of every quantity."""
-        return {name: column.unit for name, (_, column) in self._columns.items()}
+        return {name: column.unit for name, (_, column) in self._columns.by_name.items()}
 
     def __getitem__(self, name: str) -> Any:
-        found = self._columns.get(self._keywords.get(name, name))
+        found = self._columns.by_any_name.get(name)
         if found is None:
             import difflib
 
-            near = difflib.get_close_matches(name, self._columns, n=1, cutoff=0.0)
+            near = difflib.get_close_matches(name, self._columns.by_name, n=1, cutoff=0.0)
             raise UnknownVariableError(
                 f'the result has no "{name}"; the nearest name is {near[0] if near else "none"}; '
                 "outputs= says what is evaluated",
                 variable=name,
             )
         k, column = found
+        if not self._layout.shape:
+            number: float = self._data.item(0, k)
+            if column.is_integer:
+                return -1 if number != number else int(number)
+            return number
         values = self._data[:, k]
         if column.is_integer:
             values = np.where(np.isnan(values), -1.0, values).astype(np.int64)
-        return values.reshape(self.shape)[()]
+        return values.reshape(self.shape)
 
     def __getattr__(self, name: str) -> Any:
         # Called only for what is no attribute; names with a bar in front are Python's own.
@@ -175,16 +196,16 @@ class Result(Mapping[str, Any]):
             raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
-        return name in self._columns or name in self._keywords
+        return name in self._columns.by_any_name
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
+        return iter(self._columns.by_name)
 
     def __len__(self) -> int:
         return len(self._columns)
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._keywords})
+        return sorted({*super().__dir__(), *self._columns.keywords})
 
     def __repr__(self) -> str:
         refused = int(np.count_nonzero(self._states == REFUSED))
@@ -197,7 +218,7 @@ class Result(Mapping[str, Any]):
 
         rows = range(min(self._data.shape[0], _SHOWN[0]))
         given = [(name, "", np.ravel(values)) for name, values in self.inputs.items()]
-        found = [(name, c.unit, self._data[:, k]) for name, (k, c) in self._columns.items()]
+        found = [(name, c.unit, self._data[:, k]) for name, (k, c) in self._columns.by_name.items()]
         shown = (given + found)[: _SHOWN[1]]
         head = "".join(f"<th>{escape(n)}{f' [{escape(u)}]' if u else ''}</th>" for n, u, _ in shown)
         body = "".join(
@@ -236,7 +257,8 @@ class Result(Mapping[str, Any]):
         dims, coords = self._layout.dims, dict(self._layout.coords or {})
         if dims is None:
             names = [f"dim_{k}" for k in range(len(self.shape))]
-            for name, values in self._layout.inputs.items():
+            for name, given in self._layout.inputs.items():
+                values = np.asarray(given)
                 along = [k - values.ndim for k, n in enumerate(values.shape) if n > 1]
                 if len(along) == 1 and names[along[0]].startswith("dim_"):
                     names[along[0]] = name
@@ -244,17 +266,17 @@ class Result(Mapping[str, Any]):
             dims = tuple(names)
         for name, values in self.inputs.items():
             if name not in coords:
-                scalar = self._layout.inputs[name].size == 1
-                coords[name] = values.ravel()[0] if scalar and values.size else (dims, values)
+                is_one = np.size(self._layout.inputs[name]) == 1 and np.size(values)
+                coords[name] = np.ravel(values)[0] if is_one else (dims, values)
         data = {
             name: (dims, np.asarray(self[name]), {"units": c.unit, "long_name": c.description})
-            for name, (_, c) in self._columns.items()
+            for name, (_, c) in self._columns.by_name.items()
         }
         return xarray.Dataset(data, coords=coords)
 
     def to_numpy(self) -> npt.NDArray[Any]:
         """A structured array of the shape of the result, one field for each quantity."""
-        fields = [(n, np.int64 if c.is_integer else np.float64) for n, (_, c) in self._columns.items()]
+        fields = [(n, np.int64 if c.is_integer else np.float64) for n, (_, c) in self._columns.by_name.items()]
         array = np.empty(self.shape, dtype=fields)
         for name in self:
             array[name] = self[name]
@@ -264,8 +286,8 @@ class Result(Mapping[str, Any]):
 class Jacobian:
     """Derivatives of outputs by inputs.
 
-    ``jacobian["wheel.force.y", "wheel.vy"]`` is an array of the shape that the inputs broadcast to;
-    keywords do as well as FMI names.
+    ``jacobian["wheel.force.y", "wheel.vy"]`` is an array of the shape that the inputs broadcast to, a
+    ``float`` where every input is one number; keywords do as well as FMI names.
 
     Attributes
     ----------
@@ -284,7 +306,7 @@ class Jacobian:
         values: npt.NDArray[np.float64],
         outputs: tuple[str, ...],
         inputs: tuple[str, ...],
-        valid: npt.NDArray[np.bool_],
+        valid: Any,
         refusals: Mapping[int, str],
         keywords: Mapping[str, str],
     ) -> None:
@@ -293,7 +315,7 @@ class Jacobian:
         self.inputs = inputs
         self.valid = valid
         self.refusals = dict(refusals)
-        self._keywords = dict(keywords)
+        self._keywords = keywords
 
     def __getitem__(self, names: tuple[str, str]) -> Any:
         output, by = (self._keywords.get(name, name) for name in names)
@@ -302,7 +324,8 @@ class Jacobian:
                 raise UnknownVariableError(
                     f'the jacobian has no "{name}": {what}= says what is in it', variable=name
                 )
-        return self.values[..., self.outputs.index(output), self.inputs.index(by)][()]
+        found = self.values[..., self.outputs.index(output), self.inputs.index(by)]
+        return found if found.ndim else found.item()
 
     def __repr__(self) -> str:
         return f"<wheelrail.Jacobian: {len(self.outputs)} outputs by {len(self.inputs)} inputs, shape {self.values.shape}>"

@@ -37,7 +37,8 @@ def outputs_of(
     # Where any row may have a second rail, all tell of it.
     second = any(name.endswith("rail[2].enabled") for name in given)
     skipped = tuple(f"patch[{k}]." for k in range(3, 9)) + (() if second else ("rail[2].",))
-    return select(unit, outputs, [n for n in default if not any(part in n for part in skipped)])
+    shown = [n for n in default if not any(part in n for part in skipped)]
+    return select(unit, outputs, lambda: shown)
 
 
 def evaluate(

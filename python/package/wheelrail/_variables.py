@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
@@ -111,6 +111,12 @@ def _names(unit: Unit) -> dict[str, Variable]:
     return names
 
 
+@lru_cache
+def fmi_names(unit: Unit) -> dict[str, str]:
+    """FMI names by every name that variables can be called."""
+    return {name: variable.name for name, variable in by_name(unit).items()}
+
+
 def find(unit: Unit, name: str) -> Variable:
     """The variable of that name; an error with the nearest name if there is none."""
     variable = by_name(unit).get(name)
@@ -133,10 +139,12 @@ def is_evaluated(variable: Variable) -> bool:
     )
 
 
-def select(unit: Unit, wanted: Sequence[str] | str | None, default: Iterable[str]) -> list[Variable]:
-    """Outputs by names, in which ``*`` stands for anything; `default` if none are named."""
+def select(
+    unit: Unit, wanted: Sequence[str] | str | None, default: Callable[[], Iterable[str]]
+) -> list[Variable]:
+    """Outputs by names, in which ``*`` stands for anything; those of `default` if none are named."""
     if wanted is None:
-        wanted = tuple(default)
+        wanted = tuple(default())
     elif isinstance(wanted, str):
         wanted = (wanted,)
     found: dict[str, Variable] = {}

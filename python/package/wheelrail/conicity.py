@@ -8,14 +8,15 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._element import Element, WheelSet, _numbers
+from ._element import Element, WheelSet
 from ._files import folders
-from ._result import Column, Layout, Result
+from ._given import numbers
+from ._result import Column, Columns, Layout, Result
 from .errors import BadValueError
 
 __all__ = ["contact_geometry", "equivalent", "table"]
 
-_COLUMNS = (
+_COLUMNS = Columns(
     Column("difference", "m", "Rolling radius difference, right less left"),
     Column("right.rolling_radius", "m", "Rolling radius of the right wheel"),
     Column("left.rolling_radius", "m", "Rolling radius of the left wheel"),
@@ -88,13 +89,13 @@ def equivalent(
         Of the shape of `amplitude` [-]: 0 where the wheelset does not swing, NaN where a turning point lies
         beyond the points or there is no equilibrium.
     """
-    points = [np.ascontiguousarray(_numbers(n, v).ravel()) for n, v in (("y", y), ("difference", difference))]
-    amplitudes = _numbers("amplitude", amplitude)
+    points = [np.ascontiguousarray(numbers(n, v).ravel()) for n, v in (("y", y), ("difference", difference))]
+    amplitudes = numbers("amplitude", amplitude)
     found = _native.equivalent_conicity(points[0], points[1], np.ascontiguousarray(amplitudes.ravel()))
     return found.reshape(amplitudes.shape)
 
 
-_GEOMETRY = (
+_GEOMETRY = Columns(
     Column("difference", "m", "Rolling radius difference, right less left"),
     Column("roll", "rad", "Roll of the axle"),
     Column("z", "m", "Height of the centre"),
@@ -134,7 +135,7 @@ def contact_geometry(
         Over the input ``wheelset.y``: difference, roll, z, of each side rolling_radius, contact_angle,
         wheel_y and rail_y, and conicity; NaN where a wheel stands beside its rail.
     """
-    places = _numbers("y", y).ravel()
+    places = numbers("y", y).ravel()
     names = ("rolling_radius", "contact_angle", "wheel_y", "rail_y")
     heaviest = [f"{side}.patch[1].{name}" for side in ("right", "left") for name in names]
     axle = WheelSet({"vertical.mode": "load", **parameters})

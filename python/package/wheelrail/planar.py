@@ -13,13 +13,14 @@ import numpy.typing as npt
 
 from . import _native
 from ._contact import Field
-from ._element import Element, _is_tolerant, _numbers, _threads, in_slices
-from ._result import Column, Layout, Result
+from ._element import Element, _is_tolerant, _threads, in_slices
+from ._given import numbers
+from ._result import Column, Columns, Layout, Result
 from .errors import BadValueError
 
 __all__ = ["fields", "solve"]
 
-_COLUMNS = (
+_COLUMNS = Columns(
     Column("normal_force", "N", "Normal force"),
     Column("max_pressure", "Pa", "Greatest pressure"),
     Column("area", "m2", "Area of all zones"),
@@ -139,10 +140,10 @@ def _cases(
     names = ["radius", "load" if by_load else "approach"]
     names += ["creepage_longitudinal", "creepage_lateral", "spin", "friction", "speed"]
     values = (radius, load if by_load else approach, *others)
-    given = {name: _numbers(name, value) for name, value in zip(names, values)}
+    given = {name: numbers(name, value) for name, value in zip(names, values)}
     columns = np.broadcast_arrays(*given.values())
     cases = np.ascontiguousarray(np.stack([c.ravel() for c in columns], axis=1))
-    points = [_numbers("separation y", y).ravel(), _numbers("separation f", f).ravel()]
+    points = [numbers("separation y", y).ravel(), numbers("separation f", f).ravel()]
     if points[0].size != points[1].size:
         raise BadValueError(
             f"y has {points[0].size} points and f {points[1].size}: one f for each y", variable="f"

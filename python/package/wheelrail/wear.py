@@ -9,9 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._element import Element, Outputs, _Given, _numbers
+from ._element import Element, Outputs, columns_of
 from ._files import POINTS, folders
-from ._result import Column, Result
+from ._given import Given, named, numbers
+from ._result import Result
 from ._variables import Variable, select, variables
 from .errors import BadValueError, admitted_count
 
@@ -82,8 +83,9 @@ class WearRun:
         Result
             One row for each step.
         """
-        times = _numbers("duration", duration)
-        given = _Given("WheelRail", table, {**inputs})
+        times = numbers("duration", duration)
+        names, values = named(table, inputs)
+        given = Given(self._element._inputs(names), values, table)
         if len(given.layout.shape) > 1 or times.ndim > 1:
             raise BadValueError("steps in time have one dimension", variable="duration")
         rows = max(given.rows, times.size)
@@ -93,7 +95,7 @@ class WearRun:
             )
         if given.rows != rows:
             given.repeat(rows)
-        wanted = select("WheelRail", outputs, self._element._default_outputs())
+        wanted = select("WheelRail", outputs, self._element._default_outputs)
         wanted += [v for v in variables("WheelRail") if _is_worn(v)]
         data = np.empty((rows, len(wanted)))
         self._native.advance(
@@ -102,8 +104,7 @@ class WearRun:
             [v.reference for v in wanted],
             data,
         )
-        columns = [Column(v.name, v.unit, v.description, v.kind == "integer") for v in wanted]
-        return Result(columns, data, np.zeros(rows, np.uint8), {}, given.layout)
+        return Result(columns_of(wanted), data, np.zeros(rows, np.uint8), {}, given.layout)
 
     def profile(self, body: Body = "wheel", *, points: int = 1000) -> npt.NDArray[np.float64]:
         """Points of a profile with all wear so far, evenly along its arc.
