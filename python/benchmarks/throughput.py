@@ -17,10 +17,9 @@ from pathlib import Path
 
 import numpy as np
 import wheelrail
+from document import write_table
 
 PYTHON = Path(__file__).parent.parent
-DOCUMENT = PYTHON.parent / "docs/python.md"
-MARKS = "<!-- throughput -->\n", "<!-- end of throughput -->"
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", PYTHON / "target"))
 #: Normal, creepage and tangential model, and rows that take some tenths of a second, shared evenly among threads.
 MODELS = (
@@ -62,9 +61,7 @@ def main() -> None:
         )
         print(lines[-1], flush=True)
     if arguments.write:
-        head, rest = DOCUMENT.read_text(encoding="utf-8").split(MARKS[0])
-        tail = rest[rest.index(MARKS[1]) :]
-        DOCUMENT.write_text(head + MARKS[0] + "\n".join(lines) + "\n" + tail, encoding="utf-8")
+        write_table("throughput", lines)
 
 
 def times(models: list[str], rows: int, cores: int, rounds: int) -> dict[str | int, float]:
