@@ -127,6 +127,7 @@ pub fn solve<T: Real>(
         beyond: [T::from(0.0); 2],
         area: found.semi_axis_along * PI * found.semi_axis_across,
         x: at.x,
+        off: T::from(0.0),
         y: T::from(0.0),
         u: problem.contact_u,
     });

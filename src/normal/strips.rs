@@ -28,6 +28,9 @@ pub struct Zone<T = f64> {
     pub area: T,
     /// Centroid of the load along the track, from the wheel marker [m].
     pub x: T,
+    /// How far that is off the places where the bodies are nearest, as an ellipse does not lie along
+    /// these; nothing but for rounding at the least energy, where nothing pushes along the track [m].
+    pub off: T,
     /// Centroid of the load across, in the contact frame from the contact point [m].
     pub y: T,
     /// Parameter of the contact line at the centroid of the load [m].
@@ -100,6 +103,7 @@ impl<T: Real> Strips<T> {
             beyond: zone.beyond.map(Into::into),
             area: zone.area.into(),
             x: zone.x.into(),
+            off: zone.off.into(),
             y: zone.y.into(),
             u: zone.u.into(),
         }));

@@ -97,7 +97,8 @@ fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -
         ahead += weight * (strips.x[j] - centre(strips.u[j]));
         load += weight;
     }
-    if load > 0.0 { ahead / load } else { zero }
+    // The pressure leans with the surfaces where they are nearest, not with its own middle.
+    if load > 0.0 { ahead / load - zone.off } else { zero }
 }
 
 /// Speed at which surfaces with the given slopes of rail and wheel close because the wheel moves on

@@ -32,9 +32,14 @@ use crate::math::real::Real;
 const MIN_SLOPE_COSINE: f64 = 0.05;
 /// Largest |sin α|: contact never comes near the height of the axle.
 const MAX_SINE: f64 = 0.9;
-/// Half length of the profile over which its curvature is averaged where it bends the section along
-/// x of a yawed wheel: profiles jump in curvature, and the force must not [m].
+/// Half length of the profile over which its curvature is averaged at a rim, where it varies around
+/// and where a flange back ends: profiles jump in curvature, and the force must not [m].
 const CURVATURE_REACH: f64 = 2e-3;
+/// Half length along x over which the section of a yawed wheel is taken for an arc, that of a strip;
+/// it passes over the profile by its share. Least half length of the profile that tells its
+/// curvature [m].
+const SECTION_REACH: f64 = 5e-3;
+const LEAST_REACH: f64 = 1e-4;
 /// Least curvature of the section along x over that of the straight wheel: in a flange root at
 /// large yaw the outline folds.
 const MIN_SECTION_SHARE: f64 = 0.1;
@@ -246,8 +251,9 @@ impl<'a, T: Real> ContactLine<'a, T> {
         } else {
             let on = self.circle(&p);
             let across = self.cosine * self.lead / slope_cosine;
+            let reach = (across * SECTION_REACH).hypot(T::from(LEAST_REACH));
             let bent = straight * on.cosine * self.cosine * self.cosine
-                + self.mean_curvature(s) * across * across / on.cosine;
+                + self.mean_curvature_over(s, reach) * across * across / on.cosine;
             bent.max(straight * MIN_SECTION_SHARE)
         };
         let section_curvature = self.section_around(s, section_curvature, straight);
@@ -261,9 +267,13 @@ impl<'a, T: Real> ContactLine<'a, T> {
     /// Curvature of the profile about `s`, from its turn over [`CURVATURE_REACH`] to either side;
     /// positive where it bulges [1/m].
     fn mean_curvature(&self, s: T) -> T {
+        self.mean_curvature_over(s, T::from(CURVATURE_REACH))
+    }
+
+    /// The same from its turn over `reach` to either side.
+    fn mean_curvature_over(&self, s: T, reach: T) -> T {
         let [start, end] = self.range();
-        let (from, to) =
-            ((s - CURVATURE_REACH).at_least(start), (s + CURVATURE_REACH).at_most(end));
+        let (from, to) = ((s - reach).at_least(start), (s + reach).at_most(end));
         let (a, b) = (self.profile.at(from).first, self.profile.at(to).first);
         // The sine of the turn, which stays far below a right angle.
         (a[1] * b[0] - a[0] * b[1]) / ((speed_squared(a) * speed_squared(b)).sqrt() * (to - from))

@@ -202,8 +202,12 @@ mod tests {
     #[test]
     fn ellipses_turned_against_the_track_carry_what_hertz_says() {
         let along = 0.5 / RADIUS;
-        for ratio in [0.2, 1.0, 5.0, 25.0, 100.0] {
-            for slope in [0.0, 0.25, 0.5, 1.0_f64] {
+        // Where strips are shorter than their neighbours are displaced, the fit of their potential ends.
+        for (ratio, steepest) in [(0.2, 2.0), (1.0, 4.0), (5.0, 6.0), (25.0, 6.0), (100.0, 6.0)] {
+            for slope in [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 6.0_f64] {
+                if slope > steepest {
+                    continue;
+                }
                 let across = ratio * along;
                 // Principal curvatures of along (x - slope y)² + across y².
                 let half_sum: f64 = 0.5 * (along * (1.0 + slope * slope) + across);
@@ -223,11 +227,16 @@ mod tests {
                 let load = exact.load;
                 assert_eq!((left, strips.zones.len()), (0, 1));
                 let error = strips.load() / load - 1.0;
-                println!("{ratio:5} {slope:5}: load {:+.2} %", 100.0 * error);
-                // The middle line of such an ellipse is not quite that of the greatest overlaps, on
-                // which strips are held: targets of the worst of planar problems and of kinked rails.
-                let most = if slope > 0.5 { 0.015 } else { 0.005 };
+                let pressure = strips.zones[0].max_pressure / exact.max_pressure - 1.0;
+                let percent = [error, pressure].map(|error| 100.0 * error);
+                println!(
+                    "{ratio:5} {slope:5}: load {:+.2}, pressure {:+.2} %",
+                    percent[0], percent[1]
+                );
+                // Targets of planar problems and, at steep slopes, of the worst of kinked rails.
+                let most = if slope > 1.0 { 0.02 } else { 0.005 };
                 assert!(error.abs() < most, "{ratio} {slope}: {error}");
+                assert!(pressure.abs() < 0.05, "{ratio} {slope}: {pressure}");
             }
         }
     }

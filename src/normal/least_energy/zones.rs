@@ -123,6 +123,7 @@ impl<T: Real> Zones<T> {
                 strips.u.push(nodes[i].u);
             }
             strips.summarise(&mut zone);
+            zone.off = self.mean_off(nodes, begin, end);
             let edges = self.edges(nodes, begin, end);
             zone.width = edges[1] - edges[0];
             zone.beyond = [nodes[begin].y - edges[0], edges[1] - nodes[end - 1].y];
@@ -161,6 +162,18 @@ impl<T: Real> Zones<T> {
             let shape = knots.value(i, shape) + own_shape(curvatures[i]);
             self.square_over_load.push((-shape).exp() * scales.square_over_load);
         }
+    }
+
+    /// How far the load of the nodes from `begin` to `end` is off the line of greatest overlap along
+    /// the track [m].
+    fn mean_off(&self, nodes: &[Node<T>], begin: usize, end: usize) -> T {
+        let (mut sum, mut all) = (T::from(0.0), T::from(0.0));
+        for i in begin..end {
+            let load = self.load[i] * nodes[i].width;
+            sum += load * nodes[i].off;
+            all += load;
+        }
+        sum / all
     }
 
     /// Square of the greatest pressure of node `i` over E*.

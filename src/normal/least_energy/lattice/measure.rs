@@ -28,6 +28,9 @@ const DEPTH_OVER_MEAN: f64 = 7.0 / 6.0;
 /// Half its width over the integral of the square of the overlap over the square of its depth.
 const HALF_WIDTH_OVER_INTEGRAL: f64 = 15.0 / 16.0;
 
+/// Square of that half width over the variance of a place, weighted so.
+const SQUARE_OVER_VARIANCE: f64 = 7.0;
+
 /// A place up to which nodes are measured; those of an interval are equally far apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Station<T> {
@@ -41,6 +44,12 @@ pub(super) struct Station<T> {
     pub share: T,
     /// Integrals of that, its square and its cube over the lobe [m].
     pub lobe: [T; 3],
+    /// Place along the track [m].
+    pub x: T,
+    /// Middle of the lobe along the track [m], and how much further from it strips lie than the
+    /// line of greatest overlap does, over how far that lies [-].
+    pub centre: T,
+    pub spread: T,
     /// Measure of the nodes up to here [-].
     pub measure: T,
 }
@@ -82,15 +91,43 @@ impl<T: Real> Lattice<T> {
         if self.samples[last - 1].interval == self.samples[last].interval { last - 1 } else { last }
     }
 
-    /// Integrals of the overlap, its square and its cube over the lobe of each station.
+    /// Integrals of the overlap, its square and its cube over the lobe of each station, and where
+    /// its strips lie.
     fn sum_up_lobes(&mut self) {
-        for stations in self.stations.chunks_exact_mut(PLACES) {
+        let is_skewed = self.is_skewed();
+        let Self { stations, depth, radius, .. } = self;
+        for stations in stations.chunks_exact_mut(PLACES) {
             let h = stations[1].y - stations[0].y;
-            let sums = lobes::sums(&from_fn(|k| stations[k].share));
+            let from = stations[0].x;
+            let shares = from_fn(|k| stations[k].share);
+            let places = from_fn(|k| stations[k].x - from);
+            let sums = if is_skewed {
+                lobes::sums::<T, true>(&shares, &places)
+            } else {
+                lobes::sums::<T, false>(&shares, &places)
+            };
             for (k, station) in stations.iter_mut().enumerate() {
                 station.lobe = [0, 1, 2].map(|power| sums[power][k] * h);
+                let [_, square, cube, place, place_square] = sums.map(|sums| sums[k]);
+                if is_skewed && square.value() > 0.0 {
+                    let height = cube / square * DEPTH_OVER_MEAN;
+                    let half_width = square * h / (height * height) * HALF_WIDTH_OVER_INTEGRAL;
+                    let per_square = T::from(1.0) / (half_width * half_width);
+                    let middle = place / square;
+                    let variance = (place_square / square - middle * middle).at_least(0.0);
+                    let slope_square = variance * per_square * SQUARE_OVER_VARIANCE;
+                    let ratio = *depth * height * *radius * 2.0 * per_square;
+                    station.centre = from + middle;
+                    station.spread = spread(slope_square, ratio);
+                }
             }
         }
+    }
+
+    /// Whether the line of greatest overlap is not straight across the track.
+    fn is_skewed(&self) -> bool {
+        let first = self.samples[0].at.x.value().to_bits();
+        T::HAS_SLOPES || self.samples.iter().any(|sample| sample.at.x.value().to_bits() != first)
     }
 
     /// Measures the nodes up to each station.
@@ -162,6 +199,16 @@ impl<T: Real> Lattice<T> {
         let bend = -(from * 2.0) - to + 3.0;
         a.y + h * (t * (from + t * (bend + t * (from + to - 2.0))))
     }
+}
+
+/// How much more a contact ellipse is turned than the line of greatest overlap of its bodies:
+/// middles of strips lie further from the middle of the ellipse by this share. Of the square of the
+/// slope of that line, and the curvature of the overlap along it, over that along the track.
+fn spread<T: Real>(slope_square: T, ratio: T) -> T {
+    let root = ratio.sqrt();
+    let wide = root + 1.0;
+    let turn = (root * (slope_square + wide * wide)).sqrt();
+    ratio / (slope_square + 1.0 - root * 0.8 + turn * 1.4)
 }
 
 /// Calls `each` with every two neighbouring stations of one interval.

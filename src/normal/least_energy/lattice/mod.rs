@@ -26,9 +26,11 @@ const OVERHANG: f64 = 0.01;
 pub(in super::super) struct Node<T = f64> {
     /// Parameter of the line [m].
     pub u: T,
-    /// Coordinates across and along the track [m].
+    /// Coordinates across and along the track, the latter of the middle of the strip, and how far
+    /// that is from the line of greatest overlap [m].
     pub y: T,
     pub x: T,
+    pub off: T,
     /// Unit tangent (y, z) across.
     pub tangent: [T; 2],
     /// How far its hat reaches to either side, > 0 [m].
@@ -144,13 +146,16 @@ impl<T: Real> Lattice<T> {
             if a.interval == b.interval && step > 0.0 {
                 let t = ((target - a.measure) / step).within(0.0, 1.0);
                 let y = self.between_stations(k, t);
+                let part = (y - a.y) / (b.y - a.y);
+                let lobe = [[a.centre, b.centre], [a.spread, b.spread]];
+                let lobe = lobe.map(|[a, b]| a + (b - a) * part);
                 let mut sample = a.sample;
                 while sample < b.sample && self.samples[sample + 1].at.y <= y {
                     sample += 1;
                 }
                 let [a, b] = [self.samples[sample], self.samples[sample + 1]];
                 let t = ((y - a.at.y) / (b.at.y - a.at.y)).within(0.0, 1.0);
-                self.place_node(line, &a, &b, t, number);
+                self.place_node(line, [&a, &b], t, lobe, number);
             }
             number += 1.0;
         }
@@ -160,9 +165,9 @@ impl<T: Real> Lattice<T> {
     fn place_node(
         &mut self,
         line: &mut impl OverlapLine<T>,
-        a: &Sample<T>,
-        b: &Sample<T>,
+        [a, b]: [&Sample<T>; 2],
         t: T,
+        [centre, spread]: [T; 2],
         number: f64,
     ) {
         let h = b.at.y - a.at.y;
@@ -170,16 +175,21 @@ impl<T: Real> Lattice<T> {
         let LinePlace { u, y, x, tangent, overlap: depth, .. } = at;
         let length = (tangent[0] * tangent[0] + tangent[1] * tangent[1]).sqrt();
         self.integrals.push(integrals);
+        let radius = line.radius(u);
+        // Off the line of greatest overlap there is less of it.
+        let off = (x - centre) * spread;
+        let less = off * off * 0.5 / radius;
         self.nodes.push(Node {
             u,
             y,
-            x,
+            x: x + off,
+            off,
             tangent: tangent.map(|component| component / length),
             reach: [h; 2],
             width: h,
-            depth,
-            overlap: depth,
-            radius: line.radius(u),
+            depth: depth - less,
+            overlap: less,
+            radius,
             number,
             interval: a.interval,
         });
@@ -222,7 +232,7 @@ impl<T: Real> Lattice<T> {
                 let node = &mut self.nodes[i];
                 node.reach = [left, right];
                 node.width = (left + right) * 0.5;
-                node.overlap = (before + behind) / node.width;
+                node.overlap = (before + behind) / node.width - node.overlap;
             }
         }
     }

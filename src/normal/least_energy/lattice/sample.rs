@@ -140,8 +140,18 @@ impl<T: Real> Lattice<T> {
             } else {
                 cubic(a, b, t)[0].at_least(0.0)
             };
-            let (share, lobe, measure) = (zero, [zero; 3], zero);
-            self.stations.push(Station { y, sample, interval, overlap, share, lobe, measure });
+            self.stations.push(Station {
+                y,
+                sample,
+                interval,
+                overlap,
+                share: zero,
+                lobe: [zero; 3],
+                x: a.at.x + (b.at.x - a.at.x) * t,
+                centre: zero,
+                spread: zero,
+                measure: zero,
+            });
         }
     }
 

@@ -30,7 +30,7 @@ const RELAXED: f64 = 0.1;
 /// What a change of χ counts against one of a load per width over that of the ellipse.
 const SHAPE_WEIGHT: f64 = 0.05;
 /// Expected error of a load per width over that of the ellipse at which it ends.
-const LAST_ERROR: f64 = 1e-9;
+const LAST_ERROR: f64 = 5e-10;
 /// Change below which the factor of a step serves again, and by how much it has to get less then.
 const OLD_FACTOR: f64 = 2e-2;
 const MIN_GAIN: f64 = 0.1;
