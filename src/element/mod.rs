@@ -5,6 +5,7 @@ mod derivative_memory;
 mod derivatives;
 mod evaluate;
 pub mod input;
+mod load_by_stiffness;
 mod moving_rails;
 pub mod output;
 pub mod parameters;

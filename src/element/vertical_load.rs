@@ -14,10 +14,12 @@
 //! | the force jumps past the load to at most twice of it, as Piotrowski-Kik's does where contacts merge | the jump's | that on the carrying side | yes |
 //! | the force jumps further, as where the wheel comes down inside the side of a rail | the jump's | that on the other side | yes |
 //!
-//! Going down from where nothing touches in steps that double up to 2 mm, the first height that
-//! carries the load ends the bracket; the root in it is found by guesses from force ~
-//! penetration^(3/2) and then by bracketed secants in force^(2/3), which is nearly straight. Both
-//! are counted: no input makes them fail or go on for ever.
+//! Strips tell how far down the wheel has to go, and few poses are enough (`load_by_stiffness`).
+//! Otherwise, and where that does not lead to the load, it is searched for: going down from where
+//! nothing touches in steps that double up to 2 mm, the first height that carries the load ends the
+//! bracket; the root in it is found by guesses from force ~ penetration^(3/2) and then by bracketed
+//! secants in force^(2/3), which is nearly straight. All are counted: no input makes them fail or
+//! go on for ever.
 
 use super::input::Input;
 use super::output::Output;
@@ -25,14 +27,14 @@ use super::wheel_on_rails::Element;
 use crate::math::root::bracketed;
 
 /// Bounds of the first step down from where nothing touches [m].
-const FIRST_STEP: [f64; 2] = [1e-5, 5e-4];
+pub(super) const FIRST_STEP: [f64; 2] = [1e-5, 5e-4];
 /// Longest step: no wheel passes through a rail in it [m].
-const LONGEST_STEP: f64 = 2e-3;
+pub(super) const LONGEST_STEP: f64 = 2e-3;
 /// Load over penetration^(3/2) of a wheel on a rail, for the first step [N/m^1.5].
-const STIFFNESS: f64 = 7e10;
+pub(super) const STIFFNESS: f64 = 7e10;
 /// Steps down, 40 mm, after which no more load is looked for, and steps up where the bounds were
 /// wrong.
-const MAX_STEPS: usize = 27;
+pub(super) const MAX_STEPS: usize = 27;
 /// Guesses from the power law before the bracketed search.
 const GUESSES: usize = 4;
 /// Difference from the load, as a share of it, that ends the search.
@@ -76,6 +78,9 @@ impl Element {
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);
         if load > 0.0 && clear.is_finite() {
+            if let Some(fallbacks) = self.load_by_stiffness(clear, input, output) {
+                return fallbacks;
+            }
             let mut search = Search { element: self, input, output, load, left_out: 0 };
             if let Some(fallbacks) = search.run(clear) {
                 return fallbacks;

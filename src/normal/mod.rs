@@ -6,6 +6,7 @@
 
 pub(crate) mod boundary_element;
 pub mod damping;
+mod descent;
 mod element_pressure;
 pub mod hertz;
 pub mod least_energy;
@@ -18,6 +19,7 @@ mod strips;
 pub(crate) mod uneven;
 mod zones;
 
+pub use descent::{Descent, Pose, Slope};
 pub use element_pressure::ElementPressure;
 pub use problem::{NormalModel, NormalProblem};
 pub use shape_correction::ShapeFit;

@@ -20,8 +20,8 @@ use crate::math::root::outward;
 const MAX_ROLL: f64 = 0.1;
 /// First step from 0 [rad].
 const FIRST_STEP: f64 = 1e-3;
-/// Roll angles are found to this [rad]: the heights to 1e-16 m.
-const RESOLUTION: f64 = 1e-16;
+/// Roll angles are found to this [rad]: the heights to 1e-15 m.
+const RESOLUTION: f64 = 1e-15;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 

@@ -13,7 +13,7 @@ use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
 use crate::normal::least_energy::{MIN_STRIPS, StripFollower, StripSolver};
 use crate::normal::uneven::UnevenStrips;
-use crate::normal::{NormalModel, ShapeFit, Strips};
+use crate::normal::{Descent, NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
 /// Most loaded zones of one contact frame.
@@ -44,10 +44,14 @@ pub struct Models<T = f64> {
     pub material: MaterialPair,
     /// Boundary elements along and across a contact.
     pub elements: [usize; 2],
+    /// The vertical force that normal loads are to have, where that is given and not the height.
+    pub descent: Option<Descent>,
     /// Scratch memory of contacts on uneven rails or wheels, if there are any.
     pub uneven: Option<UnevenStrips>,
     /// Quadrature rule across a zone.
     pub rule: GaussLegendre,
+    /// The same where a force is only guessed.
+    pub coarse: GaussLegendre,
     /// Loaded zones of the contact under way.
     pub strips: Strips<T>,
     /// Solver of the strip model, where that is the normal model, and the zones of a whole rail.
@@ -99,8 +103,10 @@ impl Models {
             minimum_speed: self.minimum_speed,
             material: self.material,
             elements: self.elements,
+            descent: None,
             uneven: None,
             rule: self.rule.clone(),
+            coarse: self.coarse.clone(),
             strips: strips(&self.strips),
             strip_solver: None,
             rail_strips: strips(&self.rail_strips),
@@ -148,7 +154,9 @@ impl Models {
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,
+            descent: None,
             rule: GaussLegendre::new(parameters.strips),
+            coarse: GaussLegendre::new(MIN_STRIPS),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
             strips: Strips::with_capacity(zones, strips),
             strip_solver: is_strips.then(|| StripSolver::new(strips)),

@@ -62,6 +62,11 @@ impl<T: Real> RailFrame<T> {
         relative.on_roller(axle, self.direction([T::from(1.0), zero]) * motion.pitch_rate)
     }
 
+    /// The direction (y, z) down in the rail's frame.
+    pub fn down(&self) -> [T; 2] {
+        [self.sine, self.cosine]
+    }
+
     /// A direction (y, z) of the rail's frame in the track frame.
     pub fn direction(&self, [y, z]: [T; 2]) -> Vector3<T> {
         Vector3::new(T::from(0.0), y * self.cosine - z * self.sine, y * self.sine + z * self.cosine)

@@ -34,6 +34,8 @@ pub struct RailContact {
     /// Stretches of the contact line that may touch.
     ranges: FixedVec<[f64; 2]>,
     pub(in crate::element) search: ContactSearch,
+    /// Whether the last evaluation searched for contacts.
+    pub(in crate::element) is_met: bool,
     /// Distance of the contact line from the rail over all contacts.
     pub(in crate::element) probes: FixedVec<Probe>,
     /// Deviations of wheel and rail along the track, if there are any.
@@ -51,7 +53,7 @@ pub(in crate::element) struct Around {
 }
 
 /// Least cosine of a contact angle for a guess of how far penetration goes with height.
-const STEEPEST: f64 = 0.05;
+pub(super) const STEEPEST: f64 = 0.05;
 /// Room for what wear, which goes 10 mm deep at most, adds to the width of a profile on either side
 /// and to the length of its arc [m].
 const MAX_ADDED_WIDTH: f64 = 0.01;
@@ -83,6 +85,7 @@ impl RailContact {
             around: None,
             ranges: FixedVec::new(MAX_RANGES),
             search: ContactSearch::new(&wheel.curve),
+            is_met: false,
             probes: FixedVec::new(MAX_PROBES),
             wheel: wheel.clone(),
             rail_name: rail_name.into(),

@@ -4,7 +4,7 @@
 use super::boundary_contact;
 use super::flattened::FlatContact;
 use super::local_line::MIN_CURVATURE_SHARE;
-use super::rail_contact::{RailContact, with};
+use super::rail_contact::{RailContact, STEEPEST, with};
 use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
 use crate::element::contact::models::Models;
@@ -12,11 +12,14 @@ use crate::element::contact::rail_frame::RailFrame;
 use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
+use crate::geometry::contacts::contact::Contact;
+use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::{Lifting, LineSeparation};
 use crate::geometry::contacts::separation::Separation;
+use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::normal::{self, NormalModel, NormalProblem};
+use crate::normal::{self, Descent, NormalModel, NormalProblem, Pose, Slope};
 
 /// Penetration from which on it is looked whether a wheel is inside the rail, and depth from which
 /// on one without a force is [m].
@@ -75,11 +78,14 @@ impl RailContact {
         sunk: &mut Option<f64>,
     ) -> u64 {
         let before = (self.search.evaluations, self.search.left_out);
-        if !self.search_contacts(k, input) {
+        let is_same = models.descent.is_some_and(|descent| descent.pose == Pose::Same);
+        let is_met = if is_same { self.is_met } else { self.search_contacts(k, input) };
+        self.is_met = is_met;
+        if !is_met {
             work.lifted += 1;
             return 0;
         }
-        work.searches += 1;
+        work.searches += u64::from(!is_same);
         work.distances += self.search.evaluations - before.0;
         let left_out = self.search.left_out - before.1;
         let contacts = &self.search.contacts;
@@ -97,6 +103,41 @@ impl RailContact {
             return 1;
         }
         left_out + fallbacks
+    }
+
+    /// How far the wheel of `input` has to go down for the contacts with rail number `k`, each by
+    /// itself as Piotrowski and Kik have it, to have about the vertical force `load`; nothing where
+    /// there is no contact [m].
+    pub fn way_down(
+        &mut self,
+        k: usize,
+        input: &Input,
+        models: &mut Models,
+        load: f64,
+    ) -> Option<f64> {
+        if !self.search_contacts(k, input) || self.search.contacts.is_empty() {
+            return None;
+        }
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let line =
+            ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
+        let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let mut descent = Descent::to(load, frame.down());
+        descent.run(|descent, _| {
+            let (mut reached, mut deepest) = (0.0, 0.0_f64);
+            for index in 0..self.search.contacts.len() {
+                let (rail, search) = (&self.rail, &mut self.search);
+                let cosine = descent.cosine(search.contacts[index].tangent);
+                let deeper = descent.way * cosine;
+                let normal = NormalModel::PiotrowskiKik;
+                let pressed = press(&line, rail, search, index, normal, deeper, models);
+                reached += models.strips.load() * cosine;
+                deepest =
+                    deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
+            }
+            (reached, Slope::Depth(deepest))
+        });
+        Some(descent.way)
     }
 
     /// Adds the forces of the contacts found; returns how many zones found no room or fell back to
@@ -144,59 +185,9 @@ impl RailContact {
             }
         }
         for index in 0..self.search.contacts.len() {
-            let contact = self.search.contacts[index];
-            let mut separation = LineSeparation::new(&line, &self.rail, contact);
-            self.search.refine_probes(&contact, &mut separation);
-            models.strips.clear();
-            let even_radius = line.wheel_point(contact.u).section_radius;
-            let lifting = separation.lifting();
-            let radius = lifting.map_or_else(
-                || {
-                    RailOutline::at_rest(&self.rail).radius_along(
-                        even_radius,
-                        contact.rail_s,
-                        MIN_CURVATURE_SHARE,
-                    )
-                },
-                |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
-            );
-            let problem = NormalProblem {
-                approach: contact.penetration,
-                radius,
-                contact_modulus: models.material.contact_modulus,
-                contact_u: contact.u,
-                lateral_curvature: line.curvature(contact.u) + self.rail.curvature(contact.rail_s),
-                rule: &models.rule,
-                elements: models.elements,
-            };
-            let probes = &self.search.probes[contact.probes[0]..contact.probes[1]];
-            let uneven = models.uneven.as_mut().filter(|_| models.normal != NormalModel::Hertz);
-            let mut slopes = [0.0; 2];
-            let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
-                let no_room = uneven.solve(
-                    &problem,
-                    models.virtual_penetration,
-                    &mut separation,
-                    lifting,
-                    probes,
-                    &mut models.strips,
-                );
-                slopes = uneven.slopes;
-                no_room
-            } else {
-                if let Some(lifting) = &lifting {
-                    slopes = lifting.deviations.slopes(separation.at(contact.u).x);
-                }
-                normal::solve(
-                    models.normal,
-                    models.virtual_penetration,
-                    models.shape_fit,
-                    &problem,
-                    &mut separation,
-                    probes,
-                    &mut models.strips,
-                )
-            };
+            let (rail, search) = (&self.rail, &mut self.search);
+            let pressed = press(&line, rail, search, index, models.normal, 0.0, models);
+            let Pressed { contact, mut separation, slopes, no_room } = pressed;
             left_out += no_room as u64;
             left_out += forces(contact, slopes, Damped::Alone).add_forces(
                 &mut separation,
@@ -207,6 +198,83 @@ impl RailContact {
         }
         left_out
     }
+}
+
+/// One contact with its loaded zones in `models.strips`.
+struct Pressed<'a> {
+    contact: Contact,
+    separation: LineSeparation<'a>,
+    /// Slopes of rail and wheel along the track in the contact [-].
+    slopes: [f64; 2],
+    /// Zones that found no room.
+    no_room: usize,
+}
+
+/// Solves for the zones of contact number `index` of `search` into `models.strips` by the model
+/// `normal`, with so much more approach than its penetration, `deeper` [m].
+fn press<'a>(
+    line: &'a ContactLine,
+    rail: &'a PlacedRail,
+    search: &mut ContactSearch,
+    index: usize,
+    normal: NormalModel,
+    deeper: f64,
+    models: &mut Models,
+) -> Pressed<'a> {
+    let contact = search.contacts[index];
+    let mut separation = LineSeparation::new(line, rail, contact);
+    search.refine_probes(&contact, &mut separation);
+    models.strips.clear();
+    let even_radius = line.wheel_point(contact.u).section_radius;
+    let lifting = separation.lifting();
+    let radius = lifting.map_or_else(
+        || {
+            RailOutline::at_rest(rail).radius_along(
+                even_radius,
+                contact.rail_s,
+                MIN_CURVATURE_SHARE,
+            )
+        },
+        |lifting| local_radius(even_radius, &lifting, separation.at(contact.u).x),
+    );
+    let problem = NormalProblem {
+        approach: contact.penetration + deeper,
+        radius,
+        contact_modulus: models.material.contact_modulus,
+        contact_u: contact.u,
+        lateral_curvature: line.curvature(contact.u) + rail.curvature(contact.rail_s),
+        rule: if normal == models.normal { &models.rule } else { &models.coarse },
+        elements: models.elements,
+    };
+    let probes = &search.probes[contact.probes[0]..contact.probes[1]];
+    let uneven = models.uneven.as_mut().filter(|_| normal != NormalModel::Hertz);
+    let mut slopes = [0.0; 2];
+    let no_room = if let (Some(uneven), Some(lifting)) = (uneven, &lifting) {
+        let no_room = uneven.solve(
+            &problem,
+            models.virtual_penetration,
+            &mut separation,
+            lifting,
+            probes,
+            &mut models.strips,
+        );
+        slopes = uneven.slopes;
+        no_room
+    } else {
+        if let Some(lifting) = &lifting {
+            slopes = lifting.deviations.slopes(separation.at(contact.u).x);
+        }
+        normal::solve(
+            normal,
+            models.virtual_penetration,
+            models.shape_fit,
+            &problem,
+            &mut separation,
+            probes,
+            &mut models.strips,
+        )
+    };
+    Pressed { contact, separation, slopes, no_room }
 }
 
 /// Radius of relative curvature along the track at the place `x` of first touch, for a wheel whose

@@ -44,13 +44,13 @@ pub fn solve(
             }
         }
     }
-    let Models { strip_solver, rail_strips, material, .. } = models;
+    let Models { strip_solver, rail_strips, material, descent, .. } = models;
     rail_strips.clear();
     let mut local = LocalLine::of(line, rail, search);
     let modulus = material.contact_modulus;
-    strip_solver
-        .as_mut()
-        .map_or(0, |solver| solver.solve(&mut local, probes, 0.0, modulus, rail_strips))
+    strip_solver.as_mut().map_or(0, |solver| {
+        solver.solve(&mut local, probes, 0.0, modulus, descent.as_mut(), rail_strips)
+    })
 }
 
 /// Adds the forces of all zones of one rail to `output`, each as a contact of `forces`; returns how
@@ -68,6 +68,10 @@ pub fn add<'a>(
     let of_rail = forces(first, [0.0; 2], Damped::Alone);
     let ContactSetup { input, line, rail, frame, .. } = &of_rail;
     let placed = rail.rail;
+    if let Some(descent) = &mut models.descent {
+        descent.down = frame.down();
+        descent.rails += 1;
+    }
     let mut left_out = solve(line, placed, search, probes, models) as u64;
     output.normal_residual = output.normal_residual.max(models.normal_residual());
     let wheel = &input.wheel;

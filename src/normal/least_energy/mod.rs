@@ -23,6 +23,7 @@
 //! finds the least energy (`system`, `newton`), and loaded runs of nodes are zones (`zones`).
 
 mod derivative;
+mod descend;
 mod displaced;
 mod factor;
 mod kernel;
@@ -43,7 +44,8 @@ pub use derivative::StripFollower;
 pub use line::{LinePlace, OverlapLine};
 
 use crate::geometry::contacts::separation::{Probe, Separation};
-use crate::normal::{NormalProblem, Strips};
+use crate::math::fixed_vec::FixedVec;
+use crate::normal::{Descent, NormalProblem, Pose, Strips};
 use lattice::Lattice;
 use line::FrameLine;
 use newton::Newton;
@@ -76,6 +78,8 @@ pub struct StripSolver {
     lattice: Lattice,
     newton: Newton,
     zones: Zones,
+    /// Way of the overlap of each node with that of the wheel down [-].
+    cosines: FixedVec<f64>,
     /// Work so far.
     pub work: Work,
 }
@@ -92,6 +96,7 @@ impl StripSolver {
             lattice: Lattice::new(strips, most),
             newton: Newton::new(most),
             zones: Zones::new(most),
+            cosines: FixedVec::new(most),
             work: Work::default(),
         }
     }
@@ -104,7 +109,7 @@ impl StripSolver {
     }
 
     /// Adds the loaded zones of `line` to `strips`, whose overlap is `level` - f at the `probes`; the
-    /// contact modulus in Pa.
+    /// contact modulus in Pa. With a `descent` they are those at the way down that it asks for.
     ///
     /// Returns the number of fallbacks: zones that found no room, and one where Newton's method has
     /// not converged.
@@ -114,17 +119,26 @@ impl StripSolver {
         probes: &[Probe],
         level: f64,
         contact_modulus: f64,
+        descent: Option<&mut Descent>,
         strips: &mut Strips,
     ) -> usize {
         self.work.solved += 1;
-        self.newton.residual = 0.0;
-        self.overlaps.fill(line, probes, level);
-        self.lattice.lay(line, &self.overlaps);
+        let pose = descent.as_ref().map_or(Pose::New, |descent| descent.pose);
+        if pose != Pose::Same {
+            self.newton.residual = 0.0;
+            self.overlaps.fill(line, probes, level);
+            self.lattice.lay(line, &self.overlaps);
+        }
         if self.lattice.nodes.is_empty() {
             return 0;
         }
         let before = self.newton.steps;
-        let settled = self.newton.solve(&self.lattice);
+        let mut settled =
+            pose == Pose::Same || self.newton.solve(&self.lattice, pose == Pose::Near);
+        if let Some(descent) = descent {
+            settled &= self.descend(descent, contact_modulus);
+        }
+        settled &= self.newton.finish();
         let steps = self.newton.steps - before;
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);
@@ -149,5 +163,5 @@ pub fn solve_in_frame(
 ) -> usize {
     let (approach, radius) = (problem.approach, problem.radius);
     let mut line = FrameLine { separation, approach, radius };
-    solver.solve(&mut line, probes, approach, problem.contact_modulus, strips)
+    solver.solve(&mut line, probes, approach, problem.contact_modulus, None, strips)
 }

@@ -19,6 +19,8 @@ pub(super) struct Point {
     /// The mean over hats, T: its diagonal and what ties the node to the one before it [1/m].
     pub diagonal: f64,
     pub before: f64,
+    /// Number of steps of the measure from its mean, and number of the interval of overlap.
+    pub place: (f64, usize),
 }
 
 /// The nodes of a problem, and its knots.
@@ -64,6 +66,7 @@ impl Problem {
                 bending: scales.unit / (8.0 * node.radius),
                 diagonal: (1.0 - beside) / node.width,
                 before,
+                place: (node.number, node.interval),
             });
             before = next;
         }
@@ -82,6 +85,12 @@ impl Problem {
             let per_width = (node.depth * depth - level) * share;
             node.width * per_width.clamp(0.0, MOST_START)
         }));
+    }
+
+    /// Whether the nodes of `lattice` are those that were taken, moved.
+    pub fn has_nodes_of(&self, lattice: &Lattice) -> bool {
+        let nodes = lattice.nodes.iter().map(|node| (node.number, node.interval));
+        nodes.eq(self.points.iter().map(|point| point.place))
     }
 
     /// Number of nodes.

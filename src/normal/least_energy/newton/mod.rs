@@ -5,6 +5,7 @@
 //! not convex its diagonal is raised until it is; where the energy rises the step is shortened. Near
 //! the end the factor of the last step serves again.
 
+mod again;
 mod short_steps;
 
 #[cfg(target_arch = "x86_64")]
@@ -56,6 +57,8 @@ pub(super) struct Newton {
     /// Curvature of the displacement along each node that carries load, over that of the wheel [-].
     pub curvature: FixedVec<f64>,
     factor: Factor,
+    /// Whether nodes that are left out would stay without load.
+    is_checked: bool,
     /// The step of χ and the loads, four by four.
     step: Vec<Lanes>,
     /// What squares of its numbers count, and the last step with a new factor and those after it.
@@ -116,6 +119,7 @@ impl Newton {
             load: FixedVec::new(most),
             curvature: FixedVec::new(most),
             factor: Factor::new(most + knots),
+            is_checked: false,
             step: vec![[0.0; LANES]; blocks],
             metric: vec![[0.0; LANES]; blocks],
             past: std::array::from_fn(|_| vec![[0.0; LANES]; blocks]),
@@ -133,9 +137,22 @@ impl Newton {
         }
     }
 
-    /// Solves the problem of the nodes of `lattice`; false where it does not converge.
-    pub fn solve(&mut self, lattice: &Lattice) -> bool {
-        with_simd!(self.solve_with(lattice))
+    /// Solves the problem of the nodes of `lattice`, from the last solution where that is one of
+    /// nearly the same pose and has the same nodes; false where it does not converge.
+    pub fn solve(&mut self, lattice: &Lattice, is_near: bool) -> bool {
+        with_simd!(self.solve_with(lattice, is_near))
+    }
+
+    /// Moves to the solution with overlaps that are greater by `way` times the `cosines` of the
+    /// nodes [m]; false where it does not converge.
+    pub fn lower(&mut self, cosines: &[f64], way: f64) -> bool {
+        with_simd!(self.lower_with(cosines, way))
+    }
+
+    /// What is read off a solution besides loads and χ, after a look whether nodes that were left out
+    /// stay without load; false where Newton's method does not converge.
+    pub fn finish(&mut self) -> bool {
+        with_simd!(self.finish_with())
     }
 
     /// Factorises the second derivatives by χ and the loads that are not zero, at the present
@@ -150,9 +167,22 @@ impl Newton {
         with_simd!(self.solve_linear_with(loads, shape));
     }
 
+    /// Solves with what was factorised for what is in `step`.
+    fn solve_step(&mut self) {
+        with_simd!(self.solve_step_with());
+    }
+
     #[inline(always)]
-    fn solve_with<S: Simd>(&mut self, simd: S, lattice: &Lattice) -> bool {
+    fn solve_step_with<S: Simd>(&mut self, simd: S) {
+        self.factor.solve(simd, &mut self.step);
+    }
+
+    #[inline(always)]
+    fn solve_with<S: Simd>(&mut self, simd: S, lattice: &Lattice, is_near: bool) -> bool {
         let table = &Kernel::shared().coefficients;
+        if is_near && self.problem.has_nodes_of(lattice) {
+            return self.solve_again(simd, table, lattice);
+        }
         self.problem.take(lattice);
         self.problem.start(lattice, &mut self.load);
         self.system.shape.clear();
@@ -168,6 +198,12 @@ impl Newton {
             }
         }
         self.system.give_loads(&mut self.load);
+        self.iterate(simd, table)
+    }
+
+    /// Newton's method from the present unknowns on; false where it does not converge.
+    #[inline(always)]
+    fn iterate<S: Simd>(&mut self, simd: S, table: &Table) -> bool {
         self.last.energy = f64::INFINITY;
         for _ in 0..MAX_STEPS {
             self.steps += 1;
@@ -188,12 +224,20 @@ impl Newton {
             }
             let is_near = change.greatest * change.greatest < LAST_ERROR;
             if (is_near || self.short_steps(simd, table, change)) && self.is_complete(simd, table) {
-                let Self { system, problem, curvature, .. } = self;
-                system.give_curvatures(simd, table, problem, curvature);
+                self.is_checked = true;
                 return true;
             }
         }
         false
+    }
+
+    #[inline(always)]
+    fn finish_with<S: Simd>(&mut self, simd: S) -> bool {
+        let table = &Kernel::shared().coefficients;
+        let settled = self.is_checked || self.is_complete(simd, table) || self.iterate(simd, table);
+        let Self { system, problem, curvature, .. } = self;
+        system.give_curvatures(simd, table, problem, curvature);
+        settled
     }
 
     /// Takes the nodes where the overlap is greatest around as extra ones.

@@ -37,7 +37,9 @@ impl Newton {
             if change.is_rough || change.greatest > most {
                 return false;
             }
-            if change.greatest * before.greatest < LAST_ERROR {
+            // The factor is as old as the first step, or older: then steps tell how they get less.
+            let gain = (change.greatest / last).max(before.greatest);
+            if change.greatest * gain < LAST_ERROR {
                 return true;
             }
             last = change.greatest;

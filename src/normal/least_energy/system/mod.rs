@@ -192,6 +192,13 @@ impl System {
         self.second[(n + 1) * stride..(n + 2) * stride].fill(Second::default());
     }
 
+    /// Takes over the overlaps of the nodes.
+    pub fn put_overlaps(&mut self, problem: &Problem) {
+        for (k, &i) in self.nodes.iter().enumerate() {
+            self.fixed[k / LANES].overlap[k % LANES] = problem.points[i].overlap;
+        }
+    }
+
     /// Takes over the `loads` of the nodes.
     #[inline(always)]
     pub fn put_loads(&mut self, loads: &[f64]) {
