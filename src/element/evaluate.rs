@@ -35,7 +35,7 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        let admitted = input.admitted()?;
+        let admitted = input.admitted().inspect_err(|_| self.expected = None)?;
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
         let mut input = if mirrored { admitted.mirrored() } else { admitted };

@@ -8,6 +8,7 @@
 
 use super::input::Input;
 use super::output::Output;
+use super::parameters::{FoundationModel, Side};
 use super::vertical_load::{FIRST_STEP, LONGEST_STEP, MAX_STEPS, STIFFNESS};
 use super::wheel_on_rails::Element;
 use crate::normal::{Descent, Pose};
@@ -61,28 +62,99 @@ impl Placed {
 
     /// Share of the load by which the geometry of the pose is wrong, as far as the one before tells.
     fn error(&self, load: f64, before: Option<&Self>) -> f64 {
-        let share = before.map_or(1.0, |before| (self.way / before.way).abs());
+        let share = before.map_or(0.0, |before| (self.way / before.way).abs());
         (self.way * self.stiffness / load).abs() * share.max(WRONG)
     }
 }
 
+/// About how a load is carried: height of the marker [m] and vertical force of the normal loads
+/// there [N].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Carried {
+    pub z: f64,
+    normal: f64,
+}
+
+impl Carried {
+    /// The same lower by `way` [m].
+    #[must_use]
+    pub fn lower(self, way: f64) -> Self {
+        Self { z: self.z + way, ..self }
+    }
+}
+
 impl Element {
+    /// Says about how the load of the next evaluation will be carried, if that is known, at a pose
+    /// near that of the last one.
+    pub(crate) fn expect(&mut self, carried: Option<Carried>) {
+        self.expected = carried;
+    }
+
     /// Puts the wheel of `input` (right side) at the height at which one rail carries its load, and
     /// leaves the forces there, from the height `clear` on; returns how many fallbacks that took, or
     /// nothing where it does not lead there.
     pub(super) fn load_by_stiffness(
         &mut self,
         clear: f64,
+        expected: Option<Carried>,
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
         if self.models.strip_solver.is_none() {
             return None;
         }
+        let found = expected.and_then(|about| self.load_about(about, Pose::Near, input, output));
+        found.or_else(|| {
+            let about = Carried { z: self.guess(clear, input)?, normal: input.wheel_load };
+            self.load_about(about, Pose::New, input, output)
+        })
+    }
+
+    /// About how one rail carries the load of `input`, by one pose: at the height that is `expected`, near the pose of the last evaluation, or at a guess; with the output there, whose
+    /// forces are about those of the load. Nothing where rails give way or strips do not tell.
+    pub(crate) fn nearly_carried(
+        &mut self,
+        input: &Input,
+        expected: Option<Carried>,
+        output: &mut Output,
+    ) -> Option<Carried> {
+        let is_told = self.models.strip_solver.is_some() && input.wheel_load > 0.0;
+        if !is_told || self.foundation.model != FoundationModel::Rigid {
+            return None;
+        }
+        let mirrored = self.side == Side::Left;
+        let mut input = if mirrored { input.mirrored() } else { *input };
+        let (about, pose) = if let Some(about) = expected {
+            (about, Pose::Near)
+        } else {
+            input.wheel.position[2] = -self.nominal_radius;
+            let clear = self.height_near_touch(&input);
+            let z = clear.is_finite().then(|| self.guess(clear, &mut input))??;
+            (Carried { z, normal: input.wheel_load }, Pose::New)
+        };
+        input.wheel.position[2] = about.z;
+        let descent = Descent::to(about.normal, [0.0, 1.0]).from(pose, 0.0);
+        let here = self.press(descent, &input, output)?;
+        let normal = here.normal + (input.wheel_load - here.carried) / here.rate(None);
+        self.models.patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
+        output.patches[0] = *self.models.patches.first()?;
+        if mirrored {
+            *output = output.mirrored();
+        }
+        Some(Carried { z: here.z + here.way + here.way_to(normal), normal })
+    }
+
+    /// The same from `about` how it is carried on.
+    fn load_about(
+        &mut self,
+        about: Carried,
+        mut pose: Pose,
+        input: &mut Input,
+        output: &mut Output,
+    ) -> Option<u64> {
         let load = input.wheel_load;
-        let (mut z, mut normal) = (self.guess(clear, input)?, load);
+        let (Carried { mut z, mut normal }, mut way) = (about, 0.0);
         let (mut before, mut last) = (None::<Placed>, None::<Placed>);
-        let (mut pose, mut way) = (Pose::New, 0.0);
         for _ in 0..MOST_TRIALS {
             input.wheel.position[2] = z;
             let descent = Descent::to(normal, [0.0, 1.0]).from(pose, way);

@@ -26,6 +26,7 @@ pub(crate) mod work_pairs;
 mod worn_profiles;
 
 pub use input::Input;
+pub(crate) use load_by_stiffness::Carried;
 pub use output::Output;
 pub use parameters::Parameters;
 pub use parameters::foundation::TrackState;

@@ -160,6 +160,7 @@ impl Element {
             )));
         }
         let mut element = Self {
+            expected: None,
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
             foundation: parameters.foundation,

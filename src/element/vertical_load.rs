@@ -74,11 +74,12 @@ impl Element {
     pub(super) fn carry_load(&mut self, input: &mut Input, output: &mut Output) -> u64 {
         let load = input.wheel_load;
         let own_height = input.wheel.position[2];
+        let expected = self.expected.take();
         // The given height must not matter, not even in the last digit.
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);
         if load > 0.0 && clear.is_finite() {
-            if let Some(fallbacks) = self.load_by_stiffness(clear, input, output) {
+            if let Some(fallbacks) = self.load_by_stiffness(clear, expected, input, output) {
                 return fallbacks;
             }
             let mut search = Search { element: self, input, output, load, left_out: 0 };

@@ -3,6 +3,7 @@
 use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
 use super::input::Input;
+use super::load_by_stiffness::Carried;
 use super::parameters::foundation::{Foundation, TrackState};
 use super::parameters::{RAILS, Side, VerticalMode};
 use super::rail::rail_contact::RailContact;
@@ -25,6 +26,8 @@ pub struct Element {
     /// what was left of the way to it: asked for derivatives at an input, they are not to be sought
     /// again.
     pub(super) rested: Option<(Input, [f64; 2], f64)>,
+    /// About how the load of the next evaluation will be carried, if that is known.
+    pub(super) expected: Option<Carried>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],

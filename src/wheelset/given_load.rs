@@ -7,12 +7,12 @@
 //! z_right(roll) - z_left(roll) = 2 b sin roll cos yaw
 //! ```
 //!
-//! It is found by bracketed secants, from 0 and never from the roll of the input. Where there is
-//! none up to [`MAX_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
+//! It is found from 0 on and never from the roll of the input, by the stiffness of the contacts or,
+//! where that does not lead to it, by bracketed secants. Where there is none up to [`MAX_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
 //! fallback.
 
-use super::{Input, LEFT, Output, RIGHT, TrackTurn, Wheelset};
-use crate::element::Element;
+use super::{Input, LEFT, Output, RIGHT, SIDES, TrackTurn, Wheelset, on_side};
+use crate::element::{Carried, Element};
 use crate::error::ContactError;
 use crate::math::root::outward;
 
@@ -22,6 +22,8 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
+/// What of heights of a metre is rounding [m].
+const ROUNDING: f64 = 2e-15;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
@@ -50,6 +52,9 @@ impl Wheelset {
         at.wheelset.roll = 0.0;
         let counts = self.elements.each_ref().map(Element::fallbacks);
         let between = self.markers[RIGHT] - self.markers[LEFT];
+        if let Some(found) = self.roll_by_stiffness(input, &mut trial)? {
+            return Ok((found, false));
+        }
         // Numbers that leave their range on the way to the markers are refused here, and by no roll
         // after it.
         self.sides(&at, &mut trial, Element::evaluate)?;
@@ -72,5 +77,66 @@ impl Wheelset {
             element.set_fallbacks(count);
         }
         Ok((at, rest.abs() > MISSED))
+    }
+
+    /// The same by the stiffness of both contacts, a pose of each wheel at a time: the roll follows
+    /// from the heights that these tell, and how they go with it from where the contacts are.
+    /// Nothing where that does not lead to where both are carried.
+    ///
+    /// # Errors
+    /// The input at fault, by its name.
+    fn roll_by_stiffness(
+        &mut self,
+        input: &Input,
+        trial: &mut Output,
+    ) -> Result<Option<Input>, ContactError> {
+        let mut at = *input;
+        at.wheelset.roll = 0.0;
+        let between = self.markers[RIGHT] - self.markers[LEFT];
+        let (mut expected, mut last) = ([None::<Carried>; 2], f64::INFINITY);
+        loop {
+            let (mut heights, mut slopes, mut carried) = ([0.0; 2], [0.0; 2], [None; 2]);
+            for k in [RIGHT, LEFT] {
+                let side = at.of_side(k, self.markers[k]);
+                side.check().map_err(|e| on_side(e, SIDES[k]))?;
+                let output = &mut trial.sides[k];
+                let found = self.elements[k].nearly_carried(&side, expected[k], output);
+                let Some(found) = found else { return Ok(None) };
+                // In the frame of the rails, and in that of the track.
+                let z = found.z;
+                let of_track = at.wheelset.along_axle(self.markers[k]).position[2];
+                let frame = at.rail_frame(k, self.markers[k]);
+                heights[k] =
+                    frame.map_or(z, |frame| frame.height(of_track, [side.wheel.position[2], z]));
+                carried[k] = Some(found);
+                // The place of contact turns about the marker, and no overlap is to come of it.
+                let patch = &output.patches[0];
+                let [_, across, down] = patch.position;
+                let [_, y, _] = side.wheel.position;
+                slopes[k] = -((down - z) * patch.contact_angle.tan() + across - y);
+            }
+            let missing = heights[RIGHT] - heights[LEFT] - between * at.wheelset.axle().z;
+            if missing.abs() <= ROUNDING {
+                let middles =
+                    [RIGHT, LEFT].map(|k| heights[k] - self.markers[k] * at.wheelset.axle().z);
+                at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);
+                for (element, carried) in self.elements.iter_mut().zip(carried) {
+                    element.expect(carried);
+                }
+                return Ok(Some(at));
+            }
+            if !(2.0 * missing.abs() < last) {
+                return Ok(None);
+            }
+            last = missing.abs();
+            let step = missing / (between - slopes[RIGHT] + slopes[LEFT]);
+            at.wheelset.roll += step;
+            if !(at.wheelset.roll.abs() < MAX_ROLL) {
+                return Ok(None);
+            }
+            for k in [RIGHT, LEFT] {
+                expected[k] = carried[k].map(|carried: Carried| carried.lower(slopes[k] * step));
+            }
+        }
     }
 }

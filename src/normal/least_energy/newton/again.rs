@@ -43,7 +43,7 @@ impl Newton {
     #[inline(always)]
     fn go_on<S: Simd>(&mut self, simd: S, table: &Table, change: Change) -> bool {
         let is_near = MIN_GAIN * change.greatest < LAST_ERROR;
-        !change.is_rough && (is_near || self.short_steps(simd, table, change))
+        !change.is_rough && (is_near || self.short_steps(simd, table, change, MIN_GAIN))
     }
 
     /// Sum of the loads over that of the ellipse, times the `cosines` of their nodes [m], and its

@@ -223,7 +223,9 @@ impl Newton {
                 continue;
             }
             let is_near = change.greatest * change.greatest < LAST_ERROR;
-            if (is_near || self.short_steps(simd, table, change)) && self.is_complete(simd, table) {
+            if (is_near || self.short_steps(simd, table, change, change.greatest))
+                && self.is_complete(simd, table)
+            {
                 self.is_checked = true;
                 return true;
             }

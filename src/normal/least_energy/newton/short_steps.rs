@@ -7,9 +7,15 @@ use super::{Change, LAST_ERROR, MIN_GAIN, MOST_SHORT, Newton, SHAPE_WEIGHT};
 #[allow(clippy::inline_always)]
 impl Newton {
     /// Steps with the factor of the last one, which changed by `before`; whether they came to an
-    /// end. What the steps have told of the equations since is taken up as in Broyden's method.
+    /// end. Each of them is to leave the share `gain` of what it changes. What the steps have told of the equations since is taken up as in Broyden's method.
     #[inline(always)]
-    pub(super) fn short_steps<S: Simd>(&mut self, simd: S, table: &Table, before: Change) -> bool {
+    pub(super) fn short_steps<S: Simd>(
+        &mut self,
+        simd: S,
+        table: &Table,
+        before: Change,
+        gain: f64,
+    ) -> bool {
         let mut last = before.greatest;
         let rows = self.factor.first + self.system.blocks;
         self.past[0][..rows].copy_from_slice(&self.step[..rows]);
@@ -37,8 +43,6 @@ impl Newton {
             if change.is_rough || change.greatest > most {
                 return false;
             }
-            // The factor is as old as the first step, or older: then steps tell how they get less.
-            let gain = (change.greatest / last).max(before.greatest);
             if change.greatest * gain < LAST_ERROR {
                 return true;
             }
