@@ -13,7 +13,7 @@ use std::fmt::Write;
 use std::hint::black_box;
 
 use wheelrail::element::parameters::{
-    CreepageModel, FrictionDistribution, NormalModel, TangentialModel,
+    CreepageModel, FrictionDistribution, NormalModel, TangentialModel, VerticalMode,
 };
 use wheelrail::element::{Element, Input, Output, Parameters};
 
@@ -31,7 +31,7 @@ struct Case {
 const DEPTH: f64 = 6e-5;
 /// Place of the fastest models.
 const FASTEST: usize = 12;
-const CASES: [Case; 30] = [
+const CASES: [Case; 33] = [
     option("none on", |_| ()),
     Case { depth: -1e-3, ..option("none on, lifted wheel", |_| ()) },
     option("`normal.model` = hertz", |p| p.normal_model = NormalModel::Hertz),
@@ -103,7 +103,18 @@ const CASES: [Case; 30] = [
         roller(p);
         corrugated(p);
     }),
+    option("`vertical.mode` = load", loaded),
+    option("`normal.model` = hertz, `vertical.mode` = load", |p| {
+        p.normal_model = NormalModel::Hertz;
+        loaded(p);
+    }),
+    of_fastest("with `vertical.mode` = load", |p| {
+        fastest(p);
+        loaded(p);
+    }),
 ];
+/// Load where it is given [N].
+const LOAD: f64 = 5e4;
 /// Two rail heads in turns, a metre apart.
 const SECTIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sections.csv");
 const ROLLER: f64 = 0.8;
@@ -148,6 +159,10 @@ fn varying(parameters: &mut Parameters) {
 
 fn roller(parameters: &mut Parameters) {
     parameters.rails[0].roller_radius = ROLLER;
+}
+
+fn loaded(parameters: &mut Parameters) {
+    parameters.vertical_mode = VerticalMode::Load;
 }
 
 fn corrugated(parameters: &mut Parameters) {
@@ -200,6 +215,7 @@ fn evaluate(case: &Case, evaluations: usize) {
     input.track_s = 0.4003;
     input.wheel.velocity = [20.0, 0.0, 0.0];
     input.wheel.pitch_rate = -20.0 / 0.46;
+    input.wheel_load = LOAD;
     let mut element = Element::new(&parameters, &input, &[]).expect("built-in profiles");
     input.wheel.position[2] = element.nominal_wheel_z() + case.depth;
     let (mut output, mut step) = (Output::default(), STEP);
