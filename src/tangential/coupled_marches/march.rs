@@ -1,0 +1,103 @@
+//! The march: FASTSIM from cell to cell of a strip, with gradients that change along it.
+//!
+//! Tractions over half length and inverse shear modulus grow by g₀ + k₁ g₁ t + k₂ g₂ T₂(t) over L,
+//! where t falls from 1 at the leading edge to -1, and the bound is a parabola of the load of the
+//! strip. The tractions here are against the slip: those on the wheel have the other sign.
+
+use crate::math::real::Real;
+
+/// Cells of a strip.
+pub(super) const CELLS: usize = 8;
+/// Strips that are marched through together.
+pub(super) const LANES: usize = 4;
+type Lanes<T> = [T; LANES];
+
+/// What the march of some strips needs.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Marched<T> {
+    /// What tractions grow by over a cell, constant, by t and by T₂(t), along the track and across.
+    pub growth: [[Lanes<T>; 3]; 2],
+    /// Mean bound of a cell.
+    pub bound: Lanes<T>,
+}
+
+/// Sums over the cells.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums<T> {
+    /// Of traction times t^k, k = 0, 1, 2, along the track and across.
+    pub moments: [[Lanes<T>; 3]; 2],
+    /// Number of cells that slip.
+    pub slipping: Lanes<f64>,
+}
+
+/// Middle of a cell, and of the step to it.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn abscissae(cell: usize) -> [f64; 2] {
+    let n = CELLS as f64;
+    let middle = 1.0 - (2.0 * cell as f64 + 1.0) / n;
+    [middle, if cell == 0 { 1.0 - 0.5 / n } else { middle + 1.0 / n }]
+}
+
+/// Bound in the middle of a cell over the mean of all.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn profile(cell: usize) -> f64 {
+    let n = CELLS as f64;
+    let [t, _] = abscissae(cell);
+    // Mean of 1 - t² over the middles.
+    (1.0 - t * t) / (2.0 / 3.0 + 1.0 / (3.0 * n * n))
+}
+
+/// Marches through some strips; `each` gets the tractions of a cell, and whether they are bounded.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn march<T: Real>(
+    strips: &Marched<T>,
+    mut each: impl FnMut(usize, &[Lanes<T>; 2], &Lanes<bool>),
+) -> Sums<T> {
+    let zero = T::from(0.0);
+    let mut sums = Sums::default();
+    let [mut fx, mut fy] = [[zero; LANES]; 2];
+    for cell in 0..CELLS {
+        let [t, step] = abscissae(cell);
+        let length = if cell == 0 { 0.5 } else { 1.0 };
+        let (first, second) = (length * step, length * (2.0 * step * step - 1.0));
+        let share = profile(cell);
+        let mut slips = [false; LANES];
+        for lane in 0..LANES {
+            let [x, y] = &strips.growth;
+            let trial_x =
+                fx[lane] + x[0][lane] * length + x[1][lane] * first + x[2][lane] * second;
+            let trial_y =
+                fy[lane] + y[0][lane] * length + y[1][lane] * first + y[2][lane] * second;
+            let square = trial_x * trial_x + trial_y * trial_y;
+            let ratio = strips.bound[lane] * share / square.at_least(f64::MIN_POSITIVE).sqrt();
+            let scale = ratio.at_most(1.0);
+            slips[lane] = scale < 1.0;
+            fx[lane] = trial_x * scale;
+            fy[lane] = trial_y * scale;
+            sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
+            sums.moments[0][0][lane] += fx[lane];
+            sums.moments[1][0][lane] += fy[lane];
+            sums.moments[0][1][lane] += fx[lane] * t;
+            sums.moments[1][1][lane] += fy[lane] * t;
+            sums.moments[0][2][lane] += fx[lane] * (t * t);
+            sums.moments[1][2][lane] += fy[lane] * (t * t);
+        }
+        each(cell, &[fx, fy], &slips);
+    }
+    sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn a_strip_that_slides_has_its_load() {
+        let mean: f64 = (0..CELLS).map(profile).sum::<f64>() / CELLS as f64;
+        assert_relative_eq!(mean, 1.0, max_relative = 1e-14);
+    }
+}

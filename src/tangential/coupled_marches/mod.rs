@@ -1,0 +1,12 @@
+//! Marches through strips that feel each other: `tangential.model` = marches.
+mod adhesion;
+mod band;
+pub mod ellipse;
+mod functions;
+mod influence;
+mod march;
+mod model;
+mod reach;
+mod solver;
+
+pub use model::{CoupledMarches, MarchNumber};

@@ -1,0 +1,204 @@
+//! The coupled marches as a tangential model.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::reach::reach_within;
+use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
+use crate::math::dual::Dual;
+use crate::math::real::Real;
+use crate::tangential::convergence::Convergence;
+use crate::tangential::creep_number::CreepNumber;
+use crate::tangential::forces::StripForce;
+use crate::tangential::neck::{Neck, Side};
+use crate::tangential::rigid_slip::RigidSlip;
+use crate::tangential::rolling::Rolling;
+use crate::tangential::strips::zone_edges;
+use crate::tangential::zone_model::{RollingZone, ZoneModel};
+use crate::kinematics::creepage::Creepage;
+
+/// Solvers in plain numbers and with derivatives.
+#[derive(Clone, Debug)]
+pub struct Memory {
+    pub(super) plain: Solver,
+    pub(super) moving: Solver<Dual<DIRECTIONS>>,
+}
+
+/// The model, with memory that one contact at a time has; another one that comes while it is in use
+/// waits.
+#[derive(Debug)]
+pub struct CoupledMarches {
+    memory: Mutex<Box<Memory>>,
+}
+
+impl Clone for CoupledMarches {
+    fn clone(&self) -> Self {
+        Self { memory: Mutex::new(self.lend().clone()) }
+    }
+}
+
+impl CoupledMarches {
+    /// For zones of up to `strips` strips; larger ones allocate.
+    #[must_use]
+    pub fn new(strips: usize) -> Self {
+        let memory = Memory { plain: Solver::new(strips), moving: Solver::new(strips) };
+        Self { memory: Mutex::new(Box::new(memory)) }
+    }
+
+    /// The memory. It keeps no result, so that one left in the middle of a solution is as good.
+    fn lend(&self) -> MutexGuard<'_, Box<Memory>> {
+        self.memory.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Strips with which solutions are found.
+pub trait MarchNumber: Real {
+    /// Solves for `strips` and hands the number of each and its tractions to `each`, which adds them
+    /// up: a strip may come twice.
+    fn march_strips(
+        memory: &mut Memory,
+        strips: impl Iterator<Item = Strip<Self>> + Clone,
+        poisson_ratio: f64,
+        shear_modulus: Self,
+        each: impl FnMut(usize, &Resultant<Self>),
+    );
+}
+
+impl MarchNumber for f64 {
+    fn march_strips(
+        memory: &mut Memory,
+        strips: impl Iterator<Item = Strip> + Clone,
+        poisson_ratio: f64,
+        shear_modulus: f64,
+        mut each: impl FnMut(usize, &Resultant),
+    ) {
+        memory.plain.take(strips);
+        memory.plain.solve(poisson_ratio, shear_modulus);
+        for (j, resultant) in memory.plain.resultants().enumerate() {
+            each(j, resultant);
+        }
+    }
+}
+
+impl<const N: usize> MarchNumber for Dual<N> {
+    fn march_strips(
+        memory: &mut Memory,
+        strips: impl Iterator<Item = Strip<Self>> + Clone,
+        poisson_ratio: f64,
+        shear_modulus: Self,
+        mut each: impl FnMut(usize, &Resultant<Self>),
+    ) {
+        for start in (0..N).step_by(DIRECTIONS) {
+            let count = (N - start).min(DIRECTIONS);
+            let few = |x: Self| {
+                let mut slopes = [0.0; DIRECTIONS];
+                slopes[..count].copy_from_slice(&x.slopes[start..start + count]);
+                Dual { value: x.value, slopes }
+            };
+            let back = |x: Dual<DIRECTIONS>| {
+                let mut number = Self::from(if start == 0 { x.value } else { 0.0 });
+                number.slopes[start..start + count].copy_from_slice(&x.slopes[..count]);
+                number
+            };
+            memory.moving.take(strips.clone().map(|strip| strip.map(few)));
+            memory.moving.solve(poisson_ratio, few(shear_modulus));
+            for (j, resultant) in memory.moving.resultants().enumerate() {
+                let slip_share = if start == 0 { resultant.slip_share } else { 0.0 };
+                let moments = resultant.moments.map(|moments| moments.map(back));
+                each(j, &Resultant { moments, slip_share });
+            }
+        }
+    }
+}
+
+impl<T: Real> Strip<T> {
+    /// The same in other numbers.
+    fn map<O: Real>(&self, to: impl Fn(T) -> O) -> Strip<O> {
+        let Creepage { longitudinal, lateral, spin } = self.creepage;
+        Strip {
+            y: to(self.y),
+            half_length: to(self.half_length),
+            width: to(self.width),
+            limit: to(self.limit),
+            reach: self.reach.map(&to),
+            creepage: Creepage {
+                longitudinal: to(longitudinal),
+                lateral: to(lateral),
+                spin: to(spin),
+            },
+        }
+    }
+}
+
+impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
+    fn strip_forces(
+        &self,
+        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+        each: &mut dyn FnMut(usize, StripForce<T>),
+    ) -> Convergence {
+        let loaded = &zone.loaded;
+        let (of, strips) = (loaded.zone, loaded.strips);
+        let edges = zone_edges(of, strips);
+        let neck = Neck::of(of, strips);
+        let range = of.first..of.first + of.count;
+        let is_loaded =
+            |j: &usize| strips.half_length[*j] * strips.pressure[*j] > 0.0 && strips.width[*j] > 0.0;
+        let members = range.filter(is_loaded);
+        for (rolling, share) in zone.directions() {
+            let strip = |j: usize| {
+                let own = loaded.slip.creepage(j);
+                let direction = rolling.direction();
+                let y = strips.y[j];
+                let [mut low, mut high] = edges;
+                if let Some(neck) = neck {
+                    let [before, behind] = [Side::Left, Side::Right].map(|s| neck.member(s, y));
+                    low += neck.share * behind * (neck.y.min(y) - low);
+                    high += neck.share * before * (neck.y.max(y) - high);
+                }
+                Strip {
+                    y,
+                    half_length: strips.half_length[j],
+                    width: strips.width[j],
+                    limit: loaded.friction_coefficient(j)
+                        * strips.pressure[j]
+                        * strips.half_length[j]
+                        * std::f64::consts::FRAC_PI_2,
+                    reach: reach_within([y - low, high - y]),
+                    creepage: Creepage {
+                        longitudinal: own.longitudinal * direction,
+                        lateral: own.lateral,
+                        spin: own.spin * direction,
+                    },
+                }
+            };
+            let numbers = members.clone();
+            let material = loaded.material;
+            let mut all = members.clone();
+            T::march_strips(
+                &mut self.lend(),
+                numbers.map(strip),
+                material.poisson_ratio,
+                material.shear_modulus,
+                |n, found| {
+                    if n == 0 {
+                        all = members.clone();
+                    }
+                    let Some(j) = all.next() else { return };
+                    each(j, force(found, rolling, strips.half_length[j] * strips.width[j]).times(share));
+                },
+            );
+        }
+        Convergence::default()
+    }
+}
+
+/// Force on the wheel of a strip of half length times width `area`.
+fn force<T: Real>(found: &Resultant<T>, rolling: Rolling, area: T) -> StripForce<T> {
+    let [[x, _], [y, moment]] = found.moments;
+    let mirrored = -rolling.direction();
+    StripForce {
+        longitudinal: x * mirrored,
+        lateral: -y,
+        moment: moment * mirrored,
+        slip_area: area * (2.0 * found.slip_share),
+    }
+}

@@ -1,0 +1,307 @@
+//! Rounds of marches through all strips, each with the gradients that the tractions of the round
+//! before it cause.
+
+use multiversion::multiversion;
+
+use super::functions::Four;
+use super::influence::{Influence, Own, Pair, Ratio};
+use super::march::{CELLS, LANES, Marched, Sums, march};
+use crate::kinematics::creepage::Creepage;
+use crate::math::dual::Dual;
+use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
+
+/// Marches. In the mean over wheel and rail the fourth changes the force by 0.03 % of the limit.
+const ROUNDS: usize = 4;
+/// Pairs of strips that are kept from round to round; further ones are looked up again.
+const MAX_PAIRS: usize = 1024;
+
+/// A loaded strip that rolls forward.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip<T = f64> {
+    /// Place across [m].
+    pub y: T,
+    /// Half length > 0 [m].
+    pub half_length: T,
+    /// Width > 0 [m].
+    pub width: T,
+    /// Friction limit per width > 0 [N/m].
+    pub limit: T,
+    /// Distances > 0 to both sides over which the tractions of its march reach [m].
+    pub reach: [T; 2],
+    /// Rigid slip in its middle.
+    pub creepage: Creepage<T>,
+}
+
+/// Tractions of a strip in sums: what it does to the body that creeps, with the other sign.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Resultant<T = f64> {
+    /// Moments ∫ f x^k over the strip, k = 0, 1, along the track and across [N, N m].
+    pub moments: [[T; 2]; 2],
+    /// Share of its length that slips [-].
+    pub slip_share: f64,
+}
+
+/// Moments of the tractions of a strip, arranged for products with a [`Pair`].
+#[derive(Clone, Copy, Debug)]
+struct Moments<T> {
+    /// (1, 0, 1, 2), then (0, 1, 0, -) and (2, -, 2, -).
+    odd: Four<T>,
+    even: [Four<T>; 2],
+}
+
+/// A strip and how it stands.
+#[derive(Clone, Copy, Debug)]
+struct State<T> {
+    strip: Strip<T>,
+    own: Own<T>,
+    /// Along the track and across.
+    moments: [Moments<T>; 2],
+    gradients: [Four<T>; 2],
+    resultant: Resultant<T>,
+}
+
+/// Solver with its memory; it keeps no result.
+#[derive(Clone, Debug)]
+pub struct Solver<T = f64> {
+    states: FixedVec<State<T>>,
+    pairs: FixedVec<Pair<T>>,
+}
+
+impl<T: Real> Moments<T> {
+    fn none() -> Self {
+        let none = [T::from(0.0); 4];
+        Self { odd: none, even: [none; 2] }
+    }
+}
+
+impl<T: Real> Solver<T> {
+    /// For up to `strips` strips; more allocate.
+    pub fn new(strips: usize) -> Self {
+        let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
+        Self { states: FixedVec::new(strips), pairs: FixedVec::new(pairs) }
+    }
+
+    /// Takes the strips of the next solution.
+    pub fn take(&mut self, strips: impl Iterator<Item = Strip<T>>) {
+        self.states.clear();
+        self.states.extend(strips.map(|strip| State {
+            strip,
+            own: Own::default(),
+            moments: [Moments::none(); 2],
+            gradients: [[T::from(0.0); 4]; 2],
+            resultant: Resultant::default(),
+        }));
+    }
+
+    /// Tractions of the strips, in the order in which they were taken.
+    pub fn resultants(&self) -> impl Iterator<Item = &Resultant<T>> {
+        self.states.iter().map(|state| &state.resultant)
+    }
+
+    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn solve_all(&mut self, poisson_ratio: f64, shear_modulus: T) {
+        let influence = Influence::shared();
+        let ratio = Ratio::of(poisson_ratio);
+        for state in self.states.iter_mut() {
+            let Strip { half_length, width, reach, .. } = state.strip;
+            state.own = influence.own(half_length, width, reach, &ratio);
+        }
+        self.pairs.clear();
+        let room = self.pairs.capacity();
+        for (i, below) in self.states.iter().enumerate() {
+            for above in self.states.iter().skip(i + 1) {
+                if self.pairs.len() < room {
+                    self.pairs.push(pair(influence, below, above, &ratio));
+                }
+            }
+        }
+        let factor = T::from(-2.0 / std::f64::consts::PI.powi(2)) / shear_modulus;
+        for round in 0..ROUNDS {
+            if round > 0 {
+                self.couple(influence, &ratio, factor);
+            }
+            self.march_all(shear_modulus, |_, _, _, _| {});
+        }
+    }
+
+    /// Gradients that all strips cause, without the share that each has in its own march.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn couple(&mut self, influence: &Influence, ratio: &Ratio, factor: T) {
+        for state in self.states.iter_mut() {
+            let [x, y] = &state.moments;
+            let Own { along, across, .. } = &state.own;
+            let by = |own: &Four<T>, moments: &Moments<T>| {
+                std::array::from_fn(|lane| own[lane] * moments.odd[lane])
+            };
+            state.gradients = [by(along, x), by(across, y)];
+        }
+        let kept = self.pairs.len();
+        let mut number = 0;
+        for i in 0..self.states.len() {
+            let (lower, upper) = self.states.split_at_mut(i + 1);
+            let below = &mut lower[i];
+            for above in upper {
+                let own = if number < kept {
+                    self.pairs[number]
+                } else {
+                    pair(influence, below, above, ratio)
+                };
+                number += 1;
+                below.receive::<false>(&own, &above.moments);
+                above.receive::<true>(&own, &below.moments);
+            }
+        }
+        for state in self.states.iter_mut() {
+            for gradient in state.gradients.iter_mut().flatten() {
+                *gradient *= factor;
+            }
+        }
+    }
+
+    /// Marches through all strips; `each` gets the number of the first of some strips, a cell, their
+    /// tractions there and whether they slip.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn march_all(
+        &mut self,
+        shear_modulus: T,
+        mut each: impl FnMut(usize, usize, &[[T; LANES]; 2], &[bool; LANES]),
+    ) {
+        for (block, states) in self.states.chunks_mut(LANES).enumerate() {
+            let mut marched = Marched::default();
+            for (lane, state) in states.iter().enumerate() {
+                let growth = state.growth(shear_modulus);
+                for component in 0..2 {
+                    for n in 0..3 {
+                        marched.growth[component][n][lane] = growth[component][n];
+                    }
+                }
+                marched.bound[lane] = state.strip.limit / (state.strip.half_length * 2.0);
+            }
+            let sums =
+                march(&marched, |cell, tractions, slip| each(LANES * block, cell, tractions, slip));
+            for (lane, state) in states.iter_mut().enumerate() {
+                state.take_sums(&sums, lane);
+            }
+        }
+    }
+}
+
+/// What two strips do to each other.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn pair<T: Real>(
+    influence: &Influence,
+    below: &State<T>,
+    above: &State<T>,
+    ratio: &Ratio,
+) -> Pair<T> {
+    let [a, b] = [below, above].map(|state| state.strip.half_length);
+    let distance = above.strip.y - below.strip.y;
+    influence.pair(distance, (a * a + b * b) * 0.5, ratio)
+}
+
+#[allow(clippy::inline_always)]
+impl<T: Real> State<T> {
+    /// Adds the gradients that another strip causes, which is on the side of smaller y if `IS_ABOVE`.
+    #[inline(always)]
+    fn receive<const IS_ABOVE: bool>(&mut self, pair: &Pair<T>, [x, y]: &[Moments<T>; 2]) {
+        for lane in 0..4 {
+            let crossed = |other: &Moments<T>| {
+                pair.crossed[0][lane] * other.even[0][lane]
+                    + pair.crossed[1][lane] * other.even[1][lane]
+            };
+            let [across_track, along_track] = [crossed(y), crossed(x)];
+            let [along, across] = [pair.along[lane] * x.odd[lane], pair.across[lane] * y.odd[lane]];
+            if IS_ABOVE {
+                self.gradients[0][lane] += along + across_track;
+                self.gradients[1][lane] += across + along_track;
+            } else {
+                self.gradients[0][lane] += along - across_track;
+                self.gradients[1][lane] += across - along_track;
+            }
+        }
+    }
+
+    /// Growth of the tractions over a cell, along the track and across.
+    #[inline(always)]
+    fn growth(&self, shear_modulus: T) -> [[T; 3]; 2] {
+        let Strip { half_length: a, creepage, .. } = &self.strip;
+        let a = *a;
+        let rigid = [
+            [creepage.longitudinal, T::from(0.0)],
+            [creepage.lateral, creepage.spin * a],
+        ];
+        let step = shear_modulus * a * (2.0 / CELLS as f64);
+        let mut growth = [[T::from(0.0); 3]; 2];
+        for component in 0..2 {
+            let [zeroth, first, second, other_first] = self.gradients[component];
+            // Of x² to T₂.
+            let square = second * a * a * 0.5;
+            let [flexibility, by_first, by_second] = self.own.flexibility[component];
+            let per_flexibility = step / flexibility;
+            let [constant, linear] = rigid[component];
+            growth[component] = [
+                (constant - zeroth - square) * per_flexibility,
+                (linear - (first + other_first) * a) * by_first * per_flexibility,
+                -(square * by_second * per_flexibility),
+            ];
+        }
+        growth
+    }
+
+    /// Takes the moments of the tractions after a march.
+    #[inline(always)]
+    fn take_sums(&mut self, sums: &Sums<T>, lane: usize) {
+        let a = self.strip.half_length;
+        let length = a * (2.0 / CELLS as f64) * self.strip.width;
+        for component in 0..2 {
+            let [zeroth, first, second] = sums.moments[component];
+            let zeroth = zeroth[lane] * length;
+            let first = first[lane] * length * a;
+            let second = second[lane] * length * a * a;
+            let none = T::from(0.0);
+            self.moments[component] = Moments {
+                odd: [first, zeroth, first, second],
+                even: [[zeroth, first, zeroth, none], [second, none, second, none]],
+            };
+            self.resultant.moments[component] = [zeroth, first];
+        }
+        self.resultant.slip_share = sums.slipping[lane] / CELLS as f64;
+    }
+}
+
+/// Derivatives that are found at once.
+pub const DIRECTIONS: usize = 4;
+
+impl Solver {
+    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
+    pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: f64) {
+        solve_plain(self, poisson_ratio, shear_modulus);
+    }
+}
+
+impl Solver<Dual<DIRECTIONS>> {
+    /// As of plain numbers.
+    pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: Dual<DIRECTIONS>) {
+        solve_moving(self, poisson_ratio, shear_modulus);
+    }
+}
+
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
+fn solve_plain(solver: &mut Solver, poisson_ratio: f64, shear_modulus: f64) {
+    solver.solve_all(poisson_ratio, shear_modulus);
+}
+
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
+fn solve_moving(
+    solver: &mut Solver<Dual<DIRECTIONS>>,
+    poisson_ratio: f64,
+    shear_modulus: Dual<DIRECTIONS>,
+) {
+    solver.solve_all(poisson_ratio, shear_modulus);
+}
