@@ -2,7 +2,7 @@
 
 pub(crate) mod boundary_element;
 mod convergence;
-pub(crate) mod coupled_marches;
+pub mod coupled_marches;
 mod creep_number;
 mod ellipse_force;
 pub(crate) mod equivalent_ellipse;

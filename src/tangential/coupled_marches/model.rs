@@ -2,14 +2,17 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::differences::Differences;
 use super::reach::reach_within;
 use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
-use crate::tangential::forces::StripForce;
-use crate::tangential::neck::{Neck, Side};
+use crate::tangential::forces::{CreepForce, StripForce};
+use crate::tangential::ellipse_force::{part_force, spread_parts};
+use crate::tangential::equivalent_ellipse::LoadedPart;
+use crate::tangential::neck::{Lobes, Neck, Side};
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
 use crate::tangential::strips::zone_edges;
@@ -28,11 +31,13 @@ pub struct Memory {
 #[derive(Debug)]
 pub struct CoupledMarches {
     memory: Mutex<Box<Memory>>,
+    /// What is missing on ellipses.
+    differences: &'static Differences,
 }
 
 impl Clone for CoupledMarches {
     fn clone(&self) -> Self {
-        Self { memory: Mutex::new(self.lend().clone()) }
+        Self { memory: Mutex::new(self.lend().clone()), differences: self.differences }
     }
 }
 
@@ -41,7 +46,7 @@ impl CoupledMarches {
     #[must_use]
     pub fn new(strips: usize) -> Self {
         let memory = Memory { plain: Solver::new(strips), moving: Solver::new(strips) };
-        Self { memory: Mutex::new(Box::new(memory)) }
+        Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
     }
 
     /// The memory. It keeps no result, so that one left in the middle of a solution is as good.
@@ -143,6 +148,9 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         let is_loaded =
             |j: &usize| strips.half_length[*j] * strips.pressure[*j] > 0.0 && strips.width[*j] > 0.0;
         let members = range.filter(is_loaded);
+        let lobes = Lobes::of(loaded);
+        let mut marched = [CreepForce::<T>::default(); 3];
+        let apart = neck.map_or(T::from(0.0), |neck| neck.share);
         for (rolling, share) in zone.directions() {
             let strip = |j: usize| {
                 let own = loaded.slip.creepage(j);
@@ -183,10 +191,25 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
                         all = members.clone();
                     }
                     let Some(j) = all.next() else { return };
-                    each(j, force(found, rolling, strips.half_length[j] * strips.width[j]).times(share));
+                    let area = strips.half_length[j] * strips.width[j];
+                    let force = force(found, rolling, area).times(share);
+                    let left = neck.map_or(T::from(0.0), |neck| neck.left(strips.y[j]));
+                    let parts = [-apart + 1.0, apart * left, apart * (-left + 1.0)];
+                    for (marched, part) in marched.iter_mut().zip(parts) {
+                        marched.add(of, strips, j, &force.times(part));
+                    }
+                    each(j, force);
                 },
             );
         }
+        let correction = |n: usize, part: &LoadedPart<T>, weight: T| {
+            let mut force = part_force(zone, part, weight, |ellipse, area| {
+                ellipse.tabulated_force(self.differences, area)
+            });
+            force.keep_within(zone.limit * part.share * part.friction * weight, &marched[n]);
+            force
+        };
+        spread_parts(zone, lobes.as_ref(), correction, each);
         Convergence::default()
     }
 }
