@@ -31,6 +31,7 @@ fn main() {
             let c2 = (r.area / 3.14159f64).sqrt();
             let e = 100.0 * (r.fx - v[5]).hypot(r.fy - v[6]) / limit;
             errs.push(e);
+            if e > 2.5 && std::env::var("W").is_ok() { println!("{} {} xi {:.5} eta {:.5} phi {:.5}/mm: be {:.4} {:.4}  found {:.4} {:.4} patches {} N {:.0}/{:.0}", c[0], v[0], v[2], v[3], v[4], v[5]/limit, v[6]/limit, r.fx/limit, r.fy/limit, r.patches, r.normal_force, v[8]); }
             moms.push(100.0 * (r.mz - 1e-3 * v[7]).abs() / (limit * c2));
             by.entry(format!("{} {}", c[0], c[1])).or_default().push(e);
         }

@@ -22,10 +22,16 @@ impl MarchedEllipse {
     /// That of ln(a/b) = `log_ratio` for bodies of equal `poisson_ratio`.
     #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64) -> Self {
+        Self::with_strips(STRIPS, log_ratio, poisson_ratio)
+    }
+
+    /// The same in a number of strips.
+    #[must_use]
+    pub fn with_strips(count: usize, log_ratio: f64, poisson_ratio: f64) -> Self {
         let a = (0.5 * log_ratio).exp();
         let b = 1.0 / a;
-        let width = 2.0 * b / STRIPS as f64;
-        let places = (0..STRIPS).map(|j| (2 * j + 1) as f64 / STRIPS as f64 - 1.0);
+        let width = 2.0 * b / count as f64;
+        let places = (0..count).map(|j| (2 * j + 1) as f64 / count as f64 - 1.0);
         let load: f64 = places.clone().map(|u| (1.0 - u * u) * width).sum();
         let strips = places.map(|u| Strip {
             y: b * u,
@@ -35,7 +41,7 @@ impl MarchedEllipse {
             reach: reach_within([b * (1.0 + u), b * (1.0 - u)]),
             creepage: Creepage::default(),
         });
-        Self { solver: Solver::new(STRIPS), strips: strips.collect(), poisson_ratio }
+        Self { solver: Solver::new(count), strips: strips.collect(), poisson_ratio }
     }
 
     /// Force and moment on the body whose creepage is given.

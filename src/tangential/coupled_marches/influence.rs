@@ -20,7 +20,9 @@ const WIDTHS: [f64; 2] = [4e-3, 60.0];
 #[derive(Debug)]
 pub(super) struct Influence {
     /// Of the distance of two strips: P, R, and S in two parts, arranged as in [`Pair`].
-    pairs: Functions<4>,
+    narrow: Functions<4>,
+    /// The same of a band that begins at the receiving strip, of the distance of its end.
+    band: Functions<4>,
     /// Of the width of a band: flexibilities at four ratios, and P and R.
     own: Functions<5>,
 }
@@ -79,44 +81,48 @@ impl Influence {
     }
 
     fn new() -> Self {
-        let pairs = Functions::through(DISTANCES, |s| {
-            let [p, r, c]: Projected = projected(narrow, s);
-            let crossed = [[c[0][0], c[1][1], c[2][0], 0.0], [c[0][2], 0.0, c[2][2], 0.0]];
-            [odd(&p), odd(&r), crossed[0], crossed[1]]
-        });
+        let arranged = |kernel| {
+            move |s| {
+                let [p, r, c]: Projected = projected(kernel, s);
+                let crossed = [[c[0][0], c[1][1], c[2][0], 0.0], [c[0][2], 0.0, c[2][2], 0.0]];
+                [odd(&p), odd(&r), crossed[0], crossed[1]]
+            }
+        };
+        let pairs = Functions::through(DISTANCES, arranged(narrow));
+        let bands = Functions::through(DISTANCES, arranged(band));
         let own = Functions::through(WIDTHS, |s| {
             let [p, r, _] = projected(band, s);
             let [flexibility, first, second] = flexibilities(s);
             [flexibility, first, second, odd(&p), odd(&r)]
         });
-        Self { pairs, own }
+        Self { narrow: pairs, band: bands, own }
     }
 
-    /// What a strip does to another one at the `distance` > 0 in the direction of greater y, where
-    /// their half lengths have the mean square `square`; in the other direction what is crossed has
-    /// the other sign.
+    /// What a narrow strip does to another one at the `distance` > 0 in the direction of greater y,
+    /// over its width, where their half lengths have the mean square `square`; in the other
+    /// direction what is crossed has the other sign.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn pair<T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
-        let nu = ratio.poisson;
+    pub fn narrow<T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
-        let [p, r, first, second] = self.pairs.at(distance * root);
-        // A to the power of -2 - m - k.
-        let third = inverse * root;
-        let (fourth, fifth) = (inverse * inverse, inverse * third);
-        let odd = [third, third, fifth, fifth];
-        let (zeroth, sixth) = (inverse * nu, inverse * fourth * nu);
-        let fourth = fourth * nu;
-        let even = [[zeroth, fourth, fourth, fourth], [fourth, fourth, sixth, sixth]];
-        let mut found = Pair::default();
-        for lane in 0..4 {
-            found.along[lane] = (p[lane] + (r[lane] - p[lane]) * nu) * odd[lane];
-            found.across[lane] = (p[lane] - r[lane] * nu) * odd[lane];
-            found.crossed[0][lane] = first[lane] * even[0][lane];
-            found.crossed[1][lane] = second[lane] * even[1][lane];
-        }
-        found
+        // A to the power of -2 - m - k, of which one is left for the width.
+        scaled(&self.narrow.at(distance * root), inverse, root, ratio)
+    }
+
+    /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn wide<T: Real>(&self, distance: T, width: T, square: T, ratio: &Ratio) -> Pair<T> {
+        let inverse = T::from(1.0) / square;
+        let root = inverse.sqrt();
+        let near = ((distance - width * 0.5) * root).at_least(0.0);
+        let far = self.band.at((distance + width * 0.5) * root);
+        // Below the least distance a band does in proportion to it.
+        let share = (near / DISTANCES[0]).at_most(1.0);
+        let near = self.band.at(near);
+        let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane] * share);
+        scaled(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
     }
 
     /// What a strip of the half length `a` and the width `width` has of its own, where the band of
@@ -126,7 +132,7 @@ impl Influence {
     pub fn own<T: Real>(&self, a: T, width: T, reach: [T; 2], ratio: &Ratio) -> Own<T> {
         let inverse = T::from(1.0) / a;
         let [left, right] = reach.map(|e| self.own.at(e * inverse));
-        let strip = width * SINGULAR * inverse;
+        let strip = width * 0.5 * inverse;
         let narrow = self.own.at(strip);
         // Below the least width a band does in proportion to it.
         let share = (strip / WIDTHS[0]).at_most(1.0) * 2.0;
@@ -155,7 +161,31 @@ impl Influence {
     }
 }
 
-/// Half width of the band that stands for a strip in the sum over equal strips, over its width:
-/// e/(2π). The influence of a strip on one at the distance s goes as ln s, and with this band the
-/// sum over strips in its place is right to the third order of the width.
-const SINGULAR: f64 = std::f64::consts::E / std::f64::consts::TAU;
+/// Functions of the distance over A, times `factor` and as many powers of 1/A, which is `root`, as
+/// moments and coefficients have.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn scaled<T: Real>(
+    [p, r, first, second]: &[Four<T>; 4],
+    factor: T,
+    root: T,
+    ratio: &Ratio,
+) -> Pair<T> {
+    let nu = ratio.poisson;
+    let square = root * root;
+    let once = factor * root;
+    let thrice = once * square;
+    let odd = [once, once, thrice, thrice];
+    let zeroth = factor * nu;
+    let twice = zeroth * square;
+    let four_times = twice * square;
+    let even = [[zeroth, twice, twice, twice], [twice, twice, four_times, four_times]];
+    let mut found = Pair::default();
+    for lane in 0..4 {
+        found.along[lane] = (p[lane] + (r[lane] - p[lane]) * nu) * odd[lane];
+        found.across[lane] = (p[lane] - r[lane] * nu) * odd[lane];
+        found.crossed[0][lane] = first[lane] * even[0][lane];
+        found.crossed[1][lane] = second[lane] * even[1][lane];
+    }
+    found
+}

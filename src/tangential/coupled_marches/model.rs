@@ -15,6 +15,8 @@ use crate::tangential::equivalent_ellipse::LoadedPart;
 use crate::tangential::neck::{Lobes, Neck, Side};
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
+use crate::normal::{Strips, Zone};
+use crate::tangential::loaded_zone::LoadedZone;
 use crate::tangential::strips::zone_edges;
 use crate::tangential::zone_model::{RollingZone, ZoneModel};
 use crate::kinematics::creepage::Creepage;
@@ -142,35 +144,35 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
     ) -> Convergence {
         let loaded = &zone.loaded;
         let (of, strips) = (loaded.zone, loaded.strips);
-        let edges = zone_edges(of, strips);
-        let neck = Neck::of(of, strips);
-        let range = of.first..of.first + of.count;
-        let is_loaded =
-            |j: &usize| strips.half_length[*j] * strips.pressure[*j] > 0.0 && strips.width[*j] > 0.0;
-        let members = range.filter(is_loaded);
         let lobes = Lobes::of(loaded);
-        let mut marched = [CreepForce::<T>::default(); 3];
+        let neck = lobes.map(|lobes| lobes.neck);
         let apart = neck.map_or(T::from(0.0), |neck| neck.share);
+        let mut marched = [CreepForce::<T>::default(); 3];
+        // All zones of the contact frame, in growing y.
+        let others = |before: bool| {
+            strips.zones.iter().filter(move |other| {
+                if before { other.first < of.first } else { other.first > of.first }
+            })
+        };
+        let zones = others(true).chain([of]).chain(others(false));
+        let members = zones.flat_map(|zone| {
+            let place = Place::of(zone, strips);
+            let numbers = zone.first..zone.first + zone.count;
+            numbers.filter(|&j| is_loaded(loaded, j)).map(move |j| (j, place))
+        });
         for (rolling, share) in zone.directions() {
-            let strip = |j: usize| {
+            let strip = |(j, place): (usize, Place<T>)| {
                 let own = loaded.slip.creepage(j);
                 let direction = rolling.direction();
-                let y = strips.y[j];
-                let [mut low, mut high] = edges;
-                if let Some(neck) = neck {
-                    let [before, behind] = [Side::Left, Side::Right].map(|s| neck.member(s, y));
-                    low += neck.share * behind * (neck.y.min(y) - low);
-                    high += neck.share * before * (neck.y.max(y) - high);
-                }
                 Strip {
-                    y,
+                    y: strips.y[j],
                     half_length: strips.half_length[j],
                     width: strips.width[j],
                     limit: loaded.friction_coefficient(j)
                         * strips.pressure[j]
                         * strips.half_length[j]
                         * std::f64::consts::FRAC_PI_2,
-                    reach: reach_within([y - low, high - y]),
+                    reach: place.reach(strips.y[j]),
                     creepage: Creepage {
                         longitudinal: own.longitudinal * direction,
                         lateral: own.lateral,
@@ -178,19 +180,21 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
                     },
                 }
             };
-            let numbers = members.clone();
             let material = loaded.material;
-            let mut all = members.clone();
+            let mut next = members.clone();
             T::march_strips(
                 &mut self.lend(),
-                numbers.map(strip),
+                members.clone().map(strip),
                 material.poisson_ratio,
                 material.shear_modulus,
                 |n, found| {
                     if n == 0 {
-                        all = members.clone();
+                        next = members.clone();
                     }
-                    let Some(j) = all.next() else { return };
+                    let Some((j, _)) = next.next() else { return };
+                    if !(of.first..of.first + of.count).contains(&j) {
+                        return;
+                    }
                     let area = strips.half_length[j] * strips.width[j];
                     let force = force(found, rolling, area).times(share);
                     let left = neck.map_or(T::from(0.0), |neck| neck.left(strips.y[j]));
@@ -211,6 +215,38 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         };
         spread_parts(zone, lobes.as_ref(), correction, each);
         Convergence::default()
+    }
+}
+
+/// Whether strip `j` carries load that friction acts on.
+fn is_loaded<T: Real>(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>, j: usize) -> bool {
+    let strips = loaded.strips;
+    strips.half_length[j] > 0.0
+        && strips.width[j] > 0.0
+        && loaded.friction_coefficient(j) * strips.pressure[j] > 0.0
+}
+
+/// A zone as its strips see it: where it ends, and how far it is two lobes.
+#[derive(Clone, Copy, Debug)]
+struct Place<T> {
+    edges: [T; 2],
+    neck: Option<Neck<T>>,
+}
+
+impl<T: Real> Place<T> {
+    fn of(zone: &Zone<T>, strips: &Strips<T>) -> Self {
+        Self { edges: zone_edges(zone, strips), neck: Neck::of(zone, strips) }
+    }
+
+    /// Reach of the tractions of a strip at `y`: within its lobe as far as there are lobes.
+    fn reach(&self, y: T) -> [T; 2] {
+        let [mut low, mut high] = self.edges;
+        if let Some(neck) = &self.neck {
+            let [left, right] = [Side::Left, Side::Right].map(|side| neck.member(side, y));
+            low += neck.share * right * (neck.y.min(y) - low);
+            high += neck.share * left * (neck.y.max(y) - high);
+        }
+        reach_within([y - low, high - y])
     }
 }
 

@@ -16,6 +16,10 @@ const ROUNDS: usize = 4;
 /// Pairs of strips that are kept from round to round; further ones are looked up again.
 const MAX_PAIRS: usize = 1024;
 
+/// Strips up to this number away are as wide as they are; over others, at two and a half widths at
+/// least, the influence hardly bends.
+const NEAR: usize = 2;
+
 /// A loaded strip that rolls forward.
 #[derive(Clone, Copy, Debug)]
 pub struct Strip<T = f64> {
@@ -112,9 +116,9 @@ impl<T: Real> Solver<T> {
         self.pairs.clear();
         let room = self.pairs.capacity();
         for (i, below) in self.states.iter().enumerate() {
-            for above in self.states.iter().skip(i + 1) {
+            for (between, above) in self.states.iter().skip(i + 1).enumerate() {
                 if self.pairs.len() < room {
-                    self.pairs.push(pair(influence, below, above, &ratio));
+                    self.pairs.push(pair(influence, below, above, between, &ratio));
                 }
             }
         }
@@ -144,11 +148,11 @@ impl<T: Real> Solver<T> {
         for i in 0..self.states.len() {
             let (lower, upper) = self.states.split_at_mut(i + 1);
             let below = &mut lower[i];
-            for above in upper {
+            for (between, above) in upper.iter_mut().enumerate() {
                 let own = if number < kept {
                     self.pairs[number]
                 } else {
-                    pair(influence, below, above, ratio)
+                    pair(influence, below, above, between, ratio)
                 };
                 number += 1;
                 below.receive::<false>(&own, &above.moments);
@@ -191,18 +195,28 @@ impl<T: Real> Solver<T> {
     }
 }
 
-/// What two strips do to each other.
+/// What two strips do to each other, with `between` strips in between; stretches of one strip, which
+/// are ahead of each other, do nothing.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn pair<T: Real>(
     influence: &Influence,
     below: &State<T>,
     above: &State<T>,
+    between: usize,
     ratio: &Ratio,
 ) -> Pair<T> {
-    let [a, b] = [below, above].map(|state| state.strip.half_length);
-    let distance = above.strip.y - below.strip.y;
-    influence.pair(distance, (a * a + b * b) * 0.5, ratio)
+    let [below, above] = [&below.strip, &above.strip];
+    let distance = above.y - below.y;
+    if distance <= 0.0 {
+        return Pair::default();
+    }
+    let square = (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
+    if between < NEAR {
+        influence.wide(distance, (below.width + above.width) * 0.5, square, ratio)
+    } else {
+        influence.narrow(distance, square, ratio)
+    }
 }
 
 #[allow(clippy::inline_always)]
