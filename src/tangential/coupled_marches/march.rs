@@ -64,6 +64,7 @@ pub(super) fn march<T: Real>(
         let length = if cell == 0 { 0.5 } else { 1.0 };
         let (first, second) = (length * step, length * (2.0 * step * step - 1.0));
         let share = profile(cell);
+        let within = length / CELLS as f64;
         let mut slips = [false; LANES];
         for lane in 0..LANES {
             let [x, y] = &strips.growth;
@@ -71,8 +72,12 @@ pub(super) fn march<T: Real>(
                 fx[lane] + x[0][lane] * length + x[1][lane] * first + x[2][lane] * second;
             let trial_y =
                 fy[lane] + y[0][lane] * length + y[1][lane] * first + y[2][lane] * second;
-            let square = trial_x * trial_x + trial_y * trial_y;
-            let ratio = strips.bound[lane] * share / square.at_least(f64::MIN_POSITIVE).sqrt();
+            let turn_x = (x[1][lane] + x[2][lane] * (4.0 * t)) * within;
+            let turn_y = (y[1][lane] + y[2][lane] * (4.0 * t)) * within;
+            let size = |x: T, y: T| (x * x + y * y).at_least(f64::MIN_POSITIVE).sqrt();
+            let mean = size(trial_x + turn_x, trial_y + turn_y)
+                + size(trial_x - turn_x, trial_y - turn_y);
+            let ratio = strips.bound[lane] * (2.0 * share) / mean;
             let scale = ratio.at_most(1.0);
             slips[lane] = scale < 1.0;
             fx[lane] = trial_x * scale;
