@@ -32,7 +32,7 @@ pub struct Neck<T = f64> {
     /// Share w of the two lobes in the force, above 0 to 1.
     pub share: T,
     /// Where it is, as the lateral coordinate of strips [m].
-    pub y: T,
+    y: T,
     /// Width over which strips go over from one lobe to the other [m].
     blend: T,
 }

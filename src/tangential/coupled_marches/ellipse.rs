@@ -3,7 +3,6 @@
 //! Units as in [`tables`](crate::tangential::tables): lengths over c = sqrt(a b), forces over μ N,
 //! a shear modulus of one.
 
-use super::reach::reach_within;
 use super::solver::{Solver, Strip};
 use crate::kinematics::creepage::Creepage;
 
@@ -38,7 +37,7 @@ impl MarchedEllipse {
             half_length: a * (1.0 - u * u).sqrt(),
             width,
             limit: (1.0 - u * u) / load,
-            reach: reach_within([b * (1.0 + u), b * (1.0 - u)]),
+            zone: 0,
             creepage: Creepage::default(),
         });
         Self { solver: Solver::new(count), strips: strips.collect(), poisson_ratio }

@@ -47,15 +47,23 @@ impl<const V: usize> Functions<V> {
         let (first, fraction) = b_spline::locate(place.value(), self.coefficients.len() - 3);
         let mut found = [[T::from(0.0); 4]; V];
         let Some(rows) = self.coefficients.get(first..first + 4) else { return found };
-        let sum = |weights: [f64; 4], v: usize, lane: usize| {
-            (rows[0][v][lane] * weights[0] + rows[1][v][lane] * weights[1])
-                + (rows[2][v][lane] * weights[2] + rows[3][v][lane] * weights[3])
+        let sums = |weights: [f64; 4]| {
+            let mut sums = [[0.0; 4]; V];
+            for (row, weight) in rows.iter().zip(weights) {
+                for (sum, four) in sums.iter_mut().zip(row) {
+                    for lane in 0..4 {
+                        sum[lane] += weight * four[lane];
+                    }
+                }
+            }
+            sums
         };
-        let weights = b_spline::weights(fraction);
-        let slopes = if T::HAS_SLOPES { b_spline::weight_slopes(fraction) } else { [0.0; 4] };
-        for (v, four) in found.iter_mut().enumerate() {
-            for (lane, found) in four.iter_mut().enumerate() {
-                *found = place.chain(sum(weights, v, lane), || sum(slopes, v, lane));
+        let values = sums(b_spline::weights(fraction));
+        let slopes =
+            if T::HAS_SLOPES { sums(b_spline::weight_slopes(fraction)) } else { [[0.0; 4]; V] };
+        for ((found, values), slopes) in found.iter_mut().zip(&values).zip(&slopes) {
+            for lane in 0..4 {
+                found[lane] = place.chain(values[lane], || slopes[lane]);
             }
         }
         found

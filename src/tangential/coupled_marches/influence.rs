@@ -183,8 +183,14 @@ fn scaled<T: Real>(
     let mut found = Pair::default();
     for lane in 0..4 {
         found.along[lane] = (p[lane] + (r[lane] - p[lane]) * nu) * odd[lane];
+    }
+    for lane in 0..4 {
         found.across[lane] = (p[lane] - r[lane] * nu) * odd[lane];
+    }
+    for lane in 0..4 {
         found.crossed[0][lane] = first[lane] * even[0][lane];
+    }
+    for lane in 0..4 {
         found.crossed[1][lane] = second[lane] * even[1][lane];
     }
     found

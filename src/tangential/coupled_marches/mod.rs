@@ -7,7 +7,6 @@ mod functions;
 mod influence;
 mod march;
 mod model;
-mod reach;
 mod solver;
 
 pub use model::{CoupledMarches, MarchNumber};

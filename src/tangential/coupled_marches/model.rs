@@ -3,7 +3,6 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
-use super::reach::reach_within;
 use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
@@ -12,12 +11,10 @@ use crate::tangential::creep_number::CreepNumber;
 use crate::tangential::forces::{CreepForce, StripForce};
 use crate::tangential::ellipse_force::{part_force, spread_parts};
 use crate::tangential::equivalent_ellipse::LoadedPart;
-use crate::tangential::neck::{Lobes, Neck, Side};
+use crate::tangential::neck::Lobes;
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
-use crate::normal::{Strips, Zone};
 use crate::tangential::loaded_zone::LoadedZone;
-use crate::tangential::strips::zone_edges;
 use crate::tangential::zone_model::{RollingZone, ZoneModel};
 use crate::kinematics::creepage::Creepage;
 
@@ -126,7 +123,7 @@ impl<T: Real> Strip<T> {
             half_length: to(self.half_length),
             width: to(self.width),
             limit: to(self.limit),
-            reach: self.reach.map(&to),
+            zone: self.zone,
             creepage: Creepage {
                 longitudinal: to(longitudinal),
                 lateral: to(lateral),
@@ -156,12 +153,11 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         };
         let zones = others(true).chain([of]).chain(others(false));
         let members = zones.flat_map(|zone| {
-            let place = Place::of(zone, strips);
             let numbers = zone.first..zone.first + zone.count;
-            numbers.filter(|&j| is_loaded(loaded, j)).map(move |j| (j, place))
+            numbers.filter(|&j| is_loaded(loaded, j)).map(|j| (j, zone.first))
         });
         for (rolling, share) in zone.directions() {
-            let strip = |(j, place): (usize, Place<T>)| {
+            let strip = |(j, zone): (usize, usize)| {
                 let own = loaded.slip.creepage(j);
                 let direction = rolling.direction();
                 Strip {
@@ -172,7 +168,7 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
                         * strips.pressure[j]
                         * strips.half_length[j]
                         * std::f64::consts::FRAC_PI_2,
-                    reach: place.reach(strips.y[j]),
+                    zone,
                     creepage: Creepage {
                         longitudinal: own.longitudinal * direction,
                         lateral: own.lateral,
@@ -224,30 +220,6 @@ fn is_loaded<T: Real>(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>, j: usize) -
     strips.half_length[j] > 0.0
         && strips.width[j] > 0.0
         && loaded.friction_coefficient(j) * strips.pressure[j] > 0.0
-}
-
-/// A zone as its strips see it: where it ends, and how far it is two lobes.
-#[derive(Clone, Copy, Debug)]
-struct Place<T> {
-    edges: [T; 2],
-    neck: Option<Neck<T>>,
-}
-
-impl<T: Real> Place<T> {
-    fn of(zone: &Zone<T>, strips: &Strips<T>) -> Self {
-        Self { edges: zone_edges(zone, strips), neck: Neck::of(zone, strips) }
-    }
-
-    /// Reach of the tractions of a strip at `y`: within its lobe as far as there are lobes.
-    fn reach(&self, y: T) -> [T; 2] {
-        let [mut low, mut high] = self.edges;
-        if let Some(neck) = &self.neck {
-            let [left, right] = [Side::Left, Side::Right].map(|side| neck.member(side, y));
-            low += neck.share * right * (neck.y.min(y) - low);
-            high += neck.share * left * (neck.y.max(y) - high);
-        }
-        reach_within([y - low, high - y])
-    }
 }
 
 /// Force on the wheel of a strip of half length times width `area`.

@@ -31,8 +31,8 @@ pub struct Strip<T = f64> {
     pub width: T,
     /// Friction limit per width > 0 [N/m].
     pub limit: T,
-    /// Distances > 0 to both sides over which the tractions of its march reach [m].
-    pub reach: [T; 2],
+    /// Number of its zone.
+    pub zone: usize,
     /// Rigid slip in its middle.
     pub creepage: Creepage<T>,
 }
@@ -49,7 +49,7 @@ pub struct Resultant<T = f64> {
 /// Moments of the tractions of a strip, arranged for products with a [`Pair`].
 #[derive(Clone, Copy, Debug)]
 struct Moments<T> {
-    /// (1, 0, 1, 2), then (0, 1, 0, -) and (2, -, 2, -).
+    /// (1, 0, 1, 2), then (0, 1, 0, -) and (2, -, 2, -); what is not used is any of them.
     odd: Four<T>,
     even: [Four<T>; 2],
 }
@@ -109,9 +109,10 @@ impl<T: Real> Solver<T> {
     fn solve_all(&mut self, poisson_ratio: f64, shear_modulus: T) {
         let influence = Influence::shared();
         let ratio = Ratio::of(poisson_ratio);
-        for state in self.states.iter_mut() {
-            let Strip { half_length, width, reach, .. } = state.strip;
-            state.own = influence.own(half_length, width, reach, &ratio);
+        for i in 0..self.states.len() {
+            let Strip { half_length, width, .. } = self.states[i].strip;
+            let reach = reach(&self.states, i);
+            self.states[i].own = influence.own(half_length, width, reach, &ratio);
         }
         self.pairs.clear();
         let room = self.pairs.capacity();
@@ -138,10 +139,9 @@ impl<T: Real> Solver<T> {
         for state in self.states.iter_mut() {
             let [x, y] = &state.moments;
             let Own { along, across, .. } = &state.own;
-            let by = |own: &Four<T>, moments: &Moments<T>| {
-                std::array::from_fn(|lane| own[lane] * moments.odd[lane])
-            };
-            state.gradients = [by(along, x), by(across, y)];
+            state.gradients = [[T::from(0.0); 4]; 2];
+            add_product::<true, T>(&mut state.gradients[0], along, &x.odd);
+            add_product::<true, T>(&mut state.gradients[1], across, &y.odd);
         }
         let kept = self.pairs.len();
         let mut number = 0;
@@ -195,6 +195,23 @@ impl<T: Real> Solver<T> {
     }
 }
 
+/// Distances to both sides over which others have tractions like those of strip `i`: by as much less
+/// as anything up to them has a lower limit.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn reach<T: Real>(states: &[State<T>], i: usize) -> [T; 2] {
+    let own = &states[i].strip;
+    let over = |strips: &mut dyn Iterator<Item = &State<T>>| {
+        let (mut reach, mut least) = (own.width * 0.5, own.limit);
+        for State { strip, .. } in strips.take_while(|state| state.strip.zone == own.zone) {
+            least = least.min(strip.limit);
+            reach += strip.width * (least / own.limit);
+        }
+        reach
+    };
+    [over(&mut states[..i].iter().rev()), over(&mut states[i + 1..].iter())]
+}
+
 /// What two strips do to each other, with `between` strips in between; stretches of one strip, which
 /// are ahead of each other, do nothing.
 #[allow(clippy::inline_always)]
@@ -219,26 +236,29 @@ fn pair<T: Real>(
     }
 }
 
+/// Adds products lane by lane, or takes them away.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn add_product<const IS_ADDED: bool, T: Real>(sum: &mut Four<T>, a: &Four<T>, b: &Four<T>) {
+    for lane in 0..4 {
+        let product = a[lane] * b[lane];
+        sum[lane] += if IS_ADDED { product } else { -product };
+    }
+}
+
 #[allow(clippy::inline_always)]
 impl<T: Real> State<T> {
     /// Adds the gradients that another strip causes, which is on the side of smaller y if `IS_ABOVE`.
     #[inline(always)]
     fn receive<const IS_ABOVE: bool>(&mut self, pair: &Pair<T>, [x, y]: &[Moments<T>; 2]) {
-        for lane in 0..4 {
-            let crossed = |other: &Moments<T>| {
-                pair.crossed[0][lane] * other.even[0][lane]
-                    + pair.crossed[1][lane] * other.even[1][lane]
-            };
-            let [across_track, along_track] = [crossed(y), crossed(x)];
-            let [along, across] = [pair.along[lane] * x.odd[lane], pair.across[lane] * y.odd[lane]];
-            if IS_ABOVE {
-                self.gradients[0][lane] += along + across_track;
-                self.gradients[1][lane] += across + along_track;
-            } else {
-                self.gradients[0][lane] += along - across_track;
-                self.gradients[1][lane] += across - along_track;
-            }
+        let [mut along, mut across] = self.gradients;
+        add_product::<true, T>(&mut along, &pair.along, &x.odd);
+        add_product::<true, T>(&mut across, &pair.across, &y.odd);
+        for n in 0..2 {
+            add_product::<IS_ABOVE, T>(&mut along, &pair.crossed[n], &y.even[n]);
+            add_product::<IS_ABOVE, T>(&mut across, &pair.crossed[n], &x.even[n]);
         }
+        self.gradients = [along, across];
     }
 
     /// Growth of the tractions over a cell, along the track and across.
@@ -278,10 +298,9 @@ impl<T: Real> State<T> {
             let zeroth = zeroth[lane] * length;
             let first = first[lane] * length * a;
             let second = second[lane] * length * a * a;
-            let none = T::from(0.0);
             self.moments[component] = Moments {
                 odd: [first, zeroth, first, second],
-                even: [[zeroth, first, zeroth, none], [second, none, second, none]],
+                even: [[zeroth, first, zeroth, first], [second; 4]],
             };
             self.resultant.moments[component] = [zeroth, first];
         }

@@ -29,4 +29,4 @@ pub use newton::Settled;
 pub use points::MAX_POINTS;
 pub use scratch::Scratch;
 pub use solver::TractionStrips;
-pub use span::{Span, edges as zone_edges};
+pub use span::Span;

@@ -50,8 +50,7 @@ impl<T: Real> Span<T> {
 
 /// Where `zone` ends: beyond its outer strips by as much as they are wider than half of the way to
 /// their neighbours.
-#[must_use]
-pub fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>) -> [T; 2] {
+fn edges<T: Real>(zone: &Zone<T>, strips: &Strips<T>) -> [T; 2] {
     let ends = [zone.first, zone.first + zone.count - 1];
     let y = |j: usize| strips.y[j];
     let [first, last] = ends.map(y);
