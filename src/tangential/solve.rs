@@ -158,7 +158,7 @@ impl Tangential {
     /// Whether the forces of the strips are corrected as a whole.
     #[must_use]
     pub fn is_corrected(&self) -> bool {
-        matches!(self.model, Model::FastsimCorrected(_))
+        matches!(self.model, Model::FastsimCorrected(_) | Model::Marches(_))
     }
 
     /// `zone` of `strips` in `state` under the laws of friction.
@@ -245,9 +245,9 @@ impl Tangential {
     }
 
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
-    /// the normal model has boundary elements. FASTSIM, strips and boundary elements have tractions
-    /// to show, the tables and corrected FASTSIM those of FASTSIM without correction, other models
-    /// pressure alone.
+    /// the normal model has boundary elements. FASTSIM, marches, strips and boundary elements have
+    /// tractions to show, the tables and corrected FASTSIM those of FASTSIM, corrections none, other
+    /// models pressure alone.
     #[must_use]
     pub fn field(
         &self,
@@ -275,7 +275,8 @@ impl Tangential {
             }
             Model::BoundaryElement(_) => OnElements::draw(&zone, &elements, &mut field),
             Model::Strips(model) => model.draw(&zone, &elements, &mut field),
-            Model::None | Model::Linear(_) | Model::Fastrip(_) | Model::Marches(_) => {}
+            Model::Marches(model) => model.draw(&zone, &elements, &mut field),
+            Model::None | Model::Linear(_) | Model::Fastrip(_) => {}
         }
         field
     }

@@ -195,3 +195,65 @@ impl ForceTable for Differences {
         (EllipseForce { slip_share: 0.0, ..found }, slopes)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tangential::tables::CreepForceTable;
+    use approx::assert_abs_diff_eq;
+
+    #[test]
+    fn nodes_of_the_committed_table_are_what_the_marches_make() {
+        let exact = CreepForceTable::committed_nodes().unwrap();
+        let (made, committed) = (nodes(&exact), Differences::committed_nodes().unwrap());
+        // Kept as 16-bit integers of up to four.
+        for (made, committed) in made.creep.iter().zip(&committed.creep) {
+            assert_abs_diff_eq!(made[..], committed[..], epsilon = 2e-4);
+        }
+        for (made, committed) in made.sliding.iter().zip(&committed.sliding) {
+            assert_abs_diff_eq!(made[..], committed[..], epsilon = 2e-4);
+        }
+    }
+
+    #[test]
+    fn marches_and_differences_make_up_the_exact_force_between_the_nodes() {
+        let (exact, differences) = (CreepForceTable::shared(), Differences::shared());
+        let mut sum = 0.0;
+        let mut count = 0.0;
+        for t in [-2.1, -0.7, 0.1, 1.3, 2.3] {
+            let scales = Scales::of(t, POISSON_RATIO);
+            let mut marched = MarchedEllipse::new(t, POISSON_RATIO);
+            for v in [[0.05, 0.02, 0.1], [0.3, -0.1, 0.2], [-0.2, 0.3, -0.4], [0.0, 0.1, 0.05]] {
+                let (whole, own) = (exact.force(&scales, v).force, marched.force(v));
+                let missing = differences.force(&scales, v).force;
+                let [x, y] = [0, 1].map(|k| own[k] + missing[k] - whole[k]);
+                sum += x.hypot(y);
+                count += 1.0;
+            }
+        }
+        // Both tables interpolate.
+        assert!(sum / count < 4e-3, "{}", sum / count);
+    }
+
+    #[test]
+    fn slopes_are_those_of_differences() {
+        let table = Differences::shared();
+        for (t, v) in [(0.4, [0.3, -0.1, 0.2]), (-1.7, [0.02, 0.3, -0.5]), (2.0, [0.0, 0.1, 0.4])] {
+            let at = |n: usize, h: f64| {
+                let (mut t, mut v) = (t, v);
+                if n < 3 { v[n] += h } else { t += h }
+                table.force_and_slopes(&Scales::of(t, POISSON_RATIO), v)
+            };
+            let (found, slopes) = at(0, 0.0);
+            let plain = table.force(&Scales::of(t, POISSON_RATIO), v);
+            assert_abs_diff_eq!(found.force[..], plain.force[..], epsilon = 1e-14);
+            for n in 0..4 {
+                let (plus, minus) = (at(n, 1e-6).0, at(n, -1e-6).0);
+                for (k, slopes) in slopes.iter().enumerate().take(3) {
+                    let slope = (plus.force[k] - minus.force[k]) / 2e-6;
+                    assert_abs_diff_eq!(slopes[n], slope, epsilon = 1e-6);
+                }
+            }
+        }
+    }
+}

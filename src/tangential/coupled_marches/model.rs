@@ -1,13 +1,16 @@
 //! The coupled marches as a tangential model.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
 use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::tangential::boundary_element::LoadedElements;
 use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
+use crate::tangential::field::ContactField;
 use crate::tangential::forces::{CreepForce, StripForce};
 use crate::tangential::ellipse_force::{part_force, spread_parts};
 use crate::tangential::equivalent_ellipse::LoadedPart;
@@ -145,37 +148,9 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         let neck = lobes.map(|lobes| lobes.neck);
         let apart = neck.map_or(T::from(0.0), |neck| neck.share);
         let mut marched = [CreepForce::<T>::default(); 3];
-        // All zones of the contact frame, in growing y.
-        let others = |before: bool| {
-            strips.zones.iter().filter(move |other| {
-                if before { other.first < of.first } else { other.first > of.first }
-            })
-        };
-        let zones = others(true).chain([of]).chain(others(false));
-        let members = zones.flat_map(|zone| {
-            let numbers = zone.first..zone.first + zone.count;
-            numbers.filter(|&j| is_loaded(loaded, j)).map(|j| (j, zone.first))
-        });
+        let members = members(loaded);
         for (rolling, share) in zone.directions() {
-            let strip = |(j, zone): (usize, usize)| {
-                let own = loaded.slip.creepage(j);
-                let direction = rolling.direction();
-                Strip {
-                    y: strips.y[j],
-                    half_length: strips.half_length[j],
-                    width: strips.width[j],
-                    limit: loaded.friction_coefficient(j)
-                        * strips.pressure[j]
-                        * strips.half_length[j]
-                        * std::f64::consts::FRAC_PI_2,
-                    zone,
-                    creepage: Creepage {
-                        longitudinal: own.longitudinal * direction,
-                        lateral: own.lateral,
-                        spin: own.spin * direction,
-                    },
-                }
-            };
+            let strip = |(j, zone)| strip(loaded, rolling, j, zone);
             let material = loaded.material;
             let mut next = members.clone();
             T::march_strips(
@@ -211,6 +186,78 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         };
         spread_parts(zone, lobes.as_ref(), correction, each);
         Convergence::default()
+    }
+}
+
+impl CoupledMarches {
+    /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of
+    /// `elements`: shares of the bound of a cell there, of that of the pressure here.
+    pub(in super::super) fn draw(
+        &self,
+        RollingZone { loaded, .. }: &RollingZone<'_, impl RigidSlip>,
+        elements: &LoadedElements,
+        field: &mut ContactField,
+    ) {
+        let strips = loaded.strips;
+        let mut memory = self.lend();
+        let members = members(loaded);
+        let strip = |(j, zone)| strip(loaded, Rolling::Forward, j, zone);
+        memory.plain.take(members.clone().map(strip));
+        let material = loaded.material;
+        let cells = memory.plain.tractions(material.poisson_ratio, material.shear_modulus);
+        let numbers: Vec<usize> = members.map(|(j, _)| j).collect();
+        for (row, strip) in elements.rows_of(loaded.zone) {
+            let Some(marched) = numbers.iter().position(|&j| j == strip) else { continue };
+            let own = &cells[marched];
+            for i in 0..field.grid.along {
+                let pressure = field.pressure[row * field.grid.along + i];
+                let t = (strips.x[strip] - field.grid.x(i)) / strips.half_length[strip];
+                let cell = (0.5 * (1.0 + t) * own.len() as f64).max(0.0) as usize;
+                let (share, slips) = own[cell.min(own.len() - 1)];
+                let bound = loaded.friction_coefficient(strip) * pressure;
+                field.enter(row, i, share.map(|share| -share * bound), slips);
+            }
+        }
+    }
+}
+
+/// The strips of all zones of the contact frame that take part, in growing y, and the numbers of
+/// their zones.
+fn members<'a, T: Real>(
+    loaded: &'a LoadedZone<'_, impl RigidSlip<T>, T>,
+) -> impl Iterator<Item = (usize, usize)> + Clone + 'a {
+    let (own, all) = (loaded.zone, &loaded.strips.zones);
+    let before = all.iter().filter(|other| other.first < own.first);
+    let behind = all.iter().filter(|other| other.first > own.first);
+    before.chain([own]).chain(behind).flat_map(|zone| {
+        let numbers = zone.first..zone.first + zone.count;
+        numbers.filter(|&j| is_loaded(loaded, j)).map(|j| (j, zone.first))
+    })
+}
+
+/// Strip `j` of the zone number `zone` as one that rolls forward.
+fn strip<T: Real>(
+    loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+    rolling: Rolling,
+    j: usize,
+    zone: usize,
+) -> Strip<T> {
+    let strips = loaded.strips;
+    let own = loaded.slip.creepage(j);
+    // Backwards the strip is the same seen in a mirror along x.
+    let direction = rolling.direction();
+    let load = strips.pressure[j] * strips.half_length[j] * FRAC_PI_2;
+    Strip {
+        y: strips.y[j],
+        half_length: strips.half_length[j],
+        width: strips.width[j],
+        limit: loaded.friction_coefficient(j) * load,
+        zone,
+        creepage: Creepage {
+            longitudinal: own.longitudinal * direction,
+            lateral: own.lateral,
+            spin: own.spin * direction,
+        },
     }
 }
 

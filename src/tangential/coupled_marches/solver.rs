@@ -5,7 +5,7 @@ use multiversion::multiversion;
 
 use super::functions::Four;
 use super::influence::{Influence, Own, Pair, Ratio};
-use super::march::{CELLS, LANES, Marched, Sums, march};
+use super::march::{CELLS, LANES, Marched, Sums, march, profile};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
@@ -311,7 +311,27 @@ impl<T: Real> State<T> {
 /// Derivatives that are found at once.
 pub const DIRECTIONS: usize = 4;
 
+/// Tractions of a cell over its bound, and whether it slips; leading edge first.
+pub type Cells = [([f64; 2], bool); CELLS];
+
 impl Solver {
+    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa]; tractions of the strips
+    /// taken, against their slip.
+    #[must_use]
+    pub fn tractions(&mut self, poisson_ratio: f64, shear_modulus: f64) -> Vec<Cells> {
+        self.solve(poisson_ratio, shear_modulus);
+        let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
+        let mut found = vec![[([0.0; 2], false); CELLS]; strips.len()];
+        self.march_all(shear_modulus, |first, cell, [x, y], slip| {
+            for (lane, strip) in strips.iter().enumerate().skip(first).take(LANES) {
+                let bound = strip.limit / (strip.half_length * 2.0) * profile(cell);
+                let n = lane - first;
+                found[lane][cell] = ([x[n] / bound, y[n] / bound], slip[n]);
+            }
+        });
+        found
+    }
+
     /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
     pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: f64) {
         solve_plain(self, poisson_ratio, shear_modulus);
