@@ -103,37 +103,38 @@ impl Influence {
     /// direction what is crossed has the other sign.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn narrow<T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
+    pub fn narrow<const F: bool, T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         // A to the power of -2 - m - k, of which one is left for the width.
-        scaled(&self.narrow.at(distance * root), inverse, root, ratio)
+        scaled::<F, T>(&self.narrow.at::<F, T>(distance * root), inverse, root, ratio)
     }
 
     /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn wide<T: Real>(&self, distance: T, width: T, square: T, ratio: &Ratio) -> Pair<T> {
+    pub fn wide<const F: bool, T: Real>(&self, distance: T, width: T, square: T, ratio: &Ratio) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         let near = ((distance - width * 0.5) * root).at_least(0.0);
-        let far = self.band.at((distance + width * 0.5) * root);
+        let far = self.band.at::<F, T>((distance + width * 0.5) * root);
         // Below the least distance a band does in proportion to it.
         let share = (near / DISTANCES[0]).at_most(1.0);
-        let near = self.band.at(near);
+        let near = self.band.at::<F, T>(near);
         let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane] * share);
-        scaled(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
+        scaled::<F, T>(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
     }
 
     /// What a strip of the half length `a` and the width `width` has of its own, where the band of
     /// its march ends at the distances `reach` > 0 to either side.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn own<T: Real>(&self, a: T, width: T, reach: [T; 2], ratio: &Ratio) -> Own<T> {
+    pub fn own<const F: bool, T: Real>(&self, a: T, width: T, reach: [T; 2], ratio: &Ratio) -> Own<T> {
         let inverse = T::from(1.0) / a;
-        let [left, right] = reach.map(|e| self.own.at(e * inverse));
+        let left = self.own.at::<F, T>(reach[0] * inverse);
+        let right = self.own.at::<F, T>(reach[1] * inverse);
         let strip = width * 0.5 * inverse;
-        let narrow = self.own.at(strip);
+        let narrow = self.own.at::<F, T>(strip);
         // Below the least width a band does in proportion to it.
         let share = (strip / WIDTHS[0]).at_most(1.0) * 2.0;
         let mut found = Own::default();
@@ -165,13 +166,13 @@ impl Influence {
 /// moments and coefficients have.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn scaled<T: Real>(
+fn scaled<const F: bool, T: Real>(
     [p, r, first, second]: &[Four<T>; 4],
     factor: T,
     root: T,
     ratio: &Ratio,
 ) -> Pair<T> {
-    let nu = ratio.poisson;
+    let nu = T::from(ratio.poisson);
     let square = root * root;
     let once = factor * root;
     let thrice = once * square;
@@ -182,10 +183,10 @@ fn scaled<T: Real>(
     let even = [[zeroth, twice, twice, twice], [twice, twice, four_times, four_times]];
     let mut found = Pair::default();
     for lane in 0..4 {
-        found.along[lane] = (p[lane] + (r[lane] - p[lane]) * nu) * odd[lane];
+        found.along[lane] = p[lane].add_product::<F>(r[lane] - p[lane], nu) * odd[lane];
     }
     for lane in 0..4 {
-        found.across[lane] = (p[lane] - r[lane] * nu) * odd[lane];
+        found.across[lane] = p[lane].add_product::<F>(r[lane], -nu) * odd[lane];
     }
     for lane in 0..4 {
         found.crossed[0][lane] = first[lane] * even[0][lane];

@@ -52,12 +52,12 @@ pub(super) fn profile(cell: usize) -> f64 {
 /// Marches through some strips; `each` gets the tractions of a cell, and whether they are bounded.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(super) fn march<T: Real>(
+pub(super) fn march<const F: bool, T: Real>(
     strips: &Marched<T>,
     mut each: impl FnMut(usize, &[Lanes<T>; 2], &Lanes<bool>),
 ) -> Sums<T> {
     let zero = T::from(0.0);
-    let mut sums = Sums::default();
+    let mut sums = Sums::<T>::default();
     let [mut fx, mut fy] = [[zero; LANES]; 2];
     for cell in 0..CELLS {
         let [t, step] = abscissae(cell);
@@ -66,15 +66,21 @@ pub(super) fn march<T: Real>(
         let share = profile(cell);
         let within = length / CELLS as f64;
         let mut slips = [false; LANES];
+        let [x, y] = &strips.growth;
         for lane in 0..LANES {
-            let [x, y] = &strips.growth;
-            let trial_x =
-                fx[lane] + x[0][lane] * length + x[1][lane] * first + x[2][lane] * second;
-            let trial_y =
-                fy[lane] + y[0][lane] * length + y[1][lane] * first + y[2][lane] * second;
-            let turn_x = (x[1][lane] + x[2][lane] * (4.0 * t)) * within;
-            let turn_y = (y[1][lane] + y[2][lane] * (4.0 * t)) * within;
-            let size = |x: T, y: T| (x * x + y * y).at_least(f64::MIN_POSITIVE).sqrt();
+            let trial = |own: T, by: &[Lanes<T>; 3]| {
+                own.add_product::<F>(by[0][lane], T::from(length))
+                    .add_product::<F>(by[1][lane], T::from(first))
+                    .add_product::<F>(by[2][lane], T::from(second))
+            };
+            let turn = |by: &[Lanes<T>; 3]| {
+                (by[1][lane] * within).add_product::<F>(by[2][lane], T::from(4.0 * t * within))
+            };
+            let size = |x: T, y: T| {
+                (x * x).add_product::<F>(y, y).at_least(f64::MIN_POSITIVE).sqrt()
+            };
+            let [trial_x, trial_y] = [trial(fx[lane], x), trial(fy[lane], y)];
+            let [turn_x, turn_y] = [turn(x), turn(y)];
             let mean = size(trial_x + turn_x, trial_y + turn_y)
                 + size(trial_x - turn_x, trial_y - turn_y);
             let ratio = strips.bound[lane] * (2.0 * share) / mean;
@@ -85,10 +91,12 @@ pub(super) fn march<T: Real>(
             sums.slipping[lane] += if scale < 1.0 { 1.0 } else { 0.0 };
             sums.moments[0][0][lane] += fx[lane];
             sums.moments[1][0][lane] += fy[lane];
-            sums.moments[0][1][lane] += fx[lane] * t;
-            sums.moments[1][1][lane] += fy[lane] * t;
-            sums.moments[0][2][lane] += fx[lane] * (t * t);
-            sums.moments[1][2][lane] += fy[lane] * (t * t);
+            let sum = &mut sums.moments[0];
+            sum[1][lane] = sum[1][lane].add_product::<F>(fx[lane], T::from(t));
+            sum[2][lane] = sum[2][lane].add_product::<F>(fx[lane], T::from(t * t));
+            let sum = &mut sums.moments[1];
+            sum[1][lane] = sum[1][lane].add_product::<F>(fy[lane], T::from(t));
+            sum[2][lane] = sum[2][lane].add_product::<F>(fy[lane], T::from(t * t));
         }
         each(cell, &[fx, fy], &slips);
     }

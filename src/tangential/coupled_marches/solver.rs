@@ -1,7 +1,8 @@
 //! Rounds of marches through all strips, each with the gradients that the tractions of the round
 //! before it cause.
 
-use multiversion::multiversion;
+#[cfg(target_arch = "x86_64")]
+use pulp::{NullaryFnOnce, x86::V3};
 
 use super::functions::Four;
 use super::influence::{Influence, Own, Pair, Ratio};
@@ -106,58 +107,62 @@ impl<T: Real> Solver<T> {
     /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn solve_all(&mut self, poisson_ratio: f64, shear_modulus: T) {
+    fn solve_all<const F: bool>(&mut self, poisson_ratio: f64, shear_modulus: T) {
         let influence = Influence::shared();
         let ratio = Ratio::of(poisson_ratio);
         for i in 0..self.states.len() {
             let Strip { half_length, width, .. } = self.states[i].strip;
             let reach = reach(&self.states, i);
-            self.states[i].own = influence.own(half_length, width, reach, &ratio);
+            self.states[i].own = influence.own::<F, T>(half_length, width, reach, &ratio);
         }
         self.pairs.clear();
         let room = self.pairs.capacity();
         for (i, below) in self.states.iter().enumerate() {
             for (between, above) in self.states.iter().skip(i + 1).enumerate() {
                 if self.pairs.len() < room {
-                    self.pairs.push(pair(influence, below, above, between, &ratio));
+                    self.pairs.push(pair::<F, T>(influence, below, above, between, &ratio));
                 }
             }
         }
         let factor = T::from(-2.0 / std::f64::consts::PI.powi(2)) / shear_modulus;
         for round in 0..ROUNDS {
             if round > 0 {
-                self.couple(influence, &ratio, factor);
+                self.couple::<F>(influence, &ratio, factor);
             }
-            self.march_all(shear_modulus, |_, _, _, _| {});
+            self.march_all::<F>(shear_modulus, |_, _, _, _| {});
         }
     }
 
     /// Gradients that all strips cause, without the share that each has in its own march.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn couple(&mut self, influence: &Influence, ratio: &Ratio, factor: T) {
+    fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio, factor: T) {
         for state in self.states.iter_mut() {
             let [x, y] = &state.moments;
             let Own { along, across, .. } = &state.own;
             state.gradients = [[T::from(0.0); 4]; 2];
-            add_product::<true, T>(&mut state.gradients[0], along, &x.odd);
-            add_product::<true, T>(&mut state.gradients[1], across, &y.odd);
+            add_product::<F, T>(&mut state.gradients[0], along, &x.odd);
+            add_product::<F, T>(&mut state.gradients[1], across, &y.odd);
         }
-        let kept = self.pairs.len();
-        let mut number = 0;
+        let mut kept = self.pairs.iter();
         for i in 0..self.states.len() {
             let (lower, upper) = self.states.split_at_mut(i + 1);
             let below = &mut lower[i];
+            let moments = below.moments;
+            let mut gradients = below.gradients;
             for (between, above) in upper.iter_mut().enumerate() {
-                let own = if number < kept {
-                    self.pairs[number]
+                let anew;
+                let pair = if let Some(pair) = kept.next() {
+                    pair
                 } else {
-                    pair(influence, below, above, between, ratio)
+                    anew = pair::<F, T>(influence, below, above, between, ratio);
+                    &anew
                 };
-                number += 1;
-                below.receive::<false>(&own, &above.moments);
-                above.receive::<true>(&own, &below.moments);
+                let crossed = pair.crossed.map(|four| four.map(|c| -c));
+                receive::<F, T>(&mut gradients, pair, &crossed, &above.moments);
+                receive::<F, T>(&mut above.gradients, pair, &pair.crossed, &moments);
             }
+            below.gradients = gradients;
         }
         for state in self.states.iter_mut() {
             for gradient in state.gradients.iter_mut().flatten() {
@@ -170,7 +175,7 @@ impl<T: Real> Solver<T> {
     /// tractions there and whether they slip.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn march_all(
+    fn march_all<const F: bool>(
         &mut self,
         shear_modulus: T,
         mut each: impl FnMut(usize, usize, &[[T; LANES]; 2], &[bool; LANES]),
@@ -187,7 +192,7 @@ impl<T: Real> Solver<T> {
                 marched.bound[lane] = state.strip.limit / (state.strip.half_length * 2.0);
             }
             let sums =
-                march(&marched, |cell, tractions, slip| each(LANES * block, cell, tractions, slip));
+                march::<F, T>(&marched, |cell, tractions, slip| each(LANES * block, cell, tractions, slip));
             for (lane, state) in states.iter_mut().enumerate() {
                 state.take_sums(&sums, lane);
             }
@@ -216,7 +221,7 @@ fn reach<T: Real>(states: &[State<T>], i: usize) -> [T; 2] {
 /// are ahead of each other, do nothing.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn pair<T: Real>(
+fn pair<const F: bool, T: Real>(
     influence: &Influence,
     below: &State<T>,
     above: &State<T>,
@@ -230,37 +235,41 @@ fn pair<T: Real>(
     }
     let square = (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
     if between < NEAR {
-        influence.wide(distance, (below.width + above.width) * 0.5, square, ratio)
+        influence.wide::<F, T>(distance, (below.width + above.width) * 0.5, square, ratio)
     } else {
-        influence.narrow(distance, square, ratio)
+        influence.narrow::<F, T>(distance, square, ratio)
     }
 }
 
-/// Adds products lane by lane, or takes them away.
+/// Adds the gradients that another strip causes; what is crossed has the sign of the side on which it
+/// is.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn add_product<const IS_ADDED: bool, T: Real>(sum: &mut Four<T>, a: &Four<T>, b: &Four<T>) {
+fn receive<const F: bool, T: Real>(
+    [along, across]: &mut [Four<T>; 2],
+    pair: &Pair<T>,
+    crossed: &[Four<T>; 2],
+    [x, y]: &[Moments<T>; 2],
+) {
+    add_product::<F, T>(along, &pair.along, &x.odd);
+    add_product::<F, T>(across, &pair.across, &y.odd);
+    for n in 0..2 {
+        add_product::<F, T>(along, &crossed[n], &y.even[n]);
+        add_product::<F, T>(across, &crossed[n], &x.even[n]);
+    }
+}
+
+/// Sums and products lane by lane.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn add_product<const F: bool, T: Real>(sum: &mut Four<T>, a: &Four<T>, b: &Four<T>) {
     for lane in 0..4 {
-        let product = a[lane] * b[lane];
-        sum[lane] += if IS_ADDED { product } else { -product };
+        sum[lane] = sum[lane].add_product::<F>(a[lane], b[lane]);
     }
 }
 
 #[allow(clippy::inline_always)]
 impl<T: Real> State<T> {
-    /// Adds the gradients that another strip causes, which is on the side of smaller y if `IS_ABOVE`.
-    #[inline(always)]
-    fn receive<const IS_ABOVE: bool>(&mut self, pair: &Pair<T>, [x, y]: &[Moments<T>; 2]) {
-        let [mut along, mut across] = self.gradients;
-        add_product::<true, T>(&mut along, &pair.along, &x.odd);
-        add_product::<true, T>(&mut across, &pair.across, &y.odd);
-        for n in 0..2 {
-            add_product::<IS_ABOVE, T>(&mut along, &pair.crossed[n], &y.even[n]);
-            add_product::<IS_ABOVE, T>(&mut across, &pair.crossed[n], &x.even[n]);
-        }
-        self.gradients = [along, across];
-    }
-
     /// Growth of the tractions over a cell, along the track and across.
     #[inline(always)]
     fn growth(&self, shear_modulus: T) -> [[T; 3]; 2] {
@@ -322,7 +331,7 @@ impl Solver {
         self.solve(poisson_ratio, shear_modulus);
         let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
         let mut found = vec![[([0.0; 2], false); CELLS]; strips.len()];
-        self.march_all(shear_modulus, |first, cell, [x, y], slip| {
+        self.march_all::<FUSED>(shear_modulus, |first, cell, [x, y], slip| {
             for (lane, strip) in strips.iter().enumerate().skip(first).take(LANES) {
                 let bound = strip.limit / (strip.half_length * 2.0) * profile(cell);
                 let n = lane - first;
@@ -334,27 +343,46 @@ impl Solver {
 
     /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
     pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: f64) {
-        solve_plain(self, poisson_ratio, shear_modulus);
+        self.solve_by_any(poisson_ratio, shear_modulus);
     }
 }
 
 impl Solver<Dual<DIRECTIONS>> {
     /// As of plain numbers.
     pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: Dual<DIRECTIONS>) {
-        solve_moving(self, poisson_ratio, shear_modulus);
+        self.solve_by_any(poisson_ratio, shear_modulus);
     }
 }
 
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-fn solve_plain(solver: &mut Solver, poisson_ratio: f64, shear_modulus: f64) {
-    solver.solve_all(poisson_ratio, shear_modulus);
+/// Whether every processor that this is compiled for adds a product in one instruction.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
+impl<T: Real> Solver<T> {
+    /// Solves with the instructions that the processor has, found out at run time.
+    fn solve_by_any(&mut self, poisson_ratio: f64, shear_modulus: T) {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = V3::try_new() {
+            return simd.vectorize(Solution { solver: self, poisson_ratio, shear_modulus });
+        }
+        self.solve_all::<FUSED>(poisson_ratio, shear_modulus);
+    }
 }
 
-#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-fn solve_moving(
-    solver: &mut Solver<Dual<DIRECTIONS>>,
+/// A solution, to be compiled for AVX2 with products that are added at once.
+#[cfg(target_arch = "x86_64")]
+struct Solution<'a, T> {
+    solver: &'a mut Solver<T>,
     poisson_ratio: f64,
-    shear_modulus: Dual<DIRECTIONS>,
-) {
-    solver.solve_all(poisson_ratio, shear_modulus);
+    shear_modulus: T,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl<T: Real> NullaryFnOnce for Solution<'_, T> {
+    type Output = ();
+
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn call(self) {
+        self.solver.solve_all::<true>(self.poisson_ratio, self.shear_modulus);
+    }
 }
