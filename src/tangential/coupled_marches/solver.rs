@@ -17,9 +17,9 @@ const ROUNDS: usize = 3;
 /// Pairs of strips that are kept from round to round; further ones are looked up again.
 const MAX_PAIRS: usize = 1024;
 
-/// Strips up to this number away are as wide as they are; over others, at two and a half widths at
-/// least, the influence hardly bends.
-const NEAR: usize = 2;
+/// Strips with fewer than this number in between are as wide as they are; over others, at one and a
+/// half widths at least, the influence hardly bends.
+const NEAR: usize = 1;
 
 /// A loaded strip that rolls forward.
 #[derive(Clone, Copy, Debug)]
