@@ -165,7 +165,8 @@ fn forces_are_continuous_in_the_depth_while_lobes_grow_together() {
     };
     let steps = 6000;
     let mut greatest: f64 = 0.0;
-    let path: Vec<_> = (0..=steps).map(|k| at(1e-5 + 1e-4 * f64::from(k) / f64::from(steps))).collect();
+    let path: Vec<_> =
+        (0..=steps).map(|k| at(1e-5 + 1e-4 * f64::from(k) / f64::from(steps))).collect();
     for f in path.windows(4) {
         // A jump shows in the third difference, where the force itself bends.
         let bend = [0, 1].map(|i| f[3][i] - 3.0 * f[2][i] + 3.0 * f[1][i] - f[0][i]);

@@ -84,8 +84,10 @@ pub(super) fn projected(kernel: fn(f64, f64) -> [f64; 3], s: f64) -> Projected {
     by_chebyshev.map(|coefficients| {
         let [mut zeroth, mut first, mut second] = coefficients;
         let share = 2.0 / PLACES as f64;
-        zeroth.iter_mut().for_each(|c| *c *= 0.5 * share);
-        first.iter_mut().chain(second.iter_mut()).for_each(|c| *c *= share);
+        for (row, share) in [(&mut zeroth, 0.5 * share), (&mut first, share), (&mut second, share)]
+        {
+            *row = row.map(|c| c * share);
+        }
         let rows = [[0, 1, 2].map(|k| zeroth[k] - second[k]), first, second.map(|c| 2.0 * c)];
         rows.map(|[by_0, by_1, by_2]| [by_0 - by_2, 2.0 * by_1, 4.0 * by_2])
     })

@@ -14,7 +14,6 @@
 use super::ellipse::MarchedEllipse;
 use crate::math::b_spline;
 use crate::math::until_unload::UntilUnload;
-use crate::tangential::tables::{EllipseForce, ForceSlopes};
 use crate::tangential::tables::generate::{POISSON_RATIO, ScaledEllipse};
 use crate::tangential::tables::interpolated::{
     Interpolated, LimitSlopes, Limits, PER_RATIO, Query, ratio_place,
@@ -27,6 +26,7 @@ use crate::tangential::tables::scales::Scales;
 use crate::tangential::tables::sliding;
 use crate::tangential::tables::splines::Splines;
 use crate::tangential::tables::tabulated::ForceTable;
+use crate::tangential::tables::{EllipseForce, ForceSlopes};
 
 /// The committed table.
 const FILE: &[u8] = include_bytes!("differences.table");
@@ -156,7 +156,9 @@ impl Differences {
     fn linear(&self, log_ratio: f64) -> [Linear; 2] {
         let place = ratio_place(log_ratio);
         let sum = |weights: [f64; 4]| -> Linear {
-            std::array::from_fn(|n| (0..4).map(|k| weights[k] * self.linear[place.first + k][n]).sum())
+            std::array::from_fn(|n| {
+                (0..4).map(|k| weights[k] * self.linear[place.first + k][n]).sum()
+            })
         };
         [sum(place.weights), sum(place.slopes.map(|slope| slope * PER_RATIO))]
     }
@@ -185,10 +187,8 @@ impl ForceTable for Differences {
         let [inside, ratio_slope] = query.log_ratio;
         let laws = self.linear(inside);
         let limits = Limits { linear: linear_force(laws[0], query.v), sliding: [0.0; 3] };
-        let limit_slopes = LimitSlopes {
-            linear: slopes_of(laws, query.v, ratio_slope),
-            sliding: [[0.0; 4]; 3],
-        };
+        let limit_slopes =
+            LimitSlopes { linear: slopes_of(laws, query.v, ratio_slope), sliding: [[0.0; 4]; 3] };
         let (Interpolated { found, .. }, mut slopes, _) =
             self.splines.between_with_slopes(scales, &query, &limits, &limit_slopes);
         slopes[3] = [0.0; 4];
@@ -241,7 +241,11 @@ mod tests {
         for (t, v) in [(0.4, [0.3, -0.1, 0.2]), (-1.7, [0.02, 0.3, -0.5]), (2.0, [0.0, 0.1, 0.4])] {
             let at = |n: usize, h: f64| {
                 let (mut t, mut v) = (t, v);
-                if n < 3 { v[n] += h } else { t += h }
+                if n < 3 {
+                    v[n] += h
+                } else {
+                    t += h
+                }
                 table.force_and_slopes(&Scales::of(t, POISSON_RATIO), v)
             };
             let (found, slopes) = at(0, 0.0);

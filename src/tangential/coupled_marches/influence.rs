@@ -113,7 +113,13 @@ impl Influence {
     /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn wide<const F: bool, T: Real>(&self, distance: T, width: T, square: T, ratio: &Ratio) -> Pair<T> {
+    pub fn wide<const F: bool, T: Real>(
+        &self,
+        distance: T,
+        width: T,
+        square: T,
+        ratio: &Ratio,
+    ) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         let near = ((distance - width * 0.5) * root).at_least(0.0);
@@ -129,7 +135,13 @@ impl Influence {
     /// its march ends at the distances `reach` > 0 to either side.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn own<const F: bool, T: Real>(&self, a: T, width: T, reach: [T; 2], ratio: &Ratio) -> Own<T> {
+    pub fn own<const F: bool, T: Real>(
+        &self,
+        a: T,
+        width: T,
+        reach: [T; 2],
+        ratio: &Ratio,
+    ) -> Own<T> {
         let inverse = T::from(1.0) / a;
         let left = self.own.at::<F, T>(reach[0] * inverse);
         let right = self.own.at::<F, T>(reach[1] * inverse);

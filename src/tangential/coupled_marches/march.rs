@@ -76,13 +76,12 @@ pub(super) fn march<const F: bool, T: Real>(
             let turn = |by: &[Lanes<T>; 3]| {
                 (by[1][lane] * within).add_product::<F>(by[2][lane], T::from(4.0 * t * within))
             };
-            let size = |x: T, y: T| {
-                (x * x).add_product::<F>(y, y).at_least(f64::MIN_POSITIVE).sqrt()
-            };
+            let size =
+                |x: T, y: T| (x * x).add_product::<F>(y, y).at_least(f64::MIN_POSITIVE).sqrt();
             let [trial_x, trial_y] = [trial(fx[lane], x), trial(fy[lane], y)];
             let [turn_x, turn_y] = [turn(x), turn(y)];
-            let mean = size(trial_x + turn_x, trial_y + turn_y)
-                + size(trial_x - turn_x, trial_y - turn_y);
+            let mean =
+                size(trial_x + turn_x, trial_y + turn_y) + size(trial_x - turn_x, trial_y - turn_y);
             let ratio = strips.bound[lane] * (2.0 * share) / mean;
             let scale = ratio.at_most(1.0);
             slips[lane] = scale < 1.0;

@@ -5,21 +5,21 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
 use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
+use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::tangential::boundary_element::LoadedElements;
 use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
-use crate::tangential::field::ContactField;
-use crate::tangential::forces::{CreepForce, StripForce};
 use crate::tangential::ellipse_force::{part_force, spread_parts};
 use crate::tangential::equivalent_ellipse::LoadedPart;
+use crate::tangential::field::ContactField;
+use crate::tangential::forces::{CreepForce, StripForce};
+use crate::tangential::loaded_zone::LoadedZone;
 use crate::tangential::neck::Lobes;
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
-use crate::tangential::loaded_zone::LoadedZone;
 use crate::tangential::zone_model::{RollingZone, ZoneModel};
-use crate::kinematics::creepage::Creepage;
 
 /// Solvers in plain numbers and with derivatives.
 #[derive(Clone, Debug)]

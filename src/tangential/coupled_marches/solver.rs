@@ -184,15 +184,16 @@ impl<T: Real> Solver<T> {
             let mut marched = Marched::default();
             for (lane, state) in states.iter().enumerate() {
                 let growth = state.growth(shear_modulus);
-                for component in 0..2 {
-                    for n in 0..3 {
-                        marched.growth[component][n][lane] = growth[component][n];
+                for (lanes, growth) in marched.growth.iter_mut().zip(growth) {
+                    for (lanes, growth) in lanes.iter_mut().zip(growth) {
+                        lanes[lane] = growth;
                     }
                 }
                 marched.bound[lane] = state.strip.limit / (state.strip.half_length * 2.0);
             }
-            let sums =
-                march::<F, T>(&marched, |cell, tractions, slip| each(LANES * block, cell, tractions, slip));
+            let sums = march::<F, T>(&marched, |cell, tractions, slip| {
+                each(LANES * block, cell, tractions, slip)
+            });
             for (lane, state) in states.iter_mut().enumerate() {
                 state.take_sums(&sums, lane);
             }
@@ -233,7 +234,8 @@ fn pair<const F: bool, T: Real>(
     if distance <= 0.0 {
         return Pair::default();
     }
-    let square = (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
+    let square =
+        (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
     if between < NEAR {
         influence.wide::<F, T>(distance, (below.width + above.width) * 0.5, square, ratio)
     } else {
@@ -253,9 +255,9 @@ fn receive<const F: bool, T: Real>(
 ) {
     add_product::<F, T>(along, &pair.along, &x.odd);
     add_product::<F, T>(across, &pair.across, &y.odd);
-    for n in 0..2 {
-        add_product::<F, T>(along, &crossed[n], &y.even[n]);
-        add_product::<F, T>(across, &crossed[n], &x.even[n]);
+    for (crossed, (x, y)) in crossed.iter().zip(x.even.iter().zip(&y.even)) {
+        add_product::<F, T>(along, crossed, y);
+        add_product::<F, T>(across, crossed, x);
     }
 }
 
@@ -275,10 +277,7 @@ impl<T: Real> State<T> {
     fn growth(&self, shear_modulus: T) -> [[T; 3]; 2] {
         let Strip { half_length: a, creepage, .. } = &self.strip;
         let a = *a;
-        let rigid = [
-            [creepage.longitudinal, T::from(0.0)],
-            [creepage.lateral, creepage.spin * a],
-        ];
+        let rigid = [[creepage.longitudinal, T::from(0.0)], [creepage.lateral, creepage.spin * a]];
         let step = shear_modulus * a * (2.0 / CELLS as f64);
         let mut growth = [[T::from(0.0); 3]; 2];
         for component in 0..2 {

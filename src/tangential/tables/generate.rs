@@ -143,8 +143,7 @@ impl EllipseNodes {
             return [0.0; 3];
         }
         let t = self.scaled.log_ratio;
-        let (exact, closed) =
-            (sliding::sliding_force(t, v), sliding::closed_form(t, v));
+        let (exact, closed) = (sliding::sliding_force(t, v), sliding::closed_form(t, v));
         let [x, y, m] = [0, 1, 2].map(|n| exact[n] - closed[n]);
         [if k < SLIDING_AZIMUTH_CELLS { 0.0 } else { x }, y, m]
     }

@@ -75,8 +75,7 @@ impl ForceTable for CreepForceTable {
         let (sliding, sliding_slopes) =
             sliding::closed_form_and_slopes(query.log_ratio[0], query.v);
         let limits = Limits { linear: scales.linear(query.v), sliding };
-        let slopes =
-            LimitSlopes { linear: scales.linear_slopes(query.v), sliding: sliding_slopes };
+        let slopes = LimitSlopes { linear: scales.linear_slopes(query.v), sliding: sliding_slopes };
         let (Interpolated { found, left }, slopes, left_slopes) =
             self.splines.between_with_slopes(scales, &query, &limits, &slopes);
         let bound = Bound::of(&found.force, left);
