@@ -242,9 +242,9 @@ mod tests {
             let at = |n: usize, h: f64| {
                 let (mut t, mut v) = (t, v);
                 if n < 3 {
-                    v[n] += h
+                    v[n] += h;
                 } else {
-                    t += h
+                    t += h;
                 }
                 table.force_and_slopes(&Scales::of(t, POISSON_RATIO), v)
             };

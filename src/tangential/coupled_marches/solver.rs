@@ -192,7 +192,7 @@ impl<T: Real> Solver<T> {
                 marched.bound[lane] = state.strip.limit / (state.strip.half_length * 2.0);
             }
             let sums = march::<F, T>(&marched, |cell, tractions, slip| {
-                each(LANES * block, cell, tractions, slip)
+                each(LANES * block, cell, tractions, slip);
             });
             for (lane, state) in states.iter_mut().enumerate() {
                 state.take_sums(&sums, lane);
