@@ -14,7 +14,7 @@ use wheelrail::planar::{Indentation, PlanarCase, PlanarResult, solve};
 use wheelrail::tangential::kalker_coefficients::kalker_coefficients;
 
 /// A case of steel bodies with the normal solution that elements start with.
-fn case<'a>(separation: &'a [[f64; 2]], radius: f64, creepage: [f64; 3]) -> PlanarCase<'a> {
+fn case(separation: &[[f64; 2]], radius: f64, creepage: [f64; 3]) -> PlanarCase<'_> {
     PlanarCase {
         normal_model: NormalModel::Strips,
         tangential_model: TangentialModel::Marches,
