@@ -54,6 +54,14 @@ pub trait Real:
     #[must_use]
     fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self;
 
+    /// Itself and `a` `b`; of plain numbers rounded once if `IS_FUSED`, which is fast where the
+    /// instructions that are compiled for have that.
+    #[must_use]
+    #[inline]
+    fn add_product<const IS_FUSED: bool>(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
     /// Square root; at zero without derivatives.
     #[must_use]
     fn sqrt(self) -> Self;
@@ -143,6 +151,11 @@ impl Real for f64 {
     #[inline]
     fn chain(self, value: f64, _: impl FnOnce() -> f64) -> Self {
         value
+    }
+
+    #[inline]
+    fn add_product<const IS_FUSED: bool>(self, a: Self, b: Self) -> Self {
+        if IS_FUSED { a.mul_add(b, self) } else { self + a * b }
     }
 
     #[inline]

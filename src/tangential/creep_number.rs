@@ -1,6 +1,7 @@
 //! Numbers in which tangential problems are solved: plain ones, and ones with derivatives.
 
 use super::boundary_element::LoadedElements;
+use super::coupled_marches::MarchNumber;
 use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
 use super::rigid_slip::RigidSlip;
@@ -13,7 +14,7 @@ use crate::normal::{Strips, Zone};
 /// Numbers with which tangential problems are solved; the half-space solution on elements is one of
 /// plain numbers alone.
 pub trait CreepNumber:
-    fastsim::Marching + fastrip::Marching + tables::tabulated::Tabulated
+    fastsim::Marching + fastrip::Marching + MarchNumber + tables::tabulated::Tabulated
 {
     /// The elements of a zone for the half-space solution.
     #[must_use]

@@ -84,7 +84,7 @@ impl<T: CreepNumber> ZoneModel<T> for Corrected {
 /// Hands the force of the part that is the whole `zone`, or of those that are its `lobes` where it
 /// has a neck, to `each`, strip by strip in proportion to the load. `force` tells that of a part
 /// from its number (the whole, the left, the right), the part and its weight.
-fn spread_parts<T: CreepNumber>(
+pub(super) fn spread_parts<T: CreepNumber>(
     zone: &RollingZone<'_, impl RigidSlip<T>, T>,
     lobes: Option<&Lobes<T>>,
     force: impl Fn(usize, &LoadedPart<T>, T) -> CreepForce<T>,
@@ -108,7 +108,7 @@ fn spread_parts<T: CreepNumber>(
 
 /// `weight` times the force of one part, about its centroid, of both directions in which `zone`
 /// rolls; `of_ellipse` tells that of the ellipse of the part, whose zone has the given area [m²].
-fn part_force<T: CreepNumber>(
+pub(super) fn part_force<T: CreepNumber>(
     zone: &RollingZone<'_, impl RigidSlip<T>, T>,
     part: &LoadedPart<T>,
     weight: T,

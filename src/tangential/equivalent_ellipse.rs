@@ -11,8 +11,8 @@
 
 pub use super::outline::EquivalentEllipse;
 use super::rigid_slip::RigidSlip;
-use super::tables::tabulated::Tabulated;
-use super::tables::{CreepForceTable, EllipseForce};
+use super::tables::EllipseForce;
+use super::tables::tabulated::{ForceTable, Tabulated};
 use super::{Convergence, CreepForce, Creepage, LoadedZone, Rolling};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
@@ -120,7 +120,7 @@ impl<T: Tabulated> RollingEllipse<'_, T> {
     /// Creep force on the wheel from `table`, moment about the centre; `area` is that of which a
     /// share slips [m²].
     #[must_use]
-    pub fn tabulated_force(&self, table: &CreepForceTable, area: T) -> CreepForce<T> {
+    pub fn tabulated_force(&self, table: &impl ForceTable, area: T) -> CreepForce<T> {
         let &Self { ellipse, material, creepage, rolling, limit } = self;
         let c = ellipse.mean_radius();
         // However little the limit is, creepages stay finite.

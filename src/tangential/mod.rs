@@ -2,6 +2,7 @@
 
 pub(crate) mod boundary_element;
 mod convergence;
+pub mod coupled_marches;
 mod creep_number;
 mod ellipse_force;
 pub(crate) mod equivalent_ellipse;

@@ -22,6 +22,9 @@ pub enum TangentialModel {
     BoundaryElement,
     /// The half-space solution in a few points along a few strips of the true patch.
     Strips,
+    /// Marches through the strips of the true patch, which feel each other through the half-space,
+    /// their force corrected by its error on the ellipse.
+    Marches,
 }
 
 /// How the three flexibilities of the simplified theory enter.

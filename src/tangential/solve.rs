@@ -2,6 +2,7 @@
 
 use super::boundary_element::LoadedElements;
 use super::convergence::Convergence;
+use super::coupled_marches::CoupledMarches;
 use super::creep_number::CreepNumber;
 use super::ellipse_force::{Corrected, Tabulated};
 use super::fastrip::Fastrip;
@@ -52,6 +53,7 @@ enum Model {
     FastsimCorrected(Corrected),
     BoundaryElement(OnElements),
     Strips(OnStrips),
+    Marches(CoupledMarches),
 }
 
 /// How the tractions of a zone were found.
@@ -96,6 +98,7 @@ impl Tangential {
             TangentialModel::BoundaryElement => {
                 Model::BoundaryElement(OnElements { count: elements, otherwise: fastsim })
             }
+            TangentialModel::Marches => Model::Marches(CoupledMarches::new(elements[1])),
             TangentialModel::Strips => Model::Strips(OnStrips {
                 solver: Scratch::new(STRIP_POINTS, elements[1]),
                 // Bounded strip by strip as the solution is, of which lobes may take its place.
@@ -111,6 +114,9 @@ impl Tangential {
     pub fn with_points(mut self, points: usize, strips: usize) -> Self {
         if let Model::Strips(OnStrips { solver, .. }) = &mut self.model {
             *solver = Scratch::new(points, strips);
+        }
+        if let Model::Marches(marches) = &mut self.model {
+            *marches = CoupledMarches::new(strips);
         }
         self
     }
@@ -145,13 +151,14 @@ impl Tangential {
             Model::FastsimCorrected(_) => TangentialModel::FastsimCorrected,
             Model::BoundaryElement(_) => TangentialModel::BoundaryElement,
             Model::Strips(_) => TangentialModel::Strips,
+            Model::Marches(_) => TangentialModel::Marches,
         }
     }
 
     /// Whether the forces of the strips are corrected as a whole.
     #[must_use]
     pub fn is_corrected(&self) -> bool {
-        matches!(self.model, Model::FastsimCorrected(_))
+        matches!(self.model, Model::FastsimCorrected(_) | Model::Marches(_))
     }
 
     /// `zone` of `strips` in `state` under the laws of friction.
@@ -232,14 +239,15 @@ impl Tangential {
             Model::FastsimCorrected(model) => model.strip_forces(&zone, &mut each),
             Model::BoundaryElement(model) => model.strip_forces(&zone, &mut each),
             Model::Strips(model) => model.strip_forces(&zone, &mut each),
+            Model::Marches(model) => model.strip_forces(&zone, &mut each),
         };
         Some(Solved { limit, convergence })
     }
 
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
-    /// the normal model has boundary elements. FASTSIM, strips and boundary elements have tractions
-    /// to show, the tables and corrected FASTSIM those of FASTSIM without correction, other models
-    /// pressure alone.
+    /// the normal model has boundary elements. FASTSIM, marches, strips and boundary elements have
+    /// tractions to show, the tables and corrected FASTSIM those of FASTSIM, corrections none, other
+    /// models pressure alone.
     #[must_use]
     pub fn field(
         &self,
@@ -267,6 +275,7 @@ impl Tangential {
             }
             Model::BoundaryElement(_) => OnElements::draw(&zone, &elements, &mut field),
             Model::Strips(model) => model.draw(&zone, &elements, &mut field),
+            Model::Marches(model) => model.draw(&zone, &elements, &mut field),
             Model::None | Model::Linear(_) | Model::Fastrip(_) => {}
         }
         field

@@ -222,6 +222,7 @@ fn creep_forces_do_not_jump_where_the_strips_of_two_zones_join() {
         (TangentialModel::Tables, tolerance::JOINING_ZONES),
         (TangentialModel::FastsimCorrected, tolerance::JOINING_ZONES_MARCHED),
         (TangentialModel::Strips, tolerance::STRIPS_JOIN),
+        (TangentialModel::Marches, tolerance::JOINING_ZONES_MARCHED),
     ] {
         let at = |approach: f64| {
             let case = Parameters {

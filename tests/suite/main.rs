@@ -50,6 +50,7 @@ mod least_energy;
 mod literature;
 mod long_runs;
 mod manchester;
+mod marches;
 mod memory;
 mod no_alloc;
 mod normal_force_bound;

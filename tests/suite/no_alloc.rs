@@ -75,6 +75,11 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
             TangentialModel::Strips,
             (CreepageModel::Curved, Flexibilities::Blended),
         ),
+        (
+            NormalModel::Strips,
+            TangentialModel::Marches,
+            (CreepageModel::Curved, Flexibilities::Blended),
+        ),
     ];
     for (k, (normal_model, tangential_model, (creepage_model, flexibilities))) in
         variants.into_iter().enumerate()

@@ -201,7 +201,7 @@ class ElementParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips", "marches"]
     """Tangential contact model."""
     tangential_elements_along: int
     """Elements along each strip."""
@@ -619,7 +619,7 @@ class WheelSetParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips", "marches"]
     """Tangential contact model."""
     tangential_elements_along: int
     """Elements along each strip."""

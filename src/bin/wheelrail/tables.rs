@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use wheelrail::tangential::coupled_marches::differences;
 use wheelrail::tangential::tables::CreepForceTable;
 use wheelrail::tangential::tables::generate::{ELEMENTS, EllipseNodes, POISSON_RATIO};
 use wheelrail::tangential::tables::nodes::{
@@ -27,6 +28,10 @@ pub struct Arguments {
     /// File of the table; src/tangential/tables/creep_forces.table is the one a build takes
     #[arg(long, short, value_name = "FILE", required_unless_present = "check")]
     output: Option<PathBuf>,
+    /// Make the table of tangential.model = marches instead, from the one of creep forces that is
+    /// built in; src/tangential/coupled_marches/differences.table is the one a build takes
+    #[arg(long, conflicts_with = "check")]
+    marches: bool,
     /// Date for the head of the file
     #[arg(long, default_value = "not given")]
     date: String,
@@ -58,6 +63,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     );
     let elements = [coarse, fine];
     match (&arguments.output, arguments.check) {
+        (Some(path), _) if arguments.marches => {
+            let exact = CreepForceTable::committed_nodes().context("no table is built in")?;
+            let head = head_of_differences(&arguments.date);
+            output::write(path, &differences::nodes(&exact).to_bytes(&head))
+        }
         (Some(path), _) => {
             let nodes = generate(elements)?;
             output::write(path, &nodes.to_bytes(&head(&nodes, elements, &arguments.date)))
@@ -82,6 +92,16 @@ fn head(nodes: &Nodes, [coarse, fine]: [usize; 2], date: &str) -> String {
         env!("CARGO_PKG_VERSION"),
         at(0.95),
         at(1.0),
+    )
+}
+
+fn head_of_differences(date: &str) -> String {
+    format!(
+        "Creep forces of Hertzian ellipses less those of their marches, for tangential.model = marches.\n\
+         Made by: wheelrail tables --marches -o differences.table, version {}, {date}.\n\
+         Nodes and error estimates are those of creep_forces.table, from which this is made.\n\
+         What stands where: src/tangential/tables/nodes.rs. Binary from the empty line on.",
+        env!("CARGO_PKG_VERSION"),
     )
 }
 

@@ -16,11 +16,17 @@ pub const ELEMENTS: [usize; 2] = [24, 36];
 /// ellipses.
 const ORDER: f64 = 1.5;
 
+/// An ellipse of the table and where its nodes are.
+#[derive(Clone, Copy, Debug)]
+pub struct ScaledEllipse {
+    log_ratio: f64,
+    scales: Scales,
+}
+
 /// An ellipse of the table on both grids.
 #[derive(Clone, Debug)]
 pub struct EllipseNodes {
-    log_ratio: f64,
-    scales: Scales,
+    scaled: ScaledEllipse,
     grids: [Ellipse; 2],
 }
 
@@ -36,14 +42,44 @@ pub struct Extrapolated {
     pub error: f64,
 }
 
+impl ScaledEllipse {
+    /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio`.
+    #[must_use]
+    pub fn new(log_ratio: f64, poisson_ratio: f64) -> Self {
+        Self { log_ratio, scales: Scales::of(log_ratio, poisson_ratio) }
+    }
+
+    /// Creepages v of a direction of scaled creepage and a saturation.
+    #[must_use]
+    pub fn creepage(&self, direction: [f64; 3], saturation: f64) -> [f64; 3] {
+        let length = HALF * saturation / (1.0 - saturation);
+        let Scales { kalker: [c11, c22, ..], spin, .. } = self.scales;
+        let [x, y, z] = direction.map(|d| length * d);
+        [x / c11, y / c22, z / spin]
+    }
+
+    /// Linear law and full sliding of creepages `v`.
+    fn limits(&self, v: [f64; 3]) -> [[f64; 3]; 2] {
+        [self.scales.linear(v), sliding::sliding_force(self.log_ratio, v)]
+    }
+
+    /// The force that has the `correction` at creepages `v` of a saturation.
+    #[must_use]
+    pub fn force(&self, v: [f64; 3], saturation: f64, correction: [f64; 4]) -> [f64; 3] {
+        let [linear, full] = self.limits(v);
+        let left = 1.0 - saturation;
+        let squared = saturation * saturation;
+        [0, 1, 2].map(|n| left * left * linear[n] + squared * (full[n] + left * correction[n]))
+    }
+}
+
 impl EllipseNodes {
     /// The ellipse of ln(a/b) = `log_ratio` for bodies of Poisson's ratio `poisson_ratio` on square
     /// grids of `elements`.
     #[must_use]
     pub fn new(log_ratio: f64, poisson_ratio: f64, elements: [usize; 2]) -> Self {
         Self {
-            log_ratio,
-            scales: Scales::of(log_ratio, poisson_ratio),
+            scaled: ScaledEllipse::new(log_ratio, poisson_ratio),
             grids: elements.map(|n| Ellipse::new(log_ratio.exp(), poisson_ratio, n)),
         }
     }
@@ -70,13 +106,10 @@ impl EllipseNodes {
         })
     }
 
-    /// Creepages v of a direction of scaled creepage and a saturation.
+    /// As [`ScaledEllipse::creepage`].
     #[must_use]
     pub fn creepage(&self, direction: [f64; 3], saturation: f64) -> [f64; 3] {
-        let length = HALF * saturation / (1.0 - saturation);
-        let Scales { kalker: [c11, c22, ..], spin, .. } = self.scales;
-        let [x, y, z] = direction.map(|d| length * d);
-        [x / c11, y / c22, z / spin]
+        self.scaled.creepage(direction, saturation)
     }
 
     /// Correction and share of slip, and the error estimate, at node `k` of saturation `j` from 1
@@ -87,7 +120,7 @@ impl EllipseNodes {
         let direction = ring_direction(k, ELEVATION_CELLS, AZIMUTH_CELLS);
         let v = self.creepage(direction, saturation);
         let Extrapolated { force, slip_share, error } = self.force(v)?;
-        let (linear, full) = (self.scales.linear(v), sliding::sliding_force(self.log_ratio, v));
+        let [linear, full] = self.scaled.limits(v);
         let (squared, left) = (saturation * saturation, 1.0 - saturation);
         let mut correction = [0, 1, 2]
             .map(|n| (force[n] - left * left * linear[n] - squared * full[n]) / (squared * left));
@@ -109,8 +142,8 @@ impl EllipseNodes {
         if k == SLIDING_RING - 1 || k.is_multiple_of(SLIDING_AZIMUTH_CELLS) {
             return [0.0; 3];
         }
-        let (exact, closed) =
-            (sliding::sliding_force(self.log_ratio, v), sliding::closed_form(self.log_ratio, v));
+        let t = self.scaled.log_ratio;
+        let (exact, closed) = (sliding::sliding_force(t, v), sliding::closed_form(t, v));
         let [x, y, m] = [0, 1, 2].map(|n| exact[n] - closed[n]);
         [if k < SLIDING_AZIMUTH_CELLS { 0.0 } else { x }, y, m]
     }

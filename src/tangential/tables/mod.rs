@@ -23,6 +23,7 @@ pub(crate) mod direction;
 mod ellipse_force;
 pub(crate) mod exact;
 pub mod generate;
+pub(crate) mod interpolated;
 pub mod nodes;
 pub mod scales;
 pub mod sliding;

@@ -37,7 +37,8 @@ impl Scales {
     }
 
     /// Linear force and moment for creepages v.
-    pub(super) fn linear(&self, [v1, v2, v3]: [f64; 3]) -> [f64; 3] {
+    #[must_use]
+    pub fn linear(&self, [v1, v2, v3]: [f64; 3]) -> [f64; 3] {
         let [c11, c22, c23, c33] = self.kalker;
         [-c11 * v1, -c22 * v2 - c23 * v3, c23 * v2 - c33 * v3]
     }

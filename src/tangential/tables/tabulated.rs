@@ -1,16 +1,24 @@
 //! Look-ups in plain numbers and in numbers with derivatives.
 
-use super::ellipse_force::EllipseForce;
+use super::ellipse_force::{EllipseForce, ForceSlopes};
 use super::scales::Scales;
-use super::table::CreepForceTable;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+
+/// Forces of ellipses by their creepages.
+pub trait ForceTable {
+    /// Force of an ellipse with these `scales` for finite creepages `v`.
+    fn force(&self, scales: &Scales, v: [f64; 3]) -> EllipseForce;
+
+    /// The same with its derivatives.
+    fn force_and_slopes(&self, scales: &Scales, v: [f64; 3]) -> (EllipseForce, ForceSlopes);
+}
 
 /// Numbers for which forces are looked up.
 pub trait Tabulated: Real {
     /// Creep force of an ellipse of ln(a/b) = `log_ratio` for finite creepages `v`.
     fn tabulated(
-        table: &CreepForceTable,
+        table: &impl ForceTable,
         log_ratio: Self,
         poisson_ratio: f64,
         v: [Self; 3],
@@ -20,7 +28,7 @@ pub trait Tabulated: Real {
 impl Tabulated for f64 {
     #[inline]
     fn tabulated(
-        table: &CreepForceTable,
+        table: &impl ForceTable,
         log_ratio: f64,
         poisson_ratio: f64,
         v: [f64; 3],
@@ -31,7 +39,7 @@ impl Tabulated for f64 {
 
 impl<const N: usize> Tabulated for Dual<N> {
     fn tabulated(
-        table: &CreepForceTable,
+        table: &impl ForceTable,
         log_ratio: Self,
         poisson_ratio: f64,
         v: [Self; 3],

@@ -57,6 +57,7 @@ fn of_tabulated_forces() {
         ("tables", TangentialModel::Tables),
         ("fastsim_corrected", TangentialModel::FastsimCorrected),
         ("traction_strips", TangentialModel::Strips),
+        ("marches", TangentialModel::Marches),
     ] {
         judge(name, &Parameters { tangential_model, ..default() }, &[]);
     }

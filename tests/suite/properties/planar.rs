@@ -86,9 +86,11 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
             let limit = friction * load_factor * zone.load;
             let excess = total[0].hypot(total[1]) - limit * (1.0 + 1e-9);
             prop_assert!(excess <= 0.0, "{model:?} {bound:?}: {total:?} beyond {limit}");
-            // The correction of FASTSIM holds for the zone as a whole; a parabola has another
-            // bound, of the same sum.
-            if *model == TangentialModel::FastsimCorrected || *bound == TractionBound::Parabolic {
+            // Corrections hold for the zone as a whole; a parabola has another bound, of the same
+            // sum.
+            let is_corrected =
+                matches!(model, TangentialModel::FastsimCorrected | TangentialModel::Marches);
+            if is_corrected || *bound == TractionBound::Parabolic {
                 continue;
             }
             for (j, force) in forces.iter().enumerate() {

@@ -79,6 +79,29 @@ super::entry::tolerances! {
     /// The same, spin moment: to be no worse than tables.
     STRIPS_PROFILES_MOMENT: f64 = 0.008;
 
+    /// Marches against boundary elements on 656 states of 8 real patches, force over the friction
+    /// limit, mean, 95 %, worst: the target of all sets.
+    MARCHES_DENSE: [f64; 3] = [0.0045, 0.012, 0.04];
+
+    /// The same on 192 states of other patches: the target of all sets.
+    MARCHES_HELD_OUT: [f64; 3] = [0.0045, 0.012, 0.04];
+
+    /// Marches on these states, mean of the spin moment over the limit times c: the target.
+    MARCHES_MOMENT: f64 = 0.005;
+
+    /// Marches against CONTACT on 300 ellipses, force over the friction limit, mean, 95 %, worst:
+    /// the target of all sets.
+    MARCHES_ELLIPSES: [f64; 3] = [0.0045, 0.012, 0.04];
+
+    /// Marches against Kalker's linear theory for a/b from 0.1 to 10, c11, c22, c23 and c33 at 95 %:
+    /// twenty strips of the normal problem are not the even ones of the table of differences; c33 is
+    /// a small difference of greater parts.
+    MARCHES_KALKER: [f64; 4] = [0.032, 0.032, 0.032, 0.12], target 0.01;
+
+    /// Third differences of the creep force along a depth at which lobes grow together, in 6000
+    /// steps, over the friction limit: the target of jumps.
+    MARCHES_STEPS: f64 = 1e-3;
+
     /// Strips against Kalker's linear theory for a/b from 0.2 to 2, c11, c22, c23 from the force,
     /// c33, c23 from the moment: the tractions between ten strips are linear, those of spin beyond
     /// the outer ones constant, and those of full adhesion have a singularity at the trailing edge,

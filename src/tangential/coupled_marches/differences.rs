@@ -1,0 +1,263 @@
+//! What the marches lack of the force of Hertzian ellipses: a table of exact forces less theirs.
+//!
+//! As [`tables`](crate::tangential::tables) has it, with the limits of small and of great creepages
+//! of the difference instead:
+//!
+//! ```text
+//! Δ = (1 - s)² Δ_linear(v, t) + s² (Δ_sliding(v, t) + (1 - s) K(s, X/ρ, t))
+//! ```
+//!
+//! Δ_linear is Kalker's linear law less that of the marches, for Poisson's ratio 0.28, Δ_sliding comes
+//! from the table alone. The exact forces at the nodes are those of the table of creep forces, which
+//! boundary elements have made; the marches there are made by `wheelrail tables --marches`.
+
+use super::ellipse::MarchedEllipse;
+use crate::math::b_spline;
+use crate::math::until_unload::UntilUnload;
+use crate::tangential::tables::generate::{POISSON_RATIO, ScaledEllipse};
+use crate::tangential::tables::interpolated::{
+    Interpolated, LimitSlopes, Limits, PER_RATIO, Query, ratio_place,
+};
+use crate::tangential::tables::nodes::{
+    AZIMUTH_CELLS, ELEVATION_CELLS, Nodes, RATIOS, RING, SATURATION_CELLS, SATURATIONS,
+    SLIDING_AZIMUTH_CELLS, SLIDING_ELEVATION_CELLS, SLIDING_RING, log_ratio, ring_direction,
+};
+use crate::tangential::tables::scales::Scales;
+use crate::tangential::tables::sliding;
+use crate::tangential::tables::splines::Splines;
+use crate::tangential::tables::tabulated::ForceTable;
+use crate::tangential::tables::{EllipseForce, ForceSlopes};
+
+/// The committed table.
+const FILE: &[u8] = include_bytes!("differences.table");
+
+/// Creepages so small that nothing slips, and so great that everything slides.
+const SMALL: f64 = 1e-9;
+const GREAT: f64 = 1e6;
+
+/// Coefficients of a linear law: longitudinal force by longitudinal creepage, lateral force and
+/// moment by lateral creepage and spin.
+type Linear = [f64; 5];
+
+fn linear_force([x, y, y_spin, m, m_spin]: Linear, v: [f64; 3]) -> [f64; 3] {
+    [x * v[0], y * v[1] + y_spin * v[2], m * v[1] + m_spin * v[2]]
+}
+
+/// What the linear law of ellipse number `i` of the table has over that of its marches.
+fn linear_difference(i: usize) -> Linear {
+    let mut marched = MarchedEllipse::new(log_ratio(i), POISSON_RATIO);
+    let [x, y, spin] = [0, 1, 2].map(|k| {
+        let mut v = [0.0; 3];
+        v[k] = SMALL;
+        let exact = Scales::of(log_ratio(i), POISSON_RATIO).linear(v);
+        let own = marched.force(v);
+        [0, 1, 2].map(|k| (exact[k] - own[k]) / SMALL)
+    });
+    [x[0], y[1], spin[1], y[2], spin[2]]
+}
+
+/// The numbers of the table, from those of the exact one.
+#[must_use]
+pub fn nodes(exact: &Nodes) -> Nodes {
+    let mut found = Nodes { creep: Vec::new(), error: exact.error.clone(), sliding: Vec::new() };
+    for i in 0..RATIOS {
+        let t = log_ratio(i);
+        let mut marched = MarchedEllipse::new(t, POISSON_RATIO);
+        let ellipse = ScaledEllipse::new(t, POISSON_RATIO);
+        let linear = linear_difference(i);
+        let slides = |marched: &mut MarchedEllipse, v: [f64; 3]| {
+            let size = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            let (exact, own) =
+                (sliding::sliding_force(t, v), marched.force(v.map(|v| v / size * GREAT)));
+            [0, 1, 2].map(|k| exact[k] - own[k])
+        };
+        for k in 0..SLIDING_RING {
+            let v = ring_direction(k, SLIDING_ELEVATION_CELLS, SLIDING_AZIMUTH_CELLS);
+            let [x, y, m] = slides(&mut marched, v);
+            // What the symmetries say.
+            let [x, y, m] = match k {
+                k if k < SLIDING_AZIMUTH_CELLS => [0.0, y, m],
+                k if k == SLIDING_RING - 1 => [x, 0.0, 0.0],
+                _ => [x, y, m],
+            };
+            found.sliding.push([x, y, m]);
+        }
+        for j in 1..=SATURATIONS {
+            for k in 0..RING {
+                let direction = ring_direction(k, ELEVATION_CELLS, AZIMUTH_CELLS);
+                let saturation = j as f64 / SATURATION_CELLS as f64;
+                let v = ellipse.creepage(direction, saturation);
+                let correction = exact.creep[(i * SATURATIONS + j - 1) * RING + k];
+                let slides = slides(&mut marched, v);
+                let exact = ellipse.force(v, saturation, correction);
+                let own = marched.force(v);
+                let linear = linear_force(linear, v);
+                let (squared, left) = (saturation * saturation, 1.0 - saturation);
+                let mut rest = [0, 1, 2].map(|n| {
+                    let limits = left * left * linear[n] + squared * slides[n];
+                    (exact[n] - own[n] - limits) / (squared * left)
+                });
+                if k < AZIMUTH_CELLS {
+                    rest[0] = 0.0;
+                }
+                if k == RING - 1 {
+                    (rest[1], rest[2]) = (0.0, 0.0);
+                }
+                found.creep.push([rest[0], rest[1], rest[2], 0.0]);
+            }
+        }
+    }
+    found
+}
+
+/// The table in memory.
+#[derive(Clone, Debug)]
+pub struct Differences {
+    splines: Splines,
+    /// Coefficients of splines over ln(a/b).
+    linear: Vec<Linear>,
+}
+
+impl Differences {
+    /// The committed table, laid out on first use in the process; takes some milliseconds then.
+    ///
+    /// # Panics
+    /// If the file in the library has another size than the code, which a test excludes.
+    #[must_use]
+    pub fn shared() -> &'static Self {
+        static TABLE: UntilUnload<Differences> = UntilUnload::new();
+        TABLE.get_or_init(|| {
+            let nodes = Nodes::from_bytes(FILE).expect("the table in the library is whole");
+            Self::new(&nodes)
+        })
+    }
+
+    /// The numbers of the committed table.
+    #[must_use]
+    pub fn committed_nodes() -> Option<Nodes> {
+        Nodes::from_bytes(FILE)
+    }
+
+    /// A table of these numbers.
+    #[must_use]
+    pub fn new(nodes: &Nodes) -> Self {
+        let laws: Vec<Linear> = (0..RATIOS).map(linear_difference).collect();
+        let mut linear = vec![[0.0; 5]; RATIOS + 2];
+        for n in 0..5 {
+            let column: Vec<f64> = laws.iter().map(|law| law[n]).collect();
+            for (k, c) in b_spline::coefficients(&column).into_iter().enumerate() {
+                linear[k][n] = c;
+            }
+        }
+        Self { splines: Splines::new(nodes), linear }
+    }
+
+    /// Linear law at ln(a/b), and its derivative by it.
+    fn linear(&self, log_ratio: f64) -> [Linear; 2] {
+        let place = ratio_place(log_ratio);
+        let sum = |weights: [f64; 4]| -> Linear {
+            std::array::from_fn(|n| {
+                (0..4).map(|k| weights[k] * self.linear[place.first + k][n]).sum()
+            })
+        };
+        [sum(place.weights), sum(place.slopes.map(|slope| slope * PER_RATIO))]
+    }
+}
+
+impl ForceTable for Differences {
+    fn force(&self, scales: &Scales, v: [f64; 3]) -> EllipseForce {
+        let Some(query) = Query::of(scales, v) else { return EllipseForce::default() };
+        let [law, _] = self.linear(query.log_ratio[0]);
+        let limits = Limits { linear: linear_force(law, query.v), sliding: [0.0; 3] };
+        let Interpolated { found, .. } = self.splines.between(&query, &limits);
+        EllipseForce { slip_share: 0.0, ..found }
+    }
+
+    fn force_and_slopes(&self, scales: &Scales, v: [f64; 3]) -> (EllipseForce, ForceSlopes) {
+        let slopes_of = |[law, by_ratio]: [Linear; 2], v: [f64; 3], ratio_slope: f64| {
+            let [x, y, y_spin, m, m_spin] = law;
+            let by_t = linear_force(by_ratio, v).map(|slope| slope * ratio_slope);
+            [[x, 0.0, 0.0, by_t[0]], [0.0, y, y_spin, by_t[1]], [0.0, m, m_spin, by_t[2]]]
+        };
+        let Some(query) = Query::of(scales, v) else {
+            let [inside, _] = Query::at_rest(scales.log_ratio);
+            let [x, y, m] = slopes_of(self.linear(inside), [0.0; 3], 0.0);
+            return (EllipseForce::default(), [x, y, m, [0.0; 4]]);
+        };
+        let [inside, ratio_slope] = query.log_ratio;
+        let laws = self.linear(inside);
+        let limits = Limits { linear: linear_force(laws[0], query.v), sliding: [0.0; 3] };
+        let limit_slopes =
+            LimitSlopes { linear: slopes_of(laws, query.v, ratio_slope), sliding: [[0.0; 4]; 3] };
+        let (Interpolated { found, .. }, mut slopes, _) =
+            self.splines.between_with_slopes(scales, &query, &limits, &limit_slopes);
+        slopes[3] = [0.0; 4];
+        (EllipseForce { slip_share: 0.0, ..found }, slopes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tangential::tables::CreepForceTable;
+    use approx::assert_abs_diff_eq;
+
+    #[test]
+    fn nodes_of_the_committed_table_are_what_the_marches_make() {
+        let exact = CreepForceTable::committed_nodes().unwrap();
+        let (made, committed) = (nodes(&exact), Differences::committed_nodes().unwrap());
+        // Kept as 16-bit integers of up to four.
+        for (made, committed) in made.creep.iter().zip(&committed.creep) {
+            assert_abs_diff_eq!(made[..], committed[..], epsilon = 2e-4);
+        }
+        for (made, committed) in made.sliding.iter().zip(&committed.sliding) {
+            assert_abs_diff_eq!(made[..], committed[..], epsilon = 2e-4);
+        }
+    }
+
+    #[test]
+    fn marches_and_differences_make_up_the_exact_force_between_the_nodes() {
+        let (exact, differences) = (CreepForceTable::shared(), Differences::shared());
+        let mut sum = 0.0;
+        let mut count = 0.0;
+        for t in [-2.1, -0.7, 0.1, 1.3, 2.3] {
+            let scales = Scales::of(t, POISSON_RATIO);
+            let mut marched = MarchedEllipse::new(t, POISSON_RATIO);
+            for v in [[0.05, 0.02, 0.1], [0.3, -0.1, 0.2], [-0.2, 0.3, -0.4], [0.0, 0.1, 0.05]] {
+                let (whole, own) = (exact.force(&scales, v).force, marched.force(v));
+                let missing = differences.force(&scales, v).force;
+                let [x, y] = [0, 1].map(|k| own[k] + missing[k] - whole[k]);
+                sum += x.hypot(y);
+                count += 1.0;
+            }
+        }
+        // Both tables interpolate.
+        assert!(sum / count < 4e-3, "{}", sum / count);
+    }
+
+    #[test]
+    fn slopes_are_those_of_differences() {
+        let table = Differences::shared();
+        for (t, v) in [(0.4, [0.3, -0.1, 0.2]), (-1.7, [0.02, 0.3, -0.5]), (2.0, [0.0, 0.1, 0.4])] {
+            let at = |n: usize, h: f64| {
+                let (mut t, mut v) = (t, v);
+                if n < 3 {
+                    v[n] += h;
+                } else {
+                    t += h;
+                }
+                table.force_and_slopes(&Scales::of(t, POISSON_RATIO), v)
+            };
+            let (found, slopes) = at(0, 0.0);
+            let plain = table.force(&Scales::of(t, POISSON_RATIO), v);
+            assert_abs_diff_eq!(found.force[..], plain.force[..], epsilon = 1e-14);
+            for n in 0..4 {
+                let (plus, minus) = (at(n, 1e-6).0, at(n, -1e-6).0);
+                for (k, slopes) in slopes.iter().enumerate().take(3) {
+                    let slope = (plus.force[k] - minus.force[k]) / 2e-6;
+                    assert_abs_diff_eq!(slopes[n], slope, epsilon = 1e-6);
+                }
+            }
+        }
+    }
+}

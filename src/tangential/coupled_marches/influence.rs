@@ -1,0 +1,210 @@
+//! All functions of one variable that couple strips and give them their flexibilities.
+//!
+//! Two strips with different half lengths are taken as two with the root mean square A of them: the
+//! moments of the tractions and the gradient as a polynomial along the track stay what they are.
+//! What one does to the other is a function of their distance over A then, times powers of A.
+
+use super::adhesion::{flexibilities, weights};
+use super::band::{Projected, band, narrow, projected};
+use super::functions::{Four, Functions};
+use crate::math::real::Real;
+use crate::math::until_unload::UntilUnload;
+
+/// Distances of strips over their half length: those of the nodes of the most slender ellipses, and
+/// as far as anything is felt.
+const DISTANCES: [f64; 2] = [4e-3, 1e3];
+/// Widths of bands over the half length: beyond them strips are infinitely long.
+const WIDTHS: [f64; 2] = [4e-3, 60.0];
+
+/// The functions.
+#[derive(Debug)]
+pub(super) struct Influence {
+    /// Of the distance of two strips: P, R, and S in two parts, arranged as in [`Pair`].
+    narrow: Functions<4>,
+    /// The same of a band that begins at the receiving strip, of the distance of its end.
+    band: Functions<4>,
+    /// Of the width of a band: flexibilities at four ratios, and P and R.
+    own: Functions<5>,
+}
+
+/// What two strips add to each other's gradients by the moments of their tractions, over the factor
+/// -2/(π² G): along the track by tractions along, across by tractions across, and the one by the
+/// other.
+///
+/// Coefficients of the gradient by moments stand in this order, which takes them in by products
+/// lane by lane; lanes 1 and 3 add up:
+///
+/// ```text
+/// along, across:  (0 by 1, 1 by 0, 2 by 1, 1 by 2)
+/// crossed:        (0 by 0, 1 by 1, 2 by 0, -),  (0 by 2, -, 2 by 2, -)
+/// ```
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pair<T = f64> {
+    pub along: Four<T>,
+    pub across: Four<T>,
+    pub crossed: [Four<T>; 2],
+}
+
+/// Numbers of a material that enter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ratio {
+    poisson: f64,
+    /// Weights of the functions at four ratios for flexibilities along and across.
+    weights: [Four<f64>; 2],
+}
+
+impl Ratio {
+    pub fn of(poisson: f64) -> Self {
+        Self { poisson, weights: [poisson / (1.0 - poisson), -poisson].map(weights) }
+    }
+}
+
+/// What a strip does to itself beyond what it does in its march, and its flexibilities.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Own<T> {
+    /// L G, k₁ and k₂ along and across [m, -, -].
+    pub flexibility: [[T; 3]; 2],
+    /// As in [`Pair`].
+    pub along: Four<T>,
+    pub across: Four<T>,
+}
+
+fn odd(of: &[[f64; 3]; 3]) -> Four<f64> {
+    [of[0][1], of[1][0], of[2][1], of[1][2]]
+}
+
+impl Influence {
+    /// The functions, made on first use in the process; takes some milliseconds then.
+    pub fn shared() -> &'static Self {
+        static SHARED: UntilUnload<Influence> = UntilUnload::new();
+        SHARED.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
+        let arranged = |kernel| {
+            move |s| {
+                let [p, r, c]: Projected = projected(kernel, s);
+                let crossed = [[c[0][0], c[1][1], c[2][0], 0.0], [c[0][2], 0.0, c[2][2], 0.0]];
+                [odd(&p), odd(&r), crossed[0], crossed[1]]
+            }
+        };
+        let pairs = Functions::through(DISTANCES, arranged(narrow));
+        let bands = Functions::through(DISTANCES, arranged(band));
+        let own = Functions::through(WIDTHS, |s| {
+            let [p, r, _] = projected(band, s);
+            let [flexibility, first, second] = flexibilities(s);
+            [flexibility, first, second, odd(&p), odd(&r)]
+        });
+        Self { narrow: pairs, band: bands, own }
+    }
+
+    /// What a narrow strip does to another one at the `distance` > 0 in the direction of greater y,
+    /// over its width, where their half lengths have the mean square `square`; in the other
+    /// direction what is crossed has the other sign.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn narrow<const F: bool, T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
+        let inverse = T::from(1.0) / square;
+        let root = inverse.sqrt();
+        // A to the power of -2 - m - k, of which one is left for the width.
+        scaled::<F, T>(&self.narrow.at::<F, T>(distance * root), inverse, root, ratio)
+    }
+
+    /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn wide<const F: bool, T: Real>(
+        &self,
+        distance: T,
+        width: T,
+        square: T,
+        ratio: &Ratio,
+    ) -> Pair<T> {
+        let inverse = T::from(1.0) / square;
+        let root = inverse.sqrt();
+        let near = ((distance - width * 0.5) * root).at_least(0.0);
+        let far = self.band.at::<F, T>((distance + width * 0.5) * root);
+        // Below the least distance a band does in proportion to it.
+        let share = (near / DISTANCES[0]).at_most(1.0);
+        let near = self.band.at::<F, T>(near);
+        let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane] * share);
+        scaled::<F, T>(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
+    }
+
+    /// What a strip of the half length `a` and the width `width` has of its own, where the band of
+    /// its march ends at the distances `reach` > 0 to either side.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    pub fn own<const F: bool, T: Real>(
+        &self,
+        a: T,
+        width: T,
+        reach: [T; 2],
+        ratio: &Ratio,
+    ) -> Own<T> {
+        let inverse = T::from(1.0) / a;
+        let left = self.own.at::<F, T>(reach[0] * inverse);
+        let right = self.own.at::<F, T>(reach[1] * inverse);
+        let strip = width * 0.5 * inverse;
+        let narrow = self.own.at::<F, T>(strip);
+        // Below the least width a band does in proportion to it.
+        let share = (strip / WIDTHS[0]).at_most(1.0) * 2.0;
+        let mut found = Own::default();
+        let scale = [a * (1.0 - ratio.poisson), a];
+        for (component, weights) in ratio.weights.iter().enumerate() {
+            for n in 0..3 {
+                let mut sum = T::from(0.0);
+                for lane in 0..4 {
+                    sum += (left[n][lane] + right[n][lane]) * (weights[lane] * 0.5);
+                }
+                found.flexibility[component][n] = if n == 0 { sum * scale[component] } else { sum };
+            }
+        }
+        let nu = ratio.poisson;
+        let second = inverse * inverse;
+        let fourth = second * second;
+        let powers = [second, second, fourth, fourth].map(|power| power / width);
+        for lane in 0..4 {
+            let beyond = |n: usize| narrow[n][lane] * share - left[n][lane] - right[n][lane];
+            let (p, r) = (beyond(3), beyond(4));
+            found.along[lane] = (p + (r - p) * nu) * powers[lane];
+            found.across[lane] = (p - r * nu) * powers[lane];
+        }
+        found
+    }
+}
+
+/// Functions of the distance over A, times `factor` and as many powers of 1/A, which is `root`, as
+/// moments and coefficients have.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn scaled<const F: bool, T: Real>(
+    [p, r, first, second]: &[Four<T>; 4],
+    factor: T,
+    root: T,
+    ratio: &Ratio,
+) -> Pair<T> {
+    let nu = T::from(ratio.poisson);
+    let square = root * root;
+    let once = factor * root;
+    let thrice = once * square;
+    let odd = [once, once, thrice, thrice];
+    let zeroth = factor * nu;
+    let twice = zeroth * square;
+    let four_times = twice * square;
+    let even = [[zeroth, twice, twice, twice], [twice, twice, four_times, four_times]];
+    let mut found = Pair::default();
+    for lane in 0..4 {
+        found.along[lane] = p[lane].add_product::<F>(r[lane] - p[lane], nu) * odd[lane];
+    }
+    for lane in 0..4 {
+        found.across[lane] = p[lane].add_product::<F>(r[lane], -nu) * odd[lane];
+    }
+    for lane in 0..4 {
+        found.crossed[0][lane] = first[lane] * even[0][lane];
+    }
+    for lane in 0..4 {
+        found.crossed[1][lane] = second[lane] * even[1][lane];
+    }
+    found
+}
