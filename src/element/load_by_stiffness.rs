@@ -100,9 +100,7 @@ impl Element {
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
-        if self.models.strip_solver.is_none() {
-            return None;
-        }
+        self.models.strip_solver.as_ref()?;
         let found = expected.and_then(|about| self.load_about(about, Pose::Near, input, output));
         found.or_else(|| {
             let about = Carried { z: self.guess(clear, input)?, normal: input.wheel_load };

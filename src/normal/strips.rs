@@ -28,8 +28,8 @@ pub struct Zone<T = f64> {
     pub area: T,
     /// Centroid of the load along the track, from the wheel marker [m].
     pub x: T,
-    /// How far that is off the places where the bodies are nearest, as an ellipse does not lie along
-    /// these; nothing but for rounding at the least energy, where nothing pushes along the track [m].
+    /// How far that is ahead of the mean place of greatest overlap of its strips: the middle line of
+    /// a turned ellipse is another one than the line of greatest overlap [m].
     pub off: T,
     /// Centroid of the load across, in the contact frame from the contact point [m].
     pub y: T,

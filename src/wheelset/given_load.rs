@@ -125,13 +125,13 @@ impl Wheelset {
                 }
                 return Ok(Some(at));
             }
-            if !(2.0 * missing.abs() < last) {
+            if missing.is_nan() || 2.0 * missing.abs() >= last {
                 return Ok(None);
             }
             last = missing.abs();
             let step = missing / (between - slopes[RIGHT] + slopes[LEFT]);
             at.wheelset.roll += step;
-            if !(at.wheelset.roll.abs() < MAX_ROLL) {
+            if at.wheelset.roll.is_nan() || at.wheelset.roll.abs() >= MAX_ROLL {
                 return Ok(None);
             }
             for k in [RIGHT, LEFT] {

@@ -247,7 +247,7 @@ mod tests {
             .map(|u| Probe { u, f: -line.place(u).overlap })
             .collect();
         let mut strips = Strips::with_capacity(8, 60);
-        solver.solve(&mut line, &probes, 0.0, 1.0, &mut strips);
+        solver.solve(&mut line, &probes, 0.0, 1.0, None, &mut strips);
         strips
     }
 

@@ -223,7 +223,8 @@ mod tests {
                     })
                     .collect();
                 let mut strips = Strips::with_capacity(4, 80);
-                let left = StripSolver::new(20).solve(&mut line, &probes, 0.0, 1.0, &mut strips);
+                let left =
+                    StripSolver::new(20).solve(&mut line, &probes, 0.0, 1.0, None, &mut strips);
                 let load = exact.load;
                 assert_eq!((left, strips.zones.len()), (0, 1));
                 let error = strips.load() / load - 1.0;

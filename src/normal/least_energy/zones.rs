@@ -168,9 +168,9 @@ impl<T: Real> Zones<T> {
     /// the track [m].
     fn mean_off(&self, nodes: &[Node<T>], begin: usize, end: usize) -> T {
         let (mut sum, mut all) = (T::from(0.0), T::from(0.0));
-        for i in begin..end {
-            let load = self.load[i] * nodes[i].width;
-            sum += load * nodes[i].off;
+        for (node, &load) in nodes[begin..end].iter().zip(&self.load[begin..end]) {
+            let load = load * node.width;
+            sum += load * node.off;
             all += load;
         }
         sum / all
