@@ -42,6 +42,7 @@ impl Placed {
     fn rate(&self, other: Option<&Self>) -> f64 {
         let ratio = self.carried / self.normal;
         let secant = |other: &Self| (self.carried - other.carried) / (self.normal - other.normal);
+        // Friction does not bear half of a load: beyond that the difference is one of rounding.
         let rate = other.map(secant).filter(|rate| (rate / ratio - 1.0).abs() < 0.5);
         rate.unwrap_or(ratio)
     }
@@ -108,8 +109,9 @@ impl Element {
         })
     }
 
-    /// About how one rail carries the load of `input`, by one pose: at the height that is `expected`, near the pose of the last evaluation, or at a guess; with the output there, whose
-    /// forces are about those of the load. Nothing where rails give way or strips do not tell.
+    /// About how one rail carries the load of `input`, by one pose: at the height that is `expected`,
+    /// near the pose of the last evaluation, or at a guess. Of `output` the first patch is then the
+    /// heaviest one there. Nothing where rails give way or strips do not tell.
     pub(crate) fn nearly_carried(
         &mut self,
         input: &Input,
@@ -131,7 +133,7 @@ impl Element {
             (Carried { z, normal: input.wheel_load }, Pose::New)
         };
         input.wheel.position[2] = about.z;
-        let descent = Descent::to(about.normal, [0.0, 1.0]).from(pose, 0.0);
+        let descent = Descent::to(about.normal).from(pose, 0.0);
         let here = self.press(descent, &input, output)?;
         let normal = here.normal + (input.wheel_load - here.carried) / here.rate(None);
         self.models.patches.sort_unstable_by(|a, b| b.normal_force.total_cmp(&a.normal_force));
@@ -155,7 +157,7 @@ impl Element {
         let (mut before, mut last) = (None::<Placed>, None::<Placed>);
         for _ in 0..MOST_TRIALS {
             input.wheel.position[2] = z;
-            let descent = Descent::to(normal, [0.0, 1.0]).from(pose, way);
+            let descent = Descent::to(normal).from(pose, way);
             let here = self.press(descent, input, output)?;
             let missing = load - here.carried;
             let is_placed = here.error(load, before.as_ref()) <= MISPLACED;

@@ -6,7 +6,7 @@
 /// A vertical force that is sought, and the way down at which it is there.
 #[derive(Clone, Copy, Debug)]
 pub struct Descent {
-    /// Unit vector (y, z) down in the frame of the rail's section.
+    /// Unit vector (y, z) down in the frame of the rail's section, which the rail fills in.
     pub down: [f64; 2],
     /// Vertical force of the normal loads that is sought, > 0 [N].
     pub wanted: f64,
@@ -20,9 +20,6 @@ pub struct Descent {
     pub stiffness: f64,
     /// Rails whose loads were asked for the force: there is an answer where it was one.
     pub rails: usize,
-    /// What was missing at first, and the way before the last step with what was missing there.
-    first: Option<f64>,
-    before: Option<[f64; 2]>,
 }
 
 /// Share of a missing force that may be left: the geometry of the pose tells no more.
@@ -33,19 +30,17 @@ const ROUNDING: f64 = 1e-13;
 const MOST_STEPS: usize = 8;
 
 impl Descent {
-    /// A descent to the vertical force `wanted`, > 0 [N], in the direction `down`, at a new pose.
+    /// A descent to the vertical force `wanted`, > 0 [N], at a new pose.
     #[must_use]
-    pub fn to(wanted: f64, down: [f64; 2]) -> Self {
+    pub fn to(wanted: f64) -> Self {
         Self {
-            down,
+            down: [0.0, 1.0],
             wanted,
             pose: Pose::New,
             way: 0.0,
             reached: 0.0,
             stiffness: 0.0,
             rails: 0,
-            first: None,
-            before: None,
         }
     }
 
@@ -66,12 +61,14 @@ impl Descent {
     /// depth that the force is from [m].
     pub fn run(&mut self, mut carried: impl FnMut(&Self, f64) -> (f64, Slope)) {
         let mut step = 0.0;
+        // What was missing at first, and the way before the last step with what was missing there.
+        let (mut first, mut last) = (None, None::<[f64; 2]>);
         for trial in 1..=MOST_STEPS {
             let (reached, slope) = carried(self, step);
             self.reached = reached;
             // Forces grow with the power 3/2 of a depth: what is missing of its 2/3 is straight.
             let missing = (self.wanted / reached).powf(2.0 / 3.0) - 1.0;
-            let secant = self.before.map(|[way, before]| {
+            let secant = last.map(|[way, before]| {
                 let growth = (1.0 + before) / (1.0 + missing);
                 1.5 * reached * (1.0 - 1.0 / growth) / (self.way - way)
             });
@@ -80,14 +77,14 @@ impl Descent {
                 Slope::Depth(depth) => secant.unwrap_or(1.5 * reached / depth),
             };
             let is_close = |first: f64| missing.abs() <= (LEFT * first.abs()).max(ROUNDING);
-            let is_last = self.first.is_some_and(is_close);
-            self.first = self.first.or(Some(missing));
+            let is_last = first.is_some_and(is_close);
+            first = first.or(Some(missing));
             step = missing * 1.5 * reached / self.stiffness;
             let is_lost = !(self.stiffness > 0.0 && step.is_finite());
             if is_last || is_lost || missing.abs() <= ROUNDING || trial == MOST_STEPS {
                 break;
             }
-            self.before = Some([self.way, missing]);
+            last = Some([self.way, missing]);
             self.way += step;
         }
     }

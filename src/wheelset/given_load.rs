@@ -8,8 +8,8 @@
 //! ```
 //!
 //! It is found from 0 on and never from the roll of the input, by the stiffness of the contacts or,
-//! where that does not lead to it, by bracketed secants. Where there is none up to [`MAX_ROLL`], as of wheels beside their rails, the roll nearest to it counts, and a
-//! fallback.
+//! where that does not lead to it, by bracketed secants. Where there is none up to [`MAX_ROLL`], as
+//! of wheels beside their rails, the roll nearest to it counts, and a fallback.
 
 use super::{Input, LEFT, Output, RIGHT, SIDES, TrackTurn, Wheelset, on_side};
 use crate::element::{Carried, Element};
@@ -93,6 +93,8 @@ impl Wheelset {
         let mut at = *input;
         at.wheelset.roll = 0.0;
         let between = self.markers[RIGHT] - self.markers[LEFT];
+        // What was expected by a search before this one is of another roll.
+        self.elements.iter_mut().for_each(|element| element.expect(None));
         let (mut expected, mut last) = ([None::<Carried>; 2], f64::INFINITY);
         loop {
             let (mut heights, mut slopes, mut carried) = ([0.0; 2], [0.0; 2], [None; 2]);

@@ -122,7 +122,7 @@ impl RailContact {
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
-        let mut descent = Descent::to(load, frame.down());
+        let mut descent = Descent { down: frame.down(), ..Descent::to(load) };
         descent.run(|descent, _| {
             let (mut reached, mut deepest) = (0.0, 0.0_f64);
             for index in 0..self.search.contacts.len() {

@@ -138,7 +138,7 @@ impl StripSolver {
         if let Some(descent) = descent {
             settled &= self.descend(descent, contact_modulus);
         }
-        settled &= self.newton.finish();
+        settled = settled && self.newton.finish();
         let steps = self.newton.steps - before;
         self.work.steps += steps;
         self.work.most_steps = self.work.most_steps.max(steps);

@@ -7,7 +7,8 @@ use super::{Change, LAST_ERROR, MIN_GAIN, MOST_SHORT, Newton, SHAPE_WEIGHT};
 #[allow(clippy::inline_always)]
 impl Newton {
     /// Steps with the factor of the last one, which changed by `before`; whether they came to an
-    /// end. Each of them is to leave the share `gain` of what it changes. What the steps have told of the equations since is taken up as in Broyden's method.
+    /// end. Each of them leaves about the share `gain` of what it changes. What the steps have told
+    /// of the equations since is taken up as in Broyden's method.
     #[inline(always)]
     pub(super) fn short_steps<S: Simd>(
         &mut self,
