@@ -19,11 +19,11 @@ const WIDTHS: [f64; 2] = [4e-3, 60.0];
 /// The functions.
 #[derive(Debug)]
 pub(super) struct Influence {
-    /// Of the distance of two strips: P, R, and S in two parts, arranged as in [`Pair`].
+    /// Of the square of the distance of two strips: P, R, and S in two parts, arranged as in [`Pair`].
     narrow: Functions<4>,
-    /// The same of a band that begins at the receiving strip, of the distance of its end.
+    /// The same of a band that begins at the receiving strip, of the square of the distance of its end.
     band: Functions<4>,
-    /// Of the width of a band: flexibilities at four ratios, and P and R.
+    /// Of the square of the width of a band: flexibilities at four ratios, and P and R.
     own: Functions<5>,
 }
 
@@ -74,23 +74,25 @@ fn odd(of: &[[f64; 3]; 3]) -> Four<f64> {
 }
 
 impl Influence {
-    /// The functions, made on first use in the process; takes some milliseconds then.
+    /// The functions, made on first use in the process; takes some tens of milliseconds then.
     pub fn shared() -> &'static Self {
         static SHARED: UntilUnload<Influence> = UntilUnload::new();
         SHARED.get_or_init(Self::new)
     }
 
     fn new() -> Self {
+        let squares = |ends: [f64; 2]| ends.map(|end| end * end);
         let arranged = |kernel| {
-            move |s| {
-                let [p, r, c]: Projected = projected(kernel, s);
+            move |square: f64| {
+                let [p, r, c]: Projected = projected(kernel, square.sqrt());
                 let crossed = [[c[0][0], c[1][1], c[2][0], 0.0], [c[0][2], 0.0, c[2][2], 0.0]];
                 [odd(&p), odd(&r), crossed[0], crossed[1]]
             }
         };
-        let pairs = Functions::through(DISTANCES, arranged(narrow));
-        let bands = Functions::through(DISTANCES, arranged(band));
-        let own = Functions::through(WIDTHS, |s| {
+        let pairs = Functions::through(squares(DISTANCES), arranged(narrow));
+        let bands = Functions::through(squares(DISTANCES), arranged(band));
+        let own = Functions::through(squares(WIDTHS), |square| {
+            let s = square.sqrt();
             let [p, r, _] = projected(band, s);
             let [flexibility, first, second] = flexibilities(s);
             [flexibility, first, second, odd(&p), odd(&r)]
@@ -107,7 +109,8 @@ impl Influence {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         // A to the power of -2 - m - k, of which one is left for the width.
-        scaled::<F, T>(&self.narrow.at::<F, T>(distance * root), inverse, root, ratio)
+        let found = self.narrow.at::<F, T>(distance * distance * inverse);
+        scaled::<F, T>(&found, inverse, root, ratio)
     }
 
     /// As [`narrow`](Self::narrow), of a strip of the width `width` > 0 over it.
@@ -123,10 +126,11 @@ impl Influence {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         let near = ((distance - width * 0.5) * root).at_least(0.0);
-        let far = self.band.at::<F, T>((distance + width * 0.5) * root);
+        let far = (distance + width * 0.5) * root;
+        let far = self.band.at::<F, T>(far * far);
         // Below the least distance a band does in proportion to it.
         let share = (near / DISTANCES[0]).at_most(1.0);
-        let near = self.band.at::<F, T>(near);
+        let near = self.band.at::<F, T>(near * near);
         let of = |v: usize| std::array::from_fn(|lane| far[v][lane] - near[v][lane] * share);
         scaled::<F, T>(&[of(0), of(1), of(2), of(3)], root / width, root, ratio)
     }
@@ -143,10 +147,11 @@ impl Influence {
         ratio: &Ratio,
     ) -> Own<T> {
         let inverse = T::from(1.0) / a;
-        let left = self.own.at::<F, T>(reach[0] * inverse);
-        let right = self.own.at::<F, T>(reach[1] * inverse);
+        let [left, right] = [reach[0] * inverse, reach[1] * inverse];
+        let left = self.own.at::<F, T>(left * left);
+        let right = self.own.at::<F, T>(right * right);
         let strip = width * 0.5 * inverse;
-        let narrow = self.own.at::<F, T>(strip);
+        let narrow = self.own.at::<F, T>(strip * strip);
         // Below the least width a band does in proportion to it.
         let share = (strip / WIDTHS[0]).at_most(1.0) * 2.0;
         let mut found = Own::default();

@@ -30,24 +30,39 @@ pub(super) struct Sums<T> {
     pub slipping: Lanes<f64>,
 }
 
-/// Middle of a cell, and of the step to it.
-#[allow(clippy::inline_always)]
-#[inline(always)]
-pub(super) fn abscissae(cell: usize) -> [f64; 2] {
-    let n = CELLS as f64;
-    let middle = 1.0 - (2.0 * cell as f64 + 1.0) / n;
-    [middle, if cell == 0 { 1.0 - 0.5 / n } else { middle + 1.0 / n }]
+/// A cell of the march.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    /// Place t of its middle, and its square.
+    powers: [f64; 2],
+    /// Step to it over the length of a cell, and the means of t and T₂(t) over it times the same.
+    step: [f64; 3],
+    /// Half of what t and T₂(t) change by over the step, times the same.
+    turn: [f64; 2],
+    /// Bound in its middle over the mean of all.
+    pub profile: f64,
 }
 
-/// Bound in the middle of a cell over the mean of all.
-#[allow(clippy::inline_always)]
-#[inline(always)]
-pub(super) fn profile(cell: usize) -> f64 {
+/// The cells, leading edge first.
+pub(super) const ALONG: [Cell; CELLS] = {
     let n = CELLS as f64;
-    let [t, _] = abscissae(cell);
-    // Mean of 1 - t² over the middles.
-    (1.0 - t * t) / (2.0 / 3.0 + 1.0 / (3.0 * n * n))
-}
+    let mut cells =
+        [Cell { powers: [0.0; 2], step: [0.0; 3], turn: [0.0; 2], profile: 0.0 }; CELLS];
+    let mut k = 0;
+    while k < CELLS {
+        let t = 1.0 - (2 * k + 1) as f64 / n;
+        let (middle, length) = if k == 0 { (1.0 - 0.5 / n, 0.5) } else { (t + 1.0 / n, 1.0) };
+        cells[k] = Cell {
+            powers: [t, t * t],
+            step: [length, length * middle, length * (2.0 * middle * middle - 1.0)],
+            turn: [length / n, 4.0 * t * length / n],
+            // The mean of 1 - t² over the middles is the divisor.
+            profile: (1.0 - t * t) / (2.0 / 3.0 + 1.0 / (3.0 * n * n)),
+        };
+        k += 1;
+    }
+    cells
+};
 
 /// Marches through some strips; `each` gets the tractions of a cell, and whether they are bounded.
 #[allow(clippy::inline_always)]
@@ -59,30 +74,25 @@ pub(super) fn march<const F: bool, T: Real>(
     let zero = T::from(0.0);
     let mut sums = Sums::<T>::default();
     let [mut fx, mut fy] = [[zero; LANES]; 2];
-    for cell in 0..CELLS {
-        let [t, step] = abscissae(cell);
-        let length = if cell == 0 { 0.5 } else { 1.0 };
-        let (first, second) = (length * step, length * (2.0 * step * step - 1.0));
-        let share = profile(cell);
-        let within = length / CELLS as f64;
+    for (cell, &Cell { powers: [t, square], step, turn, profile }) in ALONG.iter().enumerate() {
         let mut slips = [false; LANES];
         let [x, y] = &strips.growth;
         for lane in 0..LANES {
             let trial = |own: T, by: &[Lanes<T>; 3]| {
-                own.add_product::<F>(by[0][lane], T::from(length))
-                    .add_product::<F>(by[1][lane], T::from(first))
-                    .add_product::<F>(by[2][lane], T::from(second))
+                own.add_product::<F>(by[0][lane], T::from(step[0]))
+                    .add_product::<F>(by[1][lane], T::from(step[1]))
+                    .add_product::<F>(by[2][lane], T::from(step[2]))
             };
-            let turn = |by: &[Lanes<T>; 3]| {
-                (by[1][lane] * within).add_product::<F>(by[2][lane], T::from(4.0 * t * within))
+            let turned = |by: &[Lanes<T>; 3]| {
+                (by[1][lane] * turn[0]).add_product::<F>(by[2][lane], T::from(turn[1]))
             };
-            let size =
-                |x: T, y: T| (x * x).add_product::<F>(y, y).at_least(f64::MIN_POSITIVE).sqrt();
+            let size = |x: T, y: T| (x * x).add_product::<F>(y, y).sqrt();
             let [trial_x, trial_y] = [trial(fx[lane], x), trial(fy[lane], y)];
-            let [turn_x, turn_y] = [turn(x), turn(y)];
+            let [turn_x, turn_y] = [turned(x), turned(y)];
             let mean =
                 size(trial_x + turn_x, trial_y + turn_y) + size(trial_x - turn_x, trial_y - turn_y);
-            let ratio = strips.bound[lane] * (2.0 * share) / mean;
+            // Without any traction this is infinite, and nothing slips.
+            let ratio = strips.bound[lane] * (2.0 * profile) / mean;
             let scale = ratio.at_most(1.0);
             slips[lane] = scale < 1.0;
             fx[lane] = trial_x * scale;
@@ -92,10 +102,10 @@ pub(super) fn march<const F: bool, T: Real>(
             sums.moments[1][0][lane] += fy[lane];
             let sum = &mut sums.moments[0];
             sum[1][lane] = sum[1][lane].add_product::<F>(fx[lane], T::from(t));
-            sum[2][lane] = sum[2][lane].add_product::<F>(fx[lane], T::from(t * t));
+            sum[2][lane] = sum[2][lane].add_product::<F>(fx[lane], T::from(square));
             let sum = &mut sums.moments[1];
             sum[1][lane] = sum[1][lane].add_product::<F>(fy[lane], T::from(t));
-            sum[2][lane] = sum[2][lane].add_product::<F>(fy[lane], T::from(t * t));
+            sum[2][lane] = sum[2][lane].add_product::<F>(fy[lane], T::from(square));
         }
         each(cell, &[fx, fy], &slips);
     }
@@ -109,7 +119,7 @@ mod tests {
 
     #[test]
     fn a_strip_that_slides_has_its_load() {
-        let mean: f64 = (0..CELLS).map(profile).sum::<f64>() / CELLS as f64;
+        let mean: f64 = ALONG.iter().map(|cell| cell.profile).sum::<f64>() / CELLS as f64;
         assert_relative_eq!(mean, 1.0, max_relative = 1e-14);
     }
 }

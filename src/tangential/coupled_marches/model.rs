@@ -51,7 +51,7 @@ impl CoupledMarches {
         Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
     }
 
-    /// The memory. It keeps no result, so that one left in the middle of a solution is as good.
+    /// The memory. One left in the middle of a solution counts as not solved.
     fn lend(&self) -> MutexGuard<'_, Box<Memory>> {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -78,8 +78,11 @@ impl MarchNumber for f64 {
         shear_modulus: f64,
         mut each: impl FnMut(usize, &Resultant),
     ) {
-        memory.plain.take(strips);
-        memory.plain.solve(poisson_ratio, shear_modulus);
+        let solver = &mut memory.plain;
+        if !solver.is_solved(strips.clone(), poisson_ratio, shear_modulus) {
+            solver.take(strips);
+            solver.solve(poisson_ratio, shear_modulus);
+        }
         for (j, resultant) in memory.plain.resultants().enumerate() {
             each(j, resultant);
         }
@@ -168,10 +171,14 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
                     }
                     let area = strips.half_length[j] * strips.width[j];
                     let force = force(found, rolling, area).times(share);
-                    let left = neck.map_or(T::from(0.0), |neck| neck.left(strips.y[j]));
-                    let parts = [-apart + 1.0, apart * left, apart * (-left + 1.0)];
-                    for (marched, part) in marched.iter_mut().zip(parts) {
-                        marched.add(of, strips, j, &force.times(part));
+                    if let Some(neck) = neck {
+                        let left = neck.left(strips.y[j]);
+                        let parts = [-apart + 1.0, apart * left, apart * (-left + 1.0)];
+                        for (marched, part) in marched.iter_mut().zip(parts) {
+                            marched.add(of, strips, j, &force.times(part));
+                        }
+                    } else {
+                        marched[0].add(of, strips, j, &force);
                     }
                     each(j, force);
                 },

@@ -6,7 +6,7 @@ use pulp::{NullaryFnOnce, x86::V3};
 
 use super::functions::Four;
 use super::influence::{Influence, Own, Pair, Ratio};
-use super::march::{CELLS, LANES, Marched, Sums, march, profile};
+use super::march::{ALONG, CELLS, LANES, Marched, Sums, march};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
@@ -22,7 +22,7 @@ const MAX_PAIRS: usize = 1024;
 const NEAR: usize = 1;
 
 /// A loaded strip that rolls forward.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strip<T = f64> {
     /// Place across [m].
     pub y: T,
@@ -59,18 +59,34 @@ struct Moments<T> {
 #[derive(Clone, Copy, Debug)]
 struct State<T> {
     strip: Strip<T>,
+    /// Square of its half length.
+    square: T,
     own: Own<T>,
     /// Along the track and across.
+    growth: [Growth<T>; 2],
     moments: [Moments<T>; 2],
     gradients: [Four<T>; 2],
     resultant: Resultant<T>,
 }
 
-/// Solver with its memory; it keeps no result.
+/// Growth of the tractions of a strip over a cell, in one direction.
+#[derive(Clone, Copy, Debug, Default)]
+struct Growth<T> {
+    /// By its rigid slip: constant and by t.
+    rigid: [T; 2],
+    /// By the gradients that others cause: the constant and the square part of the constant growth,
+    /// of that by t, of that by T₂(t).
+    caused: [T; 4],
+}
+
+/// Solver with its memory.
 #[derive(Clone, Debug)]
 pub struct Solver<T = f64> {
     states: FixedVec<State<T>>,
-    pairs: FixedVec<Pair<T>>,
+    /// Pairs of the first strips with all above them, row by row.
+    pairs: Vec<Pair<T>>,
+    /// Poisson's ratio and shear modulus for which the strips are solved.
+    solved: Option<(f64, T)>,
 }
 
 impl<T: Real> Moments<T> {
@@ -84,19 +100,23 @@ impl<T: Real> Solver<T> {
     /// For up to `strips` strips; more allocate.
     pub fn new(strips: usize) -> Self {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
-        Self { states: FixedVec::new(strips), pairs: FixedVec::new(pairs) }
+        let pairs = vec![Pair::default(); pairs];
+        Self { states: FixedVec::new(strips), pairs, solved: None }
     }
 
     /// Takes the strips of the next solution.
     pub fn take(&mut self, strips: impl Iterator<Item = Strip<T>>) {
-        self.states.clear();
-        self.states.extend(strips.map(|strip| State {
-            strip,
-            own: Own::default(),
-            moments: [Moments::none(); 2],
-            gradients: [[T::from(0.0); 4]; 2],
-            resultant: Resultant::default(),
-        }));
+        self.solved = None;
+        let mut count = 0;
+        for strip in strips {
+            if let Some(state) = self.states.get_mut(count) {
+                state.strip = strip;
+            } else {
+                self.states.push(State::new(strip));
+            }
+            count += 1;
+        }
+        self.states.truncate(count);
     }
 
     /// Tractions of the strips, in the order in which they were taken.
@@ -110,64 +130,65 @@ impl<T: Real> Solver<T> {
     fn solve_all<const F: bool>(&mut self, poisson_ratio: f64, shear_modulus: T) {
         let influence = Influence::shared();
         let ratio = Ratio::of(poisson_ratio);
+        let factor = T::from(-2.0 / std::f64::consts::PI.powi(2)) / shear_modulus;
         for i in 0..self.states.len() {
             let Strip { half_length, width, .. } = self.states[i].strip;
             let reach = reach(&self.states, i);
-            self.states[i].own = influence.own::<F, T>(half_length, width, reach, &ratio);
+            let state = &mut self.states[i];
+            state.own = influence.own::<F, T>(half_length, width, reach, &ratio);
+            state.growth = state.growth(shear_modulus, factor);
+            state.gradients = [[T::from(0.0); 4]; 2];
+            state.square = half_length * half_length;
         }
-        self.pairs.clear();
-        let room = self.pairs.capacity();
+        let mut room = &mut self.pairs[..];
         for (i, below) in self.states.iter().enumerate() {
-            for (between, above) in self.states.iter().skip(i + 1).enumerate() {
-                if self.pairs.len() < room {
-                    self.pairs.push(pair::<F, T>(influence, below, above, between, &ratio));
-                }
+            let others = &self.states[i + 1..];
+            let Some((row, further)) = room.split_at_mut_checked(others.len()) else { break };
+            room = further;
+            for (between, (above, kept)) in others.iter().zip(row).enumerate() {
+                *kept = pair::<F, T>(influence, below, above, between, &ratio);
             }
         }
-        let factor = T::from(-2.0 / std::f64::consts::PI.powi(2)) / shear_modulus;
         for round in 0..ROUNDS {
             if round > 0 {
-                self.couple::<F>(influence, &ratio, factor);
+                self.couple::<F>(influence, &ratio);
             }
-            self.march_all::<F>(shear_modulus, |_, _, _, _| {});
+            self.march_all::<F>(|_, _, _, _| {});
         }
+        self.solved = Some((poisson_ratio, shear_modulus));
     }
 
-    /// Gradients that all strips cause, without the share that each has in its own march.
+    /// Gradients that all strips cause, without the share that each has in its own march, over the
+    /// factor of [`Pair`].
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio, factor: T) {
+    fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio) {
         for state in self.states.iter_mut() {
             let [x, y] = &state.moments;
-            let Own { along, across, .. } = &state.own;
-            state.gradients = [[T::from(0.0); 4]; 2];
-            add_product::<F, T>(&mut state.gradients[0], along, &x.odd);
-            add_product::<F, T>(&mut state.gradients[1], across, &y.odd);
+            state.gradients =
+                [product(&state.own.along, &x.odd), product(&state.own.across, &y.odd)];
         }
-        let mut kept = self.pairs.iter();
+        let mut kept = &self.pairs[..];
         for i in 0..self.states.len() {
             let (lower, upper) = self.states.split_at_mut(i + 1);
             let below = &mut lower[i];
             let moments = below.moments;
             let mut gradients = below.gradients;
-            for (between, above) in upper.iter_mut().enumerate() {
-                let anew;
-                let pair = if let Some(pair) = kept.next() {
-                    pair
-                } else {
-                    anew = pair::<F, T>(influence, below, above, between, ratio);
-                    &anew
-                };
-                let crossed = pair.crossed.map(|four| four.map(|c| -c));
-                receive::<F, T>(&mut gradients, pair, &crossed, &above.moments);
-                receive::<F, T>(&mut above.gradients, pair, &pair.crossed, &moments);
+            if let Some((pairs, further)) = kept.split_at_checked(upper.len()) {
+                kept = further;
+                for (above, pair) in upper.iter_mut().zip(pairs) {
+                    receive::<F, false, T>(&mut gradients, pair, &above.moments);
+                    receive::<F, true, T>(&mut above.gradients, pair, &moments);
+                }
+            } else {
+                kept = &[];
+                for (between, above) in upper.iter_mut().enumerate() {
+                    let pair = pair::<F, T>(influence, below, above, between, ratio);
+                    receive::<F, false, T>(&mut gradients, &pair, &above.moments);
+                    receive::<F, true, T>(&mut above.gradients, &pair, &moments);
+                }
             }
             below.gradients = gradients;
-        }
-        for state in self.states.iter_mut() {
-            for gradient in state.gradients.iter_mut().flatten() {
-                *gradient *= factor;
-            }
         }
     }
 
@@ -177,15 +198,14 @@ impl<T: Real> Solver<T> {
     #[inline(always)]
     fn march_all<const F: bool>(
         &mut self,
-        shear_modulus: T,
         mut each: impl FnMut(usize, usize, &[[T; LANES]; 2], &[bool; LANES]),
     ) {
         for (block, states) in self.states.chunks_mut(LANES).enumerate() {
             let mut marched = Marched::default();
             for (lane, state) in states.iter().enumerate() {
-                let growth = state.growth(shear_modulus);
-                for (lanes, growth) in marched.growth.iter_mut().zip(growth) {
-                    for (lanes, growth) in lanes.iter_mut().zip(growth) {
+                for component in 0..2 {
+                    let growth = state.growth[component].under::<F>(&state.gradients[component]);
+                    for (lanes, growth) in marched.growth[component].iter_mut().zip(growth) {
                         lanes[lane] = growth;
                     }
                 }
@@ -229,69 +249,97 @@ fn pair<const F: bool, T: Real>(
     between: usize,
     ratio: &Ratio,
 ) -> Pair<T> {
-    let [below, above] = [&below.strip, &above.strip];
-    let distance = above.y - below.y;
+    let distance = above.strip.y - below.strip.y;
     if distance <= 0.0 {
         return Pair::default();
     }
-    let square =
-        (below.half_length * below.half_length + above.half_length * above.half_length) * 0.5;
+    let square = (below.square + above.square) * 0.5;
     if between < NEAR {
-        influence.wide::<F, T>(distance, (below.width + above.width) * 0.5, square, ratio)
+        let width = (below.strip.width + above.strip.width) * 0.5;
+        influence.wide::<F, T>(distance, width, square, ratio)
     } else {
         influence.narrow::<F, T>(distance, square, ratio)
     }
 }
 
-/// Adds the gradients that another strip causes; what is crossed has the sign of the side on which it
-/// is.
+/// Adds the gradients that another strip causes, which lies below if `IS_BELOW`: what is crossed has
+/// the sign of its side.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn receive<const F: bool, T: Real>(
+fn receive<const F: bool, const IS_BELOW: bool, T: Real>(
     [along, across]: &mut [Four<T>; 2],
     pair: &Pair<T>,
-    crossed: &[Four<T>; 2],
     [x, y]: &[Moments<T>; 2],
 ) {
-    add_product::<F, T>(along, &pair.along, &x.odd);
-    add_product::<F, T>(across, &pair.across, &y.odd);
-    for (crossed, (x, y)) in crossed.iter().zip(x.even.iter().zip(&y.even)) {
-        add_product::<F, T>(along, crossed, y);
-        add_product::<F, T>(across, crossed, x);
+    let sided = |c: T| if IS_BELOW { c } else { -c };
+    for lane in 0..4 {
+        let [first, second] = [sided(pair.crossed[0][lane]), sided(pair.crossed[1][lane])];
+        along[lane] = along[lane]
+            .add_product::<F>(pair.along[lane], x.odd[lane])
+            .add_product::<F>(first, y.even[0][lane])
+            .add_product::<F>(second, y.even[1][lane]);
+        across[lane] = across[lane]
+            .add_product::<F>(pair.across[lane], y.odd[lane])
+            .add_product::<F>(first, x.even[0][lane])
+            .add_product::<F>(second, x.even[1][lane]);
     }
 }
 
-/// Sums and products lane by lane.
+/// Products lane by lane.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-fn add_product<const F: bool, T: Real>(sum: &mut Four<T>, a: &Four<T>, b: &Four<T>) {
-    for lane in 0..4 {
-        sum[lane] = sum[lane].add_product::<F>(a[lane], b[lane]);
+fn product<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
+    std::array::from_fn(|lane| a[lane] * b[lane])
+}
+
+#[allow(clippy::inline_always)]
+impl<T: Real> Growth<T> {
+    /// Constant growth and that by t and by T₂(t) with these gradients.
+    #[inline(always)]
+    fn under<const F: bool>(&self, [zeroth, first, second, other_first]: &Four<T>) -> [T; 3] {
+        let [constant, square, linear, by_second] = self.caused;
+        [
+            self.rigid[0].add_product::<F>(constant, *zeroth).add_product::<F>(square, *second),
+            self.rigid[1].add_product::<F>(linear, *first + *other_first),
+            by_second * *second,
+        ]
     }
 }
 
 #[allow(clippy::inline_always)]
 impl<T: Real> State<T> {
-    /// Growth of the tractions over a cell, along the track and across.
+    fn new(strip: Strip<T>) -> Self {
+        Self {
+            strip,
+            square: T::from(0.0),
+            own: Own::default(),
+            growth: [Growth::default(); 2],
+            moments: [Moments::none(); 2],
+            gradients: [[T::from(0.0); 4]; 2],
+            resultant: Resultant::default(),
+        }
+    }
+
+    /// Growth of the tractions along the track and across, where gradients are to be taken times
+    /// `factor`.
     #[inline(always)]
-    fn growth(&self, shear_modulus: T) -> [[T; 3]; 2] {
+    fn growth(&self, shear_modulus: T, factor: T) -> [Growth<T>; 2] {
         let Strip { half_length: a, creepage, .. } = &self.strip;
         let a = *a;
         let rigid = [[creepage.longitudinal, T::from(0.0)], [creepage.lateral, creepage.spin * a]];
         let step = shear_modulus * a * (2.0 / CELLS as f64);
-        let mut growth = [[T::from(0.0); 3]; 2];
+        let mut growth = [Growth::default(); 2];
         for component in 0..2 {
-            let [zeroth, first, second, other_first] = self.gradients[component];
-            // Of x² to T₂.
-            let square = second * a * a * 0.5;
             let [flexibility, by_first, by_second] = self.own.flexibility[component];
             let per_flexibility = step / flexibility;
             let [constant, linear] = rigid[component];
-            growth[component] = [
-                (constant - zeroth - square) * per_flexibility,
-                (linear - (first + other_first) * a) * by_first * per_flexibility,
-                -(square * by_second * per_flexibility),
-            ];
+            let caused = -(factor * per_flexibility);
+            // Of x² to T₂.
+            let square = caused * (a * a * 0.5);
+            growth[component] = Growth {
+                rigid: [constant * per_flexibility, linear * by_first * per_flexibility],
+                caused: [caused, square, caused * by_first * a, square * by_second],
+            };
         }
         growth
     }
@@ -323,6 +371,18 @@ pub const DIRECTIONS: usize = 4;
 pub type Cells = [([f64; 2], bool); CELLS];
 
 impl Solver {
+    /// Whether this is what was solved last, as where the zones of a contact come one after the
+    /// other.
+    pub fn is_solved(
+        &self,
+        strips: impl Iterator<Item = Strip>,
+        poisson_ratio: f64,
+        shear_modulus: f64,
+    ) -> bool {
+        self.solved == Some((poisson_ratio, shear_modulus))
+            && strips.eq(self.states.iter().map(|state| state.strip))
+    }
+
     /// Solves for bodies of this Poisson's ratio and shear modulus [Pa]; tractions of the strips
     /// taken, against their slip.
     #[must_use]
@@ -330,9 +390,9 @@ impl Solver {
         self.solve(poisson_ratio, shear_modulus);
         let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
         let mut found = vec![[([0.0; 2], false); CELLS]; strips.len()];
-        self.march_all::<FUSED>(shear_modulus, |first, cell, [x, y], slip| {
+        self.march_all::<FUSED>(|first, cell, [x, y], slip| {
             for (lane, strip) in strips.iter().enumerate().skip(first).take(LANES) {
-                let bound = strip.limit / (strip.half_length * 2.0) * profile(cell);
+                let bound = strip.limit / (strip.half_length * 2.0) * ALONG[cell].profile;
                 let n = lane - first;
                 found[lane][cell] = ([x[n] / bound, y[n] / bound], slip[n]);
             }
