@@ -19,8 +19,9 @@ const MOST_TRIALS: usize = 12;
 /// Share of the load that may be missing, and that forces may be off because of the geometry.
 const MISSING: f64 = 1e-10;
 const MISPLACED: f64 = 1e-10;
-/// Share of a way that the geometry is wrong by where nothing tells more.
-const WRONG: f64 = 1e-3;
+/// Share of a way that the geometry is wrong by at least, whatever two poses tell, and where there
+/// is one pose alone: what lateral forces on flanges change by.
+const WRONG: [f64; 2] = [1e-3, 0.05];
 /// Depth over that of the load about from which on a pose is too far for a guess.
 const FAR: f64 = 3.0;
 /// Greatest share that two poses are believed to tell.
@@ -78,12 +79,12 @@ impl Placed {
     /// Share of the load by which forces are off because of the geometry, as far as the pose before
     /// tells: the vertical one by what the way was wrong, the lateral one by how much it changed.
     fn error(&self, load: f64, before: Option<&Self>) -> f64 {
-        let [share, turned] = before.map_or([1.0, 0.0], |before| {
+        let [share, turned] = before.map_or([WRONG[1], 0.0], |before| {
             let told = before.way + before.way_to(self.normal);
             [(self.way / told).abs(), (self.aside - before.aside).abs()]
         });
         let lowered = (self.way * self.stiffness / load).abs();
-        lowered * share.clamp(WRONG, 1.0) + share * turned
+        lowered * share.max(WRONG[0]) + share * turned
     }
 }
 
@@ -136,15 +137,26 @@ impl Element {
         input: &mut Input,
         output: &mut Output,
     ) -> Option<u64> {
-        let found = expected.and_then(|about| self.load_about(about, Pose::Near, input, output));
+        let found = expected.and_then(|about| self.load_from(about, Pose::Near, input, output));
         found.or_else(|| {
             let about = self.guess(clear, input, output)?;
-            if self.models.strip_solver.is_some() {
-                self.load_about(about, Pose::New, input, output)
-            } else {
-                self.load_by_secants(about, input, output)
-            }
+            self.load_from(about, Pose::New, input, output)
         })
+    }
+
+    /// The same from `about` how it is carried on, by what the normal model tells.
+    fn load_from(
+        &mut self,
+        about: Carried,
+        pose: Pose,
+        input: &mut Input,
+        output: &mut Output,
+    ) -> Option<u64> {
+        if self.models.strip_solver.is_some() {
+            self.load_about(about, pose, input, output)
+        } else {
+            self.load_by_secants(about, input, output)
+        }
     }
 
     /// The same by the forces of whole evaluations, for normal models that solve each contact by
@@ -163,6 +175,9 @@ impl Element {
             let left_out = self.forces(input, output);
             let carried = -output.wheel.force[2];
             if (carried - load).abs() <= MISSING * load {
+                let Carried { stiffness, ratio, .. } = about;
+                let normal = carried / ratio;
+                self.carried = Some(Carried { z, normal, stiffness, ratio, aside: None });
                 return Some(left_out);
             }
             // The power 2/3 of the force is nearly straight.
@@ -179,17 +194,17 @@ impl Element {
         None
     }
 
-    /// About how one rail carries the load of `input`, by one pose: at the height that is `expected`,
-    /// near the pose of the last evaluation, or at a guess; how it does on rails without mass, which
-    /// are sought beside where they are expected. Of `output` the first patch is then the heaviest
-    /// one there. Nothing where rails have a mass or strips do not tell.
+    /// How one rail carries the load of `input`, where that is `expected` about so, near the pose of
+    /// the last evaluation, or from a guess on: of strips about, by one pose; on rails without mass,
+    /// which are sought beside where they are expected. Of `output` the first patch is then the
+    /// heaviest one there. Nothing where rails have a mass or the stiffness does not lead to it.
     pub(crate) fn nearly_carried(
         &mut self,
         input: &Input,
         expected: Option<Carried>,
         output: &mut Output,
     ) -> Option<Carried> {
-        if self.models.strip_solver.is_none() || input.wheel_load <= 0.0 {
+        if input.wheel_load <= 0.0 {
             return None;
         }
         if expected.is_none() {
@@ -199,7 +214,14 @@ impl Element {
         let mirrored = self.side == Side::Left;
         let mut input = if mirrored { input.mirrored() } else { *input };
         let carried = match self.foundation.model {
-            FoundationModel::Rigid => self.nearly_carried_by_one_pose(&mut input, expected, output),
+            FoundationModel::Rigid if self.models.strip_solver.is_some() => {
+                self.nearly_carried_by_one_pose(&mut input, expected, output)
+            }
+            FoundationModel::Rigid => {
+                self.expect(expected);
+                let fallbacks = self.respond_to_rails(&mut input, output);
+                self.carried.filter(|_| fallbacks == 0)
+            }
             FoundationModel::Massless => self.carried_at_rest(&mut input, expected, output),
             FoundationModel::Mass => None,
         };
@@ -232,7 +254,7 @@ impl Element {
         Some(here.carried_at(here.z + here.way + here.way_to(normal), normal))
     }
 
-    /// The same from `about` how it is carried on.
+    /// The same by the poses that strips tell the way from.
     fn load_about(
         &mut self,
         about: Carried,

@@ -11,7 +11,8 @@
 //! each step shortened until the correction that follows it is the smaller one (natural
 //! monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is
 //! much smaller Broyden's correction of the derivatives serves for the next step; under a given
-//! load, which says how far the rails sink, by bracketed secants for the lateral deflection alone.
+//! load, which says how far the rails sink, by secants for the lateral deflection alone, bracketed or
+//! beside where it is expected.
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
 //! fallback.
 

@@ -23,7 +23,7 @@ const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
 /// What heights are told to by the stiffness of a contact, 1e-10 of a load and less [m].
-const TOLD: f64 = 5e-15;
+const TOLD: f64 = 1e-14;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
