@@ -85,9 +85,10 @@ impl Stepped {
 
     /// Takes `load` for that of each wheel [N].
     fn load(&self, load: f64) {
-        let loads: &[&str] = match self.inputs_of_a_wheelset {
-            true => &["right.wheel.load", "left.wheel.load"],
-            false => &["wheel.load"],
+        let loads: &[&str] = if self.inputs_of_a_wheelset {
+            &["right.wheel.load", "left.wheel.load"]
+        } else {
+            &["wheel.load"]
         };
         let values: Vec<(&str, f64)> = loads.iter().map(|&name| (name, load)).collect();
         assert_eq!(self.host.set_reals(&values), Status::Ok, "{}", self.host.last());

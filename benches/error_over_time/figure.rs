@@ -227,6 +227,7 @@ fn panel(area: &Area<'_>, title: &str, marks: &[Mark], front: &[(f64, f64)], num
         let [height, load] = mark.times.map(|time| place((time, mark.error)));
         labels.keep_clear(height, px(8) as i32);
         labels.keep_clear(load, px(5) as i32);
+        labels.keep_clear_between(height, load);
     }
     for mark in marks.iter().filter(|mark| !mark.name.is_empty()) {
         labels.put(area, place(mark.at()), &mark.name);

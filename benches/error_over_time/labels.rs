@@ -53,6 +53,12 @@ impl Labels {
         self.taken.push([x - radius, x + radius, y - radius, y + radius]);
     }
 
+    /// Keeps names off a line across between two marks.
+    pub fn keep_clear_between(&mut self, from: (i32, i32), to: (i32, i32)) {
+        let half = px(1) as i32;
+        self.taken.push([from.0, to.0, from.1 - half, from.1 + half]);
+    }
+
     /// Writes `name` beside the mark at `(x, y)`; where there is no room nowhere.
     pub fn put(&mut self, area: &Area<'_>, (x, y): (i32, i32), name: &str) {
         let height = px(SIZE) as i32;

@@ -163,9 +163,10 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> 
         if !is_inside(z) {
             break;
         }
-        match lift(z) {
-            Some(found) => (touching, to_lift) = (z, found),
-            None => (clear, allowed) = (z, FARTHER * allowed),
+        if let Some(found) = lift(z) {
+            (touching, to_lift) = (z, found);
+        } else {
+            (clear, allowed) = (z, FARTHER * allowed);
         }
     }
     Some(touching)
