@@ -16,6 +16,7 @@ mod choices;
 mod common;
 mod contact_program;
 mod figure;
+mod labels;
 #[path = "../page/mod.rs"]
 mod page;
 mod report;
@@ -29,6 +30,7 @@ use common::{median_and_worst, quantiles};
 use contact_program::Sets;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use wheelrail::element::parameters::VerticalMode;
 
 /// What is known of a normal model.
 pub struct NormalRow {
@@ -43,8 +45,10 @@ pub struct NormalRow {
     pub wheel: [[f64; 2]; 3],
     /// Planar cases that fell back.
     pub fallbacks: usize,
-    /// Time without creep force at each place [s].
+    /// Time without creep force at each place, height given [s].
     pub times: Vec<f64>,
+    /// The same on the tread, load given [s].
+    pub load_time: f64,
 }
 
 /// What is known of a combination.
@@ -57,10 +61,12 @@ pub struct Row {
     pub moment: f64,
     /// Mean, 95 % and worst of the creep force against boundary elements on a wheel.
     pub wheel: [f64; 3],
-    /// Time at each place [s].
+    /// Time at each place, height given [s].
     pub times: Vec<f64>,
-    /// Instructions on the tread.
-    pub instructions: Option<f64>,
+    /// Time on the tread, load given [s].
+    pub load_time: f64,
+    /// Instructions on the tread, height given and load given.
+    pub instructions: [Option<f64>; 2],
 }
 
 /// What is known of a tangential model by itself.
@@ -71,14 +77,18 @@ pub struct EllipseRow {
     pub errors: [f64; 3],
 }
 
+/// What may be given of the vertical motion.
+const GIVEN: [VerticalMode; 2] = [VerticalMode::Penetration, VerticalMode::Load];
+
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    if let [flag, index, scene, evaluations] = arguments.as_slice()
+    if let [flag, index, given, evaluations] = arguments.as_slice()
         && flag == callgrind::COUNT
     {
         let number = |text: &str| text.parse().expect("a whole number");
-        let input = wheel::timed_input(number(scene));
-        times::evaluate(Choice::all()[number(index)], &input, number(evaluations));
+        let input = wheel::timed_input(report::TREAD);
+        let given = GIVEN[number(given)];
+        times::evaluate(Choice::all()[number(index)], given, &input, number(evaluations));
         return;
     }
     if !arguments.iter().any(|argument| argument == "--bench") {
@@ -119,14 +129,19 @@ fn main() {
 
     // One after another: times want the machine for themselves.
     let inputs: Vec<_> = (0..wheel::PLACES.len()).map(wheel::timed_input).collect();
-    let times = |choice| inputs.iter().map(|input| times::time(choice, input)).collect();
+    let times = |choice| {
+        let [height, load] = GIVEN;
+        let tread = &inputs[report::TREAD];
+        let times = inputs.iter().map(|input| times::time(choice, height, input)).collect();
+        (times, times::time(choice, load, tread))
+    };
     let bar = progress("times", rows.len() + normal_rows.len());
     for row in &mut normal_rows {
-        row.times = times(Choice { normal: row.normal, rolling: WITHOUT });
+        (row.times, row.load_time) = times(Choice { normal: row.normal, rolling: WITHOUT });
         bar.inc(1);
     }
     for row in &mut rows {
-        row.times = times(row.choice);
+        (row.times, row.load_time) = times(row.choice);
         bar.inc(1);
     }
     bar.finish();
@@ -134,7 +149,9 @@ fn main() {
     let bar = progress("instructions", rows.len());
     rows.par_iter_mut().enumerate().for_each(|(index, row)| {
         if !row.choice.normal.is_slow() {
-            row.instructions = callgrind::instructions(&[index.to_string(), "0".into()]);
+            row.instructions = [0, 1].map(|given: usize| {
+                callgrind::instructions(&[index.to_string(), given.to_string()])
+            });
         }
         bar.inc(1);
     });
@@ -164,7 +181,15 @@ fn normal_row(sets: &Sets, cases: &[wheel::Case], normal: Normal) -> NormalRow {
     let mean_pressure = errors.iter().map(|e| e.pressure).sum::<f64>() / errors.len() as f64;
     let errors = wheel::errors(cases, Choice { normal, rolling: WITHOUT });
     let wheel = WHEEL_QUANTITIES.map(|q| median_and_worst(errors.iter().map(q).collect()));
-    NormalRow { normal, contact, mean_pressure, wheel, fallbacks, times: Vec::new() }
+    NormalRow {
+        normal,
+        contact,
+        mean_pressure,
+        wheel,
+        fallbacks,
+        times: Vec::new(),
+        load_time: 0.0,
+    }
 }
 
 fn row(sets: &Sets, cases: &[wheel::Case], choice: Choice) -> Row {
@@ -176,6 +201,7 @@ fn row(sets: &Sets, cases: &[wheel::Case], choice: Choice) -> Row {
         moment,
         wheel: quantiles(wheel::errors(cases, choice).iter().map(|e| e.force).collect()),
         times: Vec::new(),
-        instructions: None,
+        load_time: 0.0,
+        instructions: [None; 2],
     }
 }

@@ -66,7 +66,8 @@ pub const COUNT: usize = PLACES.len() * LOADS.len() * CREEPAGES.len();
 /// The input with which times are taken at a place.
 pub fn timed_input(place: usize) -> Input {
     let (_, shift, yaw) = PLACES[place];
-    input(shift, yaw, carrying_height(shift, yaw, TIMED_LOAD), TIMED_CREEPAGE)
+    let z = carrying_height(shift, yaw, TIMED_LOAD);
+    Input { wheel_load: TIMED_LOAD, ..input(shift, yaw, z, TIMED_CREEPAGE) }
 }
 
 /// Solves all cases by boundary elements; `done` is called after each.

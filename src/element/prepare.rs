@@ -161,6 +161,7 @@ impl Element {
         }
         let mut element = Self {
             expected: None,
+            carried: None,
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
             foundation: parameters.foundation,

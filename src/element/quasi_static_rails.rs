@@ -11,13 +11,15 @@
 //! each step shortened until the correction that follows it is the smaller one (natural
 //! monotonicity test: Deuflhard, Newton Methods for Nonlinear Problems, section 3.3); where it is
 //! much smaller Broyden's correction of the derivatives serves for the next step; under a given
-//! load, which says how far the rails sink, by bracketed secants for the lateral deflection alone.
+//! load, which says how far the rails sink, by secants for the lateral deflection alone, bracketed or
+//! beside where it is expected.
 //! Where a normal model jumps past the equilibrium the forces are those beside the jump, and a
 //! fallback.
 
 use super::derivative_memory::DIRECTIONS;
 use super::derivatives::Height;
 use super::input::{INPUTS, Input, PLACES, move_all};
+use super::load_by_stiffness::Carried;
 use super::output::Output;
 use super::parameters::VerticalMode;
 use super::parameters::foundation::TrackState;
@@ -40,8 +42,61 @@ const MISSED: f64 = 1e-7;
 /// Under a given load, longest first way aside, and greatest one that is looked for [m].
 const FIRST_WAY: f64 = 1e-3;
 const MAX_WAY: f64 = 0.05;
+/// Step aside after which the height that was found for the last deflection is a start [m].
+const NEAR: f64 = 1e-5;
+/// Greatest growth of the deflection that springs let rails have with that which they have, up to
+/// which there is one solution about, which moves on with the inputs [-].
+const MOST_GROWTH: f64 = 0.5;
 /// Load over penetration^(3/2) of a wheel on a rail, for the first guess [N/m^1.5].
 const STIFFNESS: f64 = 7e10;
+
+/// A lateral deflection of rails under a given load.
+#[derive(Clone, Copy, Debug)]
+struct Aside {
+    /// The deflection, and how much farther the springs would let the rails go [m].
+    y: f64,
+    left: f64,
+    /// How the deflection that the springs would let them have goes with that which they have [-].
+    growth: f64,
+    fallbacks: u64,
+}
+
+/// Trials of lateral deflections, each from the one before where that is near.
+struct Trials<'a> {
+    element: &'a mut Element,
+    given: &'a Input,
+    sunk: f64,
+    last: Aside,
+    carried: Option<Carried>,
+}
+
+impl<'a> Trials<'a> {
+    fn new(element: &'a mut Element, given: &'a Input) -> Self {
+        let sunk = element.sunk_under_load(given);
+        let last = Aside { y: 0.0, left: f64::INFINITY, growth: 0.0, fallbacks: 0 };
+        Self { element, given, sunk, last, carried: None }
+    }
+
+    /// How much farther the springs would let rails go from `y` [m].
+    fn left(&mut self, y: f64, input: &mut Input, output: &mut Output) -> f64 {
+        let step = y - self.last.y;
+        self.element.expect(self.carried.filter(|_| step.abs() <= NEAR));
+        let ([left, _], fallbacks) =
+            self.element.try_deflection(self.given, [y, self.sunk], input, output);
+        self.carried = self.element.carried;
+        let growth = 1.0 + (left - self.last.left) / step;
+        let growth = if growth.is_finite() { growth } else { 0.0 };
+        self.last = Aside { y, left, growth, fallbacks };
+        left
+    }
+}
+
+/// The input with a height that is the same for all.
+fn without_height(given: &Input) -> Input {
+    let mut key = *given;
+    key.wheel.position[2] = 0.0;
+    key
+}
 
 impl Element {
     /// The same on rails that rest on their foundation.
@@ -129,17 +184,81 @@ impl Element {
     /// the way out from none is taken.
     fn rest_under_load(&mut self, input: &mut Input, output: &mut Output) -> ([f64; 2], f64, u64) {
         let given = *input;
-        let sunk = given.wheel_load.max(0.0) / self.foundation.stiffness[1];
-        let mut fallbacks = 0;
-        let mut missing = |y: f64| {
-            let ([left, _], count) = self.try_deflection(&given, [y, sunk], input, output);
-            fallbacks = count;
-            left
+        let key = without_height(&given);
+        let (y, left) = match self.rested {
+            Some((known, [y, _], left)) if known == key => (y, left),
+            _ => {
+                let Aside { y, left, .. } = self.aside_from_none(&given, input, output);
+                (y, left)
+            }
         };
-        let level = missing(0.0);
+        // The forces are those of rails that are put there, whatever led to it.
+        let deflection = [y, self.sunk_under_load(&given)];
+        let (_, fallbacks) = self.try_deflection(&given, deflection, input, output);
+        self.rested = Some((key, deflection, left));
+        (deflection, left, fallbacks)
+    }
+
+    /// How the load of `input` is carried on rails without mass, near where that is `expected`, if
+    /// they are to be sought there; they are then known to rest there under this input. Nothing
+    /// where they do not, or strips do not tell.
+    pub(super) fn carried_at_rest(
+        &mut self,
+        input: &mut Input,
+        expected: Option<Carried>,
+        output: &mut Output,
+    ) -> Option<Carried> {
+        let given = *input;
+        let near = expected.and_then(|about| self.aside_near(&given, about, input, output));
+        let found = near.unwrap_or_else(|| self.aside_from_none(&given, input, output));
+        let Aside { y, left, growth, fallbacks } = found;
+        if fallbacks > 0 || left.abs() > MISSED {
+            return None;
+        }
+        self.rested = Some((without_height(&given), [y, self.sunk_under_load(&given)], left));
+        let aside = (growth.abs() < MOST_GROWTH).then_some(y);
+        Some(self.carried?.on_rails(aside))
+    }
+
+    /// How far rails sink under a given load [m].
+    fn sunk_under_load(&self, given: &Input) -> f64 {
+        given.wheel_load.max(0.0) / self.foundation.stiffness[1]
+    }
+
+    /// The lateral deflection that is met first on the way out from none.
+    fn aside_from_none(&mut self, given: &Input, input: &mut Input, output: &mut Output) -> Aside {
+        let mut trials = Trials::new(self, given);
+        let level = trials.left(0.0, input, output);
         let first = level.clamp(-FIRST_WAY, FIRST_WAY);
-        let (y, left) = outward(level, first, MAX_WAY, RESOLUTION, &mut missing);
-        ([y, sunk], left, fallbacks)
+        let (y, left) =
+            outward(level, first, MAX_WAY, RESOLUTION, |y| trials.left(y, input, output));
+        Aside { y, left, ..trials.last }
+    }
+
+    /// That beside the one which is expected, by secants; nothing where they do not lead to one.
+    fn aside_near(
+        &mut self,
+        given: &Input,
+        about: Carried,
+        input: &mut Input,
+        output: &mut Output,
+    ) -> Option<Aside> {
+        let mut y = about.aside?;
+        let mut trials = Trials::new(self, given);
+        trials.carried = Some(about);
+        trials.last.y = y;
+        for _ in 0..MAX_STEPS {
+            let before = trials.last.left.abs();
+            let left = trials.left(y, input, output);
+            if left.abs() <= RESOLUTION {
+                return Some(trials.last);
+            }
+            if !(2.0 * left.abs() < before && trials.last.growth.abs() < MOST_GROWTH) {
+                return None;
+            }
+            y += left / (1.0 - trials.last.growth);
+        }
+        None
     }
 
     /// Deflection to begin with under a wheel of given height: rails that only sink, under a

@@ -21,12 +21,16 @@ const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
 const DESCENT_STEP: f64 = 2e-4;
 /// Steps after which the wheel stands beside the rail: 0.15 m, more than any flange is high.
 const MAX_DESCENT_STEPS: usize = 750;
-/// How far beside a guess of first touch the wheel is tried, as a share of what the height is known
-/// to.
-const LOOK_BESIDE: f64 = 1.0 / 256.0;
+/// Twice the least radius of bodies against each other that a guess of first touch allows for [m]:
+/// penetration goes with the height, but for its square over this; and the greatest share of it.
+const TWICE_RADIUS: f64 = 1e-2;
+const MOST_ALLOWED: f64 = 0.5;
+/// By how much more a guess that was clear is allowed for, and a way that led to no clear height is
+/// lengthened.
+const FARTHER: f64 = 4.0;
 /// Every so many trials the middle is taken, should the guesses be none.
-const BISECT_EVERY: usize = 4;
-/// From the step of the descent to rounding it takes 45 bisections; a dozen trials are the rule.
+const BISECT_EVERY: usize = 8;
+/// From the step of the descent to rounding it takes 45 bisections; half a dozen trials are the rule.
 const MAX_TRIALS: usize = BISECT_EVERY * 45;
 
 impl Element {
@@ -138,24 +142,31 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> 
     let (step, mut to_lift) =
         (1..=MAX_DESCENT_STEPS).find_map(|step| Some((step, lift(height(step))?)))?;
     let (mut clear, mut touching) = (height(step - 1), height(step));
-    // Down to neighbouring numbers.
+    // Down to neighbouring numbers: from within by the penetration, which leaves about its square,
+    // and from the last of these guesses up until it is clear.
+    let rounding = touching - touching.next_down();
+    let (mut allowed, mut way) = (1.0, rounding);
     for trial in 1..=MAX_TRIALS {
-        let guess = touching - to_lift;
-        let aside = LOOK_BESIDE * (touching - clear);
-        // The farther end is brought to just beyond the guess.
-        let beside = if guess - clear > touching - guess { guess - aside } else { guess + aside };
+        let share = (to_lift / TWICE_RADIUS).min(MOST_ALLOWED);
+        let guess = touching - to_lift + allowed * (share * to_lift).max(rounding);
         let is_inside = |z: f64| z > clear && z < touching;
-        let z = if trial % BISECT_EVERY != 0 && is_inside(beside) {
-            beside
+        let middle = 0.5 * (clear + touching);
+        let z = if trial % BISECT_EVERY == 0 {
+            middle
+        } else if is_inside(guess) {
+            guess
         } else {
-            0.5 * (clear + touching)
+            let above = touching - way;
+            way *= FARTHER;
+            if is_inside(above) { above } else { middle }
         };
         if !is_inside(z) {
             break;
         }
-        match lift(z) {
-            Some(found) => (touching, to_lift) = (z, found),
-            None => clear = z,
+        if let Some(found) = lift(z) {
+            (touching, to_lift) = (z, found);
+        } else {
+            (clear, allowed) = (z, FARTHER * allowed);
         }
     }
     Some(touching)

@@ -75,6 +75,7 @@ impl Element {
         let load = input.wheel_load;
         let own_height = input.wheel.position[2];
         let expected = self.expected.take();
+        self.carried = None;
         // The given height must not matter, not even in the last digit.
         input.wheel.position[2] = -self.nominal_radius;
         let clear = self.height_near_touch(input);

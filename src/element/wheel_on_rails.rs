@@ -22,12 +22,14 @@ pub struct Element {
     pub(super) foundation: Foundation,
     /// Where rails with a mass are, from their first step on.
     pub(super) track: Option<TrackState>,
-    /// The last input under which rails without mass rested at a given height, where that was, and
-    /// what was left of the way to it: asked for derivatives at an input, they are not to be sought
-    /// again.
+    /// The last input under which rails without mass rested, without its height where a load is
+    /// given, where that was, and what was left of the way to it: asked for derivatives at an input,
+    /// they are not to be sought again.
     pub(super) rested: Option<(Input, [f64; 2], f64)>,
     /// About how the load of the next evaluation will be carried, if that is known.
     pub(super) expected: Option<Carried>,
+    /// How that of the last one was carried, if strips told.
+    pub(super) carried: Option<Carried>,
     pub(super) nominal_radius: f64,
     pub(super) models: Models,
     pub(super) rails: [Option<RailContact>; RAILS],

@@ -22,8 +22,8 @@ const MAX_ROLL: f64 = 0.1;
 const FIRST_STEP: f64 = 1e-3;
 /// Roll angles are found to this [rad]: the heights to 1e-15 m.
 const RESOLUTION: f64 = 1e-15;
-/// What of heights of a metre is rounding [m].
-const ROUNDING: f64 = 2e-15;
+/// What heights are told to by the stiffness of a contact, 1e-10 of a load and less [m].
+const TOLD: f64 = 1e-14;
 /// What may be missing at the roll found [m].
 const MISSED: f64 = 1e-12;
 
@@ -118,7 +118,7 @@ impl Wheelset {
                 slopes[k] = -((down - z) * patch.contact_angle.tan() + across - y);
             }
             let missing = heights[RIGHT] - heights[LEFT] - between * at.wheelset.axle().z;
-            if missing.abs() <= ROUNDING {
+            if missing.abs() <= TOLD {
                 let middles =
                     [RIGHT, LEFT].map(|k| heights[k] - self.markers[k] * at.wheelset.axle().z);
                 at.wheelset.position[2] = 0.5 * (middles[RIGHT] + middles[LEFT]);

@@ -218,12 +218,15 @@ impl RailContact {
         clearance.ranges(&lowest, &mut self.ranges);
     }
 
-    /// A marker height from which a wheel with the roll of `input` (right side) is surely clear of
-    /// rail number `k` [m].
+    /// A marker height from which a wheel coming down at the y, roll and yaw of `input` (right side)
+    /// is surely clear of rail number `k`; infinite where it stands beside the rail [m].
     pub fn clear_height(&self, k: usize, input: &Input) -> f64 {
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        if frame.roll == 0.0 {
+            return self.height_near_touch(k, input);
+        }
         let pose = frame.pose(&input.wheel);
-        // A rolled rail turns the height about its marker.
+        // A rolled rail turns the height about its marker, and moves the wheel aside on its way down.
         let highest = self.highest();
         frame.marker.z + self.clearance.clear_height(pose.roll)
             - pose.marker[1].abs() * frame.roll.abs()

@@ -106,38 +106,74 @@ impl RailContact {
     }
 
     /// How far the wheel of `input` has to go down for the contacts with rail number `k`, each by
-    /// itself as Piotrowski and Kik have it, to have about the vertical force `load`; nothing where
-    /// there is no contact [m].
+    /// itself, to have about the vertical force `load`, if friction bore nothing; adds the forces
+    /// there to `output`. Contacts by themselves are those of the normal model, or of Piotrowski
+    /// and Kik where that solves for a whole rail. Nothing where there is no contact.
+    ///
+    /// # Errors
+    /// How far the wheel has to be lifted off, where that is more than `most_lift` [m].
     pub fn way_down(
         &mut self,
         k: usize,
         input: &Input,
+        [load, most_lift]: [f64; 2],
         models: &mut Models,
-        load: f64,
-    ) -> Option<f64> {
-        if !self.search_contacts(k, input) || self.search.contacts.is_empty() {
-            return None;
+        output: &mut Output,
+        work: &mut Work,
+    ) -> Option<Result<Descent, f64>> {
+        let lift = self.lift(k, input)?;
+        work.searches += 1;
+        if lift > most_lift {
+            return Some(Err(lift));
         }
         let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
+        let normal = match models.normal {
+            NormalModel::Strips | NormalModel::BoundaryElement => NormalModel::PiotrowskiKik,
+            by_contacts => by_contacts,
+        };
+        let (rail, search) = (&self.rail, &mut self.search);
         let mut descent = Descent { down: frame.down(), ..Descent::to(load) };
+        let mut last = None;
         descent.run(|descent, _| {
             let (mut reached, mut deepest) = (0.0, 0.0_f64);
-            for index in 0..self.search.contacts.len() {
-                let (rail, search) = (&self.rail, &mut self.search);
+            for index in 0..search.contacts.len() {
                 let cosine = descent.cosine(search.contacts[index].tangent);
                 let deeper = descent.way * cosine;
-                let normal = NormalModel::PiotrowskiKik;
                 let pressed = press(&line, rail, search, index, normal, deeper, models);
                 reached += models.strips.load() * cosine;
                 deepest =
                     deepest.max((pressed.contact.penetration + deeper) / cosine.max(STEEPEST));
+                last = Some(pressed);
             }
             (reached, Slope::Depth(deepest))
         });
-        Some(descent.way)
+        // The zones of a single contact are there.
+        let mut there = last.filter(|_| search.contacts.len() == 1);
+        for index in 0..search.contacts.len() {
+            let deeper = descent.way * descent.cosine(search.contacts[index].tangent);
+            let pressed = there
+                .take()
+                .unwrap_or_else(|| press(&line, rail, search, index, normal, deeper, models));
+            let forces = ContactSetup {
+                k,
+                input,
+                frame,
+                line,
+                rail: RailOutline::at_rest(rail),
+                contact: pressed.contact,
+                slopes: pressed.slopes,
+                damped: Damped::Alone,
+                resultant_share: 1.0,
+                friction: self.friction.as_ref(),
+                is_on_arc: false,
+            };
+            let mut separation = pressed.separation;
+            forces.add_forces(&mut separation, models, output, work);
+        }
+        Some(Ok(descent))
     }
 
     /// Adds the forces of the contacts found; returns how many zones found no room or fell back to
