@@ -152,7 +152,8 @@ impl fmt::Display for Message<'_> {
                 match rolling {
                     Some(rate) => write!(
                         f,
-                        "; it rolls freely at {body}.pitch_rate = {rate:.5} rad/s, which is -{body}.vx over the rolling radius"
+                        "; it rolls freely at {body}.pitch_rate = {rate:.5} rad/s, which is -{body}.vx over the rolling radius; motion = rolling \
+                         turns it so by its nominal radius"
                     ),
                     None => {
                         write!(f, "; look at {body}.pitch_rate and {prefix}rail[{rail}].pitch_rate")
@@ -179,8 +180,7 @@ impl fmt::Display for Message<'_> {
                 Ok(())
             }
             Remark::NoEffect { input, parameter, chosen, with } => {
-                let of_side =
-                    if input == "wheelset.z" || input == "wheelset.roll" { "" } else { prefix };
+                let of_side = if input.starts_with("wheelset.") { "" } else { prefix };
                 write!(
                     f,
                     "{of_side}{input} has no effect with {parameter} = {chosen}: it has with \"{with}\""

@@ -3,7 +3,7 @@
 
 use super::input::Input;
 use super::output::{Output, Patch};
-use super::parameters::{FrictionDistribution, Parameters, Side, VerticalMode};
+use super::parameters::{FrictionDistribution, Motion, Parameters, Side, VerticalMode};
 use super::remark::Remark;
 use super::subject::Subject;
 use super::vertical_load::is_carried;
@@ -103,7 +103,10 @@ pub fn without_effect(parameters: &Parameters, name: &str) -> Option<Remark> {
         let mode = parameters.vertical_mode;
         (mode != wanted).then_some(("vertical.mode", name_of_mode(mode), name_of_mode(wanted)))
     };
+    let turned = (parameters.motion != Motion::Given).then_some(("motion", "rolling", "given"));
     let (input, found) = match name {
+        "wheel.pitch_rate" => ("wheel.pitch_rate", turned),
+        "wheelset.pitch_rate" => ("wheelset.pitch_rate", turned),
         "wheel.load" => ("wheel.load", vertical(VerticalMode::Load)),
         "wheel.z" => ("wheel.z", vertical(VerticalMode::Penetration)),
         "wheelset.z" => ("wheelset.z", vertical(VerticalMode::Penetration)),
