@@ -1,5 +1,5 @@
 //! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes
-//! docs/scoreboard.csv, and docs/scoreboard.md from it.
+//! docs/scoreboard.csv and docs/families.csv, and docs/scoreboard.md from them.
 //!
 //! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than in the
 //! committed table by more than its noise; with WHEELRAIL_SCOREBOARD=page it makes the page anew
@@ -46,6 +46,7 @@ fn main() -> ExitCode {
         .collect();
     let wish = env::var("WHEELRAIL_SCOREBOARD").unwrap_or_default();
     if wish == "page" {
+        page::write_families(&families);
         page::write(&page::again(&families));
         return ExitCode::SUCCESS;
     }
@@ -76,6 +77,7 @@ fn main() -> ExitCode {
     let text = page::text(&results, &walk, &times, seed);
     print!("{text}");
     page::write_table(&page::rows(&results));
+    page::write_families(&families);
     page::write(&text);
     ExitCode::SUCCESS
 }

@@ -11,6 +11,7 @@ use crate::family::{Case, Family, Spread};
 use crate::random::{JUMPS, Walk};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scoreboard.md");
+const FAMILIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/families.csv");
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scoreboard.csv");
 
 /// Results of a family: name of a setting or of another program, and its cases.
@@ -19,7 +20,7 @@ pub struct Results<'a> {
     pub rows: Vec<(String, Vec<Case>)>,
 }
 
-/// Public cases that are in no table, and why.
+/// Public cases that are in no family, and why.
 const LEFT_OUT: [(&str, &str); 15] = [
     (
         "Wheels with flats and out of round: wheelflat, oor_*",
@@ -92,7 +93,7 @@ const HEAD: &str = "# Scoreboard
 *For whoever wants to know how far the models are off, case by case.*
 
 Every public case that the element can represent, by the default models and by those that users choose between: here those of most users, all rows with the case that is worst in
-[scoreboard.csv](scoreboard.csv). Both are written by
+[scoreboard.csv](scoreboard.csv), what the families are and which public cases are in none of them in [families.csv](families.csv). All three are written by
 
 ```sh
 cargo bench --no-default-features --bench scoreboard
@@ -185,7 +186,23 @@ pub fn table(rows: &[Row]) -> String {
     text
 }
 
-/// What the families are, and their rows by the models of [`SHOWN`].
+/// What the families are, and what is in none of them.
+pub fn write_families(families: &[&Family]) {
+    let mut writer = csv::Writer::from_path(FAMILIES).expect("docs/families.csv can be written");
+    let heading = ["family", "what", "reference"];
+    let all = families.iter().map(|family| {
+        let folder = if family.needs_folder { NEEDS_FOLDER } else { "" };
+        [family.title.to_owned(), format!("{}{folder}", family.text), family.source.to_owned()]
+    });
+    let left_out = LEFT_OUT
+        .map(|(cases, reason)| [format!("left out: {cases}"), reason.to_owned(), String::new()]);
+    for row in [heading.map(str::to_owned)].into_iter().chain(all).chain(left_out) {
+        writer.write_record(row).expect("docs/families.csv can be written");
+    }
+    writer.flush().expect("docs/families.csv can be written");
+}
+
+/// The rows of the families by the models of [`SHOWN`].
 fn summary(families: &[&Family], rows: &[Row]) -> String {
     let mut page =
         String::from("## Errors\n\nMedian, 95 % and worst.\n\n| family | quantity | cases |");
@@ -194,6 +211,8 @@ fn summary(families: &[&Family], rows: &[Row]) -> String {
     }
     page += "\n|---|---|---:|---|---|---|\n";
     for family in families {
+        // The title stands once.
+        let mut title = family.title;
         for quantity in family.quantities {
             let of = |by: &str| {
                 rows.iter().find(|row| {
@@ -201,19 +220,14 @@ fn summary(families: &[&Family], rows: &[Row]) -> String {
                 })
             };
             let Some(first) = of(SHOWN[0].0) else { continue };
-            write!(page, "| {} | {quantity} | {} |", family.title, first.cases).expect("a text");
+            write!(page, "| {title} | {quantity} | {} |", first.cases).expect("a text");
+            title = "";
             for (by, _) in SHOWN {
                 let figures = of(by).map_or_else(String::new, |row| row.figures.join(", "));
                 write!(page, " {figures} |").expect("a text");
             }
             page.push('\n');
         }
-    }
-    page += "\n## Families\n\n";
-    for family in families {
-        let folder = if family.needs_folder { NEEDS_FOLDER } else { "" };
-        let Family { title, text, source, .. } = family;
-        writeln!(page, "- **{title}.** {text} Reference: {source}.{folder}").expect("a text");
     }
     page.push('\n');
     page
@@ -229,7 +243,7 @@ fn section<'a>(page: &'a str, title: &str) -> &'a str {
 /// The page of the CSV and the rest of the page that is committed.
 pub fn again(families: &[&Family]) -> String {
     let page = fs::read_to_string(PAGE).unwrap_or_default();
-    let rest = ["Jumps", "Times", "Left out"].map(|title| section(&page, title)).concat();
+    let rest = ["Jumps", "Times"].map(|title| section(&page, title)).concat();
     String::from(HEAD) + &summary(families, &known()) + &rest
 }
 
@@ -260,10 +274,6 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
         let (over, most) = (rounded(middle / unit), rounded(worst / middle));
         writeln!(page, "| {name} | {} | {over} | {most} | {} |", spread.count, spread.worst)
             .expect("a text");
-    }
-    page += "\n## Left out\n\n| cases | reason |\n|---|---|\n";
-    for (cases, reason) in LEFT_OUT {
-        writeln!(page, "| {cases} | {reason} |").expect("a text");
     }
     writeln!(
         page,
