@@ -65,7 +65,7 @@ pub enum Remark {
 
 impl Remark {
     /// How many kinds there are.
-    pub const KINDS: usize = 11;
+    pub const KINDS: usize = 12;
 
     /// The kind, as a number below [`KINDS`](Self::KINDS): each is told once.
     #[must_use]
@@ -81,6 +81,7 @@ impl Remark {
             Self::Slides { .. } => 7,
             Self::ProfileEnd { of_rail, .. } => 8 + usize::from(*of_rail),
             Self::NoEffect { .. } => 10,
+            Self::Place(StartWarning::BeginsAtOnce { .. }) => 11,
         }
     }
 
@@ -98,6 +99,7 @@ impl Remark {
             Self::Place(StartWarning::InTheAir { .. }) => "in the air",
             Self::Place(StartWarning::InsideARail { .. }) => "inside a rail",
             Self::Place(StartWarning::InRail2 { .. }) => "in rail[2]",
+            Self::Place(StartWarning::BeginsAtOnce { .. }) => "force begins with a jump",
             Self::Sunk { .. } => "too deep for a force",
             Self::LoadMissed { .. } => "load not carried",
             Self::Fallback { .. } => "no room, or a simpler model",
