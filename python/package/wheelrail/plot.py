@@ -141,7 +141,8 @@ def patch(field: Field, axes: Axes | None = None, *, arrows: int = 20) -> Axes:
     if (field.adherence == 1).any() and (field.adherence == 2).any():
         axes.contour(y, x, (field.adherence == 1).T.astype(float), levels=[0.5], colors=_RIGHT, linewidths=2)
         axes.plot([], [], color=_RIGHT, lw=2, label="adhesion ends")
-        axes.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), fontsize="small")
+        # A patch leaves the corners free.
+        axes.legend(frameon=False, loc="lower right", fontsize="x-small")
     # A margin around the loaded elements, the same on all sides.
     across, along = (field.pressure > 0.0).any(axis=1), (field.pressure > 0.0).any(axis=0)
     if across.any():
