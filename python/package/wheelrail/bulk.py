@@ -41,7 +41,7 @@ def evaluate(
         with decimal commas if they have them) or Parquet, columns as for `wheelrail.evaluate`; or tables
         at hand, or made one after the other.
     target : path
-        ``.csv``, parted as the source is, or ``.parquet``; it gets its name when it is complete, until then it is ``TARGET.partial``.
+        ``.csv``, parted as the source is, with decimal points, or ``.parquet``; it gets its name when it is complete, until then it is ``TARGET.partial``.
     unit : {"WheelRail", "WheelSet"}
         One wheel, or two on an axle.
     outputs : sequence of str, optional
@@ -97,7 +97,7 @@ def evaluate(
 
 
 class _CsvStyle(NamedTuple):
-    """How a table is written: what parts its columns, and its decimal mark."""
+    """How a table is read: what parts its columns, and its decimal mark."""
 
     sep: str = ","
     decimal: str = "."
@@ -144,7 +144,7 @@ class _CsvWriter:
 
     def write(self, table: pandas.DataFrame) -> None:
         is_new = not self._path.exists()
-        table.to_csv(self._path, mode="a", header=is_new, index=False, **self._style._asdict())
+        table.to_csv(self._path, mode="a", header=is_new, index=False, sep=self._style.sep)
 
     def close(self) -> None:
         """Every piece is written when it comes."""
