@@ -43,7 +43,7 @@ fn variables() -> String {
         rows.extend(all.map(|v| row("WheelRail", v)));
     }
     let on_side = |name: &str| name.starts_with("right.") || name.starts_with("left.");
-    let is_own = |v: &&Variable| !on_side(v.name) && !(v.is_settable() && find(v.name).is_ok());
+    let is_own = |v: &&Variable| !(on_side(v.name) || v.is_settable() && find(v.name).is_ok());
     rows.extend(WHEELSET.variables.iter().filter(is_own).map(|v| row("WheelSet", v)));
     csv(rows)
 }
