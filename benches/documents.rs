@@ -1,9 +1,10 @@
 //! Writes the figures that tests have left in target/reports into docs: between
 //! `<!-- summary NAME -->` and `<!-- end of summary -->` stands the table `summary_NAME.csv`. Then
 //! into all pages and README.md the figures that they take from these tables: between
-//! `<!-- figure NAME; ROW; COLUMN -->` and `<!-- -->` stands the cell of that table. A table of
-//! docs/scoreboard.md is named by its heading, a row by all that stands before its cases:
-//! `<!-- figure FAMILY; QUANTITY; BY; COLUMN -->`.
+//! `<!-- figure NAME; ROW; COLUMN -->` and `<!-- -->` stands the cell of that table. A cell of
+//! docs/scoreboard.csv is named by `<!-- figure FAMILY; QUANTITY; BY; COLUMN -->`. Between
+//! `<!-- block NAME -->` and `<!-- end of block -->` stands docs/blocks/NAME.md with these names in
+//! braces: one pair of marks a table.
 //!
 //! `docs/make_tables` runs the tests with their whole sets first.
 
@@ -18,6 +19,8 @@ const BEGIN: &str = "\n<!-- summary ";
 const END: &str = "<!-- end of summary -->";
 const FIGURE: &str = "<!-- figure ";
 const FIGURE_END: &str = "<!-- -->";
+const BLOCK: &str = "\n<!-- block ";
+const BLOCK_END: &str = "<!-- end of block -->";
 
 /// Cells of the tables in the pages, by "NAME; ROW; COLUMN".
 type Cells = HashMap<String, String>;
@@ -82,25 +85,31 @@ fn collect(page: &str, cells: &mut Cells) {
     }
 }
 
-/// Adds the cells of docs/scoreboard.md to `cells`.
-fn collect_scoreboard(page: &str, cells: &mut Cells) {
-    let (mut title, mut columns) = ("", Vec::new());
-    for line in page.lines() {
-        title = line.strip_prefix("## ").unwrap_or(title);
-        let Some(row) = line.strip_prefix("| ") else { continue };
-        let row: Vec<&str> = row.trim_end_matches('|').split(" | ").map(str::trim).collect();
-        if let Some(keys) = columns.iter().position(|&column| ["cases", "poses"].contains(&column))
-            && row.len() == columns.len()
-            && row[keys] != columns[keys]
-        {
-            let name = row[..keys].join("; ");
-            for (column, cell) in columns.iter().zip(&row).skip(keys) {
-                cells.insert(format!("{title}; {name}; {column}"), (*cell).to_owned());
-            }
-        } else {
-            columns = row;
+/// Adds the figures of docs/scoreboard.csv to `cells`, and the table of times of the page.
+fn collect_scoreboard(page: &str, table: &Path, cells: &mut Cells) -> Result<(), String> {
+    let told = |error: csv::Error| format!("{}: {error}", table.display());
+    let mut reader = csv::Reader::from_path(table).map_err(told)?;
+    let columns = reader.headers().map_err(told)?.clone();
+    for record in reader.records() {
+        let record = record.map_err(told)?;
+        let name = record.iter().take(3).collect::<Vec<&str>>().join("; ");
+        for (column, cell) in columns.iter().zip(&record).skip(3) {
+            cells.insert(format!("{name}; {column}"), cell.to_owned());
         }
     }
+    let mut columns = Vec::new();
+    for line in page.lines() {
+        let Some(row) = line.strip_prefix("| ") else { continue };
+        let row: Vec<&str> = row.trim_end_matches('|').split(" | ").map(str::trim).collect();
+        if columns.get(1) != Some(&"poses") {
+            columns = row;
+            continue;
+        }
+        for (column, cell) in columns.iter().zip(&row).skip(1) {
+            cells.insert(format!("Times; {}; {column}", row[0]), (*cell).to_owned());
+        }
+    }
+    Ok(())
 }
 
 /// The page with its figures as in `cells`.
@@ -119,6 +128,34 @@ fn with_figures(page: &str, cells: &Cells) -> Result<String, String> {
         text += cell;
         text += FIGURE_END;
         rest = &rest[body_end + FIGURE_END.len()..];
+    }
+    Ok(text + rest)
+}
+
+/// The page with its blocks, whose figures are as in `cells`.
+fn with_blocks(page: &str, blocks: &Path, cells: &Cells) -> Result<String, String> {
+    let mut text = String::new();
+    let mut rest = page;
+    while let Some(place) = rest.find(BLOCK) {
+        let name_at = place + BLOCK.len();
+        let name_end = name_at + rest[name_at..].find(" -->").ok_or("a block without its end")?;
+        let name = &rest[name_at..name_end];
+        let body_at = name_end + " -->".len();
+        let body_end = rest[body_at..].find(BLOCK_END);
+        let body_end = body_at + body_end.ok_or_else(|| format!("block {name} has no end"))?;
+        let path = blocks.join(format!("{name}.md"));
+        let pattern = fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+        text += &rest[..body_at];
+        text.push('\n');
+        let mut parts = pattern.split('{');
+        text += parts.next().unwrap_or_default();
+        for part in parts {
+            let (name, after) = part.split_once('}').ok_or("a brace without its end")?;
+            let cell = cells.get(name).ok_or_else(|| format!("no table has the figure {name}"))?;
+            text += cell;
+            text += after;
+        }
+        rest = &rest[body_end..];
     }
     Ok(text + rest)
 }
@@ -146,13 +183,15 @@ fn write(root: &Path) -> Result<(), String> {
         rewrite(page, |text| filled(text, &root.join("target/reports"), &mut missing))?;
         let text = fs::read_to_string(page).map_err(|error| error.to_string())?;
         if page.ends_with("scoreboard.md") {
-            collect_scoreboard(&text, &mut cells);
+            collect_scoreboard(&text, &page.with_extension("csv"), &mut cells)?;
         } else {
             collect(&text, &mut cells);
         }
     }
     for page in &pages {
-        rewrite(page, |text| with_figures(text, &cells))?;
+        rewrite(page, |text| {
+            with_blocks(&with_figures(text, &cells)?, &root.join("docs/blocks"), &cells)
+        })?;
     }
     for name in missing {
         println!("summary {name} is not in target/reports: its table stays as it is; run its test");

@@ -79,7 +79,7 @@ fn pack(root: &Path, target: &Path) -> PathBuf {
     let mut command = Command::new(cargo);
     command
         .current_dir(root)
-        .args(["build", "--release", "--no-default-features", "--features", "package"])
+        .args(["check", "--release", "--no-default-features", "--features", "package"])
         .arg("--target-dir")
         .arg(target);
     // What describes this build would change that one.

@@ -5,27 +5,32 @@ Run: python make_keywords.py, with the package installed.
 
 from pathlib import Path
 
-from wheelrail import variables
+from wheelrail import Column, variables
+from wheelrail._variables import is_evaluated
 
 TYPES = {"real": "float", "integer": "int", "boolean": "bool", "text": "str | os.PathLike[str]"}
 
 
 def main() -> str:
     lines = [
-        '"""Inputs and parameters as keywords. Made by make_keywords.py: do not change it by hand."""',
+        '"""Inputs and parameters as keywords, outputs as attributes. Made by make_keywords.py: do not change it by hand."""',
         "",
         "from __future__ import annotations",
         "",
         "import os",
-        "from typing import Literal, TypedDict",
+        "from typing import Any, Literal, TypedDict",
         "",
         "import numpy.typing as npt",
+        "",
+        "from ._result import Result",
         "",
         "__all__ = [",
         '    "ElementInputs",',
         '    "ElementParameters",',
+        '    "ElementResult",',
         '    "WheelSetInputs",',
         '    "WheelSetParameters",',
+        '    "WheelSetResult",',
         "]",
     ]
     for unit, name in (("WheelRail", "Element"), ("WheelSet", "WheelSet")):
@@ -43,7 +48,18 @@ def main() -> str:
             lines += [f"    {v.keyword}: {kind}", *described(v)]
         for v in inputs:
             lines += [f"    {v.keyword}: float", *described(v)]
+        # Arrays, or numbers where every input is one: which of them depends on the values.
+        lines += ["", "", f"class {name}Result(Result):"]
+        lines += [f'    """What `wheelrail.{name}.evaluate` gives, for type checkers."""', ""]
+        for v in variables(unit):
+            if is_evaluated(v):
+                lines += [f"    {attribute(v)}: Any", *described(v)]
     return "\n".join(lines) + "\n"
+
+
+def attribute(variable):
+    """The name of an output as an attribute of results."""
+    return Column(variable.name, variable.unit).keyword
 
 
 def described(variable):

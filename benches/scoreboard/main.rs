@@ -1,8 +1,9 @@
 //! Every public case, one table: `cargo bench --no-default-features --bench scoreboard` writes
-//! docs/scoreboard.md.
+//! docs/scoreboard.csv and docs/families.csv, and docs/scoreboard.md from them.
 //!
-//! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than on the
-//! committed page by more than its noise. WHEELRAIL_SEED chooses the random cases, which are others
+//! With WHEELRAIL_SCOREBOARD=check it writes nothing and fails where a figure is worse than in the
+//! committed table by more than its noise; with WHEELRAIL_SCOREBOARD=page it makes the page anew
+//! from that table. WHEELRAIL_SEED chooses the random cases, which are others
 //! in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed
 //! on. A word behind `--` runs the families alone whose titles have it in them, and shows their
 //! tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
@@ -43,15 +44,21 @@ fn main() -> ExitCode {
         .chain([&random::FAMILY])
         .filter(|family| word.as_ref().is_none_or(|word| family.title.contains(word)))
         .collect();
+    let wish = env::var("WHEELRAIL_SCOREBOARD").unwrap_or_default();
+    if wish == "page" {
+        page::write_families(&families);
+        page::write(&page::again(&families));
+        return ExitCode::SUCCESS;
+    }
     let results = solve_all(&families, seed);
     page::report(&results);
     if word.is_some() {
-        print!("{}", page::tables(&results));
+        print!("{}", page::table(&page::rows(&results)));
         return ExitCode::SUCCESS;
     }
     println!("walks");
     let walk = random::walk(seed);
-    if env::var("WHEELRAIL_SCOREBOARD").is_ok_and(|wish| wish == "check") {
+    if wish == "check" {
         for Results { family, .. } in results.iter().filter(|results| results.rows.is_empty()) {
             println!("not compared without {}: {}", measured::FOLDER, family.title);
         }
@@ -59,7 +66,7 @@ fn main() -> ExitCode {
         for line in &worse {
             println!("worse: {line}");
         }
-        println!("{} figures are worse than on docs/scoreboard.md", worse.len());
+        println!("{} figures are worse than in docs/scoreboard.csv", worse.len());
         return if worse.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
     println!("times");
@@ -69,6 +76,8 @@ fn main() -> ExitCode {
         .collect();
     let text = page::text(&results, &walk, &times, seed);
     print!("{text}");
+    page::write_table(&page::rows(&results));
+    page::write_families(&families);
     page::write(&text);
     ExitCode::SUCCESS
 }

@@ -1,4 +1,5 @@
-//! The page docs/scoreboard.md, and its comparison with the one that is committed.
+//! The page docs/scoreboard.md with the table docs/scoreboard.csv, and their comparison with those
+//! that are committed.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -10,6 +11,8 @@ use crate::family::{Case, Family, Spread};
 use crate::random::{JUMPS, Walk};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scoreboard.md");
+const FAMILIES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/families.csv");
+const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scoreboard.csv");
 
 /// Results of a family: name of a setting or of another program, and its cases.
 pub struct Results<'a> {
@@ -17,7 +20,7 @@ pub struct Results<'a> {
     pub rows: Vec<(String, Vec<Case>)>,
 }
 
-/// Public cases that are in no table, and why.
+/// Public cases that are in no family, and why.
 const LEFT_OUT: [(&str, &str); 15] = [
     (
         "Wheels with flats and out of round: wheelflat, oor_*",
@@ -87,53 +90,146 @@ const NEEDS_FOLDER: &str = " Needs the folder of profiles.";
 
 const HEAD: &str = "# Scoreboard
 
-Every public case that the element can represent, by the default models and by those that users choose between. Written by
+*For whoever wants to know how far the models are off, case by case.*
+
+Every public case that the element can represent, by the default models and by those that users choose between: here those of most users, all rows with the case that is worst in
+[scoreboard.csv](scoreboard.csv), what the families are and which public cases are in none of them in [families.csv](families.csv). All three are written by
 
 ```sh
 cargo bench --no-default-features --bench scoreboard
 ```
 
-which takes some minutes; nothing in the tables is written by hand. Errors are absolute values: half of the cases are below the median, one in twenty is above the
-column 95 %, and the last two columns say how large the greatest one is and which case it is. All cases, each with its errors, stand in
-`target/reports/scoreboard.csv` after a run; a file of references begins with its source, units and signs. A word runs the families alone that have it in their titles, and
-shows their tables:
-
-```sh
-cargo bench --no-default-features --bench scoreboard -- roller
-```
+which takes some minutes. Errors are absolute values: half of the cases are below the median, one in twenty is above the 95 %. Each case with its errors stands in
+`target/reports/scoreboard.csv` after a run. A word behind the command, `-- roller`, runs the families alone that have it in their titles.
 
 Some families need profiles that may not be passed on, those of CONTACT's test bank and examples. They run where `WHEELRAIL_PROFILES` names a folder that has them, in itself or in
-`testbank` in it; without it their tables stay as they are. With `WHEELRAIL_SCOREBOARD=check` nothing is written: the command fails where a figure is worse than here.
+`testbank` in it; without it their rows stay as they are. With `WHEELRAIL_SCOREBOARD=check` nothing is written: the command fails where a figure is worse than here;
+with `WHEELRAIL_SCOREBOARD=page` this page is made anew from the CSV.
 
 ";
 
-/// The tables of families. That of one whose folder is not given stays as it is on the page.
-pub fn tables(results: &[Results]) -> String {
-    let known = fs::read_to_string(PAGE).unwrap_or_default();
-    let mut page = String::new();
+/// The models of the summary, as the rows of the CSV name them, with the heading of their column.
+const SHOWN: [(&str, &str); 3] = [
+    ("by default", "by default"),
+    ("`piotrowski_kik` + `fastsim`, flat", "`piotrowski_kik` + `fastsim`, flat"),
+    ("`boundary_element` 40 x 40", "`boundary_element` 40 x 40"),
+];
+
+/// A row of the CSV, as it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    family: String,
+    quantity: String,
+    by: String,
+    cases: String,
+    /// Median, 95 % and worst.
+    figures: [String; 3],
+    which: String,
+}
+
+const COLUMNS: [&str; 8] =
+    ["family", "quantity", "by", "cases", "median", "95 %", "worst", "which"];
+
+/// The rows of the CSV that is committed; none if there is no such file.
+pub fn known() -> Vec<Row> {
+    let Ok(mut reader) = csv::Reader::from_path(TABLE) else { return Vec::new() };
+    let cells = reader.records().map(|record| record.expect("docs/scoreboard.csv is a table"));
+    cells
+        .map(|record| {
+            let cell = |k: usize| record[k].to_owned();
+            Row {
+                family: cell(0),
+                quantity: cell(1),
+                by: cell(2),
+                cases: cell(3),
+                figures: [4, 5, 6].map(cell),
+                which: cell(7),
+            }
+        })
+        .collect()
+}
+
+/// The rows of families. Those of one whose folder is not given stay as they are in the CSV.
+pub fn rows(results: &[Results]) -> Vec<Row> {
+    let before = known();
+    let mut all = Vec::new();
     for Results { family, rows } in results {
         if rows.is_empty() {
-            page += section(&known, family.title);
-            continue;
+            all.extend(before.iter().filter(|row| row.family == family.title).cloned());
         }
-        let folder = if family.needs_folder { NEEDS_FOLDER } else { "" };
-        let Family { title, text, source, .. } = family;
-        writeln!(page, "## {title}\n\n{text} Reference: {source}.{folder}\n").expect("a text");
-        page += "| quantity | by | cases | median | 95 % | worst | which |\n|---|---|---:|---:|---:|---:|---|\n";
         for (k, quantity) in family.quantities.iter().enumerate() {
             for (name, cases) in rows {
                 let Some(spread) = Spread::of(cases, k) else { continue };
-                let [median, most, worst] = spread.sizes.map(rounded);
-                writeln!(
-                    page,
-                    "| {quantity} | {name} | {} | {median} | {most} | {worst} | {} |",
-                    spread.count, spread.worst
-                )
-                .expect("a text");
+                all.push(Row {
+                    family: family.title.to_owned(),
+                    quantity: (*quantity).to_owned(),
+                    by: name.clone(),
+                    cases: spread.count.to_string(),
+                    figures: spread.sizes.map(rounded),
+                    which: spread.worst.to_owned(),
+                });
             }
         }
-        page.push('\n');
     }
+    all
+}
+
+/// All columns of rows, as a table to look at.
+pub fn table(rows: &[Row]) -> String {
+    let mut text = format!("| {} |\n|{}\n", COLUMNS.join(" | "), "---|".repeat(COLUMNS.len()));
+    for row in rows {
+        let Row { family, quantity, by, cases, which, .. } = row;
+        let figures = row.figures.join(" | ");
+        writeln!(text, "| {family} | {quantity} | {by} | {cases} | {figures} | {which} |")
+            .expect("a text");
+    }
+    text
+}
+
+/// What the families are, and what is in none of them.
+pub fn write_families(families: &[&Family]) {
+    let mut writer = csv::Writer::from_path(FAMILIES).expect("docs/families.csv can be written");
+    let heading = ["family", "what", "reference"];
+    let all = families.iter().map(|family| {
+        let folder = if family.needs_folder { NEEDS_FOLDER } else { "" };
+        [family.title.to_owned(), format!("{}{folder}", family.text), family.source.to_owned()]
+    });
+    let left_out = LEFT_OUT
+        .map(|(cases, reason)| [format!("left out: {cases}"), reason.to_owned(), String::new()]);
+    for row in [heading.map(str::to_owned)].into_iter().chain(all).chain(left_out) {
+        writer.write_record(row).expect("docs/families.csv can be written");
+    }
+    writer.flush().expect("docs/families.csv can be written");
+}
+
+/// The rows of the families by the models of [`SHOWN`].
+fn summary(families: &[&Family], rows: &[Row]) -> String {
+    let mut page =
+        String::from("## Errors\n\nMedian, 95 % and worst.\n\n| family | quantity | cases |");
+    for (_, heading) in SHOWN {
+        write!(page, " {heading} |").expect("a text");
+    }
+    page += "\n|---|---|---:|---|---|---|\n";
+    for family in families {
+        // The title stands once.
+        let mut title = family.title;
+        for quantity in family.quantities {
+            let of = |by: &str| {
+                rows.iter().find(|row| {
+                    row.family == family.title && row.quantity == *quantity && row.by == by
+                })
+            };
+            let Some(first) = of(SHOWN[0].0) else { continue };
+            write!(page, "| {title} | {quantity} | {} |", first.cases).expect("a text");
+            title = "";
+            for (by, _) in SHOWN {
+                let figures = of(by).map_or_else(String::new, |row| row.figures.join(", "));
+                write!(page, " {figures} |").expect("a text");
+            }
+            page.push('\n');
+        }
+    }
+    page.push('\n');
     page
 }
 
@@ -144,9 +240,17 @@ fn section<'a>(page: &'a str, title: &str) -> &'a str {
     &rest[..rest[1..].find("\n## ").map_or(rest.len(), |end| end + 2)]
 }
 
+/// The page of the CSV and the rest of the page that is committed.
+pub fn again(families: &[&Family]) -> String {
+    let page = fs::read_to_string(PAGE).unwrap_or_default();
+    let rest = ["Jumps", "Times"].map(|title| section(&page, title)).concat();
+    String::from(HEAD) + &summary(families, &known()) + &rest
+}
+
 /// The page, from which a later run takes what to compare with.
 pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], seed: u64) -> String {
-    let mut page = String::from(HEAD) + &tables(results);
+    let families: Vec<&Family> = results.iter().map(|results| results.family).collect();
+    let mut page = String::from(HEAD) + &summary(&families, &rows(results));
     writeln!(
         page,
         "## Jumps\n\nStraight lines of 0.1 mm in steps of 0.1 µm through random poses of new and worn wheels, with the default models (`tests/suite/walk.rs` has the long \
@@ -170,10 +274,6 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
         let (over, most) = (rounded(middle / unit), rounded(worst / middle));
         writeln!(page, "| {name} | {} | {over} | {most} | {} |", spread.count, spread.worst)
             .expect("a text");
-    }
-    page += "\n## Left out\n\n| cases | reason |\n|---|---|\n";
-    for (cases, reason) in LEFT_OUT {
-        writeln!(page, "| {cases} | {reason} |").expect("a text");
     }
     writeln!(
         page,
@@ -208,6 +308,18 @@ pub fn write(text: &str) {
     fs::write(PAGE, text).expect("docs/scoreboard.md can be written");
 }
 
+/// Writes the CSV beside it.
+pub fn write_table(rows: &[Row]) {
+    let mut writer = csv::Writer::from_path(TABLE).expect("docs/scoreboard.csv can be written");
+    writer.write_record(COLUMNS).expect("docs/scoreboard.csv can be written");
+    for Row { family, quantity, by, cases, figures: [median, most, worst], which } in rows {
+        writer
+            .write_record([family, quantity, by, cases, median, most, worst, which])
+            .expect("docs/scoreboard.csv can be written");
+    }
+    writer.flush().expect("docs/scoreboard.csv can be written");
+}
+
 /// By how much a figure of cases that stay the same may grow: other libraries of elementary
 /// functions, and two digits.
 const NOISE: f64 = 0.06;
@@ -217,8 +329,7 @@ const RANDOM_NOISE: [f64; 2] = [1.0 / 3.0, 0.5];
 
 /// What has become worse than on the committed page by more than the noise.
 pub fn worse(results: &[Results], walk: &Walk) -> Vec<String> {
-    let page = fs::read_to_string(PAGE).unwrap_or_default();
-    let known = figures(&page);
+    let known = figures(&known());
     let mut worse = Vec::new();
     for Results { family, rows } in results {
         for (k, quantity) in family.quantities.iter().enumerate() {
@@ -226,7 +337,7 @@ pub fn worse(results: &[Results], walk: &Walk) -> Vec<String> {
                 let key = format!("{}; {quantity}; {name}", family.title);
                 let Some(spread) = Spread::of(cases, k) else { continue };
                 let Some(before) = known.get(&key) else {
-                    worse.push(format!("{key}: not on the committed page"));
+                    worse.push(format!("{key}: not in docs/scoreboard.csv"));
                     continue;
                 };
                 for (i, what) in ["median", "95 %", "worst"].into_iter().enumerate() {
@@ -249,21 +360,12 @@ pub fn worse(results: &[Results], walk: &Walk) -> Vec<String> {
     worse
 }
 
-/// Median, 95 % and worst of all rows of a page by "family; quantity; by".
-fn figures(page: &str) -> BTreeMap<String, [f64; 3]> {
-    let mut title = "";
-    let mut known = BTreeMap::new();
-    for line in page.lines() {
-        if let Some(heading) = line.strip_prefix("## ") {
-            title = heading;
-        }
-        let cells: Vec<&str> = line.trim_matches('|').split(" | ").map(str::trim).collect();
-        if let [quantity, name, _, median, most, worst, _] = cells.as_slice() {
-            let numbers = [median, most, worst].map(|cell| cell.parse().ok());
-            if let [Some(median), Some(most), Some(worst)] = numbers {
-                known.insert(format!("{title}; {quantity}; {name}"), [median, most, worst]);
-            }
-        }
-    }
-    known
+/// Median, 95 % and worst of all rows by "family; quantity; by".
+fn figures(rows: &[Row]) -> BTreeMap<String, [f64; 3]> {
+    let numbers = |row: &Row| {
+        let [median, most, worst] = row.figures.each_ref().map(|cell| cell.parse().ok());
+        Some([median?, most?, worst?])
+    };
+    let key = |row: &Row| format!("{}; {}; {}", row.family, row.quantity, row.by);
+    rows.iter().filter_map(|row| Some((key(row), numbers(row)?))).collect()
 }

@@ -28,17 +28,17 @@ def main() -> None:
         normal_model="strips",
         tangential_model="fastsim_corrected",
         vertical_mode="load",
+        motion="rolling",
         vx=20.0,
-        pitch_rate=-20.0 / 0.46,
     )
-    figure, axes = plt.subplots(1, 3, figsize=(12.5, 3.7), layout="constrained", width_ratios=[1.15, 1, 1.2])
+    figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.0), layout="constrained", width_ratios=[1.15, 1, 1.2])
     found = wheel.contacts(**PLACE)
     plot.contacts(found, axes[0])
-    axes[0].set_title(f"{1e3 * (PLACE['y'] - 0.75):.1f} mm to the right", fontsize=10)
+    axes[0].set_title(f"{1e3 * (PLACE['y'] - 0.75):.1f} mm to the right", fontsize=10, pad=22)
     fields = [field for contact in wheel.contacts(**PATCH) for field in contact.fields]
     field = max(fields, key=lambda field: field.normal_force)
     plot.patch(field, axes[1], arrows=14)
-    axes[1].set_title(f"{1e3 * (0.75 - PATCH['y']):.0f} mm to the left: patch and tractions", fontsize=10)
+    axes[1].set_title(f"{1e3 * (0.75 - PATCH['y']):.0f} mm to the left: patch and tractions", fontsize=10, pad=22)
     y, yaw = np.linspace(-6e-3, 7e-3, 105)[:, np.newaxis], np.linspace(-8e-3, 8e-3, 65)
     result = wheel.evaluate(y=0.75 + y, yaw=yaw, load=LOAD, outputs="wear_number")
     image = axes[2].pcolormesh(

@@ -87,11 +87,15 @@ def test_types_are_strict(tmp_path):
         "force = wheel.evaluate(y=[0.75], z=-0.4597)['wheel.force.z']\n"
         "wheelrail.Element(normal_model='herz')\n"
         "wheel.evaluate(yy=1.0)\n"
+        "print(wheel.evaluate().wheel_force_z, wheel.evaluate()['patch_count'])\n"
+        "wheel.evaluate().wheel_force_zz\n"
+        "wheelrail.WheelSet().evaluate().wheelset_force_y + 1.0\n"
     )
     command = [sys.executable, "-m", "mypy", "--strict", str(user), "--cache-dir", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
     lines = [line for line in done.stdout.splitlines() if "error" in line and "user.py" in line]
-    assert len(lines) == 2 and "user.py:4" in lines[0] and "user.py:5" in lines[1], done.stdout
+    places = ["user.py:4", "user.py:5", "user.py:7"]
+    assert len(lines) == 3 and all(at in line for at, line in zip(places, lines)), done.stdout
 
 
 @pytest.mark.parametrize("document", ["README.md", "python/README.md"])

@@ -31,13 +31,29 @@ def test_contacts_print_short():
     assert len(repr(contact.fields[0])) < 100 and "MPa" in repr(contact.fields[0])
 
 
-def test_a_column_of_labels_is_passed_over(tmp_path):
+def test_columns_of_a_table_and_its_labels_pass_through(tmp_path):
     pandas = pytest.importorskip("pandas")
     table = pandas.DataFrame({"id": ["a", "b"], "y": [0.75, 0.751]})
-    found = wheelrail.evaluate(table, outputs="wheel.force.z", **QUICK)
-    assert len(found) == 2 and "id" not in found
+    told = []
+    found = wheelrail.evaluate(
+        table, outputs="wheel.force.z", progress=lambda done, rows: told.append((done, rows)), **QUICK
+    )
+    assert list(found) == ["id", "y", "wheel.force.z"] and found["id"].tolist() == ["a", "b"]
+    assert told[-1] == (2, 2)
+    assert list(wheelrail.evaluate(table, outputs="wheel.force.z", inputs=False, **QUICK)) == ["wheel.force.z"]
     wheelrail.bulk.evaluate(table, tmp_path / "found.csv", outputs="wheel.force.z", **QUICK)
     assert pandas.read_csv(tmp_path / "found.csv")["id"].tolist() == ["a", "b"]
+
+
+def test_a_table_with_semicolons_is_written_with_semicolons(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    source, target = tmp_path / "cases.csv", tmp_path / "found.csv"
+    source.write_text("# from a spreadsheet\nid;y;z\na;0,75;-0,4597\nb;0,751;-0,4597\n", encoding="utf-8")
+    wheelrail.bulk.evaluate(source, target, outputs=["wheel.force.z"], **QUICK)
+    assert target.read_text(encoding="utf-8").startswith("id;y;z;wheel.force.z\na;0.75;-0.4597;-")
+    found = pandas.read_csv(target, sep=";")
+    same = wheelrail.Element(**QUICK).evaluate(y=[0.75, 0.751], z=-0.4597)
+    np.testing.assert_allclose(found["wheel.force.z"], same["wheel.force.z"], rtol=1e-12)
 
 
 def test_help_names_the_keywords():

@@ -55,3 +55,16 @@ def test_masked_arrays_are_refused(wheel):
         wheel.evaluate(y=np.ma.masked_array([0.75, 0.76], mask=[False, True]))
     assert caught.value.variable == "wheel.y"
     wheel.evaluate(y=np.ma.masked_array([0.75, 0.7501]))
+
+
+def test_a_wheel_that_rolls_needs_no_rate():
+    rolling = wheelrail.Element(motion="rolling", vx=30.0)
+    given = wheelrail.Element(vx=30.0, pitch_rate=-30.0 / 0.46)
+    names = ["wheel.force.x", "patch[1].creepage.longitudinal"]
+    found, same = (wheel.evaluate(z=-0.4597, outputs=names) for wheel in (rolling, given))
+    assert dict(found) == dict(same) and not found.remarks
+    axles = [wheelrail.WheelSet(motion="rolling", vx=30.0), wheelrail.WheelSet(vx=30.0, pitch_rate=-30.0 / 0.46)]
+    found, same = (axle.evaluate(y=1e-3, outputs="wheelset.force.x") for axle in axles)
+    assert dict(found) == dict(same)
+    with pytest.warns(wheelrail.ContactWarning, match="pitch_rate has no effect with motion = rolling"):
+        rolling.evaluate(pitch_rate=-40.0)

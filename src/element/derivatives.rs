@@ -57,10 +57,11 @@ impl Element {
         direction: &Input,
         rates: &mut Output,
     ) -> Result<(), ContactError> {
-        let input = input.admitted()?;
+        let input = self.admitted(input)?;
         self.check_models()?;
         let mirrored = self.side == Side::Left;
-        let mut directions = [if mirrored { direction.mirrored() } else { *direction }.to_array()];
+        let direction = self.turning(*direction);
+        let mut directions = [if mirrored { direction.mirrored() } else { direction }.to_array()];
         let followed = self.carried_at(&input).and_then(|at| {
             let ways = self.give_way(&at, &mut directions)?;
             self.with_memory(|element, DerivativeMemory { one, one_output, .. }| {
@@ -86,7 +87,7 @@ impl Element {
         input: &Input,
         columns: &mut Vec<Output>,
     ) -> Result<(), ContactError> {
-        let input = input.admitted()?;
+        let input = self.admitted(input)?;
         self.check_models()?;
         let followed = self.carried_at(&input).and_then(|at| self.all_columns(&at, columns));
         followed.map_err(at_this_input)
@@ -189,7 +190,7 @@ impl Element {
                 if self.has_effect(i) {
                     let mut unit = [0.0; INPUTS];
                     unit[i] = 1.0;
-                    let unit = Input::from_array(unit);
+                    let unit = self.turning(Input::from_array(unit));
                     let unit = if mirrored { unit.mirrored() } else { unit };
                     (directions[count], places[count]) = (unit.to_array(), i);
                     count += 1;

@@ -16,7 +16,8 @@ impl Element {
     /// The input at fault, by its FMU name.
     pub fn flat_contacts(&mut self, input: &Input) -> Result<Vec<FlatContact>, ContactError> {
         input.check()?;
-        let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
+        let input = self.turning(*input);
+        let mut input = if self.side == Side::Left { input.mirrored() } else { input };
         if self.foundation.model != FoundationModel::Rigid {
             let work = self.work;
             self.respond(&mut input, &mut Output::default());
@@ -35,7 +36,7 @@ impl Element {
     /// # Errors
     /// The input at fault, by its FMU name; `output` is then as before.
     pub fn evaluate(&mut self, input: &Input, output: &mut Output) -> Result<(), ContactError> {
-        let admitted = input.admitted().inspect_err(|_| self.expected = None)?;
+        let admitted = self.admitted(input).inspect_err(|_| self.expected = None)?;
         self.work.evaluations += 1;
         let mirrored = self.side == Side::Left;
         let mut input = if mirrored { admitted.mirrored() } else { admitted };

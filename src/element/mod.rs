@@ -4,6 +4,7 @@ mod contact;
 mod derivative_memory;
 mod derivatives;
 mod evaluate;
+mod free_rolling;
 pub mod input;
 mod load_by_stiffness;
 mod moving_rails;
@@ -14,6 +15,7 @@ mod quasi_static_rails;
 mod rail;
 mod remark;
 mod remarks;
+
 mod start;
 mod start_warning;
 mod stiffness;
@@ -25,6 +27,7 @@ mod work;
 pub(crate) mod work_pairs;
 mod worn_profiles;
 
+pub(crate) use free_rolling::FreeRolling;
 pub use input::Input;
 pub(crate) use load_by_stiffness::Carried;
 pub use output::Output;

@@ -110,7 +110,7 @@ impl Element {
         to: &Input,
         duration: f64,
     ) -> Result<(), ContactError> {
-        let [from, to] = [from.admitted()?, to.admitted()?];
+        let [from, to] = [self.admitted(from)?, self.admitted(to)?];
         if !(duration.is_finite() && duration >= 0.0) {
             let allowed = "a finite time in seconds, at least 0";
             return Err(ContactError::bad_value("duration", duration, allowed));

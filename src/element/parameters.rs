@@ -42,6 +42,17 @@ pub enum VerticalMode {
     Load,
 }
 
+/// What turns the wheel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Motion {
+    /// The pitch rate of the input.
+    #[default]
+    Given,
+    /// The rate at which the nominal rolling circle rolls without longitudinal creepage.
+    Rolling,
+}
+
 /// How creepage varies over a patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -170,6 +181,8 @@ pub struct Parameters {
     pub profile_smoothing: f64,
     /// What is given of the vertical motion.
     pub vertical_mode: VerticalMode,
+    /// What turns the wheel.
+    pub motion: Motion,
     /// What the rails rest on.
     pub foundation: Foundation,
     /// Normal contact model.
@@ -276,6 +289,7 @@ impl Default for Parameters {
             gauge_depth: 0.014,
             profile_smoothing: AUTOMATIC_SMOOTHING,
             vertical_mode: VerticalMode::default(),
+            motion: Motion::default(),
             foundation: Foundation::default(),
             normal_model: NormalModel::default(),
             virtual_penetration: 0.55,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::contact::models::Models;
 use super::contact::rail_friction::RailFriction;
+use super::free_rolling::FreeRolling;
 use super::input::Input;
 use super::parameters::deviations::{deviations, rail_deviations, wheel_deviations};
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
@@ -164,6 +165,7 @@ impl Element {
             carried: None,
             side: parameters.side,
             vertical_mode: parameters.vertical_mode,
+            rolling: FreeRolling::of(parameters),
             foundation: parameters.foundation,
             track: None,
             rested: None,

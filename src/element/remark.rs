@@ -65,7 +65,7 @@ pub enum Remark {
 
 impl Remark {
     /// How many kinds there are.
-    pub const KINDS: usize = 11;
+    pub const KINDS: usize = 12;
 
     /// The kind, as a number below [`KINDS`](Self::KINDS): each is told once.
     #[must_use]
@@ -81,6 +81,7 @@ impl Remark {
             Self::Slides { .. } => 7,
             Self::ProfileEnd { of_rail, .. } => 8 + usize::from(*of_rail),
             Self::NoEffect { .. } => 10,
+            Self::Place(StartWarning::BeginsAtOnce { .. }) => 11,
         }
     }
 
@@ -98,6 +99,7 @@ impl Remark {
             Self::Place(StartWarning::InTheAir { .. }) => "in the air",
             Self::Place(StartWarning::InsideARail { .. }) => "inside a rail",
             Self::Place(StartWarning::InRail2 { .. }) => "in rail[2]",
+            Self::Place(StartWarning::BeginsAtOnce { .. }) => "force begins with a jump",
             Self::Sunk { .. } => "too deep for a force",
             Self::LoadMissed { .. } => "load not carried",
             Self::Fallback { .. } => "no room, or a simpler model",
@@ -152,7 +154,8 @@ impl fmt::Display for Message<'_> {
                 match rolling {
                     Some(rate) => write!(
                         f,
-                        "; it rolls freely at {body}.pitch_rate = {rate:.5} rad/s, which is -{body}.vx over the rolling radius"
+                        "; it rolls freely at {body}.pitch_rate = {rate:.5} rad/s, which is -{body}.vx over the rolling radius; motion = rolling \
+                         turns it so by its nominal radius"
                     ),
                     None => {
                         write!(f, "; look at {body}.pitch_rate and {prefix}rail[{rail}].pitch_rate")
@@ -179,8 +182,7 @@ impl fmt::Display for Message<'_> {
                 Ok(())
             }
             Remark::NoEffect { input, parameter, chosen, with } => {
-                let of_side =
-                    if input == "wheelset.z" || input == "wheelset.roll" { "" } else { prefix };
+                let of_side = if input.starts_with("wheelset.") { "" } else { prefix };
                 write!(
                     f,
                     "{of_side}{input} has no effect with {parameter} = {chosen}: it has with \"{with}\""

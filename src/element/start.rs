@@ -14,6 +14,10 @@ pub(super) const FAR_ABOVE: f64 = 0.01;
 /// Depth below first touch from which on a wheel counts as inside its rails [m]: it would press
 /// with a hundred times its load.
 const INSIDE: f64 = 2e-3;
+/// Overlap with which a contact may begin at first touch before that is told [m]: some hundred
+/// newtons. It begins with more where a yawed wheel comes over the side of its rail, and the contact
+/// line folds.
+const AT_ONCE: f64 = 1e-5;
 /// Steepness of a contact with rail 2 from which on it is one from the side: a tongue that carries
 /// the wheel is no hindrance [rad].
 const FROM_THE_SIDE: f64 = std::f64::consts::FRAC_PI_4;
@@ -38,8 +42,8 @@ impl Element {
     /// [`nominal_wheel_z`](Self::nominal_wheel_z) and [`start_warning`](Self::start_warning) are
     /// then those of it.
     pub fn set_start(&mut self, start: &Input) {
-        let touching = self.touch(start);
-        self.nominal_wheel_z = touching.unwrap_or(start.wheel.position[2]);
+        let touching = self.touch_with_overlap(start);
+        self.nominal_wheel_z = touching.map_or(start.wheel.position[2], |touch| touch.height);
         self.start_warning = self.look_at_start(start, touching);
     }
 
@@ -51,12 +55,12 @@ impl Element {
 
     /// What is odd about the place of `input` as one in which a wheel starts.
     pub(super) fn odd_place(&mut self, input: &Input) -> Option<StartWarning> {
-        let touching = self.touch(input);
+        let touching = self.touch_with_overlap(input);
         self.look_at_start(input, touching)
     }
 
-    /// Looks at the place of `start`; `touching` is the height of first touch, if there is one.
-    fn look_at_start(&mut self, start: &Input, touching: Option<f64>) -> Option<StartWarning> {
+    /// Looks at the place of `start`; `touching` is its first touch, if there is one.
+    fn look_at_start(&mut self, start: &Input, touching: Option<Touch>) -> Option<StartWarning> {
         if self.rails.iter().all(Option::is_none) {
             return None;
         }
@@ -67,11 +71,16 @@ impl Element {
             (None, None) => Some(StartWarning::BesideTheRails { y, side: self.side }),
             // Where a load is given the height follows from it.
             (None, Some(_)) if self.vertical_mode == VerticalMode::Load => None,
-            (None, Some(nominal)) if nominal - z > FAR_ABOVE => {
+            (None, Some(Touch { height: nominal, .. })) if nominal - z > FAR_ABOVE => {
                 Some(StartWarning::InTheAir { z, nominal })
             }
-            (None, Some(nominal)) if z - nominal - self.way_down(start) > INSIDE => {
+            (None, Some(Touch { height: nominal, .. }))
+                if z - nominal - self.way_down(start) > INSIDE =>
+            {
                 Some(StartWarning::InsideARail { z, nominal })
+            }
+            (None, Some(Touch { overlap, .. })) if overlap > AT_ONCE => {
+                Some(StartWarning::BeginsAtOnce { overlap })
             }
             (None, Some(_)) => None,
         }
@@ -93,7 +102,7 @@ impl Element {
         let mut at = if self.side == Side::Left { start.mirrored() } else { *start };
         let (first, second) = self.rails.split_at_mut(1);
         let second = second[0].as_mut()?;
-        at.wheel.position[2] = first_touch(first, &at)?;
+        at.wheel.position[2] = first_touch(first, &at)?.height;
         second.search_contacts(1, &at);
         let contacts = second.search.contacts.iter();
         let from_the_side = contacts.filter(|contact| contact.angle().abs() > FROM_THE_SIDE);
@@ -109,20 +118,34 @@ impl Element {
     /// As [`touching_height`](Self::touching_height); nothing where the wheel stands beside the
     /// rails.
     pub fn touch(&mut self, start: &Input) -> Option<f64> {
+        self.touch_with_overlap(start).map(|touch| touch.height)
+    }
+
+    fn touch_with_overlap(&mut self, start: &Input) -> Option<Touch> {
         let input = if self.side == Side::Left { start.mirrored() } else { *start };
-        self.first_touch(&input)
+        first_touch(&mut self.rails, &input)
     }
 
     /// As [`touching_height`](Self::touching_height) for the input of a right side; nothing where
     /// the wheel stands beside the rails.
     pub(super) fn first_touch(&mut self, input: &Input) -> Option<f64> {
-        first_touch(&mut self.rails, input)
+        first_touch(&mut self.rails, input).map(|touch| touch.height)
     }
 }
 
-/// The marker height at which a wheel coming down from above first touches one of the first
+/// First touch of a wheel that comes down from above.
+#[derive(Clone, Copy, Debug)]
+struct Touch {
+    /// Height of the wheel marker [m].
+    height: f64,
+    /// How far it would have to be lifted from there by the contacts that it has: nothing, unless
+    /// they begin at once [m].
+    overlap: f64,
+}
+
+/// The first touch: the marker height at which a wheel coming down from above first touches one of the first
 /// `rails`, for the input of a right side; nothing where it stands beside them [m].
-fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> {
+fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch> {
     let highest = (rails.iter().enumerate())
         .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))
         .fold(f64::INFINITY, f64::min);
@@ -169,5 +192,40 @@ fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<f64> 
             (clear, allowed) = (z, FARTHER * allowed);
         }
     }
-    Some(touching)
+    Some(Touch { height: touching, overlap: to_lift })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::parameters::Parameters;
+    use crate::element::{Remark, place_remark};
+    use crate::error::ContactError;
+
+    /// What is told of a row with a worn wheel at this yaw, 10 µm below first touch.
+    fn told_at(yaw: f64) -> Result<Vec<Remark>, ContactError> {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fmu/resources/profiles");
+        let mut parameters = Parameters::default();
+        parameters.wheel.profile = "S1002_worn.txt".into();
+        let mut input = Input::default();
+        input.wheel.position[1] = 0.747_32;
+        (input.wheel.yaw, input.wheel.roll) = (yaw, -0.0032);
+        let mut element = Element::new(&parameters, &input, &[folder.into()])?;
+        input.wheel.position[2] = element.nominal_wheel_z() + 1e-5;
+        let mut output = Output::default();
+        element.evaluate(&input, &mut output)?;
+        let mut told = Vec::new();
+        place_remark(&mut element, &parameters, &input, &output, |_, remark| told.push(remark));
+        Ok(told)
+    }
+
+    #[test]
+    fn a_force_that_begins_at_once_is_told() -> Result<(), ContactError> {
+        assert!(matches!(
+            told_at(-0.1188)?[..],
+            [Remark::Place(StartWarning::BeginsAtOnce { overlap })] if overlap > 2e-5
+        ));
+        assert_eq!(told_at(0.04)?, []);
+        Ok(())
+    }
 }

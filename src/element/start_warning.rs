@@ -28,6 +28,11 @@ pub enum StartWarning {
         /// Height at which the wheel would just touch [m].
         nominal: f64,
     },
+    /// Where it first touches it overlaps its rail at once: the force begins with a jump.
+    BeginsAtOnce {
+        /// By how much, vertically [m].
+        overlap: f64,
+    },
     /// Where it stands on rail 1 it overlaps rail 2 from the side.
     InRail2 {
         /// By how much [m].
@@ -67,6 +72,13 @@ impl StartWarning {
                     of("z")
                 )
             }
+            Self::BeginsAtOnce { overlap } => format!(
+                "where the wheel first touches, at this yaw and roll, it overlaps its rail by {:.0} um at once: it comes over the side of the rail, and \
+                 the force begins there with a jump; look at {} and {}",
+                1e6 * overlap,
+                of("yaw"),
+                of("roll")
+            ),
             Self::InRail2 { overlap } => format!(
                 "where the wheel stands on {prefix}rail[1] it overlaps {prefix}rail[2] by {:.1} mm from the side: move it by {prefix}rail[2].position.y, which counts with {prefix}rail[2].placement = position",
                 1e3 * overlap

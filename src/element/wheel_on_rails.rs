@@ -2,6 +2,7 @@
 
 use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
+use super::free_rolling::FreeRolling;
 use super::input::Input;
 use super::load_by_stiffness::Carried;
 use super::parameters::foundation::{Foundation, TrackState};
@@ -19,6 +20,8 @@ use crate::geometry::profiles::profile::ProfileRemark;
 pub struct Element {
     pub(super) side: Side,
     pub(super) vertical_mode: VerticalMode,
+    /// What turns the wheel, if not its input.
+    pub(super) rolling: Option<FreeRolling>,
     pub(super) foundation: Foundation,
     /// Where rails with a mass are, from their first step on.
     pub(super) track: Option<TrackState>,

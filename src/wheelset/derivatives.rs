@@ -35,7 +35,7 @@ impl Wheelset {
             element.set_fallbacks(count);
         }
         evaluated?;
-        let mut direction = *direction;
+        let mut direction = self.turning(*direction);
         if let Some(irregularities) = &self.irregularities {
             irregularities.add_rates(input, &mut direction);
         }

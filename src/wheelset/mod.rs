@@ -42,7 +42,7 @@ use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
 use crate::element::subject::Subject;
 use crate::element::work_pairs::{WorkPairs, work_pairs};
-use crate::element::{self, Element};
+use crate::element::{self, Element, FreeRolling};
 use crate::error::ContactError;
 use guiding::guiding;
 use irregularity::Irregularities;
@@ -56,6 +56,8 @@ use sides::on_side;
 pub struct Wheelset {
     elements: [Element; 2],
     vertical_mode: VerticalMode,
+    /// What turns the axle, if not its input.
+    rolling: Option<[FreeRolling; 2]>,
     /// Place of each wheel marker along the axle [m].
     markers: [f64; 2],
     irregularities: Option<Irregularities>,
@@ -119,7 +121,8 @@ impl Wheelset {
         if nominal.wheelset_z.is_infinite() {
             nominal.wheelset_z = start.wheelset.position[2];
         }
-        Ok(Self { elements, vertical_mode: right.vertical_mode, markers, irregularities, nominal })
+        let (vertical_mode, rolling) = (right.vertical_mode, parameters.rolling());
+        Ok(Self { elements, vertical_mode, rolling, markers, irregularities, nominal })
     }
 
     /// Height of the centre at which the wheelset at its starting y, roll and yaw just touches; its
@@ -231,9 +234,21 @@ impl Wheelset {
         Ok(())
     }
 
+    /// The input, or rates of it, with the pitch rate of an axle that rolls where it does: the mean
+    /// of both sides.
+    fn turning(&self, mut input: Input) -> Input {
+        if let Some(rolling) = &self.rolling {
+            let speed = input.wheelset.velocity[0];
+            let [right, left] = [RIGHT, LEFT]
+                .map(|k| rolling[k].pitch_rate(speed, input.sides[k].rails[0].pitch_rate));
+            input.wheelset.pitch_rate = 0.5 * (right + left);
+        }
+        input
+    }
+
     /// The input with the irregularities of the rails at its station.
     fn on_its_rails(&self, input: &Input) -> Input {
-        let mut input = *input;
+        let mut input = self.turning(*input);
         if let Some(irregularities) = &self.irregularities {
             irregularities.add(&mut input);
         }

@@ -1,8 +1,8 @@
 //! What is fixed once a wheelset is made.
 
 use super::sides::{LEFT, RIGHT};
-use crate::element;
-use crate::element::parameters::Side;
+use crate::element::parameters::{Motion, Side};
+use crate::element::{self, FreeRolling};
 use crate::error::ContactError;
 use crate::open::Open;
 
@@ -51,6 +51,12 @@ impl Parameters {
         [half, -half]
     }
 
+    /// What turns the axle, if not its input.
+    pub(super) fn rolling(&self) -> Option<[FreeRolling; 2]> {
+        let [right, left] = &self.sides;
+        Some([FreeRolling::of(right)?, FreeRolling::of(left)?])
+    }
+
     /// The parameters of each element, and whether the distance is admitted; elements check their
     /// own.
     pub(super) fn checked(&self) -> Result<[element::Parameters; 2], ContactError> {
@@ -65,7 +71,16 @@ impl Parameters {
             let allowed = "the same on both sides".into();
             return Err(ContactError::BadText { name, value, allowed });
         }
+        if right.motion != left.motion {
+            let (name, value) = ("motion".into(), "given and rolling".into());
+            let allowed = "the same on both sides".into();
+            return Err(ContactError::BadText { name, value, allowed });
+        }
         let mut sides = [right.clone(), left.clone()];
+        for side in &mut sides {
+            // The axle turns both wheels.
+            side.motion = Motion::Given;
+        }
         sides[RIGHT].side = Side::Right;
         sides[LEFT].side = Side::Left;
         Ok(sides)

@@ -6,7 +6,7 @@ import os
 import time
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Union, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,14 @@ from .errors import BadValueError, ContactWarning, admitted_count
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import ElementInputs, ElementParameters, WheelSetInputs, WheelSetParameters
+    from ._keywords import (
+        ElementInputs,
+        ElementParameters,
+        ElementResult,
+        WheelSetInputs,
+        WheelSetParameters,
+        WheelSetResult,
+    )
 
 __all__ = ["Element", "WheelSet"]
 
@@ -335,7 +342,7 @@ class Element(_Unit):
         errors: Errors = "raise",
         progress: Progress = None,
         **inputs: Unpack[ElementInputs],
-    ) -> Result:
+    ) -> ElementResult:
         """Forces and patches for arrays of inputs, on all cores and without the interpreter's lock.
 
         Parameters
@@ -369,7 +376,9 @@ class Element(_Unit):
         ContactError
             The first row at fault with its variable and value.
         """
-        return self._evaluate(table, outputs, threads, errors, progress, inputs)
+        found = self._evaluate(table, outputs, threads, errors, progress, inputs)
+        # A name for type checkers: its quantities are those that were asked for.
+        return cast("ElementResult", found)
 
     def jacobian(
         self,
@@ -483,7 +492,7 @@ class WheelSet(_Unit):
         errors: Errors = "raise",
         progress: Progress = None,
         **inputs: Unpack[WheelSetInputs],
-    ) -> Result:
+    ) -> WheelSetResult:
         """Forces and patches of both sides for arrays of inputs; all as in `Element.evaluate`.
 
         Parameters
@@ -494,7 +503,8 @@ class WheelSet(_Unit):
         table, outputs, threads, errors, progress
             As in `Element.evaluate`.
         """
-        return self._evaluate(table, outputs, threads, errors, progress, inputs)
+        found = self._evaluate(table, outputs, threads, errors, progress, inputs)
+        return cast("WheelSetResult", found)
 
     def jacobian(
         self,

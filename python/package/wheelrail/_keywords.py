@@ -1,17 +1,21 @@
-"""Inputs and parameters as keywords. Made by make_keywords.py: do not change it by hand."""
+"""Inputs and parameters as keywords, outputs as attributes. Made by make_keywords.py: do not change it by hand."""
 
 from __future__ import annotations
 
 import os
-from typing import Literal, TypedDict
+from typing import Any, Literal, TypedDict
 
 import numpy.typing as npt
+
+from ._result import Result
 
 __all__ = [
     "ElementInputs",
     "ElementParameters",
+    "ElementResult",
     "WheelSetInputs",
     "WheelSetParameters",
+    "WheelSetResult",
 ]
 
 
@@ -169,6 +173,8 @@ class ElementParameters(TypedDict, total=False):
     """Wavelength at which the smoothing of profiles from files halves an amplitude; 0 interpolates; a negative number (-1) leaves it to the noise found in the points of each file [m]."""
     vertical_mode: Literal["penetration", "load"]
     """What is given of the vertical motion of the wheel; with load, wheel.z has no effect and there is no normal damping."""
+    motion: Literal["given", "rolling"]
+    """What turns the wheel; with rolling, pitch_rate has no effect and the wheel rolls freely on its nominal radius."""
     track_foundation_model: Literal["rigid", "massless", "mass"]
     """What all rails under a wheel rest on, each side by itself; mass goes with the steps of co-simulation and with vertical.mode penetration."""
     track_foundation_stiffness_y: float
@@ -431,6 +437,489 @@ class ElementParameters(TypedDict, total=False):
     """Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
 
 
+class ElementResult(Result):
+    """What `wheelrail.Element.evaluate` gives, for type checkers."""
+
+    wheel_force_x: Any
+    """Longitudinal force on the wheel [N]."""
+    wheel_force_y: Any
+    """Lateral force on the wheel [N]."""
+    wheel_force_z: Any
+    """Vertical force on the wheel, down: negative in contact [N]."""
+    wheel_moment_x: Any
+    """Moment on the wheel about the wheel marker, x component in the track frame [N.m]."""
+    wheel_moment_y: Any
+    """Moment on the wheel about the wheel marker, y component in the track frame [N.m]."""
+    wheel_moment_z: Any
+    """Moment on the wheel about the wheel marker, z component in the track frame [N.m]."""
+    rail1_force_x: Any
+    """Longitudinal force on rail 1 [N]."""
+    rail1_force_y: Any
+    """Lateral force on rail 1 [N]."""
+    rail1_force_z: Any
+    """Vertical force on rail 1, down: positive in contact [N]."""
+    rail1_moment_x: Any
+    """Moment on rail 1 about its marker, x component in the track frame [N.m]."""
+    rail1_moment_y: Any
+    """Moment on rail 1 about its marker, y component in the track frame [N.m]."""
+    rail1_moment_z: Any
+    """Moment on rail 1 about its marker, z component in the track frame [N.m]."""
+    rail2_force_x: Any
+    """Longitudinal force on rail 2 [N]."""
+    rail2_force_y: Any
+    """Lateral force on rail 2 [N]."""
+    rail2_force_z: Any
+    """Vertical force on rail 2, down: positive in contact [N]."""
+    rail2_moment_x: Any
+    """Moment on rail 2 about its marker, x component in the track frame [N.m]."""
+    rail2_moment_y: Any
+    """Moment on rail 2 about its marker, y component in the track frame [N.m]."""
+    rail2_moment_z: Any
+    """Moment on rail 2 about its marker, z component in the track frame [N.m]."""
+    vertical_wheel_z: Any
+    """Height of the wheel marker at which the rails carry wheel.load; wheel.z where the height is given [m]."""
+    vertical_load_carried: Any
+    """Vertical force, down, that all rails together carry; with vertical.mode load it is wheel.load, but where the rails cannot carry that [N]."""
+    foundation_deflection_y: Any
+    """Lateral deflection of the rails on track.foundation, in their frame; rail[1].y comes on top [m]."""
+    foundation_deflection_z: Any
+    """Vertical deflection of the rails on track.foundation, down; rail[1].z comes on top [m]."""
+    foundation_velocity_y: Any
+    """Lateral velocity of rails with a mass [m/s]."""
+    foundation_velocity_z: Any
+    """Vertical velocity of rails with a mass, down [m/s]."""
+    foundation_step_error: Any
+    """Greatest error that a step of the last fmi2DoStep is estimated to have left in the deflection of rails with a mass; a bound rather than a guess, as it is that of a step of first order [m]."""
+    patch_count: Any
+    """Number of contact patches found; any number acts, the heaviest 8 are reported."""
+    fallback_count: Any
+    """How often a solver fell back to a simpler model since initialization."""
+    solution_normal_residual: Any
+    """Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap, of boundary elements, and of strips before their last Newton step; 0 where normal.model does not tell it [-]."""
+    solution_tangential_residual: Any
+    """Largest slip that contradicts the friction law, over the largest rigid slip, of boundary elements; of strips the greatest part of their bound by which tractions do; 0 where tangential.model does not tell it [-]."""
+    wear_number: Any
+    """Wear number (T-gamma): energy dissipated per distance, spin included [J/m]."""
+    frictional_power: Any
+    """Power turned into heat in all patches [W]."""
+    patch1_rail: Any
+    """Rail on which patch 1 lies; 0 when there is no such patch."""
+    patch2_rail: Any
+    """Rail on which patch 2 lies; 0 when there is no such patch."""
+    patch3_rail: Any
+    """Rail on which patch 3 lies; 0 when there is no such patch."""
+    patch4_rail: Any
+    """Rail on which patch 4 lies; 0 when there is no such patch."""
+    patch5_rail: Any
+    """Rail on which patch 5 lies; 0 when there is no such patch."""
+    patch6_rail: Any
+    """Rail on which patch 6 lies; 0 when there is no such patch."""
+    patch7_rail: Any
+    """Rail on which patch 7 lies; 0 when there is no such patch."""
+    patch8_rail: Any
+    """Rail on which patch 8 lies; 0 when there is no such patch."""
+    patch1_normal_force: Any
+    """Normal force of patch 1, damping included [N]."""
+    patch1_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch1_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch1_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch1_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch1_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch1_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch1_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch1_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch1_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch1_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch1_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch1_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch1_length: Any
+    """Greatest extent along x [m]."""
+    patch1_width: Any
+    """Extent across [m]."""
+    patch1_area: Any
+    """Area [m2]."""
+    patch1_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch1_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch1_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch1_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch1_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch1_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch1_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch1_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch1_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch2_normal_force: Any
+    """Normal force of patch 2, damping included [N]."""
+    patch2_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch2_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch2_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch2_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch2_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch2_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch2_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch2_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch2_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch2_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch2_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch2_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch2_length: Any
+    """Greatest extent along x [m]."""
+    patch2_width: Any
+    """Extent across [m]."""
+    patch2_area: Any
+    """Area [m2]."""
+    patch2_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch2_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch2_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch2_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch2_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch2_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch2_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch2_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch2_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch3_normal_force: Any
+    """Normal force of patch 3, damping included [N]."""
+    patch3_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch3_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch3_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch3_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch3_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch3_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch3_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch3_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch3_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch3_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch3_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch3_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch3_length: Any
+    """Greatest extent along x [m]."""
+    patch3_width: Any
+    """Extent across [m]."""
+    patch3_area: Any
+    """Area [m2]."""
+    patch3_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch3_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch3_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch3_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch3_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch3_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch3_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch3_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch3_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch4_normal_force: Any
+    """Normal force of patch 4, damping included [N]."""
+    patch4_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch4_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch4_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch4_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch4_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch4_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch4_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch4_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch4_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch4_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch4_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch4_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch4_length: Any
+    """Greatest extent along x [m]."""
+    patch4_width: Any
+    """Extent across [m]."""
+    patch4_area: Any
+    """Area [m2]."""
+    patch4_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch4_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch4_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch4_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch4_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch4_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch4_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch4_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch4_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch5_normal_force: Any
+    """Normal force of patch 5, damping included [N]."""
+    patch5_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch5_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch5_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch5_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch5_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch5_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch5_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch5_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch5_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch5_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch5_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch5_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch5_length: Any
+    """Greatest extent along x [m]."""
+    patch5_width: Any
+    """Extent across [m]."""
+    patch5_area: Any
+    """Area [m2]."""
+    patch5_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch5_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch5_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch5_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch5_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch5_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch5_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch5_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch5_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch6_normal_force: Any
+    """Normal force of patch 6, damping included [N]."""
+    patch6_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch6_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch6_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch6_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch6_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch6_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch6_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch6_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch6_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch6_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch6_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch6_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch6_length: Any
+    """Greatest extent along x [m]."""
+    patch6_width: Any
+    """Extent across [m]."""
+    patch6_area: Any
+    """Area [m2]."""
+    patch6_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch6_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch6_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch6_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch6_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch6_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch6_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch6_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch6_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch7_normal_force: Any
+    """Normal force of patch 7, damping included [N]."""
+    patch7_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch7_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch7_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch7_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch7_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch7_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch7_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch7_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch7_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch7_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch7_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch7_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch7_length: Any
+    """Greatest extent along x [m]."""
+    patch7_width: Any
+    """Extent across [m]."""
+    patch7_area: Any
+    """Area [m2]."""
+    patch7_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch7_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch7_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch7_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch7_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch7_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch7_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch7_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch7_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    patch8_normal_force: Any
+    """Normal force of patch 8, damping included [N]."""
+    patch8_creep_force_x: Any
+    """Longitudinal creep force on the wheel [N]."""
+    patch8_creep_force_y: Any
+    """Lateral creep force on the wheel, in the contact plane [N]."""
+    patch8_spin_moment: Any
+    """Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    patch8_contact_angle: Any
+    """Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    patch8_position_x: Any
+    """Centroid of the normal load in the track frame, x [m]."""
+    patch8_position_y: Any
+    """Centroid of the normal load in the track frame, y [m]."""
+    patch8_position_z: Any
+    """Centroid of the normal load in the track frame, z [m]."""
+    patch8_wheel_y: Any
+    """Lateral coordinate of the centroid on the wheel profile [m]."""
+    patch8_rail_y: Any
+    """Lateral coordinate of the centroid on the rail profile [m]."""
+    patch8_rolling_radius: Any
+    """Distance of the contact point from the axle [m]."""
+    patch8_penetration: Any
+    """Overlap of the undeformed bodies along the contact normal [m]."""
+    patch8_max_pressure: Any
+    """Greatest contact pressure [Pa]."""
+    patch8_length: Any
+    """Greatest extent along x [m]."""
+    patch8_width: Any
+    """Extent across [m]."""
+    patch8_area: Any
+    """Area [m2]."""
+    patch8_creepage_longitudinal: Any
+    """Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    patch8_creepage_lateral: Any
+    """Lateral creepage, in the contact plane [-]."""
+    patch8_creepage_spin: Any
+    """Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    patch8_friction_coefficient: Any
+    """Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    patch8_temperature: Any
+    """Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    patch8_slip_share: Any
+    """Share of the area that slips [-]."""
+    patch8_frictional_power: Any
+    """Power turned into heat [W]."""
+    patch8_tgamma_damage: Any
+    """T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    patch8_surface_fatigue_index: Any
+    """Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+
+
 class WheelSetInputs(TypedDict, total=False):
     """Inputs of `wheelrail.WheelSet.evaluate`, arrays that broadcast."""
 
@@ -587,6 +1076,8 @@ class WheelSetParameters(TypedDict, total=False):
     """Wavelength at which the smoothing of profiles from files halves an amplitude; 0 interpolates; a negative number (-1) leaves it to the noise found in the points of each file [m]."""
     vertical_mode: Literal["penetration", "load"]
     """What is given of the vertical motion of the wheel; with load, wheel.z has no effect and there is no normal damping."""
+    motion: Literal["given", "rolling"]
+    """What turns the wheel; with rolling, pitch_rate has no effect and the wheel rolls freely on its nominal radius."""
     track_foundation_model: Literal["rigid", "massless", "mass"]
     """What all rails under a wheel rest on, each side by itself; mass goes with the steps of co-simulation and with vertical.mode penetration."""
     track_foundation_stiffness_y: float
@@ -1053,3 +1544,1002 @@ class WheelSetParameters(TypedDict, total=False):
     """Left side: Coefficient of friction on the tread of the rails; only with friction.distribution regions [-]."""
     left_friction_gauge_face_coefficient: float
     """Left side: Coefficient of friction on the gauge faces of the rails; only with friction.distribution regions [-]."""
+
+
+class WheelSetResult(Result):
+    """What `wheelrail.WheelSet.evaluate` gives, for type checkers."""
+
+    wheelset_force_x: Any
+    """Longitudinal force of all contacts on the wheelset [N]."""
+    wheelset_force_y: Any
+    """Lateral force of all contacts on the wheelset [N]."""
+    wheelset_force_z: Any
+    """Vertical force of all contacts on the wheelset, down: negative in contact [N]."""
+    wheelset_moment_x: Any
+    """Moment on the wheelset about its centre, x component in the track frame [N.m]."""
+    wheelset_moment_y: Any
+    """Moment on the wheelset about its centre, y component in the track frame [N.m]."""
+    wheelset_moment_z: Any
+    """Moment on the wheelset about its centre, z component in the track frame [N.m]."""
+    vertical_wheelset_z: Any
+    """Height of the centre at which the rails carry right.wheel.load and left.wheel.load; wheelset.z where the height is given [m]."""
+    vertical_roll: Any
+    """Roll angle at which they do; wheelset.roll where it is given [rad]."""
+    wear_number: Any
+    """Wear number (T-gamma) of both sides: energy dissipated per distance, spin included [J/m]."""
+    frictional_power: Any
+    """Power turned into heat in all patches of both sides [W]."""
+    right_guiding_force: Any
+    """Right side: Y, lateral force of the wheel on its rails, positive away from the middle of the track [N]."""
+    right_vertical_force: Any
+    """Right side: Q, vertical force of the wheel on its rails, down [N]."""
+    right_derailment_quotient: Any
+    """Right side: Y/Q; 0 for a wheel that carries nothing [-]."""
+    left_guiding_force: Any
+    """Left side: Y, lateral force of the wheel on its rails, positive away from the middle of the track [N]."""
+    left_vertical_force: Any
+    """Left side: Q, vertical force of the wheel on its rails, down [N]."""
+    left_derailment_quotient: Any
+    """Left side: Y/Q; 0 for a wheel that carries nothing [-]."""
+    track_shifting_force: Any
+    """Sum of Y: lateral force of the wheelset on the track, positive to the right [N]."""
+    patch_count: Any
+    """Number of contact patches found on both sides."""
+    fallback_count: Any
+    """How often a solver fell back to a simpler model since initialization, on both sides."""
+    right_wheel_force_x: Any
+    """Right side: Longitudinal force on the wheel [N]."""
+    right_wheel_force_y: Any
+    """Right side: Lateral force on the wheel [N]."""
+    right_wheel_force_z: Any
+    """Right side: Vertical force on the wheel, down: negative in contact [N]."""
+    right_wheel_moment_x: Any
+    """Right side: Moment on the wheel about the wheel marker, x component in the track frame [N.m]."""
+    right_wheel_moment_y: Any
+    """Right side: Moment on the wheel about the wheel marker, y component in the track frame [N.m]."""
+    right_wheel_moment_z: Any
+    """Right side: Moment on the wheel about the wheel marker, z component in the track frame [N.m]."""
+    right_rail1_force_x: Any
+    """Right side: Longitudinal force on rail 1 [N]."""
+    right_rail1_force_y: Any
+    """Right side: Lateral force on rail 1 [N]."""
+    right_rail1_force_z: Any
+    """Right side: Vertical force on rail 1, down: positive in contact [N]."""
+    right_rail1_moment_x: Any
+    """Right side: Moment on rail 1 about its marker, x component in the track frame [N.m]."""
+    right_rail1_moment_y: Any
+    """Right side: Moment on rail 1 about its marker, y component in the track frame [N.m]."""
+    right_rail1_moment_z: Any
+    """Right side: Moment on rail 1 about its marker, z component in the track frame [N.m]."""
+    right_rail2_force_x: Any
+    """Right side: Longitudinal force on rail 2 [N]."""
+    right_rail2_force_y: Any
+    """Right side: Lateral force on rail 2 [N]."""
+    right_rail2_force_z: Any
+    """Right side: Vertical force on rail 2, down: positive in contact [N]."""
+    right_rail2_moment_x: Any
+    """Right side: Moment on rail 2 about its marker, x component in the track frame [N.m]."""
+    right_rail2_moment_y: Any
+    """Right side: Moment on rail 2 about its marker, y component in the track frame [N.m]."""
+    right_rail2_moment_z: Any
+    """Right side: Moment on rail 2 about its marker, z component in the track frame [N.m]."""
+    right_vertical_wheel_z: Any
+    """Right side: Height of the wheel marker at which the rails carry wheel.load; wheel.z where the height is given [m]."""
+    right_vertical_load_carried: Any
+    """Right side: Vertical force, down, that all rails together carry; with vertical.mode load it is wheel.load, but where the rails cannot carry that [N]."""
+    right_foundation_deflection_y: Any
+    """Right side: Lateral deflection of the rails on track.foundation, in their frame; rail[1].y comes on top [m]."""
+    right_foundation_deflection_z: Any
+    """Right side: Vertical deflection of the rails on track.foundation, down; rail[1].z comes on top [m]."""
+    right_foundation_velocity_y: Any
+    """Right side: Lateral velocity of rails with a mass [m/s]."""
+    right_foundation_velocity_z: Any
+    """Right side: Vertical velocity of rails with a mass, down [m/s]."""
+    right_foundation_step_error: Any
+    """Right side: Greatest error that a step of the last fmi2DoStep is estimated to have left in the deflection of rails with a mass; a bound rather than a guess, as it is that of a step of first order [m]."""
+    right_patch_count: Any
+    """Right side: Number of contact patches found; any number acts, the heaviest 8 are reported."""
+    right_fallback_count: Any
+    """Right side: How often a solver fell back to a simpler model since initialization."""
+    right_solution_normal_residual: Any
+    """Right side: Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap, of boundary elements, and of strips before their last Newton step; 0 where normal.model does not tell it [-]."""
+    right_solution_tangential_residual: Any
+    """Right side: Largest slip that contradicts the friction law, over the largest rigid slip, of boundary elements; of strips the greatest part of their bound by which tractions do; 0 where tangential.model does not tell it [-]."""
+    right_wear_number: Any
+    """Right side: Wear number (T-gamma): energy dissipated per distance, spin included [J/m]."""
+    right_frictional_power: Any
+    """Right side: Power turned into heat in all patches [W]."""
+    right_patch1_rail: Any
+    """Right side: Rail on which patch 1 lies; 0 when there is no such patch."""
+    right_patch2_rail: Any
+    """Right side: Rail on which patch 2 lies; 0 when there is no such patch."""
+    right_patch3_rail: Any
+    """Right side: Rail on which patch 3 lies; 0 when there is no such patch."""
+    right_patch4_rail: Any
+    """Right side: Rail on which patch 4 lies; 0 when there is no such patch."""
+    right_patch5_rail: Any
+    """Right side: Rail on which patch 5 lies; 0 when there is no such patch."""
+    right_patch6_rail: Any
+    """Right side: Rail on which patch 6 lies; 0 when there is no such patch."""
+    right_patch7_rail: Any
+    """Right side: Rail on which patch 7 lies; 0 when there is no such patch."""
+    right_patch8_rail: Any
+    """Right side: Rail on which patch 8 lies; 0 when there is no such patch."""
+    right_patch1_normal_force: Any
+    """Right side: Normal force of patch 1, damping included [N]."""
+    right_patch1_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch1_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch1_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch1_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch1_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch1_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch1_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch1_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch1_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch1_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch1_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch1_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch1_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch1_width: Any
+    """Right side: Extent across [m]."""
+    right_patch1_area: Any
+    """Right side: Area [m2]."""
+    right_patch1_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch1_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch1_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch1_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch1_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch1_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch1_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch1_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch1_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch2_normal_force: Any
+    """Right side: Normal force of patch 2, damping included [N]."""
+    right_patch2_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch2_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch2_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch2_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch2_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch2_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch2_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch2_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch2_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch2_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch2_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch2_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch2_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch2_width: Any
+    """Right side: Extent across [m]."""
+    right_patch2_area: Any
+    """Right side: Area [m2]."""
+    right_patch2_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch2_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch2_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch2_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch2_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch2_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch2_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch2_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch2_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch3_normal_force: Any
+    """Right side: Normal force of patch 3, damping included [N]."""
+    right_patch3_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch3_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch3_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch3_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch3_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch3_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch3_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch3_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch3_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch3_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch3_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch3_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch3_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch3_width: Any
+    """Right side: Extent across [m]."""
+    right_patch3_area: Any
+    """Right side: Area [m2]."""
+    right_patch3_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch3_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch3_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch3_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch3_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch3_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch3_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch3_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch3_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch4_normal_force: Any
+    """Right side: Normal force of patch 4, damping included [N]."""
+    right_patch4_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch4_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch4_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch4_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch4_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch4_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch4_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch4_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch4_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch4_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch4_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch4_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch4_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch4_width: Any
+    """Right side: Extent across [m]."""
+    right_patch4_area: Any
+    """Right side: Area [m2]."""
+    right_patch4_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch4_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch4_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch4_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch4_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch4_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch4_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch4_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch4_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch5_normal_force: Any
+    """Right side: Normal force of patch 5, damping included [N]."""
+    right_patch5_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch5_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch5_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch5_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch5_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch5_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch5_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch5_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch5_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch5_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch5_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch5_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch5_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch5_width: Any
+    """Right side: Extent across [m]."""
+    right_patch5_area: Any
+    """Right side: Area [m2]."""
+    right_patch5_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch5_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch5_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch5_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch5_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch5_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch5_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch5_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch5_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch6_normal_force: Any
+    """Right side: Normal force of patch 6, damping included [N]."""
+    right_patch6_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch6_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch6_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch6_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch6_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch6_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch6_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch6_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch6_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch6_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch6_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch6_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch6_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch6_width: Any
+    """Right side: Extent across [m]."""
+    right_patch6_area: Any
+    """Right side: Area [m2]."""
+    right_patch6_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch6_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch6_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch6_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch6_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch6_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch6_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch6_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch6_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch7_normal_force: Any
+    """Right side: Normal force of patch 7, damping included [N]."""
+    right_patch7_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch7_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch7_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch7_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch7_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch7_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch7_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch7_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch7_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch7_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch7_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch7_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch7_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch7_width: Any
+    """Right side: Extent across [m]."""
+    right_patch7_area: Any
+    """Right side: Area [m2]."""
+    right_patch7_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch7_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch7_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch7_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch7_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch7_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch7_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch7_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch7_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    right_patch8_normal_force: Any
+    """Right side: Normal force of patch 8, damping included [N]."""
+    right_patch8_creep_force_x: Any
+    """Right side: Longitudinal creep force on the wheel [N]."""
+    right_patch8_creep_force_y: Any
+    """Right side: Lateral creep force on the wheel, in the contact plane [N]."""
+    right_patch8_spin_moment: Any
+    """Right side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    right_patch8_contact_angle: Any
+    """Right side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    right_patch8_position_x: Any
+    """Right side: Centroid of the normal load in the track frame, x [m]."""
+    right_patch8_position_y: Any
+    """Right side: Centroid of the normal load in the track frame, y [m]."""
+    right_patch8_position_z: Any
+    """Right side: Centroid of the normal load in the track frame, z [m]."""
+    right_patch8_wheel_y: Any
+    """Right side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    right_patch8_rail_y: Any
+    """Right side: Lateral coordinate of the centroid on the rail profile [m]."""
+    right_patch8_rolling_radius: Any
+    """Right side: Distance of the contact point from the axle [m]."""
+    right_patch8_penetration: Any
+    """Right side: Overlap of the undeformed bodies along the contact normal [m]."""
+    right_patch8_max_pressure: Any
+    """Right side: Greatest contact pressure [Pa]."""
+    right_patch8_length: Any
+    """Right side: Greatest extent along x [m]."""
+    right_patch8_width: Any
+    """Right side: Extent across [m]."""
+    right_patch8_area: Any
+    """Right side: Area [m2]."""
+    right_patch8_creepage_longitudinal: Any
+    """Right side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    right_patch8_creepage_lateral: Any
+    """Right side: Lateral creepage, in the contact plane [-]."""
+    right_patch8_creepage_spin: Any
+    """Right side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    right_patch8_friction_coefficient: Any
+    """Right side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    right_patch8_temperature: Any
+    """Right side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    right_patch8_slip_share: Any
+    """Right side: Share of the area that slips [-]."""
+    right_patch8_frictional_power: Any
+    """Right side: Power turned into heat [W]."""
+    right_patch8_tgamma_damage: Any
+    """Right side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    right_patch8_surface_fatigue_index: Any
+    """Right side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_wheel_force_x: Any
+    """Left side: Longitudinal force on the wheel [N]."""
+    left_wheel_force_y: Any
+    """Left side: Lateral force on the wheel [N]."""
+    left_wheel_force_z: Any
+    """Left side: Vertical force on the wheel, down: negative in contact [N]."""
+    left_wheel_moment_x: Any
+    """Left side: Moment on the wheel about the wheel marker, x component in the track frame [N.m]."""
+    left_wheel_moment_y: Any
+    """Left side: Moment on the wheel about the wheel marker, y component in the track frame [N.m]."""
+    left_wheel_moment_z: Any
+    """Left side: Moment on the wheel about the wheel marker, z component in the track frame [N.m]."""
+    left_rail1_force_x: Any
+    """Left side: Longitudinal force on rail 1 [N]."""
+    left_rail1_force_y: Any
+    """Left side: Lateral force on rail 1 [N]."""
+    left_rail1_force_z: Any
+    """Left side: Vertical force on rail 1, down: positive in contact [N]."""
+    left_rail1_moment_x: Any
+    """Left side: Moment on rail 1 about its marker, x component in the track frame [N.m]."""
+    left_rail1_moment_y: Any
+    """Left side: Moment on rail 1 about its marker, y component in the track frame [N.m]."""
+    left_rail1_moment_z: Any
+    """Left side: Moment on rail 1 about its marker, z component in the track frame [N.m]."""
+    left_rail2_force_x: Any
+    """Left side: Longitudinal force on rail 2 [N]."""
+    left_rail2_force_y: Any
+    """Left side: Lateral force on rail 2 [N]."""
+    left_rail2_force_z: Any
+    """Left side: Vertical force on rail 2, down: positive in contact [N]."""
+    left_rail2_moment_x: Any
+    """Left side: Moment on rail 2 about its marker, x component in the track frame [N.m]."""
+    left_rail2_moment_y: Any
+    """Left side: Moment on rail 2 about its marker, y component in the track frame [N.m]."""
+    left_rail2_moment_z: Any
+    """Left side: Moment on rail 2 about its marker, z component in the track frame [N.m]."""
+    left_vertical_wheel_z: Any
+    """Left side: Height of the wheel marker at which the rails carry wheel.load; wheel.z where the height is given [m]."""
+    left_vertical_load_carried: Any
+    """Left side: Vertical force, down, that all rails together carry; with vertical.mode load it is wheel.load, but where the rails cannot carry that [N]."""
+    left_foundation_deflection_y: Any
+    """Left side: Lateral deflection of the rails on track.foundation, in their frame; rail[1].y comes on top [m]."""
+    left_foundation_deflection_z: Any
+    """Left side: Vertical deflection of the rails on track.foundation, down; rail[1].z comes on top [m]."""
+    left_foundation_velocity_y: Any
+    """Left side: Lateral velocity of rails with a mass [m/s]."""
+    left_foundation_velocity_z: Any
+    """Left side: Vertical velocity of rails with a mass, down [m/s]."""
+    left_foundation_step_error: Any
+    """Left side: Greatest error that a step of the last fmi2DoStep is estimated to have left in the deflection of rails with a mass; a bound rather than a guess, as it is that of a step of first order [m]."""
+    left_patch_count: Any
+    """Left side: Number of contact patches found; any number acts, the heaviest 8 are reported."""
+    left_fallback_count: Any
+    """Left side: How often a solver fell back to a simpler model since initialization."""
+    left_solution_normal_residual: Any
+    """Left side: Largest distance left between surfaces that carry pressure, or overlap left elsewhere, over the greatest overlap, of boundary elements, and of strips before their last Newton step; 0 where normal.model does not tell it [-]."""
+    left_solution_tangential_residual: Any
+    """Left side: Largest slip that contradicts the friction law, over the largest rigid slip, of boundary elements; of strips the greatest part of their bound by which tractions do; 0 where tangential.model does not tell it [-]."""
+    left_wear_number: Any
+    """Left side: Wear number (T-gamma): energy dissipated per distance, spin included [J/m]."""
+    left_frictional_power: Any
+    """Left side: Power turned into heat in all patches [W]."""
+    left_patch1_rail: Any
+    """Left side: Rail on which patch 1 lies; 0 when there is no such patch."""
+    left_patch2_rail: Any
+    """Left side: Rail on which patch 2 lies; 0 when there is no such patch."""
+    left_patch3_rail: Any
+    """Left side: Rail on which patch 3 lies; 0 when there is no such patch."""
+    left_patch4_rail: Any
+    """Left side: Rail on which patch 4 lies; 0 when there is no such patch."""
+    left_patch5_rail: Any
+    """Left side: Rail on which patch 5 lies; 0 when there is no such patch."""
+    left_patch6_rail: Any
+    """Left side: Rail on which patch 6 lies; 0 when there is no such patch."""
+    left_patch7_rail: Any
+    """Left side: Rail on which patch 7 lies; 0 when there is no such patch."""
+    left_patch8_rail: Any
+    """Left side: Rail on which patch 8 lies; 0 when there is no such patch."""
+    left_patch1_normal_force: Any
+    """Left side: Normal force of patch 1, damping included [N]."""
+    left_patch1_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch1_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch1_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch1_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch1_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch1_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch1_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch1_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch1_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch1_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch1_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch1_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch1_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch1_width: Any
+    """Left side: Extent across [m]."""
+    left_patch1_area: Any
+    """Left side: Area [m2]."""
+    left_patch1_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch1_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch1_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch1_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch1_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch1_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch1_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch1_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch1_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch2_normal_force: Any
+    """Left side: Normal force of patch 2, damping included [N]."""
+    left_patch2_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch2_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch2_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch2_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch2_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch2_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch2_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch2_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch2_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch2_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch2_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch2_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch2_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch2_width: Any
+    """Left side: Extent across [m]."""
+    left_patch2_area: Any
+    """Left side: Area [m2]."""
+    left_patch2_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch2_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch2_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch2_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch2_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch2_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch2_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch2_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch2_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch3_normal_force: Any
+    """Left side: Normal force of patch 3, damping included [N]."""
+    left_patch3_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch3_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch3_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch3_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch3_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch3_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch3_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch3_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch3_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch3_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch3_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch3_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch3_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch3_width: Any
+    """Left side: Extent across [m]."""
+    left_patch3_area: Any
+    """Left side: Area [m2]."""
+    left_patch3_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch3_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch3_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch3_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch3_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch3_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch3_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch3_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch3_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch4_normal_force: Any
+    """Left side: Normal force of patch 4, damping included [N]."""
+    left_patch4_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch4_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch4_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch4_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch4_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch4_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch4_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch4_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch4_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch4_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch4_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch4_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch4_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch4_width: Any
+    """Left side: Extent across [m]."""
+    left_patch4_area: Any
+    """Left side: Area [m2]."""
+    left_patch4_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch4_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch4_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch4_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch4_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch4_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch4_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch4_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch4_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch5_normal_force: Any
+    """Left side: Normal force of patch 5, damping included [N]."""
+    left_patch5_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch5_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch5_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch5_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch5_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch5_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch5_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch5_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch5_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch5_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch5_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch5_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch5_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch5_width: Any
+    """Left side: Extent across [m]."""
+    left_patch5_area: Any
+    """Left side: Area [m2]."""
+    left_patch5_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch5_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch5_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch5_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch5_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch5_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch5_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch5_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch5_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch6_normal_force: Any
+    """Left side: Normal force of patch 6, damping included [N]."""
+    left_patch6_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch6_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch6_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch6_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch6_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch6_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch6_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch6_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch6_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch6_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch6_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch6_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch6_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch6_width: Any
+    """Left side: Extent across [m]."""
+    left_patch6_area: Any
+    """Left side: Area [m2]."""
+    left_patch6_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch6_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch6_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch6_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch6_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch6_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch6_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch6_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch6_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch7_normal_force: Any
+    """Left side: Normal force of patch 7, damping included [N]."""
+    left_patch7_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch7_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch7_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch7_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch7_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch7_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch7_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch7_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch7_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch7_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch7_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch7_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch7_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch7_width: Any
+    """Left side: Extent across [m]."""
+    left_patch7_area: Any
+    """Left side: Area [m2]."""
+    left_patch7_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch7_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch7_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch7_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch7_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch7_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch7_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch7_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch7_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""
+    left_patch8_normal_force: Any
+    """Left side: Normal force of patch 8, damping included [N]."""
+    left_patch8_creep_force_x: Any
+    """Left side: Longitudinal creep force on the wheel [N]."""
+    left_patch8_creep_force_y: Any
+    """Left side: Lateral creep force on the wheel, in the contact plane [N]."""
+    left_patch8_spin_moment: Any
+    """Left side: Moment of the tractions on the wheel about the contact normal, at the position of the patch [N.m]."""
+    left_patch8_contact_angle: Any
+    """Left side: Roll of the contact frame about the track's x axis, negative on the right tread [rad]."""
+    left_patch8_position_x: Any
+    """Left side: Centroid of the normal load in the track frame, x [m]."""
+    left_patch8_position_y: Any
+    """Left side: Centroid of the normal load in the track frame, y [m]."""
+    left_patch8_position_z: Any
+    """Left side: Centroid of the normal load in the track frame, z [m]."""
+    left_patch8_wheel_y: Any
+    """Left side: Lateral coordinate of the centroid on the wheel profile [m]."""
+    left_patch8_rail_y: Any
+    """Left side: Lateral coordinate of the centroid on the rail profile [m]."""
+    left_patch8_rolling_radius: Any
+    """Left side: Distance of the contact point from the axle [m]."""
+    left_patch8_penetration: Any
+    """Left side: Overlap of the undeformed bodies along the contact normal [m]."""
+    left_patch8_max_pressure: Any
+    """Left side: Greatest contact pressure [Pa]."""
+    left_patch8_length: Any
+    """Left side: Greatest extent along x [m]."""
+    left_patch8_width: Any
+    """Left side: Extent across [m]."""
+    left_patch8_area: Any
+    """Left side: Area [m2]."""
+    left_patch8_creepage_longitudinal: Any
+    """Left side: Longitudinal creepage: wheel minus rail over the reference speed [-]."""
+    left_patch8_creepage_lateral: Any
+    """Left side: Lateral creepage, in the contact plane [-]."""
+    left_patch8_creepage_spin: Any
+    """Left side: Spin creepage: relative angular velocity about the contact normal over the reference speed [1/m]."""
+    left_patch8_friction_coefficient: Any
+    """Left side: Coefficient of friction as slip and heat leave it, the mean over the load [-]."""
+    left_patch8_temperature: Any
+    """Left side: Mean rise of temperature over the pressure as if all of the patch slid; 0 unless friction.temperature.share is below 1 [K]."""
+    left_patch8_slip_share: Any
+    """Left side: Share of the area that slips [-]."""
+    left_patch8_frictional_power: Any
+    """Left side: Power turned into heat [W]."""
+    left_patch8_tgamma_damage: Any
+    """Left side: T-gamma damage of the rail by one passage, as a share of its life; negative where wear outruns cracks; experimental: not checked against its source [-]."""
+    left_patch8_surface_fatigue_index: Any
+    """Left side: Surface fatigue index; above 0 the surface ratchets; experimental: not checked against its source [-]."""

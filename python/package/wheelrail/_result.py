@@ -186,14 +186,16 @@ class Result(Mapping[str, Any]):
             values = np.where(np.isnan(values), -1.0, values).astype(np.int64)
         return values.reshape(self.shape)
 
-    def __getattr__(self, name: str) -> Any:
-        # Called only for what is no attribute; names with a bar in front are Python's own.
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self[name]
-        except UnknownVariableError as error:
-            raise AttributeError(str(error)) from None
+    if not TYPE_CHECKING:
+        # Type checkers know the names of the classes below, and tell one that is none of them.
+        def __getattr__(self, name: str) -> Any:
+            # Called only for what is no attribute; names with a bar in front are Python's own.
+            if name.startswith("_"):
+                raise AttributeError(name)
+            try:
+                return self[name]
+            except UnknownVariableError as error:
+                raise AttributeError(str(error)) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._columns.by_any_name

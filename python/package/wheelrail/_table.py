@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._element import Element, Errors, Outputs, Remarks, WheelSet, _Unit
+from ._element import Element, Errors, Outputs, Progress, Remarks, WheelSet, _teller, _Unit
 from ._variables import Unit, Variable, find, is_evaluated, select, variables
 from .errors import BadValueError, ContactWarning
 
@@ -19,7 +19,7 @@ __all__ = ["evaluate"]
 
 #: Name of the column that says which rows were not refused.
 VALID = "valid"
-#: Name of the column that is passed over: it says which row is which.
+#: Name of the column that is no variable: it says which row is which.
 LABEL = "id"
 
 
@@ -46,11 +46,13 @@ def evaluate(
     *,
     unit: Unit = "WheelRail",
     outputs: Outputs = None,
+    inputs: bool = True,
     threads: int | None = None,
     errors: Errors = "raise",
+    progress: Progress = None,
     **parameters: Any,
 ) -> pandas.DataFrame:
-    """A table of cases in, a table of outputs out; needs pandas.
+    """A table of cases in, the same table with the outputs behind its columns out; needs pandas.
 
     Columns may be parameters too, other ones in every row: profiles, radii, models. The rows that share
     them are evaluated together.
@@ -59,10 +61,12 @@ def evaluate(
     ----------
     table : DataFrame
         One row for each case; columns are inputs and parameters by FMI name or keyword. What is left out
-        keeps its start value. A column ``id`` is passed over.
+        keeps its start value. A column ``id`` is passed on.
     unit : {"WheelRail", "WheelSet"}
         One wheel, or two on an axle.
-    outputs, threads, errors
+    inputs : bool
+        Whether the columns of `table` stand in front.
+    outputs, threads, errors, progress
         As in `Element.evaluate`.
     **parameters
         Values that hold for all rows.
@@ -70,9 +74,32 @@ def evaluate(
     Returns
     -------
     DataFrame
-        The outputs, with the index of `table`. With ``errors="nan"`` a boolean column ``valid`` says which
+        With the index of `table`. With ``errors="nan"`` a boolean column ``valid`` says which
         rows were not refused.
     """
+    import pandas
+
+    tell, close = _teller(progress, len(table))
+    try:
+        found = outputs_for(
+            table, unit=unit, outputs=outputs, threads=threads, errors=errors, tell=tell, **parameters
+        )
+    finally:
+        close()
+    return pandas.concat([table, found], axis=1) if inputs else found
+
+
+def outputs_for(
+    table: pandas.DataFrame,
+    *,
+    unit: Unit,
+    outputs: Outputs,
+    threads: int | None,
+    errors: Errors,
+    tell: Callable[[int], object] = lambda done: None,
+    **parameters: Any,
+) -> pandas.DataFrame:
+    """The outputs for a table of cases; `tell` gets how many rows are done."""
     import pandas
 
     if not isinstance(table, pandas.DataFrame):
@@ -97,12 +124,15 @@ def evaluate(
     remarks = Remarks()
     parts: list[pandas.DataFrame] = []
     places: list[Any] = []
+    done = 0
     for key, members in groups:
         settings = {**parameters, **dict(zip(of_parameters, key))}
         element = _element(unit, settings)
         inputs = {name: table[name].to_numpy()[members] for name in of_inputs}
         try:
-            result = element._evaluate(inputs, wanted, threads, errors, None, {}, tell=False)
+            result = element._evaluate(
+                inputs, wanted, threads, errors, lambda rows, _: tell(done + rows), {}, tell=False
+            )
         except Exception as error:
             raise _placed(error, members) from None
         of_all = list(range(len(members)))
@@ -117,8 +147,10 @@ def evaluate(
             part[VALID] = np.broadcast_to(result.valid, (len(members),))
         parts.append(part)
         places.append(members)
+        done += len(members)
+        tell(done)
     for remark in remarks.found():
-        warnings.warn(remark.text(len(table)), ContactWarning, stacklevel=2)
+        warnings.warn(remark.text(len(table)), ContactWarning, stacklevel=3)
     if not parts:
         return empty(unit, outputs, found, parameters, errors).set_index(table.index)
     whole = pandas.concat(parts, ignore_index=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._element import Errors, Outputs, Progress, _teller
-from ._table import evaluate as evaluate_table
+from ._table import outputs_for
 from ._variables import Unit
 from .errors import BadValueError, ContactError, admitted_count
 
@@ -36,10 +37,11 @@ def evaluate(
     Parameters
     ----------
     source : path, DataFrame or iterable of DataFrames
-        CSV (lines that begin with ``#`` are comments) or Parquet, columns as for `wheelrail.evaluate`; or
-        tables at hand, or made one after the other.
+        CSV (lines that begin with ``#`` are comments; parted by commas, or by semicolons or tabs and then
+        with decimal commas if they have them) or Parquet, columns as for `wheelrail.evaluate`; or tables
+        at hand, or made one after the other.
     target : path
-        ``.csv`` or ``.parquet``; it gets its name when it is complete, until then it is ``TARGET.partial``.
+        ``.csv``, parted as the source is, with decimal points, or ``.parquet``; it gets its name when it is complete, until then it is ``TARGET.partial``.
     unit : {"WheelRail", "WheelSet"}
         One wheel, or two on an axle.
     outputs : sequence of str, optional
@@ -66,14 +68,15 @@ def evaluate(
     if isinstance(source, (str, os.PathLike)) and path.exists() and path.samefile(source):
         raise BadValueError(f"{path}: the result would take the place of its source", variable="target")
     partial = path.with_name(path.name + ".partial")
-    writer = _writer(path, partial)
-    pieces, count = _pieces(source, rows_at_once)
+    style = _CsvStyle.of(source)
+    writer = _writer(path, partial, style)
+    pieces, count = _pieces(source, rows_at_once, style)
     tell, close = _teller(progress, count)
     done = 0
     try:
         for piece in pieces:
             try:
-                found = evaluate_table(
+                found = outputs_for(
                     piece, unit=unit, outputs=outputs, threads=threads, errors=errors, **parameters
                 )
             except ContactError as error:
@@ -93,7 +96,26 @@ def evaluate(
     return done
 
 
-def _pieces(source: Any, rows: int) -> tuple[Iterator[pandas.DataFrame], int]:
+class _CsvStyle(NamedTuple):
+    """How a table is read: what parts its columns, and its decimal mark."""
+
+    sep: str = ","
+    decimal: str = "."
+
+    @classmethod
+    def of(cls, source: Any) -> _CsvStyle:
+        """That of a file, as the command line reads it; that of the standard for all else."""
+        if not isinstance(source, (str, os.PathLike)) or Path(source).suffix != ".csv":
+            return cls()
+        with open(source, encoding="utf-8-sig") as file:
+            lines = (line for line in file if line.strip() and not line.startswith("#"))
+            head, row = next(lines, ""), next(lines, "")
+        sep = next((mark for mark in ";\t" if mark in head), ",")
+        has_commas = sep != "," and re.search(r"\d,\d", row) is not None
+        return cls(sep, "," if has_commas else ".")
+
+
+def _pieces(source: Any, rows: int, style: _CsvStyle) -> tuple[Iterator[pandas.DataFrame], int]:
     """The tables to evaluate one after the other, and how many rows they have, 0 if that is not known."""
     import pandas
 
@@ -109,18 +131,20 @@ def _pieces(source: Any, rows: int) -> tuple[Iterator[pandas.DataFrame], int]:
         batches = file.iter_batches(batch_size=rows)
         return (batch.to_pandas() for batch in batches), file.metadata.num_rows
     if path.suffix == ".csv":
-        return iter(pandas.read_csv(path, chunksize=rows, comment="#", skipinitialspace=True)), 0
+        options = {"comment": "#", "skipinitialspace": True, **style._asdict()}
+        return iter(pandas.read_csv(path, chunksize=rows, **options)), 0
     raise BadValueError(f"{path}: a table is .csv or .parquet", variable="source")
 
 
 class _CsvWriter:
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, style: _CsvStyle) -> None:
         self._path = path
+        self._style = style
         path.unlink(missing_ok=True)
 
     def write(self, table: pandas.DataFrame) -> None:
         is_new = not self._path.exists()
-        table.to_csv(self._path, mode="a", header=is_new, index=False)
+        table.to_csv(self._path, mode="a", header=is_new, index=False, sep=self._style.sep)
 
     def close(self) -> None:
         """Every piece is written when it comes."""
@@ -146,9 +170,9 @@ class _ParquetWriter:
             self._writer.close()
 
 
-def _writer(path: Path, partial: Path) -> _CsvWriter | _ParquetWriter:
+def _writer(path: Path, partial: Path, style: _CsvStyle) -> _CsvWriter | _ParquetWriter:
     if path.suffix == ".csv":
-        return _CsvWriter(partial)
+        return _CsvWriter(partial, style)
     if path.suffix == ".parquet":
         return _ParquetWriter(partial)
     raise BadValueError(f"{path}: a result is .csv or .parquet", variable="target")

@@ -28,13 +28,35 @@ _COLUMNS = Columns(
 )
 
 
+class ConicityResult(Result):
+    """What `table` gives."""
+
+    difference: Any
+    right_rolling_radius: Any
+    left_rolling_radius: Any
+    right_wheel_y: Any
+    left_wheel_y: Any
+    right_rail_y: Any
+    left_rail_y: Any
+    conicity: Any
+
+
+class GeometryResult(ConicityResult):
+    """What `contact_geometry` gives."""
+
+    roll: Any
+    z: Any
+    right_contact_angle: Any
+    left_contact_angle: Any
+
+
 def table(
     *,
     range: float = 0.008,
     step: float = 1e-4,
     running_circles: float = 1.5,
     **parameters: Any,
-) -> Result:
+) -> ConicityResult:
     """Rolling radii and equivalent conicity by EN 15302: rigid bodies, the wheelset does not roll about x.
 
     Parameters
@@ -68,7 +90,7 @@ def table(
     swings = y > 0.5 * step
     conicity[swings] = equivalent(y, difference, y[swings])
     data = np.column_stack([difference, radii[:, 1:], conicity])
-    return Result(_COLUMNS, data, np.zeros(len(y), np.uint8), {}, Layout(y.shape, {"y": y}))
+    return ConicityResult(_COLUMNS, data, np.zeros(len(y), np.uint8), {}, Layout(y.shape, {"y": y}))
 
 
 def equivalent(
@@ -115,7 +137,7 @@ _GEOMETRY = Columns(
 
 def contact_geometry(
     y: npt.ArrayLike, *, yaw: float = 0.0, load: float = 1.0, **parameters: Any
-) -> Result:
+) -> GeometryResult:
     """Contact geometry of a wheelset that stands on both rails, roll included.
 
     Parameters
@@ -156,4 +178,4 @@ def contact_geometry(
     )
     data[~stands] = np.nan
     states = np.zeros(places.size, np.uint8)
-    return Result(_GEOMETRY, data, states, {}, Layout(places.shape, {"wheelset.y": places}))
+    return GeometryResult(_GEOMETRY, data, states, {}, Layout(places.shape, {"wheelset.y": places}))

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ._element import Errors, Outputs
-from ._table import empty
-from ._table import evaluate as evaluate_table
+from ._table import empty, outputs_for
 from ._variables import Unit
 
 if TYPE_CHECKING:
@@ -76,5 +75,5 @@ def evaluate(
 def _partition(table: Any, *, keep: bool, **options: Any) -> Any:
     import pandas
 
-    found = evaluate_table(table, **options)
+    found = outputs_for(table, **options)
     return pandas.concat([table, found], axis=1) if keep else found

@@ -34,6 +34,21 @@ _COLUMNS = Columns(
 )
 
 
+class PlanarResult(Result):
+    """What `solve` gives."""
+
+    normal_force: Any
+    max_pressure: Any
+    area: Any
+    length: Any
+    width: Any
+    fx: Any
+    fy: Any
+    mz: Any
+    patches: Any
+    fallback: Any
+
+
 def solve(
     y: npt.ArrayLike,
     f: npt.ArrayLike,
@@ -49,7 +64,7 @@ def solve(
     threads: int | None = None,
     errors: Literal["raise", "nan"] = "raise",
     **parameters: Any,
-) -> Result:
+) -> PlanarResult:
     """Solves planar problems of one separation for arrays of all else, which broadcast.
 
     Parameters
@@ -92,7 +107,7 @@ def solve(
         refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
 
     in_slices(len(cases), work, count)
-    return Result(_COLUMNS, data, states, refusals, Layout(shape, given))
+    return PlanarResult(_COLUMNS, data, states, refusals, Layout(shape, given))
 
 
 def fields(

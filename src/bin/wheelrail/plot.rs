@@ -102,7 +102,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let planar = PlanarCases::read(&cases)?;
         output::check_names(planar.separation_files(), outputs)?;
         let case = &planar.cases[arguments.row - 1];
-        let title = case.separation.display().to_string();
+        let name = case.separation.file_name().unwrap_or(case.separation.as_os_str());
+        let title = format!("{}, row {}", name.display(), arguments.row);
         draw(arguments, &figure(&planar.planar(case), title, Vec::new(), 0, false)?)
     } else {
         let all = read_values(&cases, &outputs)?;
@@ -220,7 +221,7 @@ fn figure(
     if sides.iter().any(|side| side.fields.is_empty()) {
         bail!("no contact to draw: the bodies do not touch");
     }
-    Ok(Figure { title, friction: case.friction, contacts, drawn, sides })
+    Ok(Figure { title, contacts, drawn, sides })
 }
 
 fn write_fields(path: &Path, sides: &[Side; 2]) -> Result<()> {

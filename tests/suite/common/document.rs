@@ -26,3 +26,15 @@ pub fn assert_holds(name: &str, tables: &[([&str; 2], String)]) {
     }
     panic!("{name} is stale: run UPDATE_DOCS=1 cargo test --test suite docs::");
 }
+
+/// Whether the file `name` is `text`. With the variable `UPDATE_DOCS` it is written.
+pub fn assert_is(name: &str, text: &str) {
+    if std::fs::read_to_string(path(name)).is_ok_and(|old| old == text) {
+        return;
+    }
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        std::fs::write(path(name), text).unwrap();
+        return;
+    }
+    panic!("{name} is stale: run UPDATE_DOCS=1 cargo test --test suite docs::");
+}

@@ -1,11 +1,9 @@
-//! The documents do not go stale: the tables of variables in docs/fmi.md and the keywords of the
+//! The documents do not go stale: docs/variables.csv and the keywords of the
 //! Python package are those of wheel and wheelset, every variable that a document names exists, and
 //! what falls short of its target is listed.
 //! `UPDATE_DOCS=1 cargo test --test suite docs::` writes the tables.
 
 mod short_of_target;
-
-use std::fmt::Write as _;
 
 use wheelrail::variables::{
     Causality, Enumeration, Kind, VARIABLES, Value, Variable, WHEELSET, find,
@@ -13,66 +11,55 @@ use wheelrail::variables::{
 
 use crate::common::document;
 
-const TABLE: [&str; 2] = ["<!-- variables -->\n", "<!-- end of variables -->"];
-const WHEELSET_TABLE: [&str; 2] =
-    ["<!-- variables of the wheelset -->\n", "<!-- end of variables of the wheelset -->"];
-
 #[test]
 fn the_tables_of_variables_are_those_of_wheel_and_wheelset() {
-    let tables = [(TABLE, table()), (WHEELSET_TABLE, own_of_the_wheelset())];
-    document::assert_holds("docs/fmi.md", &tables);
+    document::assert_is("docs/variables.csv", &variables());
+    document::assert_is("docs/enumerations.csv", &enumerations());
 }
 
-/// What a wheelset has besides what its sides have, and what is not a wheel's.
-fn own_of_the_wheelset() -> String {
-    let mut text = String::from(
-        "\n| name | | unit or type | start | admitted | meaning |\n|---|---|---|---|---|---|\n",
-    );
+/// Lines of a table in CSV.
+fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(&row).expect("memory");
+    }
+    String::from_utf8(writer.into_inner().expect("memory")).expect("UTF-8")
+}
+
+/// The variables of a wheel, and what a wheelset has besides what its sides have, and what is not a
+/// wheel's.
+fn variables() -> String {
+    let heading = ["unit", "causality", "name", "unit or type", "start", "admitted", "meaning"];
+    let row = |unit: &str, v: &Variable| {
+        let texts = [unit, causality(v), v.name, &kind(v), &start(v), &range(v), v.description];
+        texts.map(str::to_owned).to_vec()
+    };
+    let causalities =
+        [Causality::Input, Causality::Parameter, Causality::CalculatedParameter, Causality::Output];
+    let mut rows = vec![heading.map(str::to_owned).to_vec()];
+    // The patches are alike: the first one stands for all.
+    for causality in causalities {
+        let all = VARIABLES.iter().filter(|v| v.causality == causality && !is_later_patch(v));
+        rows.extend(all.map(|v| row("WheelRail", v)));
+    }
     let on_side = |name: &str| name.starts_with("right.") || name.starts_with("left.");
-    for v in WHEELSET.variables.iter().filter(|v| !on_side(v.name)) {
-        if v.is_settable() && find(v.name).is_ok() {
-            continue;
-        }
-        let causality = match v.causality {
-            Causality::Input => "input",
-            Causality::Parameter => "parameter",
-            Causality::CalculatedParameter => "calculated",
-            Causality::Output => "output",
-        };
-        writeln!(
-            text,
-            "| `{}` | {causality} | {} | {} | {} | {} |",
-            v.name,
-            kind(v),
-            start(v),
-            range(v),
-            v.description
-        )
-        .unwrap();
-    }
-    text + "\n"
+    let is_own = |v: &&Variable| !(on_side(v.name) || v.is_settable() && find(v.name).is_ok());
+    rows.extend(WHEELSET.variables.iter().filter(is_own).map(|v| row("WheelSet", v)));
+    csv(rows)
 }
 
-fn table() -> String {
-    let mut text = String::new();
-    for (title, causality) in [
-        ("Inputs", Causality::Input),
-        ("Parameters", Causality::Parameter),
-        ("Calculated parameter", Causality::CalculatedParameter),
-        ("Outputs", Causality::Output),
-    ] {
-        let starts = matches!(causality, Causality::Input | Causality::Parameter);
-        let (heading, rule) = if starts { (" start |", "---|") } else { ("", "") };
-        write!(text, "\n### {title}\n\n| name | unit or type |{heading} admitted | meaning |\n|---|---|{rule}---|---|\n").unwrap();
-        // The patches are alike: the first one stands for all.
-        for v in VARIABLES.iter().filter(|v| v.causality == causality && !is_later_patch(v)) {
-            let start = if starts { format!(" {} |", start(v)) } else { String::new() };
-            let (kind, range) = (kind(v), range(v));
-            writeln!(text, "| `{}` | {kind} |{start} {range} | {} |", v.name, v.description)
-                .unwrap();
-        }
+fn causality(v: &Variable) -> &'static str {
+    match v.causality {
+        Causality::Input => "input",
+        Causality::Parameter => "parameter",
+        Causality::CalculatedParameter => "calculated",
+        Causality::Output => "output",
     }
-    text += "\n### Enumerations\n\n| type | number | item | meaning |\n|---|---|---|---|\n";
+}
+
+/// The items of all enumerations.
+fn enumerations() -> String {
+    let mut rows = vec![["type", "number", "item", "meaning"].map(str::to_owned).to_vec()];
     let mut seen: Vec<&Enumeration> = Vec::new();
     for v in VARIABLES {
         let Kind::Enumeration(e) = v.kind else { continue };
@@ -81,15 +68,12 @@ fn table() -> String {
         }
         seen.push(e);
         for item in e.items {
-            writeln!(
-                text,
-                "| {} | {} | `{}` | {} |",
-                e.name, item.value, item.name, item.description
-            )
-            .unwrap();
+            let number = item.value.to_string();
+            let texts = [e.name, &number, item.name, item.description];
+            rows.push(texts.map(str::to_owned).to_vec());
         }
     }
-    text + "\n"
+    csv(rows)
 }
 
 fn is_later_patch(v: &Variable) -> bool {
@@ -111,11 +95,11 @@ fn start(v: &Variable) -> String {
     match (v.start, v.kind) {
         (Some(Value::Real(value)), _) => format!("{value:?}"),
         (Some(Value::Integer(value)), Kind::Enumeration(e)) => {
-            e.item(value).map_or_else(String::new, |item| format!("`{}` ({value})", item.name))
+            e.item(value).map_or_else(String::new, |item| format!("{} ({value})", item.name))
         }
         (Some(Value::Integer(value)), _) => value.to_string(),
         (Some(Value::Boolean(value)), _) => value.to_string(),
-        (Some(Value::Text(value)), _) => format!("\"{value}\""),
+        (Some(Value::Text(value)), _) => value.into(),
         (None, _) => String::new(),
     }
 }
@@ -162,8 +146,9 @@ fn the_keywords_of_python_are_those_of_the_variables() {
         count += if v.causality == Causality::Input { 2 } else { 1 };
     }
     let keywords = text.lines().filter(|line| line.starts_with("    \"\"\""));
-    // Four classes have a line of their own.
-    assert_eq!(keywords.count(), count + 4, "{stale}");
+    let outputs = text.lines().filter(|line| line.starts_with("    ") && line.ends_with(": Any"));
+    // Six classes have a line of their own.
+    assert_eq!(keywords.count(), count + outputs.count() + 6, "{stale}");
 }
 
 /// Names in backquotes that begin like a variable are variables; `wheel.x|y|z` stands for three.

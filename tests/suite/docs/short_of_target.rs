@@ -2,13 +2,14 @@
 //! and tolerances that are wider.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use crate::common::document;
 use crate::tolerance::{self, Target, Tolerance};
 
 const TABLE: [&str; 2] = ["<!-- short of target -->\n", "<!-- end of short of target -->"];
 
-/// Targets of the default element for tables of docs/scoreboard.md: heading, row, and target
+/// Targets of the default element for docs/scoreboard.csv and its page: family, row, and target
 /// of median, 95 % and worst. Tables of docs/validation.md have a column of their own for them.
 #[rustfmt::skip]
 const SCOREBOARD: [(&str, &str, &str); 14] = [
@@ -68,6 +69,19 @@ fn rows(page: &str) -> Vec<Row> {
     rows
 }
 
+/// The rows of docs/scoreboard.csv.
+fn scoreboard_rows(path: &Path) -> Vec<Row> {
+    let mut reader = csv::Reader::from_path(path).expect("docs/scoreboard.csv");
+    let records = reader.records().map(|record| record.expect("docs/scoreboard.csv is a table"));
+    let row = |record: csv::StringRecord| Row {
+        heading: record[0].into(),
+        name: format!("{}, {}", &record[1], &record[2]),
+        figures: [4, 5, 6].map(|column| record[column].into()),
+        aim: "-".into(),
+    };
+    records.map(row).collect()
+}
+
 /// Target of median, 95 % and worst: `0.1 / - / 0.8`, or the worst alone. An aim in words is none.
 fn aims(text: &str) -> [Option<f64>; 3] {
     let parts: Vec<_> = text.split('/').map(|part| part.trim().parse().ok()).collect();
@@ -92,21 +106,22 @@ fn line(row: &Row, aim: &str) -> Option<String> {
 
 fn table(validation: &str, scoreboard: &str) -> String {
     let mut text = String::from("\n| table | quantity | target | measured |\n|---|---|---|---|\n");
-    let found = rows(scoreboard);
+    let mut found = scoreboard_rows(&document::path("docs/scoreboard.csv"));
+    found.extend(rows(scoreboard));
     for (heading, name, aim) in SCOREBOARD {
         let row = found.iter().find(|row| row.heading == heading && row.name == name);
-        let row = row.unwrap_or_else(|| panic!("docs/scoreboard.md: no {name} in {heading}"));
+        let row = row.unwrap_or_else(|| panic!("docs/scoreboard: no {name} in {heading}"));
         text.extend(line(row, aim));
     }
     text.extend(rows(validation).iter().filter_map(|row| line(row, &row.aim)));
-    text += "\n| test: quantity | target | allowed | reason |\n|---|---|---|---|\n";
+    text += "\n| test: quantity | target | allowed |\n|---|---|---|\n";
     for tolerance in tolerance::all() {
         let Tolerance { name, bound, target: Target::Less(target), .. } = tolerance else {
             continue;
         };
         let [bound, target] = [bound, target].map(|text| text.replace('\n', " "));
-        let (quantity, reason) = (tolerance.quantity(), tolerance.reason());
-        writeln!(text, "| `{name}`: {quantity} | {target} | {bound} | {reason} |").unwrap();
+        let quantity = tolerance.quantity();
+        writeln!(text, "| `{name}`: {quantity} | {target} | {bound} |").unwrap();
     }
     text + "\n"
 }

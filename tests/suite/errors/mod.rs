@@ -1,4 +1,4 @@
-//! The tables of docs/errors.md: every row is provoked, its words compared, and what was asked is
+//! The tables of tests/suite/errors/refusals.md: every row is provoked, its words compared, and what was asked is
 //! as usable afterwards as before.
 //!
 //! `UPDATE_DOCS=1 cargo test --test suite errors::` writes the words that are found into the

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 const ANYTHING: &str = "…";
 
 fn page() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/errors.md")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/errors/refusals.md")
 }
 
 /// The rows of the table below a heading, as cells without their backquotes' meaning taken away.

@@ -9,6 +9,7 @@ pub mod errors;
 pub mod fit;
 pub mod icon;
 pub mod motion;
+mod patch_panel;
 pub mod patches;
 pub mod roots;
 pub mod sweep;

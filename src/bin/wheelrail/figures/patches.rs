@@ -74,7 +74,7 @@ fn draw_inner(area: &Area<'_>, title: &str, track: &Track, records: &[Record]) -
             panel.draw(&cells[2 * row + column], track, &shown)?;
         }
     }
-    draw_scale(&scale, &pressures_range)?;
+    draw_colours(&scale, &pressures_range, "greatest pressure of the patch [GPa]", [140, 140])?;
     draw_ramp_sign(&scale)?;
     Ok(())
 }
@@ -152,13 +152,20 @@ fn draw_ramp_sign(area: &Area<'_>) -> Result<()> {
     Ok(())
 }
 
-fn draw_scale(area: &Area<'_>, pressures: &Range<f64>) -> Result<()> {
+/// Draws the colours of a quantity from the one end of its range to the other; `margins` above and
+/// below in pixels.
+pub fn draw_colours(
+    area: &Area<'_>,
+    range: &Range<f64>,
+    title: &str,
+    margins: [u32; 2],
+) -> Result<()> {
     let mut chart = ChartBuilder::on(area)
-        .margin_top(px(140))
-        .margin_bottom(px(140))
+        .margin_top(px(margins[0]))
+        .margin_bottom(px(margins[1]))
         .margin_right(px(10))
         .set_label_area_size(LabelAreaPosition::Right, px(70))
-        .build_cartesian_2d(0.0..1.0, pressures.clone())?;
+        .build_cartesian_2d(0.0..1.0, range.clone())?;
     chart
         .configure_mesh()
         .disable_mesh()
@@ -169,14 +176,14 @@ fn draw_scale(area: &Area<'_>, pressures: &Range<f64>) -> Result<()> {
         .y_label_formatter(&label)
         .label_style(text(16))
         .axis_desc_style(text(17))
-        .y_desc("greatest pressure of the patch [GPa]")
+        .y_desc(title)
         .draw()?;
-    let width = (pressures.end - pressures.start) / f64::from(SCALE_STEPS);
+    let width = (range.end - range.start) / f64::from(SCALE_STEPS);
     let band = |index: u32| {
-        let low = pressures.start + width * f64::from(index);
-        let color = color(share(low, pressures));
+        let low = range.start + width * f64::from(index);
+        let color = color(share(low, range));
         // Up to the end, under the bands to come, so that no seam shows.
-        Rectangle::new([(0.0, low), (1.0, pressures.end)], color.filled())
+        Rectangle::new([(0.0, low), (1.0, range.end)], color.filled())
     };
     chart.draw_series((0..SCALE_STEPS).map(band))?;
     Ok(())
