@@ -29,9 +29,9 @@ pub(super) fn weights(ratio: f64) -> Four<f64> {
 /// Polynomials of the tractions.
 const ORDER: usize = 12;
 
-/// Flexibility over the half length and the inverse shear modulus, k₁ and k₂, each at the four
-/// ratios, under a band that ends at `s` half lengths to one side, and at as many to the other.
-pub(super) fn flexibilities(s: f64) -> [Four<f64>; 3] {
+/// Flexibility over the half length and the inverse shear modulus, k₁, k₂ and nothing at each of the
+/// four ratios, under a band that ends at `s` half lengths to one side, and at as many to the other.
+pub(super) fn flexibilities(s: f64) -> [Four<f64>; 4] {
     let places: [f64; ORDER] = std::array::from_fn(|m| zero(ORDER + 1, m));
     // [P or R][place][polynomial]
     let mut kernels = [[[0.0; ORDER]; ORDER]; 2];
@@ -51,7 +51,7 @@ pub(super) fn flexibilities(s: f64) -> [Four<f64>; 3] {
             }
         }
     }
-    let of_ratio = ratios().map(|ratio| {
+    ratios().map(|ratio| {
         let force = |gradient: fn(f64) -> f64| {
             let entry = |m: usize, k: usize| kernels[0][m][k] + ratio * kernels[1][m][k];
             let scale = -4.0 / std::f64::consts::PI.powi(2);
@@ -65,7 +65,6 @@ pub(super) fn flexibilities(s: f64) -> [Four<f64>; 3] {
         let even = force(|_| 1.0);
         let (linear, square) = (force(|t| t), force(|t| 2.0 * t * t - 1.0));
         // Marches without bound have the forces 2, 2/3 and -2/3 over L.
-        [2.0 / even, linear / even * 3.0, square / even * -3.0]
-    });
-    std::array::from_fn(|n| of_ratio.map(|numbers| numbers[n]))
+        [2.0 / even, linear / even * 3.0, square / even * -3.0, 0.0]
+    })
 }

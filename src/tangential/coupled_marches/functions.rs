@@ -74,9 +74,9 @@ impl<const V: usize> Functions<V> {
     pub fn at<const F: bool, T: Real>(&self, x: T) -> [Four<T>; V] {
         let x = x.within(self.ends[0], self.ends[1]);
         let bits = x.value().to_bits();
-        let mut found = [[T::from(0.0); 4]; V];
-        let number = (bits >> WITHIN).wrapping_sub(self.first);
-        let Some([c0, c1, c2, c3]) = self.cubics.get(number as usize) else { return found };
+        // Of what is not a number that of the last interval.
+        let number = (bits >> WITHIN).wrapping_sub(self.first) as usize;
+        let [c0, c1, c2, c3] = &self.cubics[number.min(self.cubics.len() - 1)];
         let within = bits & ((1 << WITHIN) - 1);
         let place = f64::from_bits(within | 1f64.to_bits()) - 1.0;
         let per_x = if T::HAS_SLOPES {
@@ -85,6 +85,7 @@ impl<const V: usize> Functions<V> {
         } else {
             0.0
         };
+        let mut found = [[T::from(0.0); 4]; V];
         for v in 0..V {
             for lane in 0..4 {
                 let [c0, c1, c2, c3] = [c0[v][lane], c1[v][lane], c2[v][lane], c3[v][lane]];

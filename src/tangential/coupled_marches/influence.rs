@@ -24,7 +24,7 @@ pub(super) struct Influence {
     /// The same of a band that begins at the receiving strip, of the square of the distance of its end.
     band: Functions<4>,
     /// Of the square of the width of a band: flexibilities at four ratios, and P and R.
-    own: Functions<5>,
+    own: Functions<6>,
 }
 
 /// What two strips add to each other's gradients by the moments of their tractions, over the factor
@@ -62,8 +62,8 @@ impl Ratio {
 /// What a strip does to itself beyond what it does in its march, and its flexibilities.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Own<T> {
-    /// L G, k₁ and k₂ along and across [m, -, -].
-    pub flexibility: [[T; 3]; 2],
+    /// L G, k₁, k₂ and nothing along and across [m, -, -, -].
+    pub flexibility: [Four<T>; 2],
     /// As in [`Pair`].
     pub along: Four<T>,
     pub across: Four<T>,
@@ -94,8 +94,8 @@ impl Influence {
         let own = Functions::through(squares(WIDTHS), |square| {
             let s = square.sqrt();
             let [p, r, _] = projected(band, s);
-            let [flexibility, first, second] = flexibilities(s);
-            [flexibility, first, second, odd(&p), odd(&r)]
+            let [first, second, third, fourth] = flexibilities(s);
+            [first, second, third, fourth, odd(&p), odd(&r)]
         });
         Self { narrow: pairs, band: bands, own }
     }
@@ -155,23 +155,24 @@ impl Influence {
         // Below the least width a band does in proportion to it.
         let share = (strip / WIDTHS[0]).at_most(1.0) * 2.0;
         let mut found = Own::default();
-        let scale = [a * (1.0 - ratio.poisson), a];
         for (component, weights) in ratio.weights.iter().enumerate() {
-            for n in 0..3 {
-                let mut sum = T::from(0.0);
+            let sum: &mut Four<T> = &mut found.flexibility[component];
+            for n in 0..4 {
                 for lane in 0..4 {
-                    sum += (left[n][lane] + right[n][lane]) * (weights[lane] * 0.5);
+                    let both = left[n][lane] + right[n][lane];
+                    sum[lane] = sum[lane].add_product::<F>(both, T::from(weights[n] * 0.5));
                 }
-                found.flexibility[component][n] = if n == 0 { sum * scale[component] } else { sum };
             }
         }
+        found.flexibility[0][0] *= a * (1.0 - ratio.poisson);
+        found.flexibility[1][0] *= a;
         let nu = ratio.poisson;
         let second = inverse * inverse;
         let fourth = second * second;
         let powers = [second, second, fourth, fourth].map(|power| power / width);
         for lane in 0..4 {
             let beyond = |n: usize| narrow[n][lane] * share - left[n][lane] - right[n][lane];
-            let (p, r) = (beyond(3), beyond(4));
+            let (p, r) = (beyond(4), beyond(5));
             found.along[lane] = (p + (r - p) * nu) * powers[lane];
             found.across[lane] = (p - r * nu) * powers[lane];
         }

@@ -330,7 +330,7 @@ impl<T: Real> State<T> {
         let step = shear_modulus * a * (2.0 / CELLS as f64);
         let mut growth = [Growth::default(); 2];
         for component in 0..2 {
-            let [flexibility, by_first, by_second] = self.own.flexibility[component];
+            let [flexibility, by_first, by_second, _] = self.own.flexibility[component];
             let per_flexibility = step / flexibility;
             let [constant, linear] = rigid[component];
             let caused = -(factor * per_flexibility);
