@@ -115,6 +115,45 @@ fn small_creepages_have_the_coefficients_of_the_linear_theory() {
     }
 }
 
+/// A crown of 0.3 m with ridges of 13 µm every two millimetres.
+fn ridges() -> Vec<[f64; 2]> {
+    let (width, crown) = (2e-3, 0.3);
+    let circle = |y: f64| y * y / (2.0 * crown);
+    let points = (-100..=100).map(|i| 1e-4 * f64::from(i)).map(|y: f64| {
+        let left = (y / width).floor() * width;
+        let [from, to] = [left, left + width].map(circle);
+        let chord = from + (to - from) * (y - left) / width;
+        [y, circle(y) + 8.0 * (chord - circle(y))]
+    });
+    points.collect()
+}
+
+#[test]
+fn ridges_beside_each_other_are_not_driven_apart() {
+    let separation = ridges();
+    for creepage in [[1e-4, 0.0, 0.0], [0.0, 1e-4, 0.0]] {
+        let pressed =
+            PlanarCase { indentation: Indentation::Load(8e4), ..case(&separation, 0.46, creepage) };
+        let force = |case: &PlanarCase| {
+            let found = solve(case).unwrap();
+            found.fx.hypot(found.fy)
+        };
+        let exact = force(&PlanarCase {
+            normal_model: NormalModel::BoundaryElement,
+            tangential_model: TangentialModel::BoundaryElement,
+            elements: [40, 80],
+            ..pressed
+        });
+        // Few strips make three zones of it, many seventeen.
+        for strips in [20, 40, 80] {
+            let found = force(&PlanarCase { strips, ..pressed });
+            println!("{creepage:?}, {strips} strips: {found:.0} N for {exact:.0}");
+            let error = (found - exact).abs() / found.max(exact);
+            assert!(error <= tolerance::MARCHES_RIDGES, "{strips}: {found} N for {exact}");
+        }
+    }
+}
+
 #[test]
 fn steps_of_a_nanometre_show_no_roughness() {
     let parameters = Parameters {

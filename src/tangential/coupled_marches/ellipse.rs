@@ -37,7 +37,6 @@ impl MarchedEllipse {
             half_length: a * (1.0 - u * u).sqrt(),
             width,
             limit: (1.0 - u * u) / load,
-            zone: 0,
             creepage: Creepage::default(),
         });
         Self { solver: Solver::new(count), strips: strips.collect(), poisson_ratio }

@@ -14,7 +14,9 @@ use crate::math::until_unload::UntilUnload;
 /// as far as anything is felt.
 const DISTANCES: [f64; 2] = [4e-3, 1e3];
 /// Widths of bands over the half length: beyond them strips are infinitely long.
-const WIDTHS: [f64; 2] = [4e-3, 60.0];
+const WIDTHS: [f64; 2] = [4e-3, WIDEST];
+/// The greatest of them.
+pub(super) const WIDEST: f64 = 60.0;
 
 /// The functions.
 #[derive(Debug)]

@@ -129,7 +129,6 @@ impl<T: Real> Strip<T> {
             half_length: to(self.half_length),
             width: to(self.width),
             limit: to(self.limit),
-            zone: self.zone,
             creepage: Creepage {
                 longitudinal: to(longitudinal),
                 lateral: to(lateral),
@@ -153,7 +152,7 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
         let mut marched = [CreepForce::<T>::default(); 3];
         let members = members(loaded);
         for (rolling, share) in zone.directions() {
-            let strip = |(j, zone)| strip(loaded, rolling, j, zone);
+            let strip = |j| strip(loaded, rolling, j);
             let material = loaded.material;
             let mut next = members.clone();
             T::march_strips(
@@ -165,7 +164,7 @@ impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
                     if n == 0 {
                         next = members.clone();
                     }
-                    let Some((j, _)) = next.next() else { return };
+                    let Some(j) = next.next() else { return };
                     if !(of.first..of.first + of.count).contains(&j) {
                         return;
                     }
@@ -208,11 +207,11 @@ impl CoupledMarches {
         let strips = loaded.strips;
         let mut memory = self.lend();
         let members = members(loaded);
-        let strip = |(j, zone)| strip(loaded, Rolling::Forward, j, zone);
+        let strip = |j| strip(loaded, Rolling::Forward, j);
         memory.plain.take(members.clone().map(strip));
         let material = loaded.material;
         let cells = memory.plain.tractions(material.poisson_ratio, material.shear_modulus);
-        let numbers: Vec<usize> = members.map(|(j, _)| j).collect();
+        let numbers: Vec<usize> = members.collect();
         for (row, strip) in elements.rows_of(loaded.zone) {
             let Some(marched) = numbers.iter().position(|&j| j == strip) else { continue };
             let own = &cells[marched];
@@ -228,26 +227,24 @@ impl CoupledMarches {
     }
 }
 
-/// The strips of all zones of the contact frame that take part, in growing y, and the numbers of
-/// their zones.
+/// The strips of all zones of the contact frame that take part, in growing y.
 fn members<'a, T: Real>(
     loaded: &'a LoadedZone<'_, impl RigidSlip<T>, T>,
-) -> impl Iterator<Item = (usize, usize)> + Clone + 'a {
+) -> impl Iterator<Item = usize> + Clone + 'a {
     let (own, all) = (loaded.zone, &loaded.strips.zones);
     let before = all.iter().filter(|other| other.first < own.first);
     let behind = all.iter().filter(|other| other.first > own.first);
     before.chain([own]).chain(behind).flat_map(|zone| {
         let numbers = zone.first..zone.first + zone.count;
-        numbers.filter(|&j| is_loaded(loaded, j)).map(|j| (j, zone.first))
+        numbers.filter(|&j| is_loaded(loaded, j))
     })
 }
 
-/// Strip `j` of the zone number `zone` as one that rolls forward.
+/// Strip `j` as one that rolls forward.
 fn strip<T: Real>(
     loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
     rolling: Rolling,
     j: usize,
-    zone: usize,
 ) -> Strip<T> {
     let strips = loaded.strips;
     let own = loaded.slip.creepage(j);
@@ -259,7 +256,6 @@ fn strip<T: Real>(
         half_length: strips.half_length[j],
         width: strips.width[j],
         limit: loaded.friction_coefficient(j) * load,
-        zone,
         creepage: Creepage {
             longitudinal: own.longitudinal * direction,
             lateral: own.lateral,

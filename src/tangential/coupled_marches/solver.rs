@@ -5,7 +5,7 @@
 use pulp::{NullaryFnOnce, x86::V3};
 
 use super::functions::Four;
-use super::influence::{Influence, Own, Pair, Ratio};
+use super::influence::{Influence, Own, Pair, Ratio, WIDEST};
 use super::march::{ALONG, CELLS, LANES, Marched, Sums, march};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
@@ -32,8 +32,6 @@ pub struct Strip<T = f64> {
     pub width: T,
     /// Friction limit per width > 0 [N/m].
     pub limit: T,
-    /// Number of its zone.
-    pub zone: usize,
     /// Rigid slip in its middle.
     pub creepage: Creepage<T>,
 }
@@ -221,21 +219,39 @@ impl<T: Real> Solver<T> {
     }
 }
 
-/// Distances to both sides over which others have tractions like those of strip `i`: by as much less
-/// as anything up to them has a lower limit.
+/// Distances to both sides over which a strip of the tractions of strip `i` would be felt by it as the
+/// others are: the share of a strip is that of its limit in the own one, at most 1, and it is felt by
+///
+/// ```text
+/// ∫ a/(a + |y - y_i|)² dy
+/// ```
+///
+/// over its width, a the own half length. It only has to be close: what is felt exactly comes in from
+/// round to round. Zones beside each other are felt as much as parts of one.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn reach<T: Real>(states: &[State<T>], i: usize) -> [T; 2] {
     let own = &states[i].strip;
-    let over = |strips: &mut dyn Iterator<Item = &State<T>>| {
-        let (mut reach, mut least) = (own.width * 0.5, own.limit);
-        for State { strip, .. } in strips.take_while(|state| state.strip.zone == own.zone) {
-            least = least.min(strip.limit);
-            reach += strip.width * (least / own.limit);
+    [reach_over(own, &states[..i]), reach_over(own, &states[i + 1..])]
+}
+
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn reach_over<T: Real>(own: &Strip<T>, others: &[State<T>]) -> T {
+    let a = own.half_length;
+    let per_limit = a / own.limit;
+    let mut felt = own.width / (own.width + a * 2.0);
+    for State { strip, .. } in others {
+        let distance = (strip.y - own.y).abs();
+        // Stretches of one strip are ahead of each other.
+        if distance > 0.0 {
+            let share = (strip.limit * per_limit).min(a) * strip.width;
+            let (middle, half) = (distance + a, strip.width * 0.5);
+            felt += share / ((middle - half).max(a) * (middle + half));
         }
-        reach
-    };
-    [over(&mut states[..i].iter().rev()), over(&mut states[i + 1..].iter())]
+    }
+    let felt = felt.at_most(WIDEST / (WIDEST + 1.0));
+    a * felt / (-felt + 1.0)
 }
 
 /// What two strips do to each other, with `between` strips in between; stretches of one strip, which

@@ -98,6 +98,10 @@ super::entry::tolerances! {
     /// a small difference of greater parts.
     MARCHES_KALKER: [f64; 4] = [0.032, 0.032, 0.032, 0.12], target 0.01;
 
+    /// Marches against boundary elements on 2 mm ridges beside each other, small creepages, over the
+    /// greater force: each ridge is corrected by an ellipse of its own, as if it were alone.
+    MARCHES_RIDGES: f64 = 0.35, target 0.1;
+
     /// Third differences of the creep force along a depth at which lobes grow together, in 6000
     /// steps, over the friction limit: the target of jumps.
     MARCHES_STEPS: f64 = 1e-3;
