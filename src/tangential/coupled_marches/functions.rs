@@ -13,7 +13,7 @@ use crate::math::spline::{SplineEnd, interpolating_slopes};
 pub(super) type Four<T> = [T; 4];
 
 /// Bits of the mantissa that count the intervals between powers of two: with two intervals for a
-/// factor of two what cubics leave is some 1e-5 of the functions here.
+/// factor of two what cubics leave changes forces by less than 1e-4 of themselves.
 const COUNTED: u32 = 1;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 /// Bits behind the number of an interval.
@@ -109,16 +109,17 @@ mod tests {
     #[test]
     fn functions_and_their_slopes_are_met_and_rest_beyond_the_ends() {
         let functions = Functions::<1>::through([0.01, 100.0], |x| [[x.ln(), x.sqrt(), 1.0, 2.0]]);
+        // Cubics leave h⁴/384 of the fourth derivative, 6/x⁴, with h up to x/2.
         for x in [0.011, 0.3, 1.0, 7.0, 99.0] {
             let [[log, root, one, two]] = functions.at::<false, _>(Dual::<1>::variable(x, 0));
-            assert_relative_eq!(log.value, x.ln(), epsilon = 1e-4);
-            assert_relative_eq!(log.slopes[0], 1.0 / x, max_relative = 1e-3);
-            assert_relative_eq!(root.value, x.sqrt(), max_relative = 3e-5);
+            assert_relative_eq!(log.value, x.ln(), epsilon = 1e-3);
+            assert_relative_eq!(log.slopes[0], 1.0 / x, max_relative = 1e-2);
+            assert_relative_eq!(root.value, x.sqrt(), max_relative = 1e-3);
             assert_relative_eq!(one.value + two.value, 3.0, max_relative = 1e-12);
             assert!((functions.at::<false, _>(x)[0][0] - log.value).abs() <= 0.0);
         }
         let [[beyond, ..]] = functions.at::<false, _>(Dual::<1>::variable(1e3, 0));
-        assert_relative_eq!(beyond.value, 100f64.ln(), epsilon = 1e-4);
+        assert_relative_eq!(beyond.value, 100f64.ln(), epsilon = 1e-3);
         assert!(beyond.slopes[0].abs() <= 0.0);
     }
 
