@@ -62,7 +62,7 @@ struct Stepped {
     inputs: Vec<ValueReference>,
     outputs: Vec<ValueReference>,
     values: Vec<f64>,
-    inputs_of_a_wheelset: bool,
+    is_wheelset: bool,
 }
 
 impl Stepped {
@@ -72,20 +72,20 @@ impl Stepped {
             assert_eq!(host.set_integer(name, *value), Status::Ok, "{}", host.last());
         }
         assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
-        let inputs_of_a_wheelset = unit.identifier == "WheelSet";
-        let body = if inputs_of_a_wheelset { "wheelset" } else { "wheel" };
+        let is_wheelset = unit.identifier == "WheelSet";
+        let body = if is_wheelset { "wheelset" } else { "wheel" };
         let inputs = INPUTS.iter().map(|name| host.reference(&format!("{body}.{name}"))).collect();
         let outputs: Vec<_> = (unit.variables.iter())
             .filter(|v| v.causality == Causality::Output && v.kind == Kind::Real && !v.on_request)
             .map(|v| host.reference(v.name))
             .collect();
         let values = vec![0.0; outputs.len()];
-        Self { host, inputs, outputs, values, inputs_of_a_wheelset }
+        Self { host, inputs, outputs, values, is_wheelset }
     }
 
     /// Takes `load` for that of each wheel [N].
     fn load(&self, load: f64) {
-        let loads: &[&str] = if self.inputs_of_a_wheelset {
+        let loads: &[&str] = if self.is_wheelset {
             &["right.wheel.load", "left.wheel.load"]
         } else {
             &["wheel.load"]

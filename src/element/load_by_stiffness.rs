@@ -1,11 +1,12 @@
 //! The height at which one rail carries a given load, by the stiffness of its contacts.
 //!
-//! At a pose near it the normal models say how far down the wheel has to go for a vertical force of
-//! theirs, with the geometry as it is ([`Descent`]). What creep forces add is known after them, and
+//! At a pose near it strips say how far down the wheel has to go for a vertical force of theirs, with
+//! the geometry as it is ([`Descent`]). What creep forces add is known after them, and
 //! hardly changes with the way: so the force that is asked for follows. The geometry of a pose is
 //! wrong by a thousandth of the way or so; that is how much nearer the next pose is, and two poses
 //! tell it, for the third one to be nearer still. Contacts by themselves, with their creep forces,
-//! say where the first pose is.
+//! say where the first pose is. Normal models that solve contacts by themselves go on from there by
+//! secants of whole evaluations.
 
 use super::input::Input;
 use super::output::Output;

@@ -143,8 +143,8 @@ struct Touch {
     overlap: f64,
 }
 
-/// The first touch: the marker height at which a wheel coming down from above first touches one of the first
-/// `rails`, for the input of a right side; nothing where it stands beside them [m].
+/// First touch of one of the `rails` by a wheel that comes down from above, for the input of a right
+/// side; nothing where it stands beside them.
 fn first_touch(rails: &mut [Option<RailContact>], input: &Input) -> Option<Touch> {
     let highest = (rails.iter().enumerate())
         .filter_map(|(k, rail)| Some(rail.as_ref()?.clear_height(k, input)))

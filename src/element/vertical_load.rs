@@ -14,8 +14,8 @@
 //! | the force jumps past the load to at most twice of it, as Piotrowski-Kik's does where contacts merge | the jump's | that on the carrying side | yes |
 //! | the force jumps further, as where the wheel comes down inside the side of a rail | the jump's | that on the other side | yes |
 //!
-//! Strips tell how far down the wheel has to go, and few poses are enough (`load_by_stiffness`).
-//! Otherwise, and where that does not lead to the load, it is searched for: going down from where
+//! The stiffness of the contacts tells how far down the wheel has to go, and few poses are enough
+//! (`load_by_stiffness`). Where that does not lead to the load, it is searched for: going down from where
 //! nothing touches in steps that double up to 2 mm, the first height that carries the load ends the
 //! bracket; the root in it is found by guesses from force ~ penetration^(3/2) and then by bracketed
 //! secants in force^(2/3), which is nearly straight. All are counted: no input makes them fail or

@@ -3,7 +3,8 @@
 //! Units as in [`tables`](crate::tangential::tables): lengths over c = sqrt(a b), forces over μ N,
 //! a shear modulus of one.
 
-use super::solver::{Solver, Strip};
+use super::solver::Solver;
+use super::state::Strip;
 use crate::kinematics::creepage::Creepage;
 
 /// Strips across the ellipse.

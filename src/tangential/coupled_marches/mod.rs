@@ -21,5 +21,6 @@ mod influence;
 mod march;
 mod model;
 mod solver;
+mod state;
 
 pub use model::{CoupledMarches, MarchNumber};

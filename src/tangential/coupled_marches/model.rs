@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
-use super::solver::{DIRECTIONS, Resultant, Solver, Strip};
+use super::solver::{DIRECTIONS, Solver};
+use super::state::{Resultant, Strip};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;

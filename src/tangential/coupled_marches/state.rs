@@ -1,0 +1,176 @@
+//! A strip between the rounds: what it is, what others do to it, and its tractions.
+
+use super::functions::Four;
+use super::influence::{Own, Pair};
+use super::march::{CELLS, Sums};
+use crate::kinematics::creepage::Creepage;
+use crate::math::real::Real;
+
+/// A loaded strip that rolls forward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strip<T = f64> {
+    /// Place across [m].
+    pub y: T,
+    /// Half length > 0 [m].
+    pub half_length: T,
+    /// Width > 0 [m].
+    pub width: T,
+    /// Friction limit per width > 0 [N/m].
+    pub limit: T,
+    /// Rigid slip in its middle.
+    pub creepage: Creepage<T>,
+}
+
+/// Tractions of a strip in sums: what it does to the body that creeps, with the other sign.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Resultant<T = f64> {
+    /// Moments ∫ f x^k over the strip, k = 0, 1, along the track and across [N, N m].
+    pub moments: [[T; 2]; 2],
+    /// Share of its length that slips [-].
+    pub slip_share: f64,
+}
+
+/// Moments of the tractions of a strip, arranged for products with a [`Pair`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments<T> {
+    /// (1, 0, 1, 2), then (0, 1, 0, -) and (2, -, 2, -); what is not used is any of them.
+    odd: Four<T>,
+    even: [Four<T>; 2],
+}
+
+/// A strip and how it stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct State<T> {
+    pub strip: Strip<T>,
+    pub own: Own<T>,
+    /// Along the track and across.
+    pub growth: [Growth<T>; 2],
+    pub moments: [Moments<T>; 2],
+    pub gradients: [Four<T>; 2],
+    pub resultant: Resultant<T>,
+}
+
+/// Growth of the tractions of a strip over a cell, in one direction.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Growth<T> {
+    /// By its rigid slip: constant and by t.
+    rigid: [T; 2],
+    /// By the gradients that others cause: the constant and the square part of the constant growth,
+    /// of that by t, of that by T₂(t).
+    caused: [T; 4],
+}
+
+impl<T: Real> Moments<T> {
+    fn none() -> Self {
+        let none = [T::from(0.0); 4];
+        Self { odd: none, even: [none; 2] }
+    }
+}
+
+/// Adds the gradients that another strip causes, which lies below if `IS_BELOW`: what is crossed has
+/// the sign of its side.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+pub(super) fn receive<const F: bool, const IS_BELOW: bool, T: Real>(
+    [along, across]: &mut [Four<T>; 2],
+    pair: &Pair<T>,
+    [x, y]: &[Moments<T>; 2],
+) {
+    let sided = |c: T| if IS_BELOW { c } else { -c };
+    for lane in 0..4 {
+        let [first, second] = [sided(pair.crossed[0][lane]), sided(pair.crossed[1][lane])];
+        along[lane] = along[lane]
+            .add_product::<F>(pair.along[lane], x.odd[lane])
+            .add_product::<F>(first, y.even[0][lane])
+            .add_product::<F>(second, y.even[1][lane]);
+        across[lane] = across[lane]
+            .add_product::<F>(pair.across[lane], y.odd[lane])
+            .add_product::<F>(first, x.even[0][lane])
+            .add_product::<F>(second, x.even[1][lane]);
+    }
+}
+
+/// Products lane by lane.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn product<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
+    std::array::from_fn(|lane| a[lane] * b[lane])
+}
+
+#[allow(clippy::inline_always)]
+impl<T: Real> Growth<T> {
+    /// Constant growth and that by t and by T₂(t) with these gradients.
+    #[inline(always)]
+    pub fn under<const F: bool>(&self, [zeroth, first, second, other_first]: &Four<T>) -> [T; 3] {
+        let [constant, square, linear, by_second] = self.caused;
+        [
+            self.rigid[0].add_product::<F>(constant, *zeroth).add_product::<F>(square, *second),
+            self.rigid[1].add_product::<F>(linear, *first + *other_first),
+            by_second * *second,
+        ]
+    }
+}
+
+#[allow(clippy::inline_always)]
+impl<T: Real> State<T> {
+    pub fn new(strip: Strip<T>) -> Self {
+        Self {
+            strip,
+            own: Own::default(),
+            growth: [Growth::default(); 2],
+            moments: [Moments::none(); 2],
+            gradients: [[T::from(0.0); 4]; 2],
+            resultant: Resultant::default(),
+        }
+    }
+
+    /// Growth of the tractions along the track and across, where gradients are to be taken times
+    /// `factor`.
+    #[inline(always)]
+    pub fn growth(&self, shear_modulus: T, factor: T) -> [Growth<T>; 2] {
+        let Strip { half_length: a, creepage, .. } = &self.strip;
+        let a = *a;
+        let rigid = [[creepage.longitudinal, T::from(0.0)], [creepage.lateral, creepage.spin * a]];
+        let step = shear_modulus * a * (2.0 / CELLS as f64);
+        let mut growth = [Growth::default(); 2];
+        for component in 0..2 {
+            let [flexibility, by_first, by_second, _] = self.own.flexibility[component];
+            let per_flexibility = step / flexibility;
+            let [constant, linear] = rigid[component];
+            let caused = -(factor * per_flexibility);
+            // Of x² to T₂.
+            let square = caused * (a * a * 0.5);
+            growth[component] = Growth {
+                rigid: [constant * per_flexibility, linear * by_first * per_flexibility],
+                caused: [caused, square, caused * by_first * a, square * by_second],
+            };
+        }
+        growth
+    }
+
+    /// Begins with the gradients that it causes itself beyond those in its march.
+    #[inline(always)]
+    pub fn begin_gradients(&mut self) {
+        let [x, y] = &self.moments;
+        self.gradients = [product(&self.own.along, &x.odd), product(&self.own.across, &y.odd)];
+    }
+
+    /// Takes the moments of the tractions after a march.
+    #[inline(always)]
+    pub fn take_sums(&mut self, sums: &Sums<T>, lane: usize) {
+        let a = self.strip.half_length;
+        let length = a * (2.0 / CELLS as f64) * self.strip.width;
+        for component in 0..2 {
+            let [zeroth, first, second] = sums.moments[component];
+            let zeroth = zeroth[lane] * length;
+            let first = first[lane] * length * a;
+            let second = second[lane] * length * a * a;
+            self.moments[component] = Moments {
+                odd: [first, zeroth, first, second],
+                even: [[zeroth, first, zeroth, first], [second; 4]],
+            };
+            self.resultant.moments[component] = [zeroth, first];
+        }
+        self.resultant.slip_share = sums.slipping[lane] / CELLS as f64;
+    }
+}
