@@ -5,6 +5,7 @@ use super::moving_strips;
 use super::rail_contact::RailContact;
 use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use super::strip_damping::StripDamping;
+use super::taken_zone::TakenZone;
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds, relative_motion};
 use crate::element::contact::models::Models;
 use crate::element::contact::number::ElementNumber;
@@ -12,6 +13,7 @@ use crate::element::contact::rail_frame::RailFrame;
 use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
+use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::moving_separation::MovingSeparation;
@@ -120,6 +122,19 @@ impl RailContact {
         let line = moving.value();
         let outline = RailOutline::moving(rail, laid);
         let mut work = Work::default();
+        let in_frame = |contact, damped, resultant_share| ContactSetup {
+            k,
+            input,
+            frame,
+            line: moving,
+            rail: outline,
+            contact,
+            slopes: [0.0; 2],
+            damped,
+            resultant_share,
+            friction: friction.as_ref(),
+            is_on_arc: !matches!(damped, Damped::Alone),
+        };
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
             strip_contact::solve(&line, rail, search, probes, found);
             output.normal_residual = output.normal_residual.at_least(found.normal_residual());
@@ -139,26 +154,25 @@ impl RailContact {
                 speeds: rail_speeds(input, k, rail),
                 around: None,
             };
+            models.strips.clear();
+            models.rolling.clear();
+            let setup = |TakenZone { contact, load_factor, resultant_share }| {
+                in_frame(contact, Damped::By(load_factor), resultant_share)
+            };
+            let separation = |contact: Contact<T>| {
+                let values = LineSeparation::new(&line, rail, contact.value());
+                MovingSeparation::new(values, &moving, outline, contact)
+            };
             for zone in 0..models.rail_strips.zones.len() {
                 let taken =
                     moving_strips::take_zone(&moving, &outline, search, zone, &damping, models);
-                let contact = taken.contact;
-                let values = LineSeparation::new(&line, rail, contact.value());
-                let mut separation = MovingSeparation::new(values, &moving, outline, contact);
-                let forces = ContactSetup {
-                    k,
-                    input,
-                    frame,
-                    line: moving,
-                    rail: outline,
-                    contact,
-                    slopes: [0.0; 2],
-                    damped: Damped::By(taken.load_factor),
-                    resultant_share: taken.resultant_share,
-                    friction: friction.as_ref(),
-                    is_on_arc: true,
-                };
-                forces.add_forces(&mut separation, models, output, &mut work);
+                setup(taken).lay(&separation(taken.contact), models, zone);
+            }
+            models.roll(output, &mut work);
+            for n in 0..models.rolling.zones.len() {
+                let taken = TakenZone::of(&models.rolling.zones[n]);
+                let mut separation = separation(taken.contact);
+                setup(taken).add_laid(n..n + 1, &mut separation, models, output);
             }
             return Ok(());
         }
@@ -193,19 +207,7 @@ impl RailContact {
                 probes,
                 &mut models.strips,
             );
-            let forces = ContactSetup {
-                k,
-                input,
-                frame,
-                line: moving,
-                rail: outline,
-                contact,
-                slopes: [0.0; 2],
-                damped: Damped::Alone,
-                resultant_share: T::from(1.0),
-                friction: friction.as_ref(),
-                is_on_arc: false,
-            };
+            let forces = in_frame(contact, Damped::Alone, T::from(1.0));
             forces.add_forces(&mut separation, models, output, &mut work);
             if separation.has_kink {
                 return Err(BODY_ENDS);
