@@ -9,6 +9,7 @@ use super::state::{Resultant, Strip};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 use crate::tangential::boundary_element::LoadedElements;
 use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
@@ -27,6 +28,8 @@ use crate::tangential::zone_model::{RollingZone, ZoneModel};
 pub struct Memory {
     pub(super) plain: Solver,
     pub(super) moving: Solver<Dual<DIRECTIONS>>,
+    /// For derivatives backwards, once they have been asked for.
+    taped: Option<Box<Solver<Taped>>>,
 }
 
 /// The model, with memory that one contact at a time has; another one that comes while it is in use
@@ -48,7 +51,8 @@ impl CoupledMarches {
     /// For zones of up to `strips` strips; larger ones allocate.
     #[must_use]
     pub fn new(strips: usize) -> Self {
-        let memory = Memory { plain: Solver::new(strips), moving: Solver::new(strips) };
+        let memory =
+            Memory { plain: Solver::new(strips), moving: Solver::new(strips), taped: None };
         Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
     }
 
@@ -117,6 +121,24 @@ impl<const N: usize> MarchNumber for Dual<N> {
                 let moments = resultant.moments.map(|moments| moments.map(back));
                 each(j, &Resultant { moments, slip_share });
             }
+        }
+    }
+}
+
+impl MarchNumber for Taped {
+    fn march_strips(
+        memory: &mut Memory,
+        strips: impl Iterator<Item = Strip<Self>> + Clone,
+        poisson_ratio: f64,
+        shear_modulus: Self,
+        mut each: impl FnMut(usize, &Resultant<Self>),
+    ) {
+        let most = memory.plain.most_strips();
+        let solver = memory.taped.get_or_insert_with(|| Box::new(Solver::new(most)));
+        solver.take(strips);
+        solver.solve(poisson_ratio, shear_modulus);
+        for (j, resultant) in solver.resultants().enumerate() {
+            each(j, resultant);
         }
     }
 }

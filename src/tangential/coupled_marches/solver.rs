@@ -10,6 +10,7 @@ use super::state::{Resultant, State, Strip, receive};
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 
 /// Marches: with more of them errors against boundary elements stay what they are.
 const ROUNDS: usize = 3;
@@ -36,6 +37,11 @@ impl<T: Real> Solver<T> {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
         let pairs = vec![Pair::default(); pairs];
         Self { states: FixedVec::new(strips), pairs, solved: None }
+    }
+
+    /// Strips that there is room for.
+    pub fn most_strips(&self) -> usize {
+        self.states.capacity()
     }
 
     /// Takes the strips of the next solution.
@@ -260,6 +266,13 @@ impl Solver<Dual<DIRECTIONS>> {
     /// As of plain numbers.
     pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: Dual<DIRECTIONS>) {
         self.solve_by_any(poisson_ratio, shear_modulus);
+    }
+}
+
+impl Solver<Taped> {
+    /// As of plain numbers.
+    pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: Taped) {
+        self.solve_all::<false>(poisson_ratio, shear_modulus);
     }
 }
 
