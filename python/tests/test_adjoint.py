@@ -92,6 +92,7 @@ def test_what_has_none_says_so():
         fine.adjoint(np.ones(5), y=0.75)
 
 
+@pytest.mark.long
 def test_as_a_custom_function_of_jax(wheel):
     """Friction that a network or anything else gives is fitted through the contact."""
     jax = pytest.importorskip("jax", reason="the extra jax is not installed")

@@ -97,10 +97,13 @@ impl Element {
     ) -> Result<(), Kink> {
         let AdjointMemory { tape, wheel, rails, .. } = memory;
         let contacts = self.rails.each_ref().map(Option::as_ref);
-        let first = contacts.iter().flatten().next();
-        first.iter().for_each(|contact| wheel.clear(&contact.wheel.curve));
+        if let Some(contact) = contacts.iter().flatten().next() {
+            wheel.clear(&contact.wheel.curve);
+        }
         for (contact, knots) in contacts.iter().zip(rails.iter_mut()) {
-            contact.iter().for_each(|contact| knots.clear(contact.rail.curve()));
+            if let Some(contact) = contact {
+                knots.clear(contact.rail.curve());
+            }
         }
         for (look, by) in tape.looks() {
             for (contact, knots) in contacts.iter().zip(rails.iter_mut()) {
@@ -140,7 +143,9 @@ impl Element {
         let input =
             Input::from_array(std::array::from_fn(|i| Taped::leaf(values[i], leaves::input(i))));
         let AdjointMemory { tape, models, output, seeds, .. } = memory;
-        models.strip_follower.iter_mut().for_each(|follower| follower.forget());
+        if let Some(follower) = &mut models.strip_follower {
+            follower.forget();
+        }
         seeds.clear();
         if *height == Height::Touching {
             *output = Output::default();

@@ -13,8 +13,8 @@ fn profiles(parameters: &Parameters) -> [Profile; 2] {
 }
 
 /// Compares the derivatives by fields of displacement: bumps of some millimetres over all of what is
-/// touched, and single points there.
-fn compare(name: &str, parameters: &Parameters) {
+/// touched, and single points there where these are far enough apart for differences.
+fn compare(name: &str, parameters: &Parameters, has_singles: bool) {
     let bodies = profiles(parameters);
     let input = pose(parameters, &mut Random::new(43));
     let made = |ways: [&[f64]; 2]| {
@@ -38,9 +38,9 @@ fn compare(name: &str, parameters: &Parameters) {
         let points = bodies[body].points();
         assert_eq!(by.len(), points.len());
         assert!(by.iter().any(|by| *by != 0.0));
-        let places = [0, 1, 2].map(|n| points[at_share(by, 0.2 + 0.3 * f64::from(n))]);
         let mut fields: Vec<Vec<f64>> = Vec::new();
-        for place in places {
+        for n in [0, 1, 2] {
+            let place = points[at_share(by, 0.2 + 0.3 * f64::from(n))];
             for width in [4e-3, 1.5e-3_f64] {
                 fields.push(
                     points
@@ -52,13 +52,17 @@ fn compare(name: &str, parameters: &Parameters) {
                         .collect(),
                 );
             }
-            fields.push(points.iter().map(|p| f64::from(u8::from(*p == place))).collect());
+            let single =
+                |i: usize| f64::from(u8::from(i == at_share(by, 0.2 + 0.3 * f64::from(n))));
+            if has_singles {
+                fields.push((0..points.len()).map(single).collect());
+            }
         }
         let product = |field: &[f64]| -> f64 { field.iter().zip(by).map(|(f, by)| f * by).sum() };
         let most = fields.iter().map(|field| product(field).abs()).fold(0.0, f64::max);
         for (n, field) in fields.iter().enumerate() {
             // Of a single point the curvature is some 1e7 times the displacement.
-            let step = if n % 3 == 2 { 1e-9 } else { 2e-8 };
+            let step = if has_singles && n % 3 == 2 { 1e-9 } else { 2e-8 };
             let both = difference(step, |way| {
                 let ways: Vec<f64> = field.iter().map(|f| f * way).collect();
                 let ways: [&[f64]; 2] = if body == 0 { [&ways, &[]] } else { [&[], &ways] };
@@ -88,16 +92,16 @@ fn of_built_in_profiles() {
     let tangential_model = TangentialModel::Tables;
     for normal_model in [NormalModel::Strips, NormalModel::PiotrowskiKik] {
         let parameters = Parameters { tangential_model, normal_model, ..Parameters::default() };
-        compare(&format!("{normal_model:?}"), &parameters);
-        compare(&format!("{normal_model:?}, left"), &parameters.on_side(Side::Left));
+        compare(&format!("{normal_model:?}"), &parameters, false);
+        compare(&format!("{normal_model:?}, left"), &parameters.on_side(Side::Left), false);
     }
     let vertical_mode = VerticalMode::Load;
     let normal_model = NormalModel::PiotrowskiKik;
-    compare("load", &Parameters { vertical_mode, normal_model, ..Parameters::default() });
+    compare("load", &Parameters { vertical_mode, normal_model, ..Parameters::default() }, false);
     let mut mirrored = Parameters { tangential_model, normal_model, ..Parameters::default() };
     mirrored.rails[0].mirrored = true;
     mirrored.wheel.profile = "S1002".into();
-    compare("mirrored", &mirrored);
+    compare("mirrored", &mirrored, false);
 }
 
 #[test]
@@ -128,7 +132,7 @@ fn of_profiles_from_files() {
             parameters.rails[0].profile = path;
         }
     }
-    compare("files", &parameters);
+    compare("files", &parameters, true);
 }
 
 #[test]

@@ -210,7 +210,7 @@ impl<T: Real> Lattice<T> {
         let from = self.samples[self.samples.len() - 1];
         let found = take((from.at.u + to.at.u) * 0.5, false);
         let h = to.at.y - from.at.y;
-        if T::IS_BACKWARD && weight.value() == 1.0 {
+        if T::IS_BACKWARD && weight >= 1.0 {
             let steps = [most, halvings].map(T::value);
             if let Some(middle) = self.settled([&from, &found, &to], steps) {
                 self.push(middle);
