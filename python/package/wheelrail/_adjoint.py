@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ from . import _native
 from .errors import UnknownVariableError
 
 #: Bodies whose profiles have points, in the order of the native part.
-BODIES = ("wheel", "rail1", "rail2")
+BODIES: Final[tuple[Literal["wheel"], Literal["rail1"], Literal["rail2"]]] = ("wheel", "rail1", "rail2")
 
 #: FMI names of the parameters that derivatives are found by.
 PARAMETERS: tuple[str, ...] = tuple(_native.adjoint_parameters())
