@@ -9,7 +9,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use wheelrail::element::parameters::{
     CreepageModel, NormalModel, TangentialModel, VerticalMode, WearDistribution, WearModel,
 };
-use wheelrail::element::{Element, Input, Output, Parameters};
+use wheelrail::element::{Element, Gradient, Input, Output, Parameters};
 
 /// A scene: lateral shift of the wheel [m], height against first touch (down positive) [m],
 /// parameters.
@@ -143,8 +143,8 @@ fn options(c: &mut Criterion) {
     }
 }
 
-/// One evaluation, its derivative in one direction and its Jacobian, as multiples of which their
-/// cost is stated.
+/// One evaluation, its derivative in one direction, its Jacobian and its derivatives backwards from
+/// one sum of outputs, as multiples of which their cost is stated.
 fn derivatives(c: &mut Criterion) {
     let mut group = c.benchmark_group("derivatives");
     for (name, tangential_model, vertical_mode) in [
@@ -173,6 +173,16 @@ fn derivatives(c: &mut Criterion) {
             group.bench_function(id("jacobian"), |b| {
                 b.iter(|| {
                     let found = element.jacobian(black_box(&input), &mut columns);
+                    found.expect("a smooth place");
+                });
+            });
+            let mut weights = Output::default();
+            (weights.wheel.force, weights.wheel.moment) = ([1.0; 3], [1.0; 3]);
+            let mut gradient = Gradient::default();
+            group.bench_function(id("backwards"), |b| {
+                b.iter(|| {
+                    let found =
+                        element.adjoint_derivative(black_box(&input), &weights, &mut gradient);
                     found.expect("a smooth place");
                 });
             });

@@ -251,6 +251,12 @@ fn access(out: &mut String, declaration: &Declaration) {
             line(&mut shared, &format!("{reference} => {{ {}; }}", all.join("; ")));
         }
     }
+    let mut outputs = String::new();
+    for (reference, v) in of(|k| matches!(k, Kind::Real(_))) {
+        if v.causality == Causality::Output {
+            line(&mut outputs, &format!("{reference} => Some(&mut values.{}),", v.field));
+        }
+    }
     let integer: fn(&Kind) -> bool = |k| matches!(k, Kind::Integer(_) | Kind::Enumeration(..));
     let boolean: fn(&Kind) -> bool = |k| matches!(k, Kind::Boolean(_));
     let text: fn(&Kind) -> bool = |k| matches!(k, Kind::Text(_));
@@ -277,6 +283,7 @@ fn access(out: &mut String, declaration: &Declaration) {
         function(&format!("boolean({get}) -> Option<bool>"), arms(boolean, &read), "None"),
         function(&format!("text({get}) -> Option<&str>"), arms(text, &letters), "None"),
         function(&format!("real_slot({set}) -> Option<&mut f64>"), slots, "None"),
+        function(&format!("output_slot({set}) -> Option<&mut f64>"), outputs, "None"),
         function(&format!("set_real({set}, value: f64)"), shared, "()"),
         function(&format!("set_integer({set}, value: i32)"), settable(integer, &convert), "()"),
         function(&format!("set_boolean({set}, value: bool)"), settable(boolean, &write), "()"),

@@ -24,6 +24,7 @@ pub fn generate(declaration: &Declaration, version: &str) -> Result<Vec<u8>> {
             ("canGetAndSetFMUState", "true"),
             ("canSerializeFMUState", "true"),
             ("providesDirectionalDerivatives", "true"),
+            ("providesAdjointDerivatives", "true"),
         ];
         w.create_element("ModelExchange").with_attributes(capabilities).write_empty()?;
         w.create_element("CoSimulation")

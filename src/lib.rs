@@ -114,6 +114,7 @@ pub mod fmi;
 mod friction;
 pub mod geometry;
 pub mod io;
+mod leaves;
 pub mod material;
 mod open;
 #[cfg(feature = "pack")]

@@ -1,5 +1,6 @@
 //! Elastic constants of one body and of a pair of bodies in contact.
 
+use crate::leaves::SHEAR_MODULUS;
 use crate::math::real::Real;
 
 /// An isotropic elastic material.
@@ -35,7 +36,11 @@ impl MaterialPair {
     #[must_use]
     pub fn fixed<T: Real>(&self) -> MaterialPair<T> {
         let Self { contact_modulus, shear_modulus, poisson_ratio } = *self;
-        MaterialPair { contact_modulus, shear_modulus: shear_modulus.into(), poisson_ratio }
+        MaterialPair {
+            contact_modulus,
+            shear_modulus: T::known(shear_modulus, SHEAR_MODULUS),
+            poisson_ratio,
+        }
     }
 
     /// The constants of `wheel` on `rail`.

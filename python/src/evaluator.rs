@@ -45,7 +45,12 @@ impl<S: InBulk> Evaluator<S> {
         let subject = py
             .detach(|| S::prepare(parameters, input, &folders))
             .map_err(|error| refused(py, &error, None))?;
-        Ok(Self { values, subject, spare: Mutex::new(Vec::new()) })
+        Ok(Self::of(values, subject))
+    }
+
+    /// Of a subject that was made from these values.
+    pub fn of(values: ValuesOf<S>, subject: S) -> Self {
+        Self { values, subject, spare: Mutex::new(Vec::new()) }
     }
 
     /// Fills `out` with the `outputs`, FMI references, of each row.
@@ -210,7 +215,8 @@ impl<S: InBulk> Evaluator<S> {
         result
     }
 
-    fn for_rows(
+    /// Fills numbers and states of the rows by `work` on them.
+    pub fn for_rows(
         &self,
         py: Python<'_>,
         inputs: &Columns<'_>,

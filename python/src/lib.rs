@@ -3,6 +3,7 @@
 //!
 //! Names, broadcasting and results are Python's: `package/wheelrail`.
 
+mod adjoint;
 mod conicity;
 mod contacts;
 mod errors;
@@ -27,6 +28,10 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<units::WearingWheel>()?;
     module.add_class::<evaluator::Places>()?;
     module.add_function(wrap_pyfunction!(units::contacts_of, module)?)?;
+    module.add_function(wrap_pyfunction!(adjoint::adjoint_of, module)?)?;
+    module.add_function(wrap_pyfunction!(adjoint::adjoint_parameters, module)?)?;
+    module.add_function(wrap_pyfunction!(adjoint::points_of, module)?)?;
+    module.add_function(wrap_pyfunction!(adjoint::displaced, module)?)?;
     module.add_function(wrap_pyfunction!(tables::variables, module)?)?;
     module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_solve, module)?)?;

@@ -36,6 +36,10 @@ macro_rules! unit {
         }
 
         impl $name {
+            pub fn of(evaluator: Evaluator<$subject>) -> Self {
+                Self { evaluator }
+            }
+
             pub fn evaluator(&self) -> &Evaluator<$subject> {
                 &self.evaluator
             }

@@ -141,9 +141,14 @@ impl Element {
         }
     }
 
-    fn derivative_memory(&self) -> Box<DerivativeMemory> {
+    /// Most rows of an outline of a rail that varies along the track, if there is one.
+    pub(super) fn outline_rows(&self) -> Option<usize> {
         let rails = self.rails.iter().flatten();
-        let rows = rails.filter_map(|rail| Some(rail.rail.variation()?.most_knots())).max();
+        rails.filter_map(|rail| Some(rail.rail.variation()?.most_knots())).max()
+    }
+
+    fn derivative_memory(&self) -> Box<DerivativeMemory> {
+        let rows = self.outline_rows();
         Box::new(DerivativeMemory {
             one: self.models.in_other_numbers(rows),
             one_output: Output::default(),
@@ -153,7 +158,7 @@ impl Element {
     }
 
     /// Whether the models have derivatives.
-    fn check_models(&self) -> Result<(), ContactError> {
+    pub(super) fn check_models(&self) -> Result<(), ContactError> {
         let refuse = |name, reason| Err(ContactError::NoDerivative { name: Some(name), reason });
         if self.models.normal == NormalModel::BoundaryElement {
             return refuse(
@@ -294,7 +299,7 @@ impl Element {
 
     /// The input of a right side, with rails where they are on their foundation and at the height
     /// that carries its load if that is given.
-    fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
+    pub(super) fn carried_at(&mut self, input: &Input) -> Result<(Input, Height), Kink> {
         let mut input = if self.side == Side::Left { input.mirrored() } else { *input };
         let is_given = self.vertical_mode == VerticalMode::Penetration;
         if is_given && self.foundation.model == FoundationModel::Rigid {
@@ -319,7 +324,7 @@ impl Element {
     }
 
     /// Forces, patches and height with derivatives for the `input` of a right side.
-    fn moving_forces<T: MovingNumber>(
+    pub(super) fn moving_forces<T: MovingNumber>(
         &mut self,
         input: &Input<T>,
         models: &mut Models<T>,
@@ -343,7 +348,7 @@ impl Element {
     }
 
     /// Deepest penetration with any rail, if the wheel touches one.
-    fn deepest<T: MovingNumber>(
+    pub(super) fn deepest<T: MovingNumber>(
         &mut self,
         input: &Input<T>,
         models: &mut Models<T>,
@@ -384,6 +389,6 @@ fn is_finite(rates: &Output) -> bool {
 }
 
 #[cold]
-fn at_this_input(reason: Kink) -> ContactError {
+pub(super) fn at_this_input(reason: Kink) -> ContactError {
     ContactError::NoDerivative { name: None, reason }
 }

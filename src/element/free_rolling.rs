@@ -45,6 +45,17 @@ impl Element {
         input
     }
 
+    /// Derivatives by the input from those by what [`turning`](Self::turning) makes of it.
+    pub(super) fn back_to_turning(&self, mut by_input: Input) -> Input {
+        if let Some(FreeRolling { nominal_radius, roller_radius }) = self.rolling {
+            let by_velocity = -by_input.wheel.pitch_rate / nominal_radius;
+            by_input.wheel.velocity[0] += by_velocity;
+            by_input.rails[0].pitch_rate += by_velocity * roller_radius;
+            by_input.wheel.pitch_rate = 0.0;
+        }
+        by_input
+    }
+
     /// The input as it is evaluated.
     ///
     /// # Errors

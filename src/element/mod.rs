@@ -1,10 +1,12 @@
 //! The contact element: one wheel and the rails under it.
 
+mod adjoint;
 mod contact;
 mod derivative_memory;
 mod derivatives;
 mod evaluate;
 mod free_rolling;
+mod gradient;
 pub mod input;
 mod load_by_stiffness;
 mod moving_rails;
@@ -28,6 +30,7 @@ pub(crate) mod work_pairs;
 mod worn_profiles;
 
 pub(crate) use free_rolling::FreeRolling;
+pub use gradient::{Gradient, ParameterSlopes};
 pub use input::Input;
 pub(crate) use load_by_stiffness::Carried;
 pub use output::Output;

@@ -7,6 +7,9 @@ use crate::math::real::Real;
 /// Patches that are reported one by one; forces hold any number.
 pub const REPORTED_PATCHES: usize = 8;
 
+/// Real numbers of an output but wear: at most.
+const REAL_NUMBERS: usize = 32 + 32 * REPORTED_PATCHES;
+
 /// Force on a body and moment about its marker, in the track frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench<T = f64> {
@@ -181,6 +184,25 @@ impl<T: Real> Output<T> {
             patches: self.patches.each_ref().map(|patch| patch.each(&mut turn)),
             ..Output::default()
         }
+    }
+
+    /// Σ weight · output over all real numbers but wear.
+    #[must_use]
+    pub(crate) fn sum_of(&self, weights: &Output) -> f64 {
+        let mut all = [0.0; REAL_NUMBERS];
+        let mut n = 0;
+        let _ = weights.each(|weight| {
+            all[n] = weight;
+            n += 1;
+            weight
+        });
+        let (mut sum, mut n) = (0.0, 0);
+        let _ = self.each(|number| {
+            sum += number.value() * all[n];
+            n += 1;
+            number
+        });
+        sum
     }
 
     /// The same result seen in a mirror along the track; profile coordinates stay those of the

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::contact::models::Models;
 use super::contact::rail_friction::RailFriction;
 use super::free_rolling::FreeRolling;
+use super::gradient::Wanted;
 use super::input::Input;
 use super::parameters::deviations::{deviations, rail_deviations, wheel_deviations};
 use super::parameters::{FoundationModel, Parameters, Placement, RAILS, Side, WearModel};
@@ -35,6 +36,22 @@ impl Element {
         start: &Input,
         profile_folders: &[PathBuf],
     ) -> Result<Self, ContactError> {
+        Self::displaced(parameters, start, profile_folders, &[], &[&[]; RAILS])
+    }
+
+    /// As [`Element::new`], with the points of the profiles of wheel and rails displaced, out of the
+    /// bodies, as [`Profile::displaced`] has it [m]; where none are given they stay.
+    ///
+    /// # Errors
+    /// As there; displacements that are not finite, not as many as points, or of a profile that has
+    /// none, as it varies.
+    pub fn displaced(
+        parameters: &Parameters,
+        start: &Input,
+        profile_folders: &[PathBuf],
+        wheel_points: &[f64],
+        rail_points: &[&[f64]; RAILS],
+    ) -> Result<Self, ContactError> {
         parameters.check()?;
         let load = |parameter: &str, name: &str, kind| {
             load_profile(parameter, name, kind, parameters.profile_smoothing, profile_folders)
@@ -47,16 +64,18 @@ impl Element {
             Some(slices) => slices.first_profile(),
             None => load(name, own, kind)?,
         };
+        let wheel = moved(name, wheel, around.is_some(), wheel_points)?;
         let (mut rails, mut slices) = ([const { None }; RAILS], [const { None }; RAILS]);
         for (k, rail) in parameters.rails.iter().enumerate() {
             if rail.enabled {
                 let (parameter, kind) = (format!("rail[{}].profile", k + 1), ProfileKind::Rail);
                 slices[k] =
                     load_slices(&parameter, &rail.profile, kind, smoothing, profile_folders)?;
-                rails[k] = Some(match &slices[k] {
+                let profile = match &slices[k] {
                     Some(slices) => slices.first_profile(),
                     None => load(&parameter, &rail.profile, kind)?,
-                });
+                };
+                rails[k] = Some(moved(&parameter, profile, slices[k].is_some(), rail_points[k])?);
             }
         }
         let wheel = (&wheel, around.as_ref());
@@ -117,7 +136,8 @@ impl Element {
         let mut contacts = [const { None }; RAILS];
         for (k, profile) in rails.iter().enumerate() {
             let Some(profile) = profile else { continue };
-            let placed = placed(k, profile, parameters)?;
+            let mut placed = placed(k, profile, parameters)?;
+            placed.number = k as u32;
             let roller = parameters.rails[k].roller_radius;
             // A corrugated rail under a wheel that varies around has the same section all along.
             let is_even = around.is_some() && parameters.is_corrugated(k) && roller <= 0.0;
@@ -179,6 +199,8 @@ impl Element {
             sunk: None,
             remarks,
             memory: None,
+            backwards: None,
+            wanted: Wanted::of(parameters),
         };
         element.reserve_for_wear();
         if parameters.foundation.model != FoundationModel::Rigid {
@@ -187,6 +209,29 @@ impl Element {
         element.set_start(start);
         Ok(element)
     }
+}
+
+/// The `profile` of the parameter `name` with its points displaced by `ways`, if there are any [m].
+fn moved(
+    name: &str,
+    profile: Profile,
+    varies: bool,
+    ways: &[f64],
+) -> Result<Profile, ContactError> {
+    if ways.is_empty() {
+        return Ok(profile);
+    }
+    let count = if varies { 0 } else { profile.points().len() };
+    if ways.len() != count {
+        let allowed =
+            "as many displacements in metres as the profile has points, none if it varies";
+        let name = format!("number of displacements of {name}");
+        return Err(ContactError::bad_value(name, ways.len() as f64, allowed));
+    }
+    if let Some(way) = ways.iter().find(|way| !way.is_finite()) {
+        return Err(ContactError::bad_value("a displacement", *way, "a finite number in metres"));
+    }
+    Ok(profile.displaced(ways))
 }
 
 /// Rail number `k` where the parameters put it.

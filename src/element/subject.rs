@@ -5,8 +5,26 @@ use std::path::PathBuf;
 use std::slice;
 
 use super::work_pairs::{WorkPairs, work_pairs};
-use super::{Element, Input, Output, Parameters};
+use super::{Element, Gradient, Input, Output, Parameters};
 use crate::error::ContactError;
+
+/// Derivatives of a weighted sum of outputs by inputs and parameters.
+#[derive(Clone, Debug)]
+pub struct BySubject<S: Subject> {
+    /// By the inputs.
+    pub input: S::Input,
+    /// By parameters, with their FMI names.
+    pub parameters: Vec<(&'static str, f64)>,
+    /// Those of an element.
+    pub gradient: Gradient,
+}
+
+impl<S: Subject> Default for BySubject<S> {
+    fn default() -> Self {
+        let (input, parameters) = (S::Input::default(), Vec::new());
+        Self { input, parameters, gradient: Gradient::default() }
+    }
+}
 
 /// One or two elements with what they have in common; inputs and outputs are those of the whole.
 ///
@@ -82,6 +100,21 @@ pub trait Subject: Clone + Debug {
         direction: &Self::Input,
         rates: &mut Self::Output,
     ) -> Result<(), ContactError>;
+
+    /// The derivatives of Σ weight · output by inputs and parameters, for the price of a few
+    /// evaluations however many these are; all is left as it was.
+    ///
+    /// # Errors
+    /// The input at fault, by its name, or why there are none; what was `found` is then as before.
+    fn adjoint_derivative_of_all(
+        &mut self,
+        _input: &Self::Input,
+        _weights: &Self::Output,
+        _found: &mut BySubject<Self>,
+    ) -> Result<(), ContactError> {
+        let reason = "of several wheels together they are there forwards";
+        Err(ContactError::NoDerivative { name: None, reason })
+    }
 
     /// Its elements, in the order of [`PREFIXES`](Self::PREFIXES).
     fn elements(&self) -> &[Element];
@@ -161,6 +194,20 @@ impl Subject for Element {
         rates: &mut Output,
     ) -> Result<(), ContactError> {
         self.directional_derivative(input, direction, rates)
+    }
+
+    fn adjoint_derivative_of_all(
+        &mut self,
+        input: &Input,
+        weights: &Output,
+        found: &mut BySubject<Self>,
+    ) -> Result<(), ContactError> {
+        let BySubject { input: by_input, parameters, gradient } = found;
+        self.adjoint_derivative(input, weights, gradient)?;
+        *by_input = gradient.input;
+        parameters.clear();
+        parameters.extend(gradient.parameters.named());
+        Ok(())
     }
 
     fn elements(&self) -> &[Element] {

@@ -1,8 +1,10 @@
 //! A wheel on its rails: what an element consists of.
 
+use super::adjoint::AdjointMemory;
 use super::contact::models::Models;
 use super::derivative_memory::DerivativeMemory;
 use super::free_rolling::FreeRolling;
+use super::gradient::Wanted;
 use super::input::Input;
 use super::load_by_stiffness::Carried;
 use super::parameters::foundation::{Foundation, TrackState};
@@ -47,6 +49,10 @@ pub struct Element {
     pub(super) remarks: Vec<(String, ProfileRemark)>,
     /// Memory for derivatives, once they have been asked for.
     pub(super) memory: Option<Box<DerivativeMemory>>,
+    /// The same for derivatives backwards.
+    pub(super) backwards: Option<Box<AdjointMemory>>,
+    /// What parameters are wanted for by those.
+    pub(super) wanted: Wanted,
 }
 
 impl Element {

@@ -4,6 +4,8 @@
 //! A variable has the reference of FMI 2.0, an array that of its first element. Time comes after
 //! all variables of the table, and the event indicator after time.
 
+mod derivatives;
+
 use std::ffi::c_char;
 
 use super::error::FmiError;
@@ -288,68 +290,6 @@ impl<S: Described> Instance<S> {
     ) -> Result<Status, FmiError> {
         self.survey(references, (name, count), |_| false)?;
         Ok(Status::Ok)
-    }
-
-    /// Puts Σ ∂ unknown/∂ known · `seed` into `sensitivity`, element by element, as
-    /// [`directional_derivative`](Self::directional_derivative) does. The event indicator moves in
-    /// steps: its derivative is 0 in between.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn directional_derivative_of_arrays(
-        &mut self,
-        unknowns: &[ValueReference],
-        knowns: &[ValueReference],
-        seed: &[f64],
-        sensitivity: &mut [f64],
-    ) -> Result<(), FmiError> {
-        self.survey(unknowns, ("nSensitivity", sensitivity.len()), |_| true)?;
-        self.survey(knowns, ("nSeed", seed.len()), |_| true)?;
-        for (references, role, reason) in [
-            (unknowns, "unknown", "it is no output"),
-            (knowns, "known", "it is no input and no parameter"),
-        ] {
-            for &reference in references {
-                let name = match self.target(reference)? {
-                    Target::Time => TIME,
-                    Target::EventIndicator if role == "known" => EVENT_INDICATOR,
-                    Target::Dummy if role == "known" => STATE_NAME,
-                    _ => continue,
-                };
-                return Err(FmiError::NoDerivative { name, role, reason });
-            }
-        }
-        // Out of the instance while it is worked with.
-        let [mut unknown_places, mut known_places] = std::mem::take(&mut self.flattened);
-        unknown_places.clear();
-        unknown_places.extend(places(S::UNIT, unknowns));
-        known_places.clear();
-        known_places.extend(places(S::UNIT, knowns));
-        let in_table = unknown_places.len();
-        let found = self.directional_derivative(
-            &unknown_places,
-            &known_places,
-            seed,
-            &mut sensitivity[..in_table],
-        );
-        self.flattened = [unknown_places, known_places];
-        found?;
-        // From the last to the first, to leave room for event indicators.
-        let (mut from, mut to) = (in_table, sensitivity.len());
-        for &reference in unknowns.iter().rev() {
-            let target = self.target(reference)?;
-            for _ in 0..target.len() {
-                to -= 1;
-                sensitivity[to] = match target {
-                    Target::Elements(_) => {
-                        from -= 1;
-                        sensitivity[from]
-                    }
-                    Target::Time | Target::EventIndicator | Target::Dummy => 0.0,
-                };
-            }
-        }
-        Ok(())
     }
 }
 

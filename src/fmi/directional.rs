@@ -14,13 +14,13 @@ use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variab
 
 /// Which unknowns a call asks for.
 #[derive(Clone, Copy, Debug, Default)]
-struct Asked {
+pub(super) struct Asked {
     /// Outputs of an evaluation.
-    outputs: bool,
+    pub outputs: bool,
     /// Stiffness and damping.
     slopes: bool,
     /// Heights of first touch.
-    nominal: bool,
+    pub nominal: bool,
 }
 
 impl<S: Described + Subject> Instance<S> {
@@ -151,7 +151,7 @@ impl<S: Described + Subject> Instance<S> {
     }
 
     /// Checks the unknowns and says of which kinds they are.
-    fn asked(&self, unknowns: &[ValueReference]) -> Result<Asked, FmiError> {
+    pub(super) fn asked(&self, unknowns: &[ValueReference]) -> Result<Asked, FmiError> {
         let mut asked = Asked::default();
         for &reference in unknowns {
             let variable = variable(S::UNIT, reference)?;
@@ -182,7 +182,7 @@ impl<S: Described + Subject> Instance<S> {
 }
 
 /// The variable behind a reference, if derivatives are taken by it.
-fn known(
+pub(super) fn known(
     interface: Interface,
     unit: &'static Unit,
     reference: ValueReference,

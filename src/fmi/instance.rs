@@ -4,6 +4,7 @@
 use std::ffi::CString;
 use std::path::PathBuf;
 
+use super::adjoint::AdjointScratch;
 use super::coupling::LastStep;
 use super::differences::DerivativeScratch;
 use super::extrapolation::Extrapolation;
@@ -66,6 +67,10 @@ pub struct Instance<S: Described> {
     pub(super) last_step: Option<LastStep>,
     /// Memory for directional derivatives.
     pub(super) derivatives: Option<Box<DerivativeScratch<S>>>,
+    /// The same for adjoint derivatives, once they have been asked for.
+    pub(super) backwards: Option<Box<AdjointScratch<S>>>,
+    /// Seeds of those by elements.
+    pub(super) seeds: Vec<f64>,
     /// Whole numbers of the last event of model exchange.
     pub(super) held: Held,
     /// What the host was told of the outputs evaluated last.
@@ -112,6 +117,8 @@ impl<S: Described> Instance<S> {
             slopes_at: None,
             last_step: None,
             derivatives: None,
+            backwards: None,
+            seeds: Vec::new(),
             held: Held::new::<S>(),
             told: Told::default(),
             flattened: [(); 2].map(|()| Vec::with_capacity(most_flattened)),

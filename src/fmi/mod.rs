@@ -20,6 +20,7 @@
 //! arrays     the same as FMI 3.0 has them: patches as arrays, time and event indicator as variables
 //! monitor    energy residual, stiffness and damping
 //! directional   derivatives of outputs
+//! adjoint       the same backwards: of sums of outputs by all inputs and parameters at once
 //! dummy_state   the state of the variant that has one
 //! events     event mode, continuous time and the event indicator
 //! moving_rails  rails with a mass, moved on over a step
@@ -51,6 +52,7 @@
 //! wants silence without it.
 
 mod access;
+mod adjoint;
 mod any_instance;
 mod arguments;
 mod arrays;

@@ -17,6 +17,7 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::motion::{RailMotion, WheelMotion};
+use crate::leaves::MINIMUM_SPEED;
 use crate::math::real::Real;
 
 /// Creepage of the wheel against the rail at one point of the contact plane.
@@ -83,7 +84,10 @@ pub fn rolling_speed<T: Real>(
     floor: f64,
 ) -> RollingSpeed<T> {
     let circumferential = -pitch_rate * rolling_radius;
-    let reference = ((velocity.abs() + circumferential.abs()) * 0.5).at_least(floor);
+    let mut reference = ((velocity.abs() + circumferential.abs()) * 0.5).at_least(floor);
+    if T::IS_BACKWARD && reference <= floor {
+        reference = T::known(floor, MINIMUM_SPEED);
+    }
     // Mean velocity of the contact over the material of wheel and rail.
     let contact = (velocity + circumferential) * 0.5;
     RollingSpeed { reference, forward_share: ((contact / reference + 1.0) * 0.5).within(0.0, 1.0) }

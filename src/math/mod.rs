@@ -11,4 +11,6 @@ pub(crate) mod real;
 pub mod root;
 pub(crate) mod smooth_step;
 pub mod spline;
+pub(crate) mod tape;
+pub(crate) mod transposed_spline;
 pub(crate) mod until_unload;

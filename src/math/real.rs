@@ -6,9 +6,24 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_traits::{One, Zero};
 
+use super::dual::Dual;
 use super::logarithm;
 
-/// A real number, or one with its derivatives ([`Dual`](super::dual::Dual)).
+/// Number of a constant that derivatives can be taken by, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Leaf(pub u32);
+
+/// Coefficients of (y, z) in growing powers of the distance from the start of a piece of a curve.
+pub type Cubic = [[f64; 2]; 4];
+
+/// `M` functions of `K` numbers, of whatever kind these are.
+pub trait Function<const K: usize, const M: usize> {
+    /// Their values.
+    fn at<T: Real>(&self, numbers: [T; K]) -> [T; M];
+}
+
+/// A real number, or one with its derivatives: forwards ([`Dual`]) or backwards
+/// ([`Taped`](super::tape::Taped)).
 ///
 /// Comparisons look at the value alone: where a formula has branches, derivatives are those of the
 /// branch that the value takes. For `f64` every method is the one of the standard library.
@@ -41,6 +56,9 @@ pub trait Real:
     /// Whether there are derivatives to be carried along.
     const HAS_SLOPES: bool;
 
+    /// Whether they are carried backwards, each operation at a price whatever it does.
+    const IS_BACKWARD: bool = false;
+
     /// The number without derivatives.
     #[must_use]
     fn value(self) -> f64;
@@ -50,9 +68,96 @@ pub trait Real:
     #[must_use]
     fn moving(value: f64, rates: Self) -> Self;
 
+    /// The number `value` that is by each of the `operands` what stands beside it.
+    #[must_use]
+    fn combined<'a>(value: f64, operands: impl Iterator<Item = (&'a Self, f64)>) -> Self {
+        let moved = operands.map(|(operand, slope)| *operand * slope);
+        Self::moving(value, moved.sum())
+    }
+
     /// The function of this number that has the value `value` and the derivative `slope()` there.
     #[must_use]
     fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self;
+
+    /// Itself times a constant of the model, by which derivatives go back to `leaf`.
+    #[must_use]
+    #[inline]
+    fn times(self, constant: f64, leaf: Leaf) -> Self {
+        let _ = leaf;
+        self * constant
+    }
+
+    /// Itself times a `multiple` of a constant of the model, by the logarithm of which derivatives
+    /// go back to `leaf`.
+    #[must_use]
+    #[inline]
+    fn scaled(self, multiple: f64, leaf: Leaf) -> Self {
+        let _ = leaf;
+        self * multiple
+    }
+
+    /// A constant of the model, by which derivatives go back to `leaf`.
+    #[must_use]
+    #[inline]
+    fn known(value: f64, leaf: Leaf) -> Self {
+        let _ = leaf;
+        value.into()
+    }
+
+    /// (y, z) of a curve at this parameter, its first and its second derivatives, by the
+    /// `coefficients` of a piece that begins at `start`; `piece` is its address, by which
+    /// derivatives go back to the curve.
+    // Taken apart where it is used: half of its callers leave out the second derivative.
+    #[allow(clippy::inline_always)]
+    #[must_use]
+    #[inline(always)]
+    fn on_cubic(self, start: f64, coefficients: &Cubic, piece: usize) -> [[Self; 2]; 3] {
+        let _ = piece;
+        (self - start).cubic(coefficients)
+    }
+
+    /// (y, z) of a piece of a curve at this distance from its start, its first and its second
+    /// derivatives.
+    // As above.
+    #[allow(clippy::inline_always)]
+    #[must_use]
+    #[inline(always)]
+    fn cubic(self, [c0, c1, c2, c3]: &Cubic) -> [[Self; 2]; 3] {
+        let u = self;
+        // Both coordinates at once: one vector instruction for the pair.
+        let zero = [Self::from(0.0); 2];
+        let (mut point, mut first, mut second) = (zero, zero, zero);
+        for i in 0..2 {
+            point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
+            first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
+            second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
+        }
+        [point, first, second]
+    }
+
+    /// A function of a few numbers; derivatives backwards see the function as a whole, which is
+    /// cheaper the more there is in it.
+    #[must_use]
+    #[inline]
+    fn as_whole<const K: usize, const M: usize>(
+        numbers: [Self; K],
+        function: &impl Function<K, M>,
+    ) -> [Self; M] {
+        function.at(numbers)
+    }
+
+    /// The same where the function was asked for at the same values before, and what it found then
+    /// may have been `kept`.
+    #[must_use]
+    #[inline]
+    fn as_whole_again<const K: usize, const M: usize>(
+        numbers: [Self; K],
+        function: &impl Function<K, M>,
+        kept: &mut Option<[Dual<K>; M]>,
+    ) -> [Self; M] {
+        let _ = kept;
+        function.at(numbers)
+    }
 
     /// Itself and `a` `b`; of plain numbers rounded once if `IS_FUSED`, which is fast where the
     /// instructions that are compiled for have that.

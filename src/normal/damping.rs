@@ -13,6 +13,7 @@
 //! The stiffness k is that of a Hertzian load N_e ~ δ^(3/2). Under a wheel load of 50 kN (δ about
 //! 65 µm) the last factor is 0.98.
 
+use crate::leaves::DAMPING;
 use crate::math::real::Real;
 
 /// Contact stiffness at which the damping coefficient is the one given [N/m].
@@ -26,13 +27,14 @@ pub const REFERENCE_PENETRATION: f64 = 1e-5;
 /// reference stiffness [N s/m].
 #[must_use]
 pub fn damped_load<T: Real>(load: T, penetration: T, closing_speed: T, coefficient: f64) -> T {
-    if coefficient == 0.0 || load <= 0.0 {
+    // Backwards it may be the damping that counts.
+    if (coefficient == 0.0 && !T::IS_BACKWARD) || load <= 0.0 {
         return load;
     }
     let stiffness = load * 1.5 / penetration;
     let onset = penetration * penetration
         / (penetration * penetration + REFERENCE_PENETRATION * REFERENCE_PENETRATION);
-    let damping = (stiffness / REFERENCE_STIFFNESS).sqrt() * coefficient * onset;
+    let damping = (stiffness / REFERENCE_STIFFNESS).sqrt().times(coefficient, DAMPING) * onset;
     (load + damping * closing_speed).at_least(0.0)
 }
 

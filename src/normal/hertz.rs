@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::contacts::separation::FrameSeparation;
+use crate::leaves::CONTACT_MODULUS;
 use crate::math::elliptic::{Complete, complete};
 use crate::math::real::Real;
 
@@ -104,6 +105,9 @@ pub fn solve<T: Real>(
     let along = T::from(0.5) / problem.radius;
     let across = (problem.lateral_curvature * 0.5).max(along * MIN_CURVATURE_RATIO);
     let found = ellipse(along, across, problem.approach, problem.contact_modulus);
+    // Both go with the modulus.
+    let [load, max_pressure] =
+        [found.load, found.max_pressure].map(|own| own.scaled(1.0, CONTACT_MODULUS));
     let at = separation.point(problem.contact_u);
     let first = strips.y.len();
     for (node, weight) in problem.rule.nodes.iter().zip(&problem.rule.weights) {
@@ -112,7 +116,7 @@ pub fn solve<T: Real>(
         strips.width.push(found.semi_axis_across * *weight);
         strips.x.push(at.x);
         strips.half_length.push(found.semi_axis_along * chord);
-        strips.pressure.push(found.max_pressure * chord);
+        strips.pressure.push(max_pressure * chord);
         // The contact line straight on from its contact point: the ellipse does not know more of
         // it.
         strips.u.push(problem.contact_u + found.semi_axis_across * *node / at.dy);
@@ -120,8 +124,8 @@ pub fn solve<T: Real>(
     strips.zones.push(Zone {
         first,
         count: problem.rule.nodes.len(),
-        load: found.load,
-        max_pressure: found.max_pressure,
+        load,
+        max_pressure,
         length: found.semi_axis_along * 2.0,
         width: found.semi_axis_across * 2.0,
         beyond: [T::from(0.0); 2],

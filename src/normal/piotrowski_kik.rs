@@ -53,10 +53,12 @@ use super::shape_correction::{self, ShapeFit};
 use super::zones::{Edge, for_each_zone};
 use super::{NormalProblem, Strips, Zone};
 use crate::geometry::contacts::separation::{FrameSeparation, Probe, SeparationPoint};
+use crate::leaves::{CONTACT_MODULUS, VIRTUAL_PENETRATION};
 use crate::math::dual::Dual;
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::quadrature::GaussLegendre;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 
 /// Solves for the zones of one contact frame; `virtual_penetration` is ε, 0 < ε < 1; `shape`
 /// corrects the shape of the contact area where it is given.
@@ -70,7 +72,7 @@ pub fn solve<T: Influence>(
     probes: &[Probe],
     strips: &mut Strips<T>,
 ) -> usize {
-    let depth = problem.approach * virtual_penetration;
+    let depth = problem.approach.times(virtual_penetration, VIRTUAL_PENETRATION);
     let mut longest = (problem.radius * 2.0 * depth).sqrt();
     let mut left_out = 0;
     // Without the contact point in a zone (it is the deepest place of the probes) there is no load.
@@ -132,7 +134,8 @@ pub fn solve<T: Influence>(
     let displacement_integral = (sum + uncorrected * contact_dy * logarithm_error).max(least);
     // p = scale · sqrt(x_l² - x²)
     let scale = if displacement_integral > 0.0 && load_integral > 0.0 {
-        problem.approach * (std::f64::consts::PI * problem.contact_modulus) / displacement_integral
+        problem.approach.scaled(std::f64::consts::PI * problem.contact_modulus, CONTACT_MODULUS)
+            / displacement_integral
     } else {
         // Zones without width at the limit of what is resolved; they count as left out.
         left_out += strips.zones.len();
@@ -247,6 +250,8 @@ pub trait Influence: Real {
 }
 
 impl<const N: usize> Influence for Dual<N> {}
+
+impl Influence for Taped {}
 
 impl Influence for f64 {
     fn influence(half_lengths: &[f64], ys: &[f64], widths: &[f64], longest: f64) -> [f64; 2] {

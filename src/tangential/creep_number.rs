@@ -9,6 +9,7 @@ use super::rolling::Rolling;
 use super::strips::{Settled, Span, TractionStrips};
 use super::{fastrip, fastsim, tables};
 use crate::math::dual::Dual;
+use crate::math::tape::Taped;
 use crate::normal::{Strips, Zone};
 
 /// Numbers with which tangential problems are solved; the half-space solution on elements is one of
@@ -54,6 +55,18 @@ impl<const N: usize> CreepNumber for Dual<N> {
         each: impl FnMut(usize, StripForce<Self>),
     ) -> Option<Settled> {
         solver.moving_strip_forces(loaded, span, rolling, each)
+    }
+}
+
+impl CreepNumber for Taped {
+    fn on_strips(
+        solver: &mut TractionStrips,
+        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
+        span: &Span<Self>,
+        rolling: Rolling,
+        each: impl FnMut(usize, StripForce<Self>),
+    ) -> Option<Settled> {
+        solver.taped_strip_forces(loaded, span, rolling, each)
     }
 }
 

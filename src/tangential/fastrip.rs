@@ -39,6 +39,7 @@ use super::{LoadedZone, Rolling, StripForce};
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
+use crate::math::tape::Taped;
 
 /// Normalised spin of a strip from which on FASTSIM takes over [-].
 const SPIN_FROM: f64 = 0.85;
@@ -265,6 +266,8 @@ pub trait Marching: Real {
 }
 
 impl<const N: usize> Marching for Dual<N> {}
+
+impl Marching for Taped {}
 
 impl Marching for f64 {
     #[inline]

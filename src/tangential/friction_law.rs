@@ -37,6 +37,7 @@ use std::f64::consts::PI;
 
 use super::RollingState;
 use super::kalker_coefficients::kalker_coefficients;
+use crate::leaves;
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::Zone;
@@ -86,6 +87,21 @@ impl Default for FrictionLaw {
 
 /// Least shear modulus over that of the bodies: creepages stay finite.
 const MIN_REDUCTION: f64 = 1e-9;
+
+impl FrictionLaw {
+    /// The same in other numbers, as that of the tread (0) or of the gauge face (1).
+    pub(super) fn known<T: Real>(&self, which: usize) -> FrictionLaw<T> {
+        let number = |value: f64, n: u32| T::known(value, leaves::of_law(which, n));
+        FrictionLaw {
+            falling_law: self.falling_law,
+            falling_share: number(self.falling_share, 0),
+            falling_decay: number(self.falling_decay, 1),
+            reduction: number(self.reduction, 2),
+            reduction_share: number(self.reduction_share, 3),
+            reduction_decay: number(self.reduction_decay, 4),
+        }
+    }
+}
 
 impl<P: Real> FrictionLaw<P> {
     fn falls(&self) -> bool {

@@ -165,6 +165,11 @@ impl<T: Real> Neck<T> {
     /// Share of a strip at `y` that belongs to the left lobe, 0 to 1.
     #[must_use]
     pub fn left(&self, y: T) -> T {
+        // Half of the one strip that a neck without width lies on belongs to either side. What that
+        // neck moves by is what its strip does, which backwards would be a difference of infinities.
+        if T::IS_BACKWARD && self.blend <= f64::MIN_POSITIVE && y >= self.y && y <= self.y {
+            return T::from(0.5);
+        }
         let x = ((self.y - y) / self.blend + 0.5).within(0.0, 1.0);
         smooth_step(x)
     }

@@ -171,6 +171,10 @@ impl Tangential {
         state: &RollingState<T>,
     ) -> UnderLaw<T> {
         let heat = self.flash_temperature.as_ref();
+        if T::IS_BACKWARD {
+            let laws = self.laws.as_ref().map(|laws| [0, 1].map(|k| laws[k].known::<T>(k)));
+            return UnderLaw::of(laws.as_ref(), heat, zone, strips, material, state);
+        }
         UnderLaw::of(self.laws.as_ref(), heat, zone, strips, material, state)
     }
 

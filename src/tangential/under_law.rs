@@ -34,7 +34,7 @@ fn of_both<P: Real, T: Real>(
     let first = of(&laws[0]);
     // Without strips of the gauge face there is one law, and laws that are alike are evaluated
     // once.
-    let has_two = !strips.friction.is_empty() && laws[1] != laws[0];
+    let has_two = !strips.friction.is_empty() && (P::IS_BACKWARD || laws[1] != laws[0]);
     [first, if has_two { of(&laws[1]) } else { first }]
 }
 

@@ -66,6 +66,8 @@ pub trait Described: Subject {
     fn text(values: &ValuesOf<Self>, reference: usize) -> Option<&str>;
     /// The field of a real variable that is not computed from inputs, if there is one field alone.
     fn real_slot(values: &mut ValuesOf<Self>, reference: usize) -> Option<&mut f64>;
+    /// The field of a real output.
+    fn output_slot(values: &mut ValuesOf<Self>, reference: usize) -> Option<&mut f64>;
     /// Sets a real parameter that stands for several fields.
     fn set_real(values: &mut ValuesOf<Self>, reference: usize, value: f64);
     /// Sets an integer or an enumeration, whose value was checked.

@@ -64,7 +64,8 @@ class Description(unittest.TestCase):
             # FMPy does not read all flags.
             with zipfile.ZipFile(archive) as unit:
                 root = etree.fromstring(unit.read("modelDescription.xml"))
-            claims = {"modelIdentifier": name, **states, "providesDirectionalDerivatives": "true"}
+            derivatives = ("providesDirectionalDerivatives", "providesAdjointDerivatives")
+            claims = {"modelIdentifier": name, **states, **dict.fromkeys(derivatives, "true")}
             self.assertEqual(dict(root.find("ModelExchange").attrib), claims)
             claims["canHandleVariableCommunicationStepSize"] = "true"
             self.assertEqual(dict(root.find("CoSimulation").attrib), claims)

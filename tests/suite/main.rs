@@ -1,6 +1,7 @@
 //! All integration tests, one program: a program each would be linked some seventy times. One idea
 //! a module; a part of them by name: `cargo test --test suite walk::`.
 
+mod adjoint;
 mod allocations;
 mod analytic;
 mod boundary_element;

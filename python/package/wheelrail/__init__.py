@@ -13,6 +13,7 @@ from importlib import import_module
 from types import ModuleType
 
 from . import conicity, planar
+from ._adjoint import Adjoint
 from ._contact import Contact, Field
 from ._element import Element, WheelSet
 from ._files import fmu, profile, profile_folder
@@ -46,6 +47,7 @@ def __dir__() -> list[str]:
 
 
 __all__ = [
+    "Adjoint",
     "BadValueError",
     "Column",
     "Contact",

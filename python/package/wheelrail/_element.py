@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._adjoint import BODIES, PARAMETERS, Adjoint
 from ._contact import Contact, contact_of
 from ._files import folders
 from ._given import Given, Inputs, Kept, input_of, inputs_of, named
@@ -41,6 +42,8 @@ Outputs = Union[Sequence[str], str, None]
 _SLICE = 0.2
 #: Rows of each thread in the first of these calls: a second at most of boundary elements.
 _FIRST_SLICE = 32
+#: The motion of a wheel or wheelset, as keywords.
+_MOTIONS = tuple("x y z roll yaw pitch vx vy vz roll_rate yaw_rate pitch_rate".split())
 #: States of a result of one row, by the state of the row.
 _STATE_OF_ONE = [np.array([state], dtype=np.uint8) for state in range(3)]
 #: The variable of the environment that says how many threads there are.
@@ -266,9 +269,8 @@ class _Unit:
                 raise BadValueError(
                     f"outputs: {v.name} is a count and has no derivatives", variable=v.name
                 )
-        motions = "x y z roll yaw pitch vx vy vz roll_rate yaw_rate pitch_rate"
         if by is None:
-            directions: Iterable[str] = [f"{own}.{motion}" for motion in motions.split()]
+            directions: Iterable[str] = [f"{own}.{motion}" for motion in _MOTIONS]
         else:
             directions = [by] if isinstance(by, str) else by
         along = [input_of(self._unit, name) for name in directions]
@@ -323,6 +325,8 @@ class Element(_Unit):
     """
 
     _unit = "WheelRail"
+    #: Displacements of the points of all profiles, if there are any.
+    _ways: list[list[float]] | None = None
 
     def __init__(
         self,
@@ -415,6 +419,135 @@ class Element(_Unit):
         """
         return self._jacobian(table, outputs, by, threads, errors, progress, inputs)
 
+    def adjoint(
+        self,
+        weights: npt.ArrayLike,
+        table: Mapping[str, Any] | None = None,
+        /,
+        *,
+        outputs: Outputs = None,
+        by: Sequence[str] | str | None = None,
+        threads: int | None = None,
+        errors: Errors = "raise",
+        progress: Progress = None,
+        **inputs: Unpack[ElementInputs],
+    ) -> Adjoint:
+        """Derivatives of Σ weight · output by inputs, parameters and points of the profiles, all at once.
+
+        What is called vector-Jacobian product or reverse mode: a row takes as long as some evaluations,
+        however many derivatives there are.
+
+        Parameters
+        ----------
+        weights : array_like, shape (..., outputs)
+            Derivatives of what is wanted by the outputs; they broadcast against the rows.
+        outputs : sequence of str, optional
+            The outputs that the weights are of; without it force and moment on the wheel.
+        by : sequence of str, optional
+            By which inputs; without it the twelve of the wheel's motion and the friction.
+        table, threads, errors, progress, **inputs
+            As in `evaluate`.
+
+        Returns
+        -------
+        Adjoint
+            By inputs and parameters for each row, by points summed over all rows.
+
+        Raises
+        ------
+        NoDerivativeError
+            With models or at inputs without derivatives, as in `jacobian`.
+        """
+        names, values = named(table, inputs)
+        along = [*_MOTIONS, "friction"] if by is None else [by] if isinstance(by, str) else list(by)
+        call = self._differentiation(names, _chosen(outputs), tuple(along))
+        given = Given(call.inputs, values, table)
+        shape = (*given.layout.shape, len(call.outputs))
+        weighted = np.ascontiguousarray(
+            np.broadcast_to(np.asarray(weights, dtype=np.float64), shape)
+        ).reshape(given.rows, len(call.outputs))
+        data = np.empty((given.rows, len(call.by) + len(PARAMETERS)))
+        states = np.zeros(given.rows, dtype=np.uint8)
+        points = tuple(np.zeros(len(self.points(body))) for body in BODIES)
+        count, tolerant = _threads(threads), _is_tolerant(errors)
+        refusals: dict[int, str] = {}
+
+        def work(rows: slice) -> None:
+            references, directions = call.references
+            found, _ = _native.adjoint_of(
+                self._native,
+                given.columns(rows),
+                references,
+                weighted[rows],
+                directions,
+                data[rows],
+                points,
+                states[rows],
+                count,
+                tolerant,
+            )
+            refusals.update((rows.start + row, text) for row, text in sorted(found.items()))
+
+        in_slices(given.rows, work, count, progress)
+        return Adjoint(
+            data.reshape(*given.layout.shape, data.shape[1]),
+            (*call.by, *PARAMETERS),
+            points,
+            (states != REFUSED).reshape(given.layout.shape)[()],
+            refusals,
+            fmi_names(self._unit),
+        )
+
+    def points(self, body: Literal["wheel", "rail1", "rail2"]) -> npt.NDArray[np.float64]:
+        """Points (y, z) of a profile, by which its surface can be displaced [m].
+
+        Parameters
+        ----------
+        body : {"wheel", "rail1", "rail2"}
+            Whose profile.
+
+        Returns
+        -------
+        ndarray, shape (points, 2)
+            Those of the file but for what was mended and smoothed; none of a profile that varies or is not
+            there.
+        """
+        if body not in BODIES:
+            raise BadValueError(f'body = "{body}" is not admitted: {", ".join(BODIES)}')
+        found: npt.NDArray[np.float64] = _native.points_of(self._native, BODIES.index(body))
+        return found
+
+    def displaced(
+        self,
+        wheel: npt.ArrayLike | None = None,
+        rail1: npt.ArrayLike | None = None,
+        rail2: npt.ArrayLike | None = None,
+    ) -> Element:
+        """The element with the surfaces of its profiles displaced along their normals.
+
+        Parameters
+        ----------
+        wheel, rail1, rail2 : array_like, optional
+            Displacement of each of the `points`, out of the body (wear is negative) [m]; in between they
+            are natural cubic splines.
+
+        Returns
+        -------
+        Element
+            Of the same parameters; displacements are those of the profiles as the parameters name them,
+            and take the place of those that this element may have.
+        """
+        ways = [
+            [] if way is None else np.asarray(way, dtype=np.float64).ravel().tolist()
+            for way in (wheel, rail1, rail2)
+        ]
+        return _displaced(self._settings, ways)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._ways is None:
+            return super().__reduce__()
+        return _displaced, (self._settings, self._ways)
+
     def touching_height(
         self, *, threads: int | None = None, **inputs: Unpack[ElementInputs]
     ) -> Any:
@@ -451,6 +584,14 @@ class Element(_Unit):
             raise BadValueError(f"contacts takes one position, not {given.rows}: see evaluate")
         one = [(reference, float(column[0])) for reference, column in given.columns(slice(0, 1))]
         return [contact_of(found) for found in _native.contacts_of(self._native, one)]
+
+
+def _displaced(settings: Mapping[str, Any], ways: list[list[float]]) -> Element:
+    """An element of these settings with displaced surfaces."""
+    element = Element(settings)
+    element._native = _native.displaced(element._native, ways, folders())
+    element._ways = ways
+    return element
 
 
 class WheelSet(_Unit):

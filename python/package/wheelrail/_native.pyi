@@ -13,11 +13,15 @@ __all__ = [
     "WearingWheel",
     "Wheelset",
     "__version__",
+    "adjoint_of",
+    "adjoint_parameters",
     "contacts_of",
+    "displaced",
     "equivalent_conicity",
     "pack",
     "planar_fields",
     "planar_solve",
+    "points_of",
     "profile_points",
     "rolling_radii",
     "variables",
@@ -114,6 +118,21 @@ class WearingWheel:
     def profile(self, body: int, count: int) -> _Floats: ...
     def depth(self, body: int) -> _Floats: ...
 
+def adjoint_of(
+    wheel: Wheel,
+    inputs: _Columns,
+    outputs: Sequence[int],
+    weights: _Floats,
+    by: Sequence[int],
+    out: _Floats,
+    points: Sequence[_Floats],
+    states: _States,
+    threads: int,
+    tolerant: bool,
+) -> _Found: ...
+def adjoint_parameters() -> list[str]: ...
+def points_of(wheel: Wheel, body: int) -> _Floats: ...
+def displaced(wheel: Wheel, ways: Sequence[Sequence[float]], folders: Sequence[str]) -> Wheel: ...
 def variables(unit: str) -> list[dict[str, Any]]: ...
 def contacts_of(wheel: Wheel, inputs: Sequence[tuple[int, float]]) -> list[dict[str, Any]]: ...
 def profile_points(

@@ -8,6 +8,7 @@ use crate::geometry::contacts::line_separation::{Lifting, LineSeparation, RailSe
 use crate::geometry::contacts::moving_separation::MovingSeparation;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::dual::Dual;
+use crate::math::tape::Taped;
 use crate::normal::Zone;
 use crate::normal::piotrowski_kik::Influence;
 use crate::tangential::{CreepNumber, UnderLaw};
@@ -44,6 +45,10 @@ pub trait ElementNumber: CreepNumber + Influence {
 }
 
 impl<const N: usize> ElementNumber for Dual<N> {
+    type Separation<'a> = MovingSeparation<'a, Self>;
+}
+
+impl ElementNumber for Taped {
     type Separation<'a> = MovingSeparation<'a, Self>;
 }
 

@@ -14,41 +14,25 @@ use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
 use crate::geometry::contacts::contact::Contact;
-use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::moving_separation::MovingSeparation;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::MovingOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::dual::Dual;
-use crate::math::real::Real;
+use crate::math::tape::Taped;
+use crate::normal::least_energy::StripNumber;
 use crate::normal::{self, NormalProblem};
 
 /// Numbers with derivatives, and the separation that goes with them.
 pub trait MovingNumber:
-    for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, Self>> + Real
+    for<'a> ElementNumber<Separation<'a> = MovingSeparation<'a, Self>> + StripNumber
 {
-    /// See [`moving_strips::follow`].
-    fn follow(
-        line: &ContactLine<Self>,
-        rail: &RailOutline<Self>,
-        search: &ContactSearch,
-        found: &mut Models,
-        models: &mut Models<Self>,
-    ) -> bool;
 }
 
-impl<const N: usize> MovingNumber for Dual<N> {
-    fn follow(
-        line: &ContactLine<Self>,
-        rail: &RailOutline<Self>,
-        search: &ContactSearch,
-        found: &mut Models,
-        models: &mut Models<Self>,
-    ) -> bool {
-        moving_strips::follow(line, rail, search, found, models)
-    }
-}
+impl<const N: usize> MovingNumber for Dual<N> {}
+
+impl MovingNumber for Taped {}
 
 /// Why there is no derivative.
 pub type Kink = &'static str;
@@ -138,7 +122,7 @@ impl RailContact {
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
             strip_contact::solve(&line, rail, search, probes, found);
             output.normal_residual = output.normal_residual.at_least(found.normal_residual());
-            if !T::follow(&moving, &outline, search, found, models) {
+            if !moving_strips::follow(&moving, &outline, search, found, models) {
                 return Err(UNSETTLED);
             }
             let deepest = search.contacts.iter().try_fold(T::from(0.0), |deepest, contact| {

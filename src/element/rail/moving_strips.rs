@@ -9,9 +9,8 @@ use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::math::dual::Dual;
 use crate::math::real::Real;
-use crate::normal::least_energy::{LinePlace, OverlapLine};
+use crate::normal::least_energy::{LinePlace, OverlapLine, StripNumber};
 
 /// Overlap along the local normals of a line that moves: found by plain numbers, and moved from
 /// there.
@@ -106,12 +105,12 @@ const AT_END: f64 = 1e-6;
 
 /// Zones of one rail with derivatives, into `models.rail_strips`, from the last solution in
 /// `found`; false where the equations have none.
-pub fn follow<const N: usize>(
-    line: &ContactLine<Dual<N>>,
-    rail: &RailOutline<Dual<N>>,
+pub fn follow<T: StripNumber>(
+    line: &ContactLine<T>,
+    rail: &RailOutline<T>,
     search: &ContactSearch,
     found: &mut Models,
-    models: &mut Models<Dual<N>>,
+    models: &mut Models<T>,
 ) -> bool {
     let Some(solver) = &mut found.strip_solver else { return false };
     let value = line.value();

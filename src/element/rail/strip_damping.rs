@@ -47,7 +47,8 @@ impl<T: Real> StripDamping<'_, T> {
         tangent: [T; 2],
         overlap: T,
     ) -> T {
-        if coefficient == 0.0 {
+        // Backwards it may be the damping that counts.
+        if coefficient == 0.0 && !T::IS_BACKWARD {
             return T::from(1.0);
         }
         let [load, penetration] = self.whole;

@@ -58,7 +58,7 @@ calls! {
     SERIALIZE "fmi3SerializeFMUState" ALIVE;
     DESERIALIZE "fmi3DeserializeFMUState" ALIVE;
     DIRECTIONAL_DERIVATIVE "fmi3GetDirectionalDerivative" READABLE;
-    ADJOINT_DERIVATIVE "fmi3GetAdjointDerivative" ALIVE;
+    ADJOINT_DERIVATIVE "fmi3GetAdjointDerivative" READABLE;
     ENTER_CONFIGURATION_MODE "fmi3EnterConfigurationMode" ALIVE;
     EXIT_CONFIGURATION_MODE "fmi3ExitConfigurationMode" ALIVE;
     GET_INTERVAL_DECIMAL "fmi3GetIntervalDecimal" ALIVE;

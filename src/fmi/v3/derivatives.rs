@@ -38,21 +38,34 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     })
 }
 
-/// `fmi3GetAdjointDerivative`: not supported.
+/// `fmi3GetAdjointDerivative`: of arrays element by element.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi3GetAdjointDerivative(
+pub unsafe extern "C" fn fmi3GetAdjointDerivative(
     component: Component,
-    _unknowns: *const ValueReference,
-    _unknown_count: usize,
-    _knowns: *const ValueReference,
-    _known_count: usize,
-    _seed: *const f64,
-    _seed_count: usize,
-    _sensitivity: *mut f64,
-    _sensitivity_count: usize,
+    unknowns: *const ValueReference,
+    unknown_count: usize,
+    knowns: *const ValueReference,
+    known_count: usize,
+    seed: *const f64,
+    seed_count: usize,
+    sensitivity: *mut f64,
+    sensitivity_count: usize,
 ) -> Status {
-    guard(component, calls::ADJOINT_DERIVATIVE, |_, _| {
-        Err(FmiError::NotSupported("providesAdjointDerivatives"))
+    guard(component, calls::ADJOINT_DERIVATIVE, |instance, _| {
+        // SAFETY: FMI 3.0, 2.2.11: each array holds as many elements as the argument behind it
+        // says, and what is written overlaps with none.
+        let (unknowns, knowns, seed, sensitivity) = unsafe {
+            (
+                array("unknowns", unknowns, unknown_count)?,
+                array("knowns", knowns, known_count)?,
+                array("seed", seed, seed_count)?,
+                array_mut("sensitivity", sensitivity, sensitivity_count)?,
+            )
+        };
+        on_instance!(instance, |i| {
+            i.adjoint_derivative_of_arrays(unknowns, knowns, seed, sensitivity)?;
+        });
+        Ok(Status::Ok)
     })
 }
 

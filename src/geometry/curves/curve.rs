@@ -5,7 +5,8 @@
 //! parameter is close to arc length, which makes steep flanks and vertical faces as good as the
 //! tread.
 
-use crate::math::real::Real;
+use crate::math::real::{Cubic, Real};
+use crate::math::spline::{SplineEnd, interpolating_slopes};
 
 /// Point and tangent of a curve at one knot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +32,12 @@ pub struct CurvePoint<T = f64> {
 }
 
 impl<T: Real> CurvePoint<T> {
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn of([point, first, second]: [[T; 2]; 3]) -> Self {
+        Self { point, first, second }
+    }
+
     /// Curvature (y' z'' - z' y'')/|(y', z')|³: positive where the curve turns towards positive z,
     /// as a rail head does seen along growing y [1/m].
     #[must_use]
@@ -47,7 +54,7 @@ struct Piece {
     /// Where the next piece starts; not a number for the last one, so that no parameter is beyond
     /// it.
     next: f64,
-    coefficients: [[f64; 2]; 4],
+    coefficients: Cubic,
 }
 
 /// A plane curve of cubic pieces (y(s), z(s)) in a profile frame [m].
@@ -156,7 +163,7 @@ impl Curve {
     #[must_use]
     pub fn at<T: Real>(&self, s: T) -> CurvePoint<T> {
         let p = self.piece_at(s.value());
-        cubic(s - p.start, &p.coefficients)
+        CurvePoint::of(s.on_cubic(p.start, &p.coefficients, std::ptr::from_ref(p).addr()))
     }
 
     /// The pieces of several parameters [m]: see [`PieceLanes::at`].
@@ -178,6 +185,64 @@ impl Curve {
     /// Parameters at which the pieces meet, both ends included [m].
     pub fn knots(&self) -> impl Iterator<Item = f64> + '_ {
         self.pieces.iter().map(|p| p.start).chain(std::iter::once(self.end))
+    }
+
+    /// Unit normal of the curve at `s` to its `side`: 1 for (-z', y'), -1 for the other one.
+    #[must_use]
+    pub fn normal(&self, s: f64, side: f64) -> [f64; 2] {
+        let [y, z] = self.at(s).first;
+        let scale = side / y.hypot(z);
+        [-z * scale, y * scale]
+    }
+
+    /// The curve with its knots displaced along their normals to its `side`, as of
+    /// [`normal`](Self::normal), by `ways` [m], one for each, and its tangents by the slopes of the
+    /// natural cubic splines through these displacements.
+    ///
+    /// # Panics
+    /// With another number of ways.
+    #[must_use]
+    pub fn displaced(&self, ways: &[f64], side: f64) -> Self {
+        let parameters: Vec<f64> = self.knots().collect();
+        assert_eq!(parameters.len(), ways.len(), "one way for each knot");
+        let moved: Vec<[f64; 2]> = (parameters.iter().zip(ways))
+            .map(|(&s, way)| self.normal(s, side).map(|n| n * way))
+            .collect();
+        let slopes = [0, 1].map(|axis| {
+            let values: Vec<f64> = moved.iter().map(|moved| moved[axis]).collect();
+            interpolating_slopes(&parameters, &values, [SplineEnd::Natural; 2])
+        });
+        let knots: Vec<Knot> = (parameters.iter().enumerate())
+            .map(|(k, &s)| {
+                let CurvePoint { point, first, .. } = self.at(s);
+                let point = [0, 1].map(|axis| point[axis] + moved[k][axis]);
+                Knot { s, point, tangent: [0, 1].map(|axis| first[axis] + slopes[axis][k]) }
+            })
+            .collect();
+        Self::through(&knots)
+    }
+
+    /// Number of the piece at `s`, and how far behind its start that is [m].
+    #[must_use]
+    pub(in crate::geometry) fn place(&self, s: f64) -> (usize, f64) {
+        let piece = self.piece_at(s);
+        let number = self.number_at(std::ptr::from_ref(piece).addr()).unwrap_or(0);
+        (number, s - piece.start)
+    }
+
+    /// Number of the piece that lies at this address, if it is one of this curve.
+    #[must_use]
+    pub(crate) fn number_at(&self, address: usize) -> Option<usize> {
+        let from = self.pieces.as_ptr().addr();
+        let number = address.checked_sub(from)? / size_of::<Piece>();
+        (number < self.pieces.len()).then_some(number)
+    }
+
+    /// Length of piece `number` by its parameter [m].
+    #[must_use]
+    pub(in crate::geometry) fn piece_length(&self, number: usize) -> f64 {
+        let end = self.pieces.get(number + 1).map_or(self.end, |next| next.start);
+        end - self.pieces[number].start
     }
 
     /// First and last parameter of each piece [m].
@@ -203,21 +268,6 @@ impl Curve {
     }
 }
 
-/// Point and derivatives of a piece at `u` from its start.
-#[allow(clippy::inline_always)]
-#[inline(always)]
-fn cubic<T: Real>(u: T, [c0, c1, c2, c3]: &[[f64; 2]; 4]) -> CurvePoint<T> {
-    // Both coordinates at once: one vector instruction for the pair.
-    let zero = [T::from(0.0); 2];
-    let (mut point, mut first, mut second) = (zero, zero, zero);
-    for i in 0..2 {
-        point[i] = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
-        first[i] = u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i];
-        second[i] = u * (6.0 * c3[i]) + 2.0 * c2[i];
-    }
-    CurvePoint { point, first, second }
-}
-
 /// The pieces of several parameters, by columns: a loop over them is compiled to vector
 /// instructions.
 pub(in crate::geometry) struct PieceLanes<const N: usize> {
@@ -234,7 +284,7 @@ impl<const N: usize> PieceLanes<N> {
         for (own, lanes) in own.iter_mut().zip(&self.coefficients) {
             *own = [lanes[0][lane], lanes[1][lane]];
         }
-        cubic(s - self.start[lane], &own)
+        CurvePoint::of((s - self.start[lane]).cubic(&own))
     }
 }
 

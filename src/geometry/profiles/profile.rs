@@ -43,6 +43,25 @@ impl Profile {
         bounds
     }
 
+    /// Points (y, z) of the profile, by which its surface is displaced: those of its file but for
+    /// what was mended and smoothed, of formulas points that are as dense [m].
+    #[must_use]
+    pub fn points(&self) -> Vec<[f64; 2]> {
+        self.curve.knots().map(|s| self.curve.at(s).point).collect()
+    }
+
+    /// The profile with each of its [`points`](Self::points) displaced along the normal of the
+    /// surface, out of the body where the displacement is positive (wear is negative), and a smooth
+    /// surface in between: displacements are natural cubic splines along the profile [m].
+    ///
+    /// # Panics
+    /// With another number of displacements than points.
+    #[must_use]
+    pub fn displaced(&self, displacements: &[f64]) -> Self {
+        let curve = self.curve.displaced(displacements, self.kind.outside());
+        Self { curve, ..self.clone() }
+    }
+
     /// Parameter of the highest point (smallest z) of the profile, the first of several [m].
     #[must_use]
     pub fn highest(&self) -> f64 {

@@ -12,6 +12,18 @@ pub enum ProfileKind {
     Rail,
 }
 
+impl ProfileKind {
+    /// The side of the curve that is outside the body, as of
+    /// [`Curve::normal`](crate::geometry::curve::Curve::normal): a wheel lies above its profile, a
+    /// rail below it.
+    pub(crate) fn outside(self) -> f64 {
+        match self {
+            Self::Wheel => 1.0,
+            Self::Rail => -1.0,
+        }
+    }
+}
+
 impl fmt::Display for ProfileKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

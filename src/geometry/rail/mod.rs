@@ -3,5 +3,6 @@
 mod gauge_face;
 #[doc(hidden)]
 pub mod placed_rail;
+pub(crate) mod placement_slopes;
 pub(crate) mod rail_outline;
 pub(crate) mod varying_rail;

@@ -5,11 +5,12 @@ use crate::geometry::curves::curve::{Curve, Knot};
 pub use crate::geometry::curves::nearest_point::Nearest;
 use crate::geometry::curves::nearest_point::{CoarsePoints, nearest};
 use crate::geometry::profiles::profile::Profile;
-use crate::geometry::rail::gauge_face::gauge_face;
+use crate::geometry::rail::gauge_face::{GaugeFace, gauge_face};
 use crate::geometry::rail::varying_rail::{VaryingRail, WheelAbove};
 use crate::geometry::sections::slices::Slices;
 use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::wheel::contact_line::{ContactLine, WheelPose};
+use crate::leaves;
 use crate::math::real::Real;
 
 /// A rail profile turned by its inclination, with its highest point as origin.
@@ -19,16 +20,32 @@ pub struct PlacedRail {
     /// Marker in the track frame in design position (right side) [m].
     pub marker: [f64; 2],
     /// Sine and cosine of the inclination.
-    inclination: [f64; 2],
-    /// Highest point of the inclined profile, in the inclined profile frame [m].
-    top: [f64; 2],
+    pub(super) inclination: [f64; 2],
+    /// Highest point of the inclined profile, in the inclined profile frame, and its parameter there
+    /// [m].
+    pub(super) top: [f64; 2],
+    pub(super) top_s: f64,
+    /// Number among the rails of an element, from 0.
+    pub number: u32,
     /// 1, or -1 where the profile is turned left to right after it was inclined.
     hand: f64,
+    pub(super) stands: Stands,
     /// Greatest concave curvature of the head, ≥ 0 [1/m].
     pub concavity: f64,
     coarse: CoarsePoints,
     /// The surface of a rail whose section varies along the track.
     varying: Option<Box<VaryingRail>>,
+}
+
+/// What says where a rail stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Stands {
+    /// Its marker.
+    Marker,
+    /// The origin of its profile.
+    Origin,
+    /// Its gauge face.
+    Gauge(GaugeFace),
 }
 
 /// Why a rail cannot be placed.
@@ -50,8 +67,9 @@ impl PlacedRail {
         mirrored: bool,
     ) -> Result<Self, GaugeFaceMissing> {
         let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
-        let [face, top] = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
-        Ok(Self { marker: [0.5 * gauge - face, 0.0 - top], ..rail })
+        let face = gauge_face(&rail.curve, gauge_depth).ok_or(GaugeFaceMissing)?;
+        let [y, top] = face.place;
+        Ok(Self { marker: [0.5 * gauge - y, 0.0 - top], stands: Stands::Gauge(face), ..rail })
     }
 
     /// Places a rail with profile `curve`, leaned by `inclination` (the tangent) as a right rail
@@ -71,7 +89,7 @@ impl PlacedRail {
             })
             .collect();
         let leaned = Curve::through(&knots);
-        let top = highest_point(&leaned);
+        let (top, top_s) = highest_point(&leaned);
         for knot in &mut knots {
             knot.point = [knot.point[0] - top[0], knot.point[1] - top[1]];
         }
@@ -91,7 +109,10 @@ impl PlacedRail {
             marker,
             inclination: [sine, cosine],
             top,
+            top_s,
+            number: 0,
             hand,
+            stands: Stands::Marker,
             concavity,
             coarse,
             varying: None,
@@ -105,7 +126,8 @@ impl PlacedRail {
     pub fn at_origin(curve: &Curve, inclination: f64, origin: [f64; 2], mirrored: bool) -> Self {
         let rail = Self::at_marker(curve, inclination, [0.0; 2], mirrored);
         let [y, z] = rail.top;
-        Self { marker: [origin[0] + rail.hand * y, origin[1] + z], ..rail }
+        let marker = [origin[0] + rail.hand * y, origin[1] + z];
+        Self { marker, stands: Stands::Origin, ..rail }
     }
 
     /// 1, or -1 where the rail is turned left to right [-].
@@ -286,6 +308,13 @@ impl PlacedRail {
     #[must_use]
     pub fn profile_y_of<T: Real>(&self, [y, z]: [T; 2]) -> T {
         let [sine, cosine] = self.inclination;
+        if T::IS_BACKWARD {
+            let place = leaves::of_rail(self.number);
+            let constants = [sine, cosine, self.top[0], self.top[1]];
+            let [sine, cosine, top_y, top_z] =
+                [0, 1, 2, 3].map(|n| T::known(constants[n], place[n]));
+            return (y * self.hand + top_y) * cosine + (z + top_z) * sine;
+        }
         (y * self.hand + self.top[0]) * cosine + (z + self.top[1]) * sine
     }
 
@@ -310,15 +339,15 @@ impl PlacedRail {
     }
 }
 
-/// The point of least z, exact within its cubic piece.
-fn highest_point(curve: &Curve) -> [f64; 2] {
+/// The point of least z, exact within its cubic piece, and its parameter.
+fn highest_point(curve: &Curve) -> ([f64; 2], f64) {
     let knots: Vec<f64> = curve.knots().collect();
-    let mut best = curve.at(knots[0]).point;
+    let mut best = (curve.at(knots[0]).point, knots[0]);
     for pair in knots.windows(2) {
         let mut consider = |s: f64| {
             let p = curve.at(s).point;
-            if p[1] < best[1] {
-                best = p;
+            if p[1] < best.0[1] {
+                best = (p, s);
             }
         };
         consider(pair[1]);

@@ -7,19 +7,23 @@
 //! -H^-1 ∂G/∂p,   H the Hessian at the solution
 //! ```
 //!
+//! Backwards that is one solution with the factor of H for all that the problem depends on.
+//!
 //! Nodes have derivatives too: they move with the pose as they are laid. Curvatures, which lengths
 //! and pressures are read off with, are found anew from the unknowns as they move.
 
 use super::StripSolver;
+use super::factor::KeptFactor;
 use super::kernel::Kernel;
 use super::lattice::Lattice;
 use super::line::OverlapLine;
-use super::pairs::Hat;
+use super::pairs::{Hat, KeptPair};
 use super::shape::Knots;
 use super::zones::Zones;
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
+use crate::math::tape::{self, Taped};
 use crate::normal::Strips;
 
 /// Memory for derivatives of solutions.
@@ -34,6 +38,10 @@ pub struct StripFollower<T> {
     gradient: Gradient<T>,
     /// Right side of one direction: loads and χ.
     right: [FixedVec<f64>; 2],
+    /// Factors of all solutions since they were forgotten, for derivatives backwards, and how many
+    /// these are.
+    kept: Vec<KeptFactor>,
+    kept_count: usize,
 }
 
 /// The gradient of the energy, in numbers of any kind, and what it follows from.
@@ -46,6 +54,8 @@ struct Gradient<T> {
     by_square: FixedVec<T>,
     curvature: FixedVec<T>,
     by_shape: FixedVec<T>,
+    /// Pairs of loaded nodes, for derivatives backwards.
+    pairs: Vec<KeptPair>,
 }
 
 impl<T: Real> StripFollower<T> {
@@ -70,8 +80,11 @@ impl<T: Real> StripFollower<T> {
                 by_square: column(),
                 curvature: column(),
                 by_shape: FixedVec::new(knots),
+                pairs: Vec::new(),
             },
             right: [FixedVec::new(most), FixedVec::new(knots)],
+            kept: Vec::new(),
+            kept_count: 0,
         }
     }
 }
@@ -103,10 +116,17 @@ impl<T: Real> Gradient<T> {
             self.square.push(scales.least_square + smooth * rate);
         }
         let is_loaded = |i: &usize| load[*i] > 0.0;
+        let mut none = None;
+        let mut pair = 0;
         for j in (0..n).filter(is_loaded) {
             for i in (0..=j).filter(is_loaded) {
-                let [value, by_p, by_q] =
-                    hats[j].potential(&hats[i], kernel, [self.square[i], self.square[j]]);
+                if T::IS_BACKWARD && pair == self.pairs.len() {
+                    self.pairs.push(None);
+                }
+                let kept = self.pairs.get_mut(pair).unwrap_or(&mut none);
+                pair += 1;
+                let squares = [self.square[i], self.square[j]];
+                let [value, by_p, by_q] = hats[j].potential(&hats[i], kernel, squares, kept);
                 self.by_load[i] += value * load[j];
                 self.by_square[i] += by_p * load[j];
                 if i < j {
@@ -154,15 +174,77 @@ impl<T: Real> Gradient<T> {
     }
 }
 
-impl<const N: usize> StripFollower<Dual<N>> {
+/// Numbers in which solutions are followed.
+pub trait StripNumber: Real {
+    /// Moves loads and χ of `follower`, which have the values of the solution of `solver`, so that
+    /// its gradient stays zero.
+    fn move_unknowns(follower: &mut StripFollower<Self>, solver: &mut StripSolver);
+}
+
+impl<const N: usize> StripNumber for Dual<N> {
+    fn move_unknowns(follower: &mut StripFollower<Self>, solver: &mut StripSolver) {
+        let StripFollower { gradient, load, shape: knots, right, .. } = follower;
+        for direction in 0..N {
+            let slopes = |right: &mut FixedVec<f64>, gradient: &[Self]| {
+                right.clear();
+                right.extend(gradient.iter().map(|by| -by.slopes[direction]));
+            };
+            let [loads, shape] = right;
+            slopes(loads, &gradient.by_load);
+            slopes(shape, &gradient.by_shape);
+            solver.newton.solve_linear(loads, shape);
+            // Loads that are zero stay so.
+            let loaded = load.iter_mut().zip(loads.iter()).filter(|(load, _)| **load > 0.0);
+            for (unknown, step) in loaded.chain(knots.iter_mut().zip(shape.iter())) {
+                unknown.slopes[direction] = *step;
+            }
+        }
+    }
+}
+
+impl StripNumber for Taped {
+    fn move_unknowns(follower: &mut StripFollower<Self>, solver: &mut StripSolver) {
+        let StripFollower { gradient, load, shape, kept, kept_count, .. } = follower;
+        if kept.len() == *kept_count {
+            kept.push(KeptFactor::like(&solver.newton.factor));
+        }
+        let own = &mut kept[*kept_count];
+        *kept_count += 1;
+        solver.newton.keep(own);
+        let (loaded, knots) = own.unknowns();
+        let rights = loaded.iter().map(|&i| gradient.by_load[i]);
+        tape::unknowns(
+            rights.chain(gradient.by_shape.iter().copied()),
+            loaded.len() + knots,
+            |n, moving| match loaded.get(n) {
+                Some(&i) => moving.enter(&mut load[i]),
+                None => moving.enter(&mut shape[n - loaded.len()]),
+            },
+        );
+    }
+}
+
+impl StripFollower<Taped> {
+    /// Forgets the solutions that were followed.
+    pub fn forget(&mut self) {
+        self.kept_count = 0;
+    }
+
+    /// Solves with the factor of solution number `n` since they were forgotten, in place.
+    pub fn solve_kept(&mut self, n: usize, right: &mut [f64]) {
+        self.kept[n].solve(right);
+    }
+}
+
+impl<T: StripNumber> StripFollower<T> {
     /// Fills `strips` with the zones of the last solution of `solver` as they move with `line`;
     /// false where that was not one.
     pub fn follow(
         &mut self,
         solver: &mut StripSolver,
-        line: &mut impl OverlapLine<Dual<N>>,
+        line: &mut impl OverlapLine<T>,
         contact_modulus: f64,
-        strips: &mut Strips<Dual<N>>,
+        strips: &mut Strips<T>,
     ) -> bool {
         let count = solver.lattice.nodes.len();
         if count == 0 {
@@ -177,25 +259,12 @@ impl<const N: usize> StripFollower<Dual<N>> {
         self.knots.place(&self.lattice);
         let knots = &self.knots;
         self.load.clear();
-        self.load.extend(solver.newton.load.iter().map(|&load| Dual::from(load)));
+        self.load.extend(solver.newton.load.iter().map(|&load| T::from(load)));
         self.shape.clear();
-        self.shape.extend(solver.newton.system.shape.iter().map(|&shape| Dual::from(shape)));
+        self.shape.extend(solver.newton.system.shape.iter().map(|&shape| T::from(shape)));
+        self.gradient.pairs.clear();
         self.gradient.find(&self.lattice, &self.hats, knots, &self.load, &self.shape);
-        for direction in 0..N {
-            let slopes = |right: &mut FixedVec<f64>, gradient: &[Dual<N>]| {
-                right.clear();
-                right.extend(gradient.iter().map(|by| -by.slopes[direction]));
-            };
-            let [loads, shape] = &mut self.right;
-            slopes(loads, &self.gradient.by_load);
-            slopes(shape, &self.gradient.by_shape);
-            solver.newton.solve_linear(loads, shape);
-            // Loads that are zero stay so.
-            let loaded = self.load.iter_mut().zip(loads.iter()).filter(|(load, _)| **load > 0.0);
-            for (unknown, step) in loaded.chain(self.shape.iter_mut().zip(shape.iter())) {
-                unknown.slopes[direction] = *step;
-            }
-        }
+        T::move_unknowns(self, solver);
         // Curvatures move with the unknowns too.
         let (lattice, scales, knots) = (&self.lattice, &self.lattice.scales, &self.knots);
         self.gradient.sum_up(lattice, &self.hats, knots, &self.load, &self.shape);

@@ -1,6 +1,6 @@
 //! A symmetric matrix in factors L D Lᵀ, and what it takes to solve with it.
 
-use super::lanes::{FEW, Four, LANES, Lanes, Simd, by_blocks, first, first_mut, stride};
+use super::lanes::{FEW, Four, LANES, Lanes, Plain, Simd, by_blocks, first, first_mut, stride};
 use crate::math::fixed_vec::FixedVec;
 
 /// Least pivot over the diagonal: less is not taken for positive definite.
@@ -138,6 +138,17 @@ impl Factor {
         true
     }
 
+    /// Becomes the factors of `other`, which has the same room.
+    fn copy_from(&mut self, other: &Self) {
+        (self.first, self.blocks) = (other.first, other.blocks);
+        self.starts.clear();
+        self.starts.extend_from_slice(&other.starts);
+        let unknowns = self.starts.last().copied().unwrap_or(0);
+        let parts = 2 * unknowns * stride::<0>(self.blocks);
+        self.parts[..parts].copy_from_slice(&other.parts[..parts]);
+        self.inverse[..unknowns].copy_from_slice(&other.inverse[..unknowns]);
+    }
+
     /// Solves for one right side, in place.
     #[inline(always)]
     pub fn solve<S: Simd>(&mut self, simd: S, right: &mut [Lanes]) {
@@ -189,6 +200,68 @@ impl Factor {
             }
             right[0][lane % LANES] = solved[lane] - sum.sum();
         }
+    }
+}
+
+/// A factor of a solution that others have come after.
+#[derive(Clone, Debug)]
+pub(super) struct KeptFactor {
+    factor: Factor,
+    right: Vec<Lanes>,
+    /// Unknowns of the first kind, and the numbers of what those of the second kind that are free
+    /// stand for, with their rows.
+    first: usize,
+    free: FixedVec<usize>,
+    rows: FixedVec<usize>,
+}
+
+impl KeptFactor {
+    /// Room for the factors that `like` has room for.
+    pub fn like(like: &Factor) -> Self {
+        let most = like.inverse.len();
+        Self {
+            factor: like.clone(),
+            right: vec![[0.0; LANES]; like.free.len()],
+            first: 0,
+            free: FixedVec::new(most),
+            rows: FixedVec::new(most),
+        }
+    }
+
+    /// Keeps `factor`, which has `first` unknowns of the first kind; `second` are what the others
+    /// stand for, and whether they are free.
+    pub fn keep(
+        &mut self,
+        factor: &Factor,
+        first: usize,
+        second: impl Iterator<Item = (usize, bool)>,
+    ) {
+        self.factor.copy_from(factor);
+        self.first = first;
+        self.free.clear();
+        self.rows.clear();
+        for (k, (stands_for, _)) in second.enumerate().filter(|(_, (_, is_free))| *is_free) {
+            self.free.push(stands_for);
+            self.rows.push(factor.first * LANES + k);
+        }
+    }
+
+    /// What the free unknowns of the second kind stand for, and how many there are of the first.
+    pub fn unknowns(&self) -> (&[usize], usize) {
+        (&self.free, self.first)
+    }
+
+    /// Solves for one right side, in place: free unknowns of the second kind, then those of the
+    /// first.
+    pub fn solve(&mut self, right: &mut [f64]) {
+        let Self { factor, right: own, first, rows, .. } = self;
+        own.fill([0.0; LANES]);
+        let order = || rows.iter().copied().chain(0..*first);
+        let flat = own.as_flattened_mut();
+        order().zip(&*right).for_each(|(row, value)| flat[row] = *value);
+        factor.solve(Plain, own);
+        let flat = own.as_flattened();
+        order().zip(right).for_each(|(row, value)| *value = flat[row]);
     }
 }
 

@@ -40,7 +40,7 @@ mod shape;
 mod system;
 mod zones;
 
-pub use derivative::StripFollower;
+pub use derivative::{StripFollower, StripNumber};
 pub use line::{LinePlace, OverlapLine};
 
 use crate::geometry::contacts::separation::{Probe, Separation};

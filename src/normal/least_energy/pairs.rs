@@ -21,8 +21,9 @@ use super::kernel::{COEFFICIENTS, FIRST_PIECE, Kernel, ROW_PIECES, ROWS, SOFTNES
 use super::lanes::{Four, LANES, Lanes, Simd};
 use super::lattice::Lattice;
 use super::problem::Problem;
+use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
-use crate::math::real::Real;
+use crate::math::real::{Function, Real};
 
 /// Row of the table for pairs far apart.
 const FAR: usize = ROWS - 1;
@@ -80,21 +81,56 @@ impl<T: Real> Hat<T> {
     }
 
     /// Potential K of its strip and that of `other` with these squares of the half lengths, and
-    /// its derivatives by these.
-    pub fn potential(&self, other: &Self, kernel: &Kernel, squares: [T; 2]) -> [T; 3] {
+    /// its derivatives by these; what may have been `kept` is that of the same strips with the same
+    /// lengths.
+    pub fn potential(
+        &self,
+        other: &Self,
+        kernel: &Kernel,
+        squares: [T; 2],
+        kept: &mut KeptPair,
+    ) -> [T; 3] {
         let (away, shift) = (other.centre - self.centre, other.x - self.x);
         let place = other.place.value() - self.place.value();
         let variances = other.variance + self.variance;
-        let distance = (away * away).max(variances * CLOSEST);
-        let far = distance - variances;
-        let near = APART.into_iter().find(|apart| (apart[0] - place * place).abs() < 0.5);
-        let mut square = match place {
+        let near = match place {
             0.0 => self.own,
             1.0 => other.beside,
             -1.0 => self.beside,
-            _ => near.map_or(far, |[_, inverse]| far * inverse),
+            _ => T::from(0.0),
         };
-        let sum = squares[0] + squares[1];
+        let cosine = other.tangent[0] * self.tangent[0] + other.tangent[1] * self.tangent[1];
+        let numbers = [away, shift, variances, near, cosine, squares[0], squares[1]];
+        T::as_whole_again(numbers, &PairOf { kernel, place }, kept)
+    }
+}
+
+/// What was found of a pair of strips, for derivatives backwards.
+pub(super) type KeptPair = Option<[Dual<7>; 3]>;
+
+/// The potential of a pair of strips and its derivatives by the squares of their half lengths, as
+/// functions of the distance of their centroids, of how far one is ahead of the other, of the sum of
+/// their variances, of the square of the spacing where they are beside each other, of the cosine
+/// of the angle between their normals and of the squares of their half lengths.
+struct PairOf<'a> {
+    kernel: &'a Kernel,
+    /// How many places they are apart.
+    place: f64,
+}
+
+impl Function<7, 3> for PairOf<'_> {
+    fn at<T: Real>(&self, numbers: [T; 7]) -> [T; 3] {
+        let &Self { kernel, place } = self;
+        let [away, shift, variances, near, cosine, p, q] = numbers;
+        let distance = (away * away).max(variances * CLOSEST);
+        let far = distance - variances;
+        let mut square = if place.abs() < 1.5 {
+            near
+        } else {
+            let apart = APART.into_iter().find(|apart| (apart[0] - place * place).abs() < 0.5);
+            apart.map_or(far, |[_, inverse]| far * inverse)
+        };
+        let sum = p + q;
         let mut growth = None;
         if place != 0.0 && shift.value() != 0.0 {
             let own = Growth::new(shift * shift / distance, sum * 0.5 / distance);
@@ -102,13 +138,11 @@ impl<T: Real> Hat<T> {
             growth = Some(own);
         }
         let inverse = T::from(1.0) / square;
-        let cosine = other.tangent[0] * self.tangent[0] + other.tangent[1] * self.tangent[1];
         let row = FAR.min(place.abs() as usize);
-        let [value, by_p, by_q] =
-            kernel.value(row, squares, inverse * 0.5, inverse.sqrt() * cosine);
+        let [value, by_p, by_q] = kernel.value(row, [p, q], inverse * 0.5, inverse.sqrt() * cosine);
         let Some(Growth { rate, .. }) = growth else { return [value, by_p, by_q] };
         // K goes with the inverse of all lengths.
-        let by_distance = -(value * 0.5) - squares[0] * by_p - squares[1] * by_q;
+        let by_distance = -(value * 0.5) - p * by_p - q * by_q;
         let more = rate / sum * by_distance;
         [value, by_p + more, by_q + more]
     }

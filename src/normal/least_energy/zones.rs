@@ -32,8 +32,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::lattice::{Lattice, Node};
 use super::scales::Scales;
 use super::shape::Knots;
+use crate::leaves::CONTACT_MODULUS;
 use crate::math::fixed_vec::FixedVec;
-use crate::math::real::Real;
+use crate::math::real::{Function, Real};
 use crate::normal::{Strips, Zone};
 
 /// Share of the mean over hats in the load per width that lengths and pressures are taken from.
@@ -119,7 +120,8 @@ impl<T: Real> Zones<T> {
                 strips.width.push(nodes[i].width);
                 strips.x.push(nodes[i].x);
                 strips.half_length.push(half_length);
-                strips.pressure.push(self.load[i] / half_length * (2.0 / PI * contact_modulus));
+                let pressure = self.load[i] / half_length;
+                strips.pressure.push(pressure.scaled(2.0 / PI * contact_modulus, CONTACT_MODULUS));
                 strips.u.push(nodes[i].u);
             }
             strips.summarise(&mut zone);
@@ -128,7 +130,8 @@ impl<T: Real> Zones<T> {
             zone.width = edges[1] - edges[0];
             zone.beyond = [nodes[begin].y - edges[0], edges[1] - nodes[end - 1].y];
             zone.length = self.length(nodes, begin, end, edges);
-            zone.max_pressure = self.max_pressure(nodes, begin, end, edges) * contact_modulus;
+            let max_pressure = self.max_pressure(nodes, begin, end, edges);
+            zone.max_pressure = max_pressure.scaled(contact_modulus, CONTACT_MODULUS);
             zone.area = self.area(nodes, begin, end, edges);
             strips.zones.push(zone);
         }
@@ -324,10 +327,22 @@ fn slopes<T: Real>(points: &[[T; 2]], k: usize) -> [T; 2] {
 
 /// Value of the curve at `x` between points `k` and `k` + 1, where it has these slopes.
 fn curve<T: Real>(points: &[[T; 2]], k: usize, [left, right]: [T; 2], x: T) -> T {
-    let h = points[k + 1][0] - points[k][0];
-    let t = (x - points[k][0]) / h;
-    let rest = -t + 1.0;
-    points[k][1] * (t * 2.0 + 1.0) * rest * rest
-        + points[k + 1][1] * t * t * (-(t * 2.0) + 3.0)
-        + h * t * rest * (left * rest - right * t)
+    let [[from, a], [to, b]] = [points[k], points[k + 1]];
+    let [found] = T::as_whole([from, a, to, b, left, right, x], &Curve);
+    found
+}
+
+/// The curve between two points with these slopes there, at a place.
+struct Curve;
+
+impl Function<7, 1> for Curve {
+    #[inline]
+    fn at<T: Real>(&self, [from, a, to, b, left, right, x]: [T; 7]) -> [T; 1] {
+        let h = to - from;
+        let t = (x - from) / h;
+        let rest = -t + 1.0;
+        [a * (t * 2.0 + 1.0) * rest * rest
+            + b * t * t * (-(t * 2.0) + 3.0)
+            + h * t * rest * (left * rest - right * t)]
+    }
 }

@@ -10,6 +10,7 @@ use super::state::{Resultant, Strip};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 use crate::tangential::boundary_element::LoadedElements;
 use crate::tangential::creep_number::CreepNumber;
 use crate::tangential::equivalent_ellipse::{EquivalentEllipse, LoadedPart};
@@ -26,6 +27,8 @@ use crate::tangential::zone_model::RollingZone;
 pub struct Memory {
     pub(super) plain: Solver,
     pub(super) moving: Solver<Dual<DIRECTIONS>>,
+    /// For derivatives backwards, once they have been asked for.
+    taped: Option<Box<Solver<Taped>>>,
 }
 
 /// The model, with memory that one contact at a time has; another one that comes while it is in use
@@ -47,7 +50,8 @@ impl CoupledMarches {
     /// For zones of up to `strips` strips; larger ones allocate.
     #[must_use]
     pub fn new(strips: usize) -> Self {
-        let memory = Memory { plain: Solver::new(strips), moving: Solver::new(strips) };
+        let memory =
+            Memory { plain: Solver::new(strips), moving: Solver::new(strips), taped: None };
         Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
     }
 
@@ -116,6 +120,23 @@ impl<const N: usize> MarchNumber for Dual<N> {
                 slip_share: if start == 0 { resultant.slip_share } else { 0.0 },
             }));
         }
+    }
+}
+
+impl MarchNumber for Taped {
+    fn march_strips(
+        memory: &mut Memory,
+        strips: impl Iterator<Item = Strip<Self>> + Clone,
+        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
+        poisson_ratio: f64,
+        differences: &Differences,
+        mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
+    ) {
+        let most = memory.plain.most_strips();
+        let solver = memory.taped.get_or_insert_with(|| Box::new(Solver::new(most)));
+        solver.take(strips);
+        solver.solve_zones(poisson_ratio, zones, differences);
+        each(&mut solver.resultants().copied());
     }
 }
 

@@ -39,6 +39,11 @@ impl<T: Real> Solver<T> {
         Self { states: FixedVec::new(strips), pairs, zones: Zones::new() }
     }
 
+    /// Strips that there is room for.
+    pub fn most_strips(&self) -> usize {
+        self.states.capacity()
+    }
+
     /// Takes the strips of the next solution, zone by zone in the order of their places.
     pub fn take(&mut self, strips: impl Iterator<Item = Strip<T>>) {
         self.zones.clear();

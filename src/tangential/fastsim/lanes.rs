@@ -5,6 +5,7 @@ use multiversion::multiversion;
 
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 
 /// Strips that are marched through together, that is integrated along from their leading edges.
 pub const LANES: usize = 32;
@@ -83,6 +84,43 @@ impl<const N: usize> Marching for Dual<N> {
                 }
             }
             number
+        };
+        Sums {
+            x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),
+            y: std::array::from_fn(|lane| moving(sums.y[lane], &slopes[1], lane)),
+            y_abscissa: std::array::from_fn(|lane| moving(sums.y_abscissa[lane], &slopes[2], lane)),
+            slipping: sums.slipping,
+        }
+    }
+}
+
+impl Marching for Taped {
+    /// As with dual numbers; lanes behind the last one are idle.
+    fn march(
+        input: &LaneInput<Self>,
+        lanes: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<Self> {
+        let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
+        let values = LaneInput {
+            step_x: value(&input.step_x),
+            step_y: value(&input.step_y),
+            step_y_per_abscissa: value(&input.step_y_per_abscissa),
+            bound: value(&input.bound),
+        };
+        let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
+        let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
+            if lane >= lanes {
+                return Self::from(sum);
+            }
+            let own = [
+                &input.step_x[lane],
+                &input.step_y[lane],
+                &input.step_y_per_abscissa[lane],
+                &input.bound[lane],
+            ];
+            Self::combined(sum, own.into_iter().zip(slopes.iter().map(|slopes| slopes[lane])))
         };
         Sums {
             x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),

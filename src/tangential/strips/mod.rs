@@ -24,6 +24,7 @@ mod scratch;
 mod sizes;
 mod solver;
 mod span;
+mod taped;
 
 pub use newton::Settled;
 pub use points::MAX_POINTS;

@@ -68,7 +68,7 @@ impl TractionStrips {
     }
 
     /// Moves the tractions with the layout.
-    fn follow(&mut self, poisson_ratio: f64, shear_modulus: One) {
+    pub(super) fn follow(&mut self, poisson_ratio: f64, shear_modulus: One) {
         let Self { points, layout, influence, newton, moving, .. } = self;
         let nodes = &moving.layout.nodes;
         moving.influence.fill(nodes, points, poisson_ratio);

@@ -4,6 +4,7 @@ use super::ellipse_force::{EllipseForce, ForceSlopes};
 use super::scales::Scales;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
+use crate::math::tape::Taped;
 
 /// Forces of ellipses by their creepages.
 pub trait ForceTable {
@@ -44,20 +45,41 @@ impl<const N: usize> Tabulated for Dual<N> {
         poisson_ratio: f64,
         v: [Self; 3],
     ) -> EllipseForce<Self> {
-        let scales = Scales::of(log_ratio.value, poisson_ratio);
-        let (found, slopes) = table.force_and_slopes(&scales, v.map(Self::value));
-        let with_slopes = |value: f64, by: &[f64; 4]| {
-            let moved = v[0] * by[0] + v[1] * by[1] + v[2] * by[2] + log_ratio * by[3];
-            Self::moving(value, moved)
-        };
-        let [x, y, moment] = found.force;
-        EllipseForce {
-            force: [
-                with_slopes(x, &slopes[0]),
-                with_slopes(y, &slopes[1]),
-                with_slopes(moment, &slopes[2]),
-            ],
-            slip_share: with_slopes(found.slip_share, &slopes[3]),
-        }
+        with_slopes(table, log_ratio, poisson_ratio, v)
+    }
+}
+
+impl Tabulated for Taped {
+    fn tabulated(
+        table: &impl ForceTable,
+        log_ratio: Self,
+        poisson_ratio: f64,
+        v: [Self; 3],
+    ) -> EllipseForce<Self> {
+        with_slopes(table, log_ratio, poisson_ratio, v)
+    }
+}
+
+/// What a table tells, moved along its slopes.
+fn with_slopes<T: Real>(
+    table: &impl ForceTable,
+    log_ratio: T,
+    poisson_ratio: f64,
+    v: [T; 3],
+) -> EllipseForce<T> {
+    let scales = Scales::of(log_ratio.value(), poisson_ratio);
+    let (found, slopes) = table.force_and_slopes(&scales, v.map(T::value));
+    let with_slopes = |value: f64, by: &[f64; 4]| {
+        let moved = v[0] * by[0] + v[1] * by[1] + v[2] * by[2] + log_ratio * by[3];
+        T::moving(value, moved)
+    };
+    let [x, y, moment] = found.force;
+    EllipseForce {
+        force: [
+            with_slopes(x, &slopes[0]),
+            with_slopes(y, &slopes[1]),
+            with_slopes(moment, &slopes[2]),
+        ],
+        slip_share: with_slopes(found.slip_share, &slopes[3]),
     }
 }

@@ -242,20 +242,6 @@ fn what_the_unit_has_none_of_is_refused_with_the_reason() {
         fmi3GetOutputDerivatives(c, &raw const y, 1, &raw const order, &raw mut number, 1),
         "maxOutputDerivativeOrder",
     );
-    says(
-        fmi3GetAdjointDerivative(
-            c,
-            &raw const y,
-            1,
-            &raw const y,
-            1,
-            &raw const number,
-            1,
-            &raw mut number,
-            1,
-        ),
-        "providesAdjointDerivatives",
-    );
     // SAFETY: FMI 3.0, 2.2.6: arrays of one element or none.
     unsafe {
         let (mut short, mut byte, mut size, mut binary) = (0f32, 0i8, 0, null());

@@ -2,6 +2,7 @@
 //! give.
 #![allow(unsafe_code)]
 
+mod adjoint;
 mod any_order;
 mod arrays;
 mod derivatives;

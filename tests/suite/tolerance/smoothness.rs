@@ -72,6 +72,15 @@ super::entry::tolerances! {
     /// unit and input, random poses, by model: rounding of the differences.
     DERIVATIVES: f64 = 1e-6;
 
+    /// Derivatives backwards by the inputs against those forwards, both of a weighted sum of all
+    /// outputs, over the greatest that any input does over a usual range: rounding of some 1e5
+    /// operations.
+    BACKWARDS: f64 = 1e-9;
+
+    /// Derivatives backwards by parameters and by displacements of the profiles against central
+    /// differences, over the greatest that any of them does: rounding of the differences.
+    BACKWARDS_DIFFERENCES: f64 = 1e-6;
+
     /// Work around a frictionless closed loop as wide as a patch is long over the energy stored,
     /// median and worst: the nodes of strips stand otherwise in every place.
     LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2], target [1e-4, 1e-4];

@@ -70,3 +70,67 @@ fn add<T: Real, const SKEWED: bool>(
         }
     }
 }
+
+/// [`sums`] as numbers that derivatives go back from: these are known as a whole.
+pub(super) fn sums_backward<T: Real>(
+    shares: &[T; PLACES],
+    others: &[T; PLACES],
+) -> [[T; PLACES]; 5] {
+    let values = shares.map(T::value);
+    let own_others = others.map(T::value);
+    let sums = sums::<f64, true>(&values, &own_others);
+    let mut moving = [[T::from(0.0); PLACES]; 5];
+    for place in 0..PLACES {
+        let (by_share, by_other) = slopes_at(place, &values, &own_others);
+        for (sum, moving) in moving.iter_mut().enumerate() {
+            let operands = shares.iter().zip(by_share[sum]);
+            let more = sum.checked_sub(3).map(|n| others.iter().zip(by_other[n]));
+            moving[place] =
+                T::combined(sums[sum][place], operands.chain(more.into_iter().flatten()));
+        }
+    }
+    moving
+}
+
+/// Derivatives of the five sums of a `place` by all shares, and of the last two by all others.
+fn slopes_at(
+    place: usize,
+    shares: &[f64; PLACES],
+    others: &[f64; PLACES],
+) -> ([[f64; PLACES]; 5], [[f64; PLACES]; 2]) {
+    let (mut by_share, mut by_other) = ([[0.0; PLACES]; 5], [[0.0; PLACES]; 2]);
+    let mut add = |least: usize, k: usize| {
+        let (share, other) = (shares[k], others[k]);
+        let none = f64::MIN_POSITIVE;
+        let lower = if shares[place] <= share { place } else { k };
+        let dip = (shares[least] + none) / (shares[lower] + none);
+        let power = (dip * dip) * (dip * dip);
+        let weight = power * power;
+        let square = share * share;
+        let terms = [share, square, square * share, square * other, square * other * other];
+        let rates =
+            [1.0, 2.0 * share, 3.0 * square, 2.0 * share * other, 2.0 * share * other * other];
+        for sum in 0..5 {
+            by_share[sum][k] += weight * rates[sum];
+            // Where there is no share, it does not move.
+            for (of, sign) in [(least, 8.0), (lower, -8.0)] {
+                if least != lower && shares[of] > 0.0 {
+                    by_share[sum][of] += sign * weight * terms[sum] / shares[of];
+                }
+            }
+        }
+        by_other[0][k] += weight * square;
+        by_other[1][k] += weight * square * 2.0 * other;
+    };
+    let mut least = place;
+    for k in place..PLACES {
+        least = if shares[least] <= shares[k] { least } else { k };
+        add(least, k);
+    }
+    least = place;
+    for k in (0..place).rev() {
+        least = if shares[least] <= shares[k] { least } else { k };
+        add(least, k);
+    }
+    (by_share, by_other)
+}

@@ -6,7 +6,7 @@ use super::super::overlap::End;
 use super::Lattice;
 use super::lobes;
 use super::measure::Station;
-use crate::math::real::Real;
+use crate::math::real::{Function, Real};
 
 /// Steps in each interval in which the overlap is taken at first, and how often one is halved at
 /// most: a millimetre of a rail down to a hundredth of it.
@@ -35,31 +35,73 @@ pub(super) struct Sample<T> {
 
 /// Value and both integrals of the cubic between two samples at the share `t` of the way.
 fn cubic<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> [T; 3] {
-    let h = b.at.y - a.at.y;
-    let (rise, [d0, d1]) = (b.at.overlap - a.at.overlap, [a.slope[1] * h, b.slope[0] * h]);
-    let (c0, c1, c2, c3) = (a.at.overlap, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
-    let value = c0 + t * (c1 + t * (c2 + t * c3));
-    let first = t * (c0 + t * (c1 * 0.5 + t * (c2 * (1.0 / 3.0) + t * c3 * 0.25)));
-    let second =
-        t * t * (c0 * 0.5 + t * (c1 * (1.0 / 6.0) + t * (c2 * (1.0 / 12.0) + t * c3 * 0.05)));
-    let [one, two] = a.integrals;
-    [value, one + h * first, two + h * (t * one + h * second)]
+    let ([one, two], overlaps) = (a.integrals, [a.at.overlap, b.at.overlap]);
+    let numbers = [a.at.y, b.at.y, overlaps[0], overlaps[1], a.slope[1], b.slope[0], one, two, t];
+    T::as_whole(numbers, &Between)
+}
+
+/// What holds between two samples as a function of both, of which each begins with its place across.
+struct Between;
+
+impl Function<9, 3> for Between {
+    #[inline]
+    fn at<T: Real>(&self, [from, to, a, b, a_slope, b_slope, one, two, t]: [T; 9]) -> [T; 3] {
+        let h = to - from;
+        let (rise, [d0, d1]) = (b - a, [a_slope * h, b_slope * h]);
+        let (c0, c1, c2, c3) = (a, d0, rise * 3.0 - d0 * 2.0 - d1, d0 + d1 - rise * 2.0);
+        let value = c0 + t * (c1 + t * (c2 + t * c3));
+        let first = t * (c0 + t * (c1 * 0.5 + t * (c2 * (1.0 / 3.0) + t * c3 * 0.25)));
+        let second =
+            t * t * (c0 * 0.5 + t * (c1 * (1.0 / 6.0) + t * (c2 * (1.0 / 12.0) + t * c3 * 0.05)));
+        [value, one + h * first, two + h * (t * one + h * second)]
+    }
+}
+
+/// The parameter and its rate, and the slope of the overlap, between two samples.
+struct Along;
+
+impl Function<9, 3> for Along {
+    #[inline]
+    fn at<T: Real>(&self, [h, rise, from, a_rate, b_rate, secant, a, b, t]: [T; 9]) -> [T; 3] {
+        let rates = [a_rate * h, b_rate * h];
+        let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
+        let turn = rates[0] + rates[1] - rise * 2.0;
+        let u = from + t * (rates[0] + t * (bend + t * turn));
+        let rate = (rates[0] + t * (bend * 2.0 + t * turn * 3.0)) / h;
+        let slope = a + t * (secant * 6.0 - a * 4.0 - b * 2.0 + t * ((a + b - secant * 2.0) * 3.0));
+        [u, rate, slope]
+    }
+}
+
+/// The value without derivatives.
+fn value<T: Real>(sample: &Sample<T>) -> Sample<f64> {
+    let &Sample { at, interval, slope, rate, integrals } = sample;
+    let LinePlace { u, y, dy, overlap, overlap_slope, x, tangent } = at;
+    Sample {
+        at: LinePlace {
+            u: u.value(),
+            y: y.value(),
+            dy: dy.value(),
+            overlap: overlap.value(),
+            overlap_slope: overlap_slope.value(),
+            x: x.value(),
+            tangent: tangent.map(T::value),
+        },
+        interval,
+        slope: slope.map(T::value),
+        rate: rate.map(T::value),
+        integrals: integrals.map(T::value),
+    }
 }
 
 /// What two samples say of the place at the share `t` of the way: overlap and parameter of the line
 /// are cubics.
 pub(super) fn between<T: Real>(a: &Sample<T>, b: &Sample<T>, t: T) -> Sample<T> {
     let (h, rise) = (b.at.y - a.at.y, b.at.u - a.at.u);
-    let rates = [a.rate[1] * h, b.rate[0] * h];
-    let bend = rise * 3.0 - rates[0] * 2.0 - rates[1];
-    let turn = rates[0] + rates[1] - rise * 2.0;
-    let u = a.at.u + t * (rates[0] + t * (bend + t * turn));
-    let rate = (rates[0] + t * (bend * 2.0 + t * turn * 3.0)) / h;
     let [overlap, one, two] = cubic(a, b, t);
     let secant = (b.at.overlap - a.at.overlap) / h;
-    let [from, to] = [a.slope[1], b.slope[0]];
-    let slope =
-        from + t * (secant * 6.0 - from * 4.0 - to * 2.0 + t * ((from + to - secant * 2.0) * 3.0));
+    let numbers = [h, rise, a.at.u, a.rate[1], b.rate[0], secant, a.slope[1], b.slope[0], t];
+    let [u, rate, slope] = T::as_whole(numbers, &Along);
     let mix = |a: T, b: T| a + (b - a) * t;
     let (x, y) = (mix(a.at.x, b.at.x), mix(a.at.y, b.at.y));
     let tangent = [0, 1].map(|axis| mix(a.at.tangent[axis], b.at.tangent[axis]));
@@ -168,6 +210,14 @@ impl<T: Real> Lattice<T> {
         let from = self.samples[self.samples.len() - 1];
         let found = take((from.at.u + to.at.u) * 0.5, false);
         let h = to.at.y - from.at.y;
+        if T::IS_BACKWARD && weight >= 1.0 {
+            let steps = [most, halvings].map(T::value);
+            if let Some(middle) = self.settled([&from, &found, &to], steps) {
+                self.push(middle);
+                self.push(to);
+                return;
+            }
+        }
         let expected = between(&from, &to, (found.at.y - from.at.y) / h);
         let middle = expected.towards(&found, weight);
         let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
@@ -182,6 +232,31 @@ impl<T: Real> Lattice<T> {
             self.push(middle);
             self.push(to);
         }
+    }
+
+    /// The middle of a step that is not halved in [`go_to`](Self::go_to) and where all that was
+    /// `found` counts: it moves like that.
+    fn settled(&self, step: [&Sample<T>; 3], [most, halvings]: [f64; 2]) -> Option<Sample<T>> {
+        let [from, found, to] = step.map(value);
+        let h = to.at.y - from.at.y;
+        let expected = between(&from, &to, (found.at.y - from.at.y) / h);
+        let error = (expected.at.overlap - found.at.overlap).abs() * h / most - 1.0;
+        let has_room = self.samples.len() + 2 * STEPS < self.samples.capacity();
+        if error > 0.0 && halvings > 0.0 && has_room {
+            return None;
+        }
+        // To the last digit that of plain numbers.
+        let Sample { at, slope, rate, .. } = expected.towards(&found, 1.0);
+        let own = step[1];
+        let both = |values: [f64; 2], own: [T; 2]| [0, 1].map(|i| T::moving(values[i], own[i]));
+        let at = LinePlace {
+            u: T::moving(at.u, own.at.u),
+            overlap: T::moving(at.overlap, own.at.overlap),
+            x: T::moving(at.x, own.at.x),
+            tangent: both(at.tangent, own.at.tangent),
+            ..own.at
+        };
+        Some(Sample { at, slope: both(slope, own.slope), rate: both(rate, own.rate), ..*own })
     }
 
     /// Adds a sample with the integrals up to it. Where the line folds, what lies behind is passed

@@ -12,7 +12,7 @@ mod short_steps;
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::V3;
 
-use super::factor::Factor;
+use super::factor::{Factor, KeptFactor};
 use super::kernel::{Kernel, Table};
 use super::lanes::{FEW, LANES, Lanes, Plain, Simd, by_blocks};
 use super::lattice::Lattice;
@@ -57,7 +57,7 @@ pub(super) struct Newton {
     pub load: FixedVec<f64>,
     /// Curvature of the displacement along each node that carries load, over that of the wheel [-].
     pub curvature: FixedVec<f64>,
-    factor: Factor,
+    pub factor: Factor,
     /// Whether nodes that are left out would stay without load.
     is_checked: bool,
     /// The step of χ and the loads, four by four.
@@ -166,6 +166,13 @@ impl Newton {
     /// knots; loads that are zero stay as they are.
     pub fn solve_linear(&mut self, loads: &mut [f64], shape: &mut [f64]) {
         with_simd!(self.solve_linear_with(loads, shape));
+    }
+
+    /// Keeps what was factorised, whose unknowns are the loads that are not zero and χ.
+    pub fn keep(&self, kept: &mut KeptFactor) {
+        let Self { system, factor, load, .. } = self;
+        let loads = system.nodes.iter().map(|&i| (i, load[i] > 0.0));
+        kept.keep(factor, system.shape.len(), loads);
     }
 
     /// Solves with what was factorised for what is in `step`.

@@ -1,0 +1,277 @@
+//! A number on the tape.
+
+use std::cmp::Ordering;
+
+use super::{Entry, Look, TAPE, Tape};
+use crate::math::dual::Dual;
+use crate::math::logarithm;
+use crate::math::real::{Cubic, Function, Leaf, Real};
+
+/// A value with its place on the tape of the thread.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Taped {
+    /// Value.
+    pub value: f64,
+    /// 0 for constants.
+    pub(super) place: u32,
+}
+
+impl Taped {
+    /// The variable with the value `value` by which derivatives are found under `leaf`.
+    #[must_use]
+    pub fn leaf(value: f64, leaf: Leaf) -> Self {
+        Self { value, place: leaf.0 }
+    }
+
+    /// A function of it with this value and derivative.
+    #[inline]
+    pub(super) fn by(self, value: f64, slope: f64) -> Self {
+        if self.place == 0 {
+            return Self { value, place: 0 };
+        }
+        Self { value, place: enter([self.place, 0], [slope, 0.0]) }
+    }
+
+    /// A function of two numbers with this value and these derivatives.
+    #[inline]
+    pub(super) fn by_two(a: Self, b: Self, value: f64, by_a: f64, by_b: f64) -> Self {
+        if a.place == 0 {
+            return b.by(value, by_b);
+        }
+        if b.place == 0 {
+            return a.by(value, by_a);
+        }
+        Self { value, place: enter([a.place, b.place], [by_a, by_b]) }
+    }
+}
+
+// Out of line: it is everywhere.
+#[inline(never)]
+fn enter(places: [u32; 2], slopes: [f64; 2]) -> u32 {
+    TAPE.with_borrow_mut(|tape| tape.enter(Entry { places, slopes }))
+}
+
+impl From<f64> for Taped {
+    #[inline]
+    fn from(value: f64) -> Self {
+        Self { value, place: 0 }
+    }
+}
+
+impl PartialEq for Taped {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.value.eq(&other.value)
+    }
+}
+
+impl PartialEq<f64> for Taped {
+    #[inline]
+    fn eq(&self, other: &f64) -> bool {
+        self.value.eq(other)
+    }
+}
+
+impl PartialOrd for Taped {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl PartialOrd<f64> for Taped {
+    #[inline]
+    fn partial_cmp(&self, other: &f64) -> Option<Ordering> {
+        self.value.partial_cmp(other)
+    }
+}
+
+impl Real for Taped {
+    const HAS_SLOPES: bool = true;
+    const IS_BACKWARD: bool = true;
+
+    #[inline]
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    #[inline]
+    fn moving(value: f64, rates: Self) -> Self {
+        Self { value, ..rates }
+    }
+
+    fn combined<'a>(value: f64, operands: impl Iterator<Item = (&'a Self, f64)>) -> Self {
+        let place = TAPE.with_borrow_mut(|tape| tape.enter_many(operands));
+        Self { value, place }
+    }
+
+    #[inline]
+    fn chain(self, value: f64, slope: impl FnOnce() -> f64) -> Self {
+        if self.place == 0 { Self::from(value) } else { self.by(value, slope()) }
+    }
+
+    fn times(self, constant: f64, leaf: Leaf) -> Self {
+        self * Self::leaf(constant, leaf)
+    }
+
+    fn scaled(self, multiple: f64, leaf: Leaf) -> Self {
+        let value = self.value * multiple;
+        Self::by_two(self, Self::leaf(multiple, leaf), value, multiple, value)
+    }
+
+    #[inline]
+    fn known(value: f64, leaf: Leaf) -> Self {
+        Self::leaf(value, leaf)
+    }
+
+    fn on_cubic(self, start: f64, coefficients: &Cubic, piece: usize) -> [[Self; 2]; 3] {
+        let [c0, c1, c2, c3] = coefficients;
+        let u = self.value - start;
+        let mut found = [[Self::default(); 2]; 3];
+        TAPE.with_borrow_mut(|tape| {
+            let first = tape.entries.len() as u32;
+            tape.looks.push(Look { piece, distance: u, first });
+            let enter = |tape: &mut Tape, value, slope| {
+                let entry = Entry { places: [self.place, 0], slopes: [slope, 0.0] };
+                Self { value, place: tape.enter(entry) }
+            };
+            let first = [0, 1].map(|i| u * (u * (3.0 * c3[i]) + 2.0 * c2[i]) + c1[i]);
+            let second = [0, 1].map(|i| u * (6.0 * c3[i]) + 2.0 * c2[i]);
+            found[0] = [0, 1].map(|i| {
+                let value = u * (u * (u * c3[i] + c2[i]) + c1[i]) + c0[i];
+                enter(tape, value, first[i])
+            });
+            found[1] = [0, 1].map(|i| enter(tape, first[i], second[i]));
+            found[2] = [0, 1].map(|i| enter(tape, second[i], 6.0 * c3[i]));
+        });
+        found
+    }
+
+    fn as_whole<const K: usize, const M: usize>(
+        numbers: [Self; K],
+        function: &impl Function<K, M>,
+    ) -> [Self; M] {
+        Self::as_whole_again(numbers, function, &mut None)
+    }
+
+    fn as_whole_again<const K: usize, const M: usize>(
+        numbers: [Self; K],
+        function: &impl Function<K, M>,
+        kept: &mut Option<[Dual<K>; M]>,
+    ) -> [Self; M] {
+        let found = kept.get_or_insert_with(|| {
+            function.at(std::array::from_fn(|k| Dual::variable(numbers[k].value, k)))
+        });
+        found.map(|found| Self::combined(found.value, numbers.iter().zip(found.slopes)))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        if root == 0.0 { Self::from(0.0) } else { self.by(root, 0.5 / root) }
+    }
+
+    #[inline]
+    fn powi(self, power: i32) -> Self {
+        self.by(self.value.powi(power), f64::from(power) * self.value.powi(power - 1))
+    }
+
+    #[inline]
+    fn three_halves(self) -> Self {
+        self.by(self.value.powf(1.5), 1.5 * self.value.sqrt())
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.by(self.value.ln(), 1.0 / self.value)
+    }
+
+    #[inline]
+    fn normal_ln(self) -> Self {
+        self.by(logarithm::ln(self.value), 1.0 / self.value)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.by(value, value)
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sine, cosine) = self.value.sin_cos();
+        (self.by(sine, cosine), self.by(cosine, -sine))
+    }
+
+    #[inline]
+    fn asin(self) -> Self {
+        let rest = 1.0 - self.value * self.value;
+        let slope = if rest > 0.0 { 1.0 / rest.sqrt() } else { 0.0 };
+        self.by(self.value.asin(), slope)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        let square = self.value * self.value + x.value * x.value;
+        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
+        let (by_y, by_x) = (x.value * inverse, -self.value * inverse);
+        Self::by_two(self, x, self.value.atan2(x.value), by_y, by_x)
+    }
+
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        let length = self.value.hypot(other.value);
+        if length == 0.0 {
+            return Self::from(0.0);
+        }
+        let (by_self, by_other) = (self.value / length, other.value / length);
+        Self::by_two(self, other, length, by_self, by_other)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        if self.value.is_sign_positive() { self } else { -self }
+    }
+
+    #[inline]
+    fn signum(self) -> f64 {
+        self.value.signum()
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self.value >= other.value || other.value.is_nan() { self } else { other }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self.value <= other.value || other.value.is_nan() { self } else { other }
+    }
+
+    #[inline]
+    fn at_least(self, least: f64) -> Self {
+        if self.value >= least { self } else { Self::from(least) }
+    }
+
+    #[inline]
+    fn at_most(self, most: f64) -> Self {
+        if self.value <= most { self } else { Self::from(most) }
+    }
+
+    #[inline]
+    fn within(self, least: f64, most: f64) -> Self {
+        if self.value < least {
+            Self::from(least)
+        } else if self.value > most {
+            Self::from(most)
+        } else {
+            self
+        }
+    }
+
+    #[inline]
+    fn copysign(self, sign: f64) -> Self {
+        let value = self.value.copysign(sign);
+        if value.is_sign_positive() == self.value.is_sign_positive() { self } else { -self }
+    }
+}
