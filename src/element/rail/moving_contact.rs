@@ -5,6 +5,7 @@ use super::moving_strips;
 use super::rail_contact::RailContact;
 use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use super::strip_damping::StripDamping;
+use super::taken_zone::TakenZone;
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds, relative_motion};
 use crate::element::contact::models::Models;
 use crate::element::contact::number::ElementNumber;
@@ -140,9 +141,8 @@ impl RailContact {
                 around: None,
             };
             for zone in 0..models.rail_strips.zones.len() {
-                let taken =
+                let TakenZone { contact, load_factor, resultant_share, ahead } =
                     moving_strips::take_zone(&moving, &outline, search, zone, &damping, models);
-                let contact = taken.contact;
                 let values = LineSeparation::new(&line, rail, contact.value());
                 let mut separation = MovingSeparation::new(values, &moving, outline, contact);
                 let forces = ContactSetup {
@@ -153,8 +153,9 @@ impl RailContact {
                     rail: outline,
                     contact,
                     slopes: [0.0; 2],
-                    damped: Damped::By(taken.load_factor),
-                    resultant_share: taken.resultant_share,
+                    damped: Damped::By(load_factor),
+                    resultant_share,
+                    ahead: Some(ahead),
                     friction: friction.as_ref(),
                     is_on_arc: true,
                 };
@@ -203,6 +204,7 @@ impl RailContact {
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
                 resultant_share: T::from(1.0),
+                ahead: None,
                 friction: friction.as_ref(),
                 is_on_arc: false,
             };

@@ -7,7 +7,7 @@
 
 use super::local_line::LocalLine;
 use super::strip_damping::StripDamping;
-use super::taken_zone::{TakenZone, deepest_within, zone_in_frame};
+use super::taken_zone::{LocalPlace, TakenZone, deepest_within, zone_in_frame};
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
 use crate::element::contact::models::Models;
 use crate::element::output::Output;
@@ -19,7 +19,7 @@ use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::normal::least_energy::OverlapLine;
+use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
 /// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
@@ -86,11 +86,11 @@ pub fn add<'a>(
         around: Some(line).filter(|line| line.varies_around()),
     };
     for zone in 0..models.rail_strips.zones.len() {
-        let TakenZone { contact, load_factor, resultant_share } =
+        let TakenZone { contact, load_factor, resultant_share, ahead } =
             take_zone(line, placed, search, zone, &damping, models);
         let mut separation = LineSeparation::new(line, placed, contact);
         let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
-        let forces = ContactSetup { resultant_share, ..forces };
+        let forces = ContactSetup { resultant_share, ahead: Some(ahead), ..forces };
         left_out += forces.add_forces(&mut separation, models, output, work);
     }
     left_out
@@ -114,8 +114,10 @@ fn take_zone(
 ) -> TakenZone {
     let mut local = LocalLine::of(line, rail, search);
     let place = |u| {
-        let place = local.place(u);
-        (line.at(u).point, place.tangent, place.overlap)
+        let LinePlace { x, tangent, overlap, .. } = local.place(u);
+        let at = line.at(u);
+        let ahead = x - at.x + line.ahead_of_round(u);
+        LocalPlace { point: at.point, tangent, overlap, ahead }
     };
     let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, &models.strips.u);

@@ -2,7 +2,8 @@
 
 use std::fs;
 use tempfile::TempDir;
-use wheelrail::element::{Element, Input, Parameters};
+use wheelrail::element::parameters::{NormalModel, VerticalMode};
+use wheelrail::element::{Element, Input, Output, Parameters};
 
 use super::element;
 use crate::common::random::Random;
@@ -52,6 +53,65 @@ fn random_poses(poses: usize, seed: u64) {
         let (depth, above) = (random.within(1e-6, 2e-4), random.within(1e-7, 0.03));
         first_touch(&mut both, &input, depth, above);
     }
+}
+
+/// Greatest difference of force, moment over a metre and height, over the force and a metre.
+fn apart(one: &Output, other: &Output) -> f64 {
+    let size = one.wheel.force.iter().fold(tolerance::NO_FORCE, |most, own| most.max(own.abs()));
+    let wrenches = [one, other].map(|output| [output.wheel.force, output.wheel.moment].concat());
+    let loads = wrenches[0].iter().zip(&wrenches[1]).map(|(a, b)| (a - b).abs() / size);
+    loads.fold((one.wheel_z - other.wheel_z).abs(), f64::max)
+}
+
+/// Asserts that wheels on both have the same forces: `poses` of them at a given height by each
+/// real-time model, and as many under a given load by strips without friction. Forces of the other
+/// models jump, and on a gauge face friction bears part of the load: such loads may have several
+/// heights, of which rounding decides.
+fn random_forces(poses: usize, seed: u64) {
+    let mut random = Random::new(seed);
+    let at_height = [
+        NormalModel::Strips,
+        NormalModel::PiotrowskiKik,
+        NormalModel::PiotrowskiKikCorrected,
+        NormalModel::Hertz,
+    ];
+    let at_height =
+        at_height.map(|model| (model, VerticalMode::Penetration, tolerance::EQUAL_SECTIONS));
+    let under_load = (NormalModel::Strips, VerticalMode::Load, tolerance::EQUAL_SECTIONS_LOADED);
+    for (normal_model, vertical_mode, allowed) in at_height.into_iter().chain([under_load]) {
+        let own = Parameters { normal_model, vertical_mode, ..Parameters::default() };
+        let [mut even, mut varying] = both(&own);
+        for _ in 0..poses {
+            let y = random.within(0.745, 0.76);
+            let mut input = at([y, random.about(0.02), random.about(0.08), random.about(0.4)]);
+            input.wheel.velocity[1] = random.about(0.05);
+            (input.wheel.roll_rate, input.wheel.yaw_rate) =
+                (random.about(0.05), random.about(0.05));
+            input.wheel.position[2] = even.touching_height(&input) + random.within(1e-6, 2e-4);
+            input.wheel_load = random.within(1e3, 1e5);
+            if vertical_mode == VerticalMode::Load {
+                input.friction = 0.0;
+            }
+            let (one, other) = (evaluate(&mut even, &input), evaluate(&mut varying, &input));
+            let what = || format!("{normal_model:?} {vertical_mode:?} {input:?}");
+            assert!(one.patch_count > 0, "{}", what());
+            let counts = |output: &Output| (output.patch_count, output.fallback_count);
+            assert_eq!(counts(&one), counts(&other), "{}", what());
+            let found = apart(&one, &other);
+            assert!(found <= allowed, "{found:e} {}", what());
+        }
+    }
+}
+
+#[test]
+fn equal_sections_carry_as_one_profile_does() {
+    random_forces(100, 3);
+}
+
+#[test]
+#[ignore = "long: cargo test --release --test suite varying_rail:: -- --ignored"]
+fn twenty_thousand_wheels_are_carried_by_equal_sections_as_by_one_profile() {
+    random_forces(4000, 4);
 }
 
 #[test]
