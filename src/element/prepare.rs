@@ -151,7 +151,7 @@ impl Element {
         let mut models = Models::new(parameters);
         if parameters.wear.model != WearModel::Off {
             let curve = |k: usize| contacts[k].as_ref().map(RailContact::rail_curve);
-            let most_strips = parameters.strips.max(parameters.normal_elements[1]);
+            let most_strips = models.strips.y.capacity().max(parameters.normal_elements[1]);
             models.wear = Some(Box::new(WearSums::new(
                 &parameters.wear,
                 most_strips,

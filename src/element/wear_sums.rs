@@ -69,9 +69,7 @@ pub struct WearSums {
     /// Time for which the evaluation under way stands, times the acceleration factor [s]; 0 where
     /// it is none of a step.
     duration: f64,
-    /// First strip of the zone under way, and dissipation over speed [J/m] and slip area [m²] of
-    /// each strip.
-    first: usize,
+    /// Dissipation over speed [J/m] and slip area [m²] of each strip.
     dissipation: FixedVec<f64>,
     slip_area: FixedVec<f64>,
     /// Volume rate of wheel and rail in each strip [m³/s].
@@ -101,7 +99,6 @@ impl WearSums {
             rails: rails.map(|rail| rail.map(|rail| WornArc::new(rail, Body::Rail { distance }))),
             wheel_curve: wheel.clone(),
             duration: 0.0,
-            first: 0,
             dissipation: FixedVec::new(strips),
             slip_area: FixedVec::new(strips),
             rates: FixedVec::new(strips),
@@ -131,9 +128,8 @@ impl WearSums {
         (of(&self.wheel), rails)
     }
 
-    /// Makes ready for the `count` strips of a zone from number `first` on.
-    pub fn begin_zone(&mut self, first: usize, count: usize) {
-        self.first = first;
+    /// Makes ready for `count` strips.
+    pub fn begin_strips(&mut self, count: usize) {
         for column in [&mut self.dissipation, &mut self.slip_area] {
             column.clear();
             column.resize(count, 0.0);
@@ -143,9 +139,8 @@ impl WearSums {
     /// Adds to strip `j` its dissipation over the reference speed [J/m] and area that slips [m²].
     #[inline]
     pub fn add_strip(&mut self, j: usize, dissipation: f64, slip_area: f64) {
-        let i = j - self.first;
-        self.dissipation[i] += dissipation;
-        self.slip_area[i] += slip_area;
+        self.dissipation[j] += dissipation;
+        self.slip_area[j] += slip_area;
     }
 
     /// Adds the wear of zone number `index` of `strips`, whose strips were added before, on rail
@@ -197,7 +192,8 @@ impl WearSums {
         let UnderLaw { state: rolling, factors, .. } = &state.law;
         self.rates.clear();
         let mut total = [0.0; 2];
-        let dissipated: f64 = self.dissipation.iter().map(|d| d.max(0.0)).sum();
+        let own = &self.dissipation[zone.first..zone.first + zone.count];
+        let dissipated: f64 = own.iter().map(|d| d.max(0.0)).sum();
         let patch = match model {
             WearModel::BritishRail if dissipated > 0.0 => [&wheel, &rail]
                 .map(|law| law.british_rail_rate(dissipated, rolling.speed) / dissipated),
@@ -206,11 +202,11 @@ impl WearSums {
         for i in 0..zone.count {
             let j = zone.first + i;
             let area = 2.0 * strips.half_length[j] * strips.width[j];
-            let dissipation = self.dissipation[i].max(0.0);
+            let dissipation = self.dissipation[j].max(0.0);
             let strip = StripLoad {
                 power: dissipation * rolling.speed,
                 area,
-                slip_share: (self.slip_area[i] / area.max(f64::MIN_POSITIVE)).min(1.0),
+                slip_share: (self.slip_area[j] / area.max(f64::MIN_POSITIVE)).min(1.0),
                 pressure: strips.pressure[j] * rolling.load_factor,
                 speed: rolling.speed,
                 friction: strips.friction.get(j).map_or(rolling.friction, |own| own.under(factors)),

@@ -26,7 +26,7 @@ use crate::math::quadrature::GaussLegendre;
 use crate::math::root::bracketed;
 use crate::normal::least_energy::{MIN_STRIPS, StripSolver, solve_in_frame};
 use crate::normal::{self, NormalProblem, Strips};
-use crate::tangential::{Creepage, RollingState, Tangential};
+use crate::tangential::{CreepForce, Creepage, RollingState, RollingZone, Tangential};
 use case::MAX_APPROACH;
 use line::PlanarLine;
 
@@ -205,13 +205,25 @@ fn summarise(
         let edges = zone_edges(strips, zone.first, zone.count);
         left = left.min(edges[0]);
         right = right.max(edges[1]);
-        let y = contact_y + zone.y;
-        let state = rolling_state(case, y);
-        let force = tangential.creep_force(zone, strips, material, &state).unwrap_or_default();
-        result.fallback |= force.convergence.fell_back;
-        result.fx += force.longitudinal;
-        result.fy += force.lateral;
-        result.mz += force.spin_moment - y * force.longitudinal;
+    }
+    let laws = strips.zones.iter().map(|zone| {
+        let state = rolling_state(case, contact_y + zone.y);
+        tangential.under_law(zone, strips, material, &state)
+    });
+    let laws: Vec<_> = laws.collect();
+    if laws.iter().any(|law| !law.state.creepage.is_zero()) {
+        let zones = strips.zones.iter().zip(&laws);
+        let zones = zones.map(|(zone, law)| RollingZone::flat(zone, strips, law));
+        let mut forces = vec![CreepForce::default(); laws.len()];
+        let convergence = tangential.roll(zones, |n, j, force| {
+            forces[n].add(&strips.zones[n], strips, j, &force);
+        });
+        result.fallback |= convergence.fallbacks > 0;
+        for (zone, force) in strips.zones.iter().zip(forces) {
+            result.fx += force.longitudinal;
+            result.fy += force.lateral;
+            result.mz += force.spin_moment - (contact_y + zone.y) * force.longitudinal;
+        }
     }
     result.width = (right - left).max(0.0);
     result

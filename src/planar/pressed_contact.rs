@@ -10,7 +10,7 @@ use crate::math::real::Real;
 use crate::normal::Strips;
 use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
-use crate::tangential::{RollingState, Tangential, TangentialModel, UnderLaw};
+use crate::tangential::{RollingState, RollingZone, Tangential, TangentialModel, UnderLaw};
 
 /// What the derivatives of adhesion are by: friction, then share and decay of its fall, then
 /// initial slope, share and decay of the reduction.
@@ -76,7 +76,8 @@ impl PressedContact {
         };
         let [longitudinal, lateral, spin] = creepage.map(bounded);
         let mut force = [Number::from(0.0); 2];
-        for zone in self.strips.zones.iter() {
+        let zones = self.strips.zones.iter();
+        let laws = zones.clone().map(|zone| {
             let y = self.contact_y + zone.y.value();
             let at = Creepage { longitudinal: bounded(longitudinal - spin * y), lateral, spin };
             let state = RollingState {
@@ -91,13 +92,17 @@ impl PressedContact {
                 speed: Number::from(speed),
             };
             let heat = self.flash_temperature.as_ref();
-            let law =
-                UnderLaw::of(Some(&[law; 2]), heat, zone, &self.strips, &self.material, &state);
-            let found = self.tangential.creep_force_under(zone, &self.strips, &law, |_, _| {});
-            if let Some(found) = found {
-                force = [force[0] + found.longitudinal, force[1] + found.lateral];
-            }
+            UnderLaw::of(Some(&[law; 2]), heat, zone, &self.strips, &self.material, &state)
+        });
+        let laws: Vec<_> = laws.collect();
+        if laws.iter().all(|law| law.state.creepage.is_zero()) {
+            return (0.0, [0.0; LAW_PARAMETERS]);
         }
+        let rolling =
+            zones.zip(&laws).map(|(zone, law)| RollingZone::flat(zone, &self.strips, law));
+        self.tangential.roll(rolling, |_, _, strip| {
+            force = [force[0] + strip.longitudinal, force[1] + strip.lateral];
+        });
         let adhesion = force[0].hypot(force[1]) / self.load;
         (adhesion.value, adhesion.slopes)
     }

@@ -134,7 +134,7 @@ impl LoadedElements {
             for (bound, p) in bound[own.clone()].iter_mut().zip(&self.pressure[own]) {
                 *bound = friction * p;
             }
-            let creepage = row.creepage(slip);
+            let creepage = row.creepage(&slip);
             let centre = row.mix(|j| strips.x[j]);
             for i in 0..grid.along {
                 let lateral = creepage.lateral + creepage.spin * (grid.x(i) - centre);

@@ -1,12 +1,12 @@
-//! How well the tractions of a zone fulfil the law of friction.
+//! How well the tractions of zones fulfil the law of friction.
 
-/// How the tractions of a zone converged.
+/// How the tractions of zones converged.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Convergence {
-    /// Whether the chosen model did not converge: FASTSIM took the place of boundary elements;
-    /// strips keep their last step, within the bound.
-    pub fell_back: bool,
+    /// Zones for which the chosen model did not converge: FASTSIM took the place of boundary
+    /// elements; strips keep their last step, within the bound.
+    pub fallbacks: u64,
     /// Greatest part of the bound that tractions on strips are away from the law of friction; of
     /// boundary elements the largest slip that contradicts it, over the largest rigid slip; 0 for
     /// other models [-].
@@ -17,21 +17,27 @@ impl Convergence {
     /// That of a model which did not converge and has no tractions.
     #[must_use]
     pub fn failed() -> Self {
-        Self { fell_back: true, residual: 0.0 }
+        Self { fallbacks: 1, residual: 0.0 }
     }
 
     /// That of a model which converged to `residual`.
     #[must_use]
     pub fn to(residual: f64) -> Self {
-        Self { fell_back: false, residual }
+        Self { fallbacks: 0, residual }
     }
 
-    /// That of two solutions which are taken together: the worse of both.
+    /// That of two solutions for one zone: the worse of both.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
-            fell_back: self.fell_back || other.fell_back,
+            fallbacks: self.fallbacks.max(other.fallbacks),
             residual: self.residual.max(other.residual),
         }
+    }
+
+    /// That of several zones with others beside them.
+    #[must_use]
+    pub fn beside(self, other: Self) -> Self {
+        Self { fallbacks: self.fallbacks + other.fallbacks, ..self.and(other) }
     }
 }

@@ -122,23 +122,46 @@ impl<T: Tabulated> RollingEllipse<'_, T> {
     #[must_use]
     pub fn tabulated_force(&self, table: &impl ForceTable, area: T) -> CreepForce<T> {
         let &Self { ellipse, material, creepage, rolling, limit } = self;
-        let c = ellipse.mean_radius();
-        // However little the limit is, creepages stay finite.
-        let scale = (material.shear_modulus * c * c / limit).at_most(1e60);
         // Backwards the ellipse is the same seen in a mirror along x.
         let direction = rolling.direction();
-        let Creepage { longitudinal, lateral, spin } = creepage;
-        let v = [longitudinal * direction, lateral, c * direction * spin]
-            .map(|v| (scale * v).within(-1e100, 1e100));
-        let log_ratio = (ellipse.along / ellipse.across).ln();
+        let forward = Creepage {
+            longitudinal: creepage.longitudinal * direction,
+            spin: creepage.spin * direction,
+            ..creepage
+        };
+        let (poisson_ratio, modulus) = (material.poisson_ratio, material.shear_modulus);
         let EllipseForce { force, slip_share } =
-            T::tabulated(table, log_ratio, material.poisson_ratio, v);
+            ellipse.tabulated(table, poisson_ratio, modulus, &forward, limit);
         CreepForce {
-            longitudinal: limit * direction * force[0],
-            lateral: limit * force[1],
-            spin_moment: limit * direction * c * force[2],
+            longitudinal: force[0] * direction,
+            lateral: force[1],
+            spin_moment: force[2] * direction,
             slip_area: slip_share * area,
             convergence: Convergence::default(),
         }
+    }
+}
+
+impl<T: Tabulated> EquivalentEllipse<T> {
+    /// Longitudinal and lateral force and moment about the centre from `table` on the body that
+    /// creeps, rolling forward under a friction `limit` > 0 [N], with the shear modulus of the bodies
+    /// [Pa]; forces in N and N m.
+    #[must_use]
+    pub fn tabulated(
+        &self,
+        table: &impl ForceTable,
+        poisson_ratio: f64,
+        shear_modulus: T,
+        &Creepage { longitudinal, lateral, spin }: &Creepage<T>,
+        limit: T,
+    ) -> EllipseForce<T> {
+        let c = self.mean_radius();
+        // However little the limit is, creepages stay finite.
+        let scale = (shear_modulus * c * c / limit).at_most(1e60);
+        let v = [longitudinal, lateral, c * spin].map(|v| (scale * v).within(-1e100, 1e100));
+        let log_ratio = (self.along / self.across).ln();
+        let EllipseForce { force: [x, y, moment], slip_share } =
+            T::tabulated(table, log_ratio, poisson_ratio, v);
+        EllipseForce { force: [limit * x, limit * y, limit * c * moment], slip_share }
     }
 }

@@ -94,7 +94,7 @@ impl EllipseStrips {
             zone: &Zone { count: STRIPS, load: self.zone.load.into(), ..Zone::default() },
             strips: circle,
             material,
-            slip: &StretchedSlip { circle, ellipse, creepage },
+            slip: StretchedSlip { circle, ellipse, creepage },
             // Times the amplitude of the pressure, which the circle has as 1.
             friction: limit / (area * self.zone.load),
             own_friction: OwnFriction::none(),

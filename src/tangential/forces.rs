@@ -1,6 +1,7 @@
 //! Forces of the tractions: of a strip, and of a zone.
 
 use super::convergence::Convergence;
+use crate::kinematics::creepage::Creepage;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
 
@@ -19,6 +20,15 @@ pub struct StripForce<T = f64> {
 }
 
 impl<T: Real> StripForce<T> {
+    /// Power that friction turns into heat in a strip with the `creepage` at its centre, over the
+    /// speed that creepages refer to [J/m].
+    #[must_use]
+    pub fn dissipation(&self, creepage: &Creepage<T>) -> T {
+        -(self.longitudinal * creepage.longitudinal
+            + self.lateral * creepage.lateral
+            + self.moment * creepage.spin)
+    }
+
     pub(super) fn times(self, share: T) -> Self {
         Self {
             longitudinal: share * self.longitudinal,
@@ -48,13 +58,7 @@ pub struct CreepForce<T = f64> {
 impl<T: Real> CreepForce<T> {
     /// Adds the force of strip `j` of `zone`, a flat one.
     #[inline]
-    pub(super) fn add(
-        &mut self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        j: usize,
-        force: &StripForce<T>,
-    ) {
+    pub fn add(&mut self, zone: &Zone<T>, strips: &Strips<T>, j: usize, force: &StripForce<T>) {
         let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
         self.longitudinal += force.longitudinal;
         self.lateral += force.lateral;

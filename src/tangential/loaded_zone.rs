@@ -17,7 +17,7 @@ pub struct LoadedZone<'a, S, T = f64, L = Strips<T>> {
     /// Elastic constants of both bodies.
     pub material: &'a MaterialPair<T>,
     /// Rigid slip of the strips.
-    pub slip: &'a S,
+    pub slip: S,
     /// Coefficient of friction of the zone, ≥ 0 [-].
     pub friction: T,
     /// Of strips that have their own.
@@ -26,14 +26,24 @@ pub struct LoadedZone<'a, S, T = f64, L = Strips<T>> {
     pub load_factor: T,
 }
 
+impl<S: Copy, T: Copy, L> Copy for LoadedZone<'_, S, T, L> {}
+
+impl<S: Clone, T: Clone, L> Clone for LoadedZone<'_, S, T, L> {
+    fn clone(&self) -> Self {
+        let Self { slip, friction, own_friction, load_factor, .. } = self;
+        Self {
+            slip: slip.clone(),
+            friction: friction.clone(),
+            own_friction: own_friction.clone(),
+            load_factor: load_factor.clone(),
+            ..*self
+        }
+    }
+}
+
 impl<'a, S: RigidSlip<T>, T: Real> LoadedZone<'a, S, T> {
     /// With the friction and the damping of `law`.
-    pub fn new(
-        zone: &'a Zone<T>,
-        strips: &'a Strips<T>,
-        slip: &'a S,
-        law: &'a UnderLaw<T>,
-    ) -> Self {
+    pub fn new(zone: &'a Zone<T>, strips: &'a Strips<T>, slip: S, law: &'a UnderLaw<T>) -> Self {
         Self {
             zone,
             strips,
@@ -48,7 +58,7 @@ impl<'a, S: RigidSlip<T>, T: Real> LoadedZone<'a, S, T> {
 
 impl<'a, S: RigidSlip<T>, T: Real, L> LoadedZone<'a, S, T, L> {
     /// The same zone with another rigid slip.
-    pub fn with_slip<O: RigidSlip<T>>(&self, slip: &'a O) -> LoadedZone<'a, O, T, L> {
+    pub fn with_slip<O: RigidSlip<T>>(&self, slip: O) -> LoadedZone<'a, O, T, L> {
         let &Self { zone, strips, material, friction, own_friction, load_factor, .. } = self;
         LoadedZone { zone, strips, material, slip, friction, own_friction, load_factor }
     }

@@ -137,7 +137,7 @@ impl<R> March<R> {
                 self.rule.strip_forces(loaded, rolling, three, blended, add);
             } else {
                 let slip = LobeSlip { zone: loaded.slip, mean: part.mean };
-                let loaded = loaded.with_slip(&slip);
+                let loaded = loaded.with_slip(slip);
                 self.rule.strip_forces(&loaded, rolling, three, blended, add);
             }
         }
@@ -174,7 +174,7 @@ impl March<Fastsim> {
             let heavier = |a: &&Part<f64>, b: &&Part<f64>| weight(a).total_cmp(&weight(b));
             let Some(part) = parts.iter().flatten().max_by(heavier) else { continue };
             let slip = LobeSlip { zone: slip, mean: part.mean };
-            let marched = self.rule.tractions(&loaded.with_slip(&slip), strip, &part.blended);
+            let marched = self.rule.tractions(&loaded.with_slip(slip), strip, &part.blended);
             for i in 0..field.grid.along {
                 let t = (strips.x[strip] - field.grid.x(i)) / strips.half_length[strip];
                 let step = 0.5 * (1.0 + t) * marched.len() as f64;

@@ -40,5 +40,6 @@ pub use forces::{CreepForce, StripForce};
 pub use loaded_zone::LoadedZone;
 pub use model::{Flexibilities, TangentialModel};
 pub use rolling::{Rolling, RollingState};
-pub use solve::{Solved, Tangential};
+pub use solve::Tangential;
 pub use under_law::UnderLaw;
+pub use zone_model::RollingZone;

@@ -49,14 +49,14 @@ pub enum Side {
 /// The rigid slip of a zone, for one of its lobes: what acts through the flexibilities L1 and L2 is
 /// the mean of the lobe.
 #[derive(Clone, Copy, Debug)]
-pub struct LobeSlip<'a, S, T = f64> {
+pub struct LobeSlip<S, T = f64> {
     /// Slip of the zone.
-    pub zone: &'a S,
+    pub zone: S,
     /// Mean creepage of the lobe.
     pub mean: Creepage<T>,
 }
 
-impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<'_, S, T> {
+impl<T: Real, S: RigidSlip<T>> RigidSlip<T> for LobeSlip<S, T> {
     fn mean(&self) -> Creepage<T> {
         self.mean
     }

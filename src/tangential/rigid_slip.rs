@@ -42,7 +42,7 @@ impl<T: Real> Growth<T> {
 }
 
 /// Rigid slip over the reference speed on all strips of a zone.
-pub trait RigidSlip<T = f64> {
+pub trait RigidSlip<T = f64>: Copy {
     /// The creepage of the zone as a whole: its longitudinal and lateral part act through the
     /// flexibilities L1 and L2, what the strips deviate from it and spin through L3.
     fn mean(&self) -> Creepage<T>;
@@ -50,8 +50,8 @@ pub trait RigidSlip<T = f64> {
     /// Growth of the traction on strip `j`.
     fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T>;
 
-    /// Creepage at the centre of strip `j`, that of the zone carried on where it belongs to another
-    /// one.
+    /// Creepage at the centre of strip `j`; a flat one is carried on where the strip belongs to
+    /// another zone.
     fn creepage(&self, j: usize) -> Creepage<T>;
 }
 
@@ -93,11 +93,9 @@ impl<T: Real> RigidSlip<T> for FlatSlip<'_, T> {
 /// A creepage of its own for each strip, at its centre and in its own tangent plane.
 #[derive(Clone, Copy, Debug)]
 pub struct StripSlip<'a, T = f64> {
-    /// Index of the first strip of the zone.
-    pub first: usize,
-    /// Creepage of each of its strips.
+    /// Creepage of each strip.
     pub creepages: &'a [Creepage<T>],
-    /// Their mean, weighted by load.
+    /// Mean of those of the zone, weighted by load.
     pub mean: Creepage<T>,
 }
 
@@ -108,10 +106,10 @@ impl<T: Real> RigidSlip<T> for StripSlip<'_, T> {
 
     #[inline]
     fn growth(&self, j: usize, flexibility: &ZoneFlexibility<T>) -> Growth<T> {
-        Growth::of_strip(&self.creepages[j - self.first], &self.mean, flexibility)
+        Growth::of_strip(&self.creepages[j], &self.mean, flexibility)
     }
 
     fn creepage(&self, j: usize) -> Creepage<T> {
-        j.checked_sub(self.first).and_then(|i| self.creepages.get(i)).copied().unwrap_or(self.mean)
+        self.creepages[j]
     }
 }

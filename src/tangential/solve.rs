@@ -12,12 +12,11 @@ use super::flash_temperature::FlashTemperature;
 use super::forces::{CreepForce, StripForce};
 use super::friction_law::FrictionLaw;
 use super::linear::Linear;
-use super::loaded_zone::LoadedZone;
 use super::march::March;
 use super::model::{Flexibilities, TangentialModel};
 use super::on_elements::OnElements;
 use super::on_strips::OnStrips;
-use super::rigid_slip::{FlatSlip, RigidSlip};
+use super::rigid_slip::RigidSlip;
 use super::rolling::RollingState;
 use super::strips::Scratch;
 use super::tables::CreepForceTable;
@@ -56,14 +55,15 @@ enum Model {
     Marches(CoupledMarches),
 }
 
-/// How the tractions of a zone were found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Solved<T = f64> {
-    /// Friction limit of the zone as it slips [N].
-    pub limit: T,
-    /// How they converged.
-    pub convergence: Convergence,
+/// Forces of `zones` that do not feel each other.
+fn one_by_one<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+    model: &impl ZoneModel<T>,
+    zones: impl Iterator<Item = (usize, RollingZone<'a, S, T>)>,
+    mut each: impl FnMut(usize, usize, StripForce<T>),
+) -> Convergence {
+    zones.fold(Convergence::default(), |sum, (n, zone)| {
+        sum.beside(model.strip_forces(&zone, &mut |j, force| each(n, j, force)))
+    })
 }
 
 impl Tangential {
@@ -174,8 +174,8 @@ impl Tangential {
         UnderLaw::of(self.laws.as_ref(), heat, zone, strips, material, state)
     }
 
-    /// The creep force on the wheel of a zone with one creepage at its centroid of load; nothing
-    /// where there is nothing to compute: no model, no friction, no load or no creepage.
+    /// The creep force on the wheel of a zone by itself with one creepage at its centroid of load;
+    /// nothing where there is nothing to compute: no model, no friction, no load or no creepage.
     #[must_use]
     pub fn creep_force<T: CreepNumber>(
         &self,
@@ -185,63 +185,55 @@ impl Tangential {
         state: &RollingState<T>,
     ) -> Option<CreepForce<T>> {
         let law = self.under_law(zone, strips, material, state);
-        self.creep_force_under(zone, strips, &law, |_, _| {})
+        let rolling = RollingZone::flat(zone, strips, &law);
+        (self.acts_on(zone, &law) && !rolling.state.creepage.is_zero()).then(|| {
+            let mut total = CreepForce::<T>::default();
+            total.convergence = self.roll(std::iter::once(rolling), |_, j, force| {
+                total.add(zone, strips, j, &force);
+            });
+            total
+        })
     }
 
-    /// As [`creep_force`](Self::creep_force), of a zone with the friction and the elastic constants
-    /// of `law`, which is that of [`under_law`](Self::under_law); `each` gets the number of each
-    /// strip and the force on it, as from [`strip_forces`](Self::strip_forces).
+    /// Whether there can be tractions in a zone under `law`: with a model, load, and friction that
+    /// bounds them.
     #[must_use]
-    #[inline]
-    pub fn creep_force_under<T: CreepNumber>(
-        &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        law: &UnderLaw<T>,
-        mut each: impl FnMut(usize, &StripForce<T>),
-    ) -> Option<CreepForce<T>> {
-        let creepage = law.state.creepage;
-        (!creepage.is_zero()).then_some(())?;
-        let slip = FlatSlip { zone, strips, creepage };
-        let mut total = CreepForce::<T>::default();
-        let solved = self.strip_forces(zone, strips, &slip, law, |j, force| {
-            total.add(zone, strips, j, &force);
-            each(j, &force);
-        })?;
-        Some(CreepForce { convergence: solved.convergence, ..total })
+    pub fn acts_on<T: Real>(&self, zone: &Zone<T>, law: &UnderLaw<T>) -> bool {
+        self.acts(zone.load * law.state.load_factor, law.state.friction_limit(zone))
     }
 
-    /// Hands the force on the wheel of each strip of a zone with the rigid slip `slip` to `each`,
-    /// which adds them up: a strip may come twice. Nothing where there was nothing to compute.
-    /// `law` is that of the mean creepage of `slip`.
-    pub fn strip_forces<T: CreepNumber>(
-        &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        slip: &impl RigidSlip<T>,
-        law: &UnderLaw<T>,
-        mut each: impl FnMut(usize, StripForce<T>),
-    ) -> Option<Solved<T>> {
-        let state = law.state;
-        let limit = state.friction_limit(zone);
+    /// Whether there can be tractions under a `load` with a friction `limit` [N].
+    fn acts<T: Real>(&self, load: T, limit: T) -> bool {
         let is_bounded = !matches!(self.model, Model::Linear(_));
-        if zone.load * state.load_factor <= 0.0 || (is_bounded && limit <= 0.0) {
-            return None;
+        !matches!(self.model, Model::None) && load > 0.0 && (!is_bounded || limit > 0.0)
+    }
+
+    /// Hands the force on the wheel of each strip of `zones`, which are all that feel each other in
+    /// the order of their places across, to `each`: with the number of the zone among them and that
+    /// of the strip. It adds them up: a strip may come twice. Zones on which the model does not
+    /// [act](Self::acts_on) have none.
+    pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+        &self,
+        zones: impl Iterator<Item = RollingZone<'a, S, T>> + Clone,
+        each: impl FnMut(usize, usize, StripForce<T>),
+    ) -> Convergence {
+        let zones = zones.enumerate().filter(|(_, RollingZone { loaded, state, limit, .. })| {
+            self.acts(loaded.zone.load * state.load_factor, *limit)
+        });
+        match &self.model {
+            Model::None => Convergence::default(),
+            Model::Linear(model) => one_by_one(model, zones, each),
+            Model::Fastsim(model) => one_by_one(model, zones, each),
+            Model::Fastrip(model) => one_by_one(model, zones, each),
+            Model::Tables(model) => one_by_one(model, zones, each),
+            Model::FastsimCorrected(model) => one_by_one(model, zones, each),
+            Model::BoundaryElement(model) => one_by_one(model, zones, each),
+            Model::Strips(model) => one_by_one(model, zones, each),
+            Model::Marches(model) => {
+                model.roll(&zones, each);
+                Convergence::default()
+            }
         }
-        let loaded = LoadedZone::new(zone, strips, slip, law);
-        let zone = RollingZone { loaded, state, limit };
-        let convergence = match &self.model {
-            Model::None => return None,
-            Model::Linear(model) => model.strip_forces(&zone, &mut each),
-            Model::Fastsim(model) => model.strip_forces(&zone, &mut each),
-            Model::Fastrip(model) => model.strip_forces(&zone, &mut each),
-            Model::Tables(model) => model.strip_forces(&zone, &mut each),
-            Model::FastsimCorrected(model) => model.strip_forces(&zone, &mut each),
-            Model::BoundaryElement(model) => model.strip_forces(&zone, &mut each),
-            Model::Strips(model) => model.strip_forces(&zone, &mut each),
-            Model::Marches(model) => model.strip_forces(&zone, &mut each),
-        };
-        Some(Solved { limit, convergence })
     }
 
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
@@ -264,9 +256,7 @@ impl Tangential {
         if friction <= 0.0 || state.creepage.is_zero() {
             return field;
         }
-        let slip = FlatSlip { zone, strips, creepage: state.creepage };
-        let limit = state.friction_limit(zone);
-        let zone = RollingZone { loaded: LoadedZone::new(zone, strips, &slip, &law), state, limit };
+        let zone = RollingZone::flat(zone, strips, &law);
         match &self.model {
             Model::Fastsim(march)
             | Model::Tables(Tabulated { shown: march, .. })

@@ -7,6 +7,7 @@ use crate::common::wheel::{pressed, rolling};
 use crate::common::{column, quantiles, read_table, value};
 use crate::tolerance;
 use std::f64::consts::PI;
+use std::fmt::Write as _;
 use wheelrail::element::parameters::TangentialModel;
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::normal::NormalModel;
@@ -152,6 +153,85 @@ fn ridges_beside_each_other_are_not_driven_apart() {
             assert!(error <= tolerance::MARCHES_RIDGES, "{strips}: {found} N for {exact}");
         }
     }
+}
+
+/// A rail head of 300 mm with grooves 3 mm wide and 30 µm deep, as milling leaves it, rounded corners
+/// and flanks [mm].
+fn milled_rail() -> String {
+    let crown = |y: f64| 300.0 - (300.0 * 300.0 - y * y).sqrt();
+    let groove = |y: f64| {
+        let place = (y / 3.0).rem_euclid(1.0);
+        crown(y) + 0.03 * 4.0 * place * (1.0 - place)
+    };
+    let (edge, radius) = (24.0, 13.0);
+    let start = f64::asin(edge / 300.0);
+    let corner = (1..=40).map(|i| {
+        let angle = start + (1.45 - start) * f64::from(i) / 40.0;
+        let across = radius * (angle.sin() - start.sin());
+        [edge + across, crown(edge) + radius * (start.cos() - angle.cos())]
+    });
+    let mut corner: Vec<[f64; 2]> = corner.collect();
+    let [across, down] = corner[corner.len() - 1];
+    corner.extend((1..=25).map(f64::from).map(|d| [across + d / f64::tan(1.45), down + d]));
+    let head = (-96..=96).map(|i| 0.25 * f64::from(i)).map(|y| [y, groove(y)]);
+    let left = corner.iter().rev().map(|[y, z]| [-y, *z]);
+    let mut text = String::new();
+    for [y, z] in left.chain(head).chain(corner.iter().copied()) {
+        writeln!(text, "{y:.7},{z:.7}").unwrap();
+    }
+    text
+}
+
+#[test]
+fn zones_of_a_milled_rail_feel_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("milled.csv"), milled_rail()).unwrap();
+    let mut exact = Parameters {
+        normal_model: NormalModel::BoundaryElement,
+        tangential_model: TangentialModel::BoundaryElement,
+        normal_elements: [40, 60],
+        damping: 0.0,
+        ..Parameters::default()
+    };
+    exact.rails[0].profile = "milled.csv".into();
+    let start = Parameters {
+        normal_model: NormalModel::Strips,
+        tangential_model: TangentialModel::Marches,
+        ..exact.clone()
+    };
+    let element = |parameters: &Parameters| {
+        Element::new(parameters, &Input::default(), &[folder.path().to_path_buf()]).unwrap()
+    };
+    let (mut own, mut exact) = (element(&start), element(&exact));
+    let (mut worst, mut zones) = (0.0_f64, 0);
+    for (y, lateral, turning) in
+        [(-3e-3, 2e-4, 0.0), (-1e-3, 4e-4, 3e-4), (1.5e-3, -3e-4, -6e-4), (3e-3, 1e-3, 5e-4)]
+    {
+        let mut input = rolling(y, 20.0);
+        input.wheel.velocity[1] = 20.0 * lateral;
+        input.wheel.pitch_rate *= 1.0 + turning;
+        let input = pressed(&mut own, &input, 4e-5);
+        let [found, exact] = [&mut own, &mut exact].map(|element| {
+            let mut output = Output::default();
+            element.evaluate(&input, &mut output).unwrap();
+            output
+        });
+        zones += found.patch_count;
+        let sum = |output: &Output| {
+            let (mut force, mut limit) = ([0.0; 2], 0.0);
+            for patch in &output.patches[..output.patch_count as usize] {
+                force = [0, 1].map(|i| force[i] + patch.creep_force[i]);
+                limit += patch.friction_coefficient * patch.normal_force;
+            }
+            force.map(|force| force / limit)
+        };
+        let [found, exact] = [sum(&found), sum(&exact)];
+        let error = (found[0] - exact[0]).hypot(found[1] - exact[1]);
+        println!("y {y}: {found:.4?} for {exact:.4?}: {error:.4}");
+        worst = worst.max(error);
+    }
+    assert!(zones >= 6, "{zones} zones at four poses");
+    assert!(worst <= tolerance::MARCHES_MILLED_RAIL, "{worst}");
 }
 
 #[test]

@@ -1,12 +1,14 @@
 //! From the loaded zones of a contact to forces on wheel and rail.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::contact_setup::ContactSetup;
 use super::models::Models;
 use super::number::ElementNumber;
+use super::rolling_zones::LaidZone;
 use super::zone_rolling::ZoneRolling;
-use super::zone_surface::ZoneSurface;
 use crate::element::input::WheelMotion;
 use crate::element::output::{Output, Patch, Wrench};
 use crate::element::wear_sums::WearSums;
@@ -14,12 +16,12 @@ use crate::element::work::Work;
 use crate::geometry::contacts::line_separation::RailSeparation;
 use crate::math::real::Real;
 use crate::math::smooth_step::smooth_step;
-use crate::tangential::Convergence;
 use crate::wear::rcf;
 
 impl<T: ElementNumber> ContactSetup<'_, T> {
-    /// Adds the forces of all zones in `models.strips` to `output` and their patches to
-    /// `models.patches`; returns how many zones fell back to a simpler tangential model.
+    /// Adds the forces of all zones in `models.strips`, which are in the frame of this contact, to
+    /// `output` and their patches to `models.patches`; returns how many zones fell back to a
+    /// simpler tangential model.
     pub fn add_forces(
         &self,
         separation: &mut T::Separation<'_>,
@@ -27,51 +29,41 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         output: &mut Output<T>,
         work: &mut Work,
     ) -> u64 {
-        let mut fallbacks = 0;
+        models.rolling.clear();
+        self.lay(separation, models, 0);
+        let fallbacks = models.roll(output, work);
+        self.add_laid(0..models.rolling.zones.len(), separation, models, output);
+        fallbacks
+    }
+
+    /// Adds the forces of those of the zones under way that are in the frame of this contact.
+    pub(in crate::element) fn add_laid(
+        &self,
+        zones: Range<usize>,
+        separation: &mut T::Separation<'_>,
+        models: &mut Models<T>,
+        output: &mut Output<T>,
+    ) {
         let [station, ..] = self.input.wheel.position;
         let wheel = self.wheel();
         let wheel_marker = Vector3::from(wheel.position);
-        let motion = self.motion();
         let even_axes = self.axes();
-        let lifting = separation.lifting();
-        let load_factor = self.load_factor(&motion, lifting.as_ref(), models);
-        self.fill_friction(separation, &mut models.strips);
-        for index in 0..models.strips.zones.len() {
-            let zone = models.strips.zones[index];
-            if zone.load <= 0.0 || zone.width <= 0.0 {
-                continue;
-            }
-            work.zones += 1;
-            let surface = match &lifting {
-                Some(lifting) => {
-                    T::zone_surface(&self.line, self.contact.u, lifting, &zone, models)
-                }
-                None if self.rail.varies() || self.line.varies_around() => {
-                    self.met_surface(&zone, models)
-                }
-                None => ZoneSurface::even(),
-            };
-            let axes = even_axes.leaning(surface.lean);
-            let rolling = self.rolling(&motion, zone, &surface, load_factor, models.minimum_speed);
-            let ZoneRolling { position, rolling_radius, speed, forward, .. } = rolling;
+        let is_even = separation.lifting().is_none();
+        for n in zones {
+            let LaidZone { index, rolling, surface, law, .. } = models.rolling.zones[n];
+            let tractions = models.rolling.tractions[n];
+            let ZoneRolling { zone, position, axes, load_factor, rolling_radius, .. } = rolling;
+            let ZoneRolling { speed, forward, .. } = rolling;
             let wheel_point = self.line.wheel_point(zone.u);
-            let (law, tractions) = self.tractions(&motion, models, &rolling);
-            work.marches += u64::from(tractions.is_some());
-            let tractions = tractions.unwrap_or_default();
-            let Convergence { fell_back, residual } = tractions.convergence;
-            fallbacks += u64::from(fell_back);
-            output.tangential_residual = output.tangential_residual.at_least(residual);
             let normal_force = zone.load * load_factor * self.resultant_share;
             let pressing = axes.normal * -normal_force;
-            let bearing = match lifting {
-                None => {
-                    // Where the even part of the normal meets the axle, the part that leans does
-                    // too.
-                    let even =
-                        position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
-                    position + (meeting_axle(&wheel, even, even_axes.normal) - even)
-                }
-                Some(_) => position,
+            let bearing = if is_even {
+                // Where the even part of the normal meets the axle, the part that leans does too.
+                let even =
+                    position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
+                position + (meeting_axle(&wheel, even, even_axes.normal) - even)
+            } else {
+                position
             };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
@@ -118,7 +110,6 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
                 ),
             });
         }
-        fallbacks
     }
 }
 

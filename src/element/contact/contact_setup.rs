@@ -196,8 +196,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         even + closing_speed(lifting, self.slopes, forward, wheel.pitch_rate, radius)
     }
 
-    /// Gives each of the `strips` a friction of its own, where that is not the same all over the
-    /// rail.
+    /// Gives each of the `strips` that has none yet a friction of its own, where that is not the
+    /// same all over the rail.
     pub(in crate::element) fn fill_friction(
         &self,
         separation: &T::Separation<'_>,
@@ -209,7 +209,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let mut walk = RailWalk::new(self.rail, self.contact);
         let (hand, mut last) = (self.rail.rail.hand(), LastPlace::default());
         let Strips { y, u, x, friction: own, .. } = strips;
-        own.extend(y.iter().zip(u.iter()).zip(x.iter()).map(|((&y, &u), &x)| {
+        let places = y.iter().zip(u.iter()).zip(x.iter()).skip(own.len());
+        own.extend(places.map(|((&y, &u), &x)| {
             let place = if self.is_on_arc {
                 RailPlace::at(&self.rail, self.contact.rail_s + y)
             } else {

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::curved_zone::Tractions;
+use super::tractions::Tractions;
 use crate::kinematics::creepage::Creepage;
 use crate::math::real::Real;
+use crate::tangential::Convergence;
 
 /// Tractions of a zone that were found together with those of the others of its rail.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct GivenTractions<T = f64> {
     /// The tractions, their moment about the origin of the track frame at the x of the wheel
     /// marker.
     pub tractions: Tractions<T>,
+    /// How they converged.
+    pub convergence: Convergence,
     /// Dissipation over the reference speed [J/m] and area that slips [m²] of each strip.
     pub strips: Vec<[T; 2]>,
 }

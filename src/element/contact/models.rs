@@ -1,7 +1,7 @@
 //! The contact models of an element and their scratch memory.
 
-use super::curved_zone::CurvedZone;
 use super::given_tractions::GivenTractions;
+use super::rolling_zones::RollingZones;
 use crate::element::output::Patch;
 use crate::element::parameters::{CreepageModel, Parameters, VerticalMode};
 use crate::element::wear_sums::WearSums;
@@ -35,9 +35,8 @@ pub struct Models<T = f64> {
     pub tangential: Tangential,
     /// How creepage varies over a zone.
     pub creepage: CreepageModel,
-    /// The strips of the zone under way on the wheel's surface, if creepage is that of a curved
-    /// patch.
-    pub curved_zone: CurvedZone<T>,
+    /// The zones under way as they roll.
+    pub rolling: RollingZones<T>,
     /// Floor of the speed that creepages refer to [m/s].
     pub minimum_speed: f64,
     /// Elastic constants of wheel and rails.
@@ -99,7 +98,10 @@ impl Models {
             damping: self.damping,
             tangential: self.tangential.clone(),
             creepage: self.creepage,
-            curved_zone: CurvedZone::with_capacity(self.curved_zone.capacity()),
+            rolling: {
+                let [zones, strips] = self.rolling.capacity();
+                RollingZones::with_capacity(zones, strips)
+            },
             minimum_speed: self.minimum_speed,
             material: self.material,
             elements: self.elements,
@@ -128,8 +130,8 @@ impl Models {
         let zones = if parameters.is_uneven() { 2 * MAX_ZONES } else { MAX_ZONES };
         let is_strips = parameters.normal_model == NormalModel::Strips;
         let strips = if is_strips { parameters.strips.max(MIN_STRIPS) } else { parameters.strips };
-        // Strips and stretches of uneven bodies may all be in one zone.
-        let most_strips = if is_strips || parameters.is_uneven() { zones * strips } else { strips };
+        // Zones roll together, and strips and stretches of uneven bodies may all be in one zone.
+        let most_strips = zones * strips;
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -150,7 +152,7 @@ impl Models {
             .with_laws([parameters.friction_law, parameters.gauge_face_law])
             .with_flash_temperature(parameters.flash_temperature),
             creepage: parameters.creepage_model,
-            curved_zone: CurvedZone::with_capacity(most_strips),
+            rolling: RollingZones::with_capacity(zones, most_strips),
             minimum_speed: parameters.minimum_speed,
             material: MaterialPair::new(wheel, rail),
             elements: parameters.normal_elements,

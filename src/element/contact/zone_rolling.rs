@@ -1,20 +1,22 @@
-//! How a loaded zone rolls, and the tractions that follow.
+//! How a loaded zone rolls.
 
 use nalgebra::Vector3;
 
 use super::contact_setup::ContactSetup;
-use super::curved_zone::Tractions;
 use super::models::Models;
 use super::number::ElementNumber;
+use super::rolling_zones::LaidZone;
 use super::zone_surface::ZoneSurface;
 use crate::element::parameters::CreepageModel;
+use crate::geometry::contacts::line_separation::RailSeparation;
 use crate::kinematics::creepage::{
     ContactAxes, Creepage, RelativeMotion, RollingSpeed, kinematic_creepage, rolling_speed,
 };
 use crate::normal::Zone;
-use crate::tangential::{RollingState, StripForce, UnderLaw};
+use crate::tangential::{RollingState, UnderLaw};
 
 /// A loaded zone and how it rolls.
+#[derive(Clone, Copy, Debug)]
 pub struct ZoneRolling<T> {
     pub zone: Zone<T>,
     /// Centroid of its load, x from the wheel marker [m].
@@ -96,74 +98,68 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         }
     }
 
-    /// How a zone rolls under the laws of friction, and its tractions on the wheel where there are
-    /// any.
-    pub(in crate::element) fn tractions(
+    /// Lays the zones of `models.strips` from number `first` on, which are in the frame of this
+    /// contact, beside those under way.
+    pub(in crate::element) fn lay(
+        &self,
+        separation: &T::Separation<'_>,
+        models: &mut Models<T>,
+        first: usize,
+    ) {
+        let motion = self.motion();
+        let lifting = separation.lifting();
+        let load_factor = self.load_factor(&motion, lifting.as_ref(), models);
+        self.fill_friction(separation, &mut models.strips);
+        for index in first..models.strips.zones.len() {
+            let zone = models.strips.zones[index];
+            if zone.load <= 0.0 || zone.width <= 0.0 {
+                continue;
+            }
+            let surface = match &lifting {
+                Some(lifting) => {
+                    T::zone_surface(&self.line, self.contact.u, lifting, &zone, models)
+                }
+                None if self.rail.varies() || self.line.varies_around() => {
+                    self.met_surface(&zone, models)
+                }
+                None => ZoneSurface::even(),
+            };
+            let rolling = self.rolling(&motion, zone, &surface, load_factor, models.minimum_speed);
+            let law = self.under_law(&motion, models, &rolling);
+            models.rolling.zones.push(LaidZone {
+                index,
+                contact: self.contact,
+                resultant_share: self.resultant_share,
+                origin: if self.is_on_arc { self.contact.rail_s } else { T::from(0.0) },
+                rolling,
+                surface,
+                law,
+            });
+        }
+    }
+
+    /// How a zone rolls under the laws of friction; takes its strips on the wheel's surface.
+    fn under_law(
         &self,
         motion: &RelativeMotion<T>,
         models: &mut Models<T>,
         rolling: &ZoneRolling<T>,
-    ) -> (UnderLaw<T>, Option<Tractions<T>>) {
+    ) -> UnderLaw<T> {
         let ZoneRolling { zone, position, axes, speed, surface_depth, lean, .. } = rolling;
-        let Models { curved_zone, strips, tangential, material, wear, given, .. } = models;
-        let material = &material.fixed();
-        let mut wear = wear.as_deref_mut().filter(|wear| wear.is_recording());
-        if let Some(wear) = &mut wear {
-            wear.begin_zone(zone.first, zone.count);
-        }
-        if let Some(given) = given.take() {
-            if let Some(wear) = wear {
-                for (j, [dissipation, slip_area]) in given.strips.iter().enumerate() {
-                    wear.add_strip(zone.first + j, dissipation.value(), slip_area.value());
-                }
-            }
-            let state = self.state(rolling, given.creepage);
-            let law = tangential.under_law(zone, strips, material, &state);
-            return (law, Some(given.about(*position)));
-        }
-        let creepage = match models.creepage {
-            CreepageModel::Flat => motion.creepage(*position, axes, speed.reference),
-            CreepageModel::Kinematic => self.kinematic(rolling),
-            CreepageModel::Curved => {
+        let Models { rolling: zones, strips, tangential, material, given, creepage, .. } = models;
+        let creepage = match (given, creepage) {
+            (Some(given), _) => given.creepage,
+            (_, CreepageModel::Flat) => motion.creepage(*position, axes, speed.reference),
+            (_, CreepageModel::Kinematic) => self.kinematic(rolling),
+            (_, CreepageModel::Curved) => {
                 let place = |u, x| {
                     let [point, tangent] = self.surface(u, x);
                     [point + axes.normal * *surface_depth, tangent]
                 };
-                curved_zone.place(zone, strips, motion, speed.reference, *lean, place)
+                zones.strips.place(zone, strips, motion, speed.reference, *lean, place)
             }
         };
         let state = self.state(rolling, creepage);
-        let law = tangential.under_law(zone, strips, material, &state);
-        let place = *position;
-        let tractions = match (models.creepage, wear) {
-            (CreepageModel::Curved, None) => {
-                let each = |_, _, _| {};
-                curved_zone.tractions(zone, strips, tangential, &law, place, each)
-            }
-            (CreepageModel::Curved, Some(wear)) => {
-                let each = |j, dissipation: T, slip_area: T| {
-                    wear.add_strip(j, dissipation.value(), slip_area.value());
-                };
-                curved_zone.tractions(zone, strips, tangential, &law, place, each)
-            }
-            (_, None) => {
-                let each = |_, _: &StripForce<T>| {};
-                let force = tangential.creep_force_under(zone, strips, &law, each);
-                force.map(|force| Tractions::flat(&force, &creepage, axes))
-            }
-            (_, Some(wear)) => {
-                let each = |j: usize, force: &StripForce<T>| {
-                    let (x, y) = (strips.x[j] - zone.x, strips.y[j] - zone.y);
-                    let dissipation = force.longitudinal
-                        * (creepage.longitudinal - y * creepage.spin)
-                        + force.lateral * (creepage.lateral + x * creepage.spin)
-                        + force.moment * creepage.spin;
-                    wear.add_strip(j, -dissipation.value(), force.slip_area.value());
-                };
-                let force = tangential.creep_force_under(zone, strips, &law, each);
-                force.map(|force| Tractions::flat(&force, &creepage, axes))
-            }
-        };
-        (law, tractions)
+        tangential.under_law(zone, strips, &material.fixed(), &state)
     }
 }

@@ -8,10 +8,10 @@
 use nalgebra::Vector3;
 
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
-use crate::element::contact::curved_zone::Tractions;
 use crate::element::contact::given_tractions::GivenTractions;
 use crate::element::contact::models::Models;
 use crate::element::contact::rail_walk::RailPlace;
+use crate::element::contact::tractions::Tractions;
 use crate::element::output::Output;
 use crate::element::parameters::CreepageModel;
 use crate::element::work::Work;
@@ -218,6 +218,7 @@ fn tractions(
         .map(|(_, zone)| GivenTractions {
             creepage: Creepage::default(),
             tractions: Tractions::default(),
+            convergence: Convergence::default(),
             strips: vec![[0.0; 2]; zone.count],
         })
         .collect();
@@ -277,8 +278,8 @@ fn tractions(
             return None;
         }
         let convergence = Convergence::to(solution.residual);
-        for GivenTractions { tractions, .. } in &mut found {
-            tractions.convergence = tractions.convergence.and(convergence);
+        for GivenTractions { convergence: own, .. } in &mut found {
+            *own = own.and(convergence);
         }
         for_each_element(elements, strip_of_row, |element| {
             let Some(z) = zone_of_strip(element.strip) else { return };

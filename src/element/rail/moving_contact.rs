@@ -13,6 +13,7 @@ use crate::element::contact::rail_frame::RailFrame;
 use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
+use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::moving_separation::MovingSeparation;
@@ -121,6 +122,20 @@ impl RailContact {
         let line = moving.value();
         let outline = RailOutline::moving(rail, laid);
         let mut work = Work::default();
+        let in_frame = |contact, damped, resultant_share, ahead| ContactSetup {
+            k,
+            input,
+            frame,
+            line: moving,
+            rail: outline,
+            contact,
+            slopes: [0.0; 2],
+            damped,
+            resultant_share,
+            ahead,
+            friction: friction.as_ref(),
+            is_on_arc: !matches!(damped, Damped::Alone),
+        };
         if found.strip_solver.is_some() && !search.contacts.is_empty() {
             strip_contact::solve(&line, rail, search, probes, found);
             output.normal_residual = output.normal_residual.at_least(found.normal_residual());
@@ -140,26 +155,25 @@ impl RailContact {
                 speeds: rail_speeds(input, k, rail),
                 around: None,
             };
-            for zone in 0..models.rail_strips.zones.len() {
-                let TakenZone { contact, load_factor, resultant_share, ahead } =
-                    moving_strips::take_zone(&moving, &outline, search, zone, &damping, models);
+            models.strips.clear();
+            models.rolling.clear();
+            let setup = |TakenZone { contact, load_factor, resultant_share, ahead }| {
+                in_frame(contact, Damped::By(load_factor), resultant_share, Some(ahead))
+            };
+            let separation = |contact: Contact<T>| {
                 let values = LineSeparation::new(&line, rail, contact.value());
-                let mut separation = MovingSeparation::new(values, &moving, outline, contact);
-                let forces = ContactSetup {
-                    k,
-                    input,
-                    frame,
-                    line: moving,
-                    rail: outline,
-                    contact,
-                    slopes: [0.0; 2],
-                    damped: Damped::By(load_factor),
-                    resultant_share,
-                    ahead: Some(ahead),
-                    friction: friction.as_ref(),
-                    is_on_arc: true,
-                };
-                forces.add_forces(&mut separation, models, output, &mut work);
+                MovingSeparation::new(values, &moving, outline, contact)
+            };
+            for zone in 0..models.rail_strips.zones.len() {
+                let taken =
+                    moving_strips::take_zone(&moving, &outline, search, zone, &damping, models);
+                setup(taken).lay(&separation(taken.contact), models, zone);
+            }
+            models.roll(output, &mut work);
+            for n in 0..models.rolling.zones.len() {
+                let taken = TakenZone::of(&models.rolling.zones[n]);
+                let mut separation = separation(taken.contact);
+                setup(taken).add_laid(n..n + 1, &mut separation, models, output);
             }
             return Ok(());
         }
@@ -194,20 +208,7 @@ impl RailContact {
                 probes,
                 &mut models.strips,
             );
-            let forces = ContactSetup {
-                k,
-                input,
-                frame,
-                line: moving,
-                rail: outline,
-                contact,
-                slopes: [0.0; 2],
-                damped: Damped::Alone,
-                resultant_share: T::from(1.0),
-                ahead: None,
-                friction: friction.as_ref(),
-                is_on_arc: false,
-            };
+            let forces = in_frame(contact, Damped::Alone, T::from(1.0), None);
             forces.add_forces(&mut separation, models, output, &mut work);
             if separation.has_kink {
                 return Err(BODY_ENDS);

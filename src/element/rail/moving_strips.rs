@@ -3,7 +3,7 @@
 use super::cut_strip::{self, CutStrip};
 use super::local_line::{LocalLine, MIN_RATE, radius_on_rows};
 use super::strip_damping::StripDamping;
-use super::taken_zone::{LocalPlace, TakenZone, deepest_within, zone_in_frame};
+use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::models::Models;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
@@ -142,7 +142,7 @@ pub fn take_zone<T: Real>(
         let at = line.even_at(u);
         LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
     });
-    let deepest = deepest_within(search, &models.strips.u);
+    let deepest = deepest_within(search, of_last_zone(&models.strips));
     let deepest = deepest.and_then(|contact| contact.moving(line, rail));
     let own = taken.contact.penetration;
     let penetration = deepest.map_or(own, |contact| own.max(contact.penetration));

@@ -7,7 +7,7 @@
 
 use super::local_line::LocalLine;
 use super::strip_damping::StripDamping;
-use super::taken_zone::{LocalPlace, TakenZone, deepest_within, zone_in_frame};
+use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
 use crate::element::contact::models::Models;
 use crate::element::output::Output;
@@ -85,13 +85,24 @@ pub fn add<'a>(
         speeds: rail_speeds(input, of_rail.k, placed),
         around: Some(line).filter(|line| line.varies_around()),
     };
+    // Strips of all zones feel each other.
+    models.strips.clear();
+    models.rolling.clear();
+    let setup = |TakenZone { contact, load_factor, resultant_share, ahead }| ContactSetup {
+        resultant_share,
+        ahead: Some(ahead),
+        ..forces(contact, [0.0; 2], Damped::By(load_factor))
+    };
     for zone in 0..models.rail_strips.zones.len() {
-        let TakenZone { contact, load_factor, resultant_share, ahead } =
-            take_zone(line, placed, search, zone, &damping, models);
-        let mut separation = LineSeparation::new(line, placed, contact);
-        let forces = forces(contact, [0.0; 2], Damped::By(load_factor));
-        let forces = ContactSetup { resultant_share, ahead: Some(ahead), ..forces };
-        left_out += forces.add_forces(&mut separation, models, output, work);
+        let taken = take_zone(line, placed, search, zone, &damping, models);
+        let separation = LineSeparation::new(line, placed, taken.contact);
+        setup(taken).lay(&separation, models, zone);
+    }
+    left_out += models.roll(output, work);
+    for n in 0..models.rolling.zones.len() {
+        let taken = TakenZone::of(&models.rolling.zones[n]);
+        let mut separation = LineSeparation::new(line, placed, taken.contact);
+        setup(taken).add_laid(n..n + 1, &mut separation, models, output);
     }
     left_out
 }
@@ -102,7 +113,7 @@ fn whole(models: &Models, search: &ContactSearch) -> [f64; 2] {
     [models.rail_strips.load(), deepest]
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// Adds zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
 /// own: through the centroid of its load, its normal along the resultant.
 fn take_zone(
     line: &ContactLine,
@@ -120,7 +131,7 @@ fn take_zone(
         LocalPlace { point: at.point, tangent, overlap, ahead }
     };
     let taken = zone_in_frame(index, damping, models, place);
-    let deepest = deepest_within(search, &models.strips.u);
+    let deepest = deepest_within(search, of_last_zone(&models.strips));
     let deepest = deepest.map_or(0.0, |contact| contact.penetration);
     let penetration = taken.contact.penetration.max(deepest);
     TakenZone { contact: Contact { penetration, ..taken.contact }, ..taken }

@@ -3,11 +3,14 @@
 
 use super::strip_damping::StripDamping;
 use crate::element::contact::models::Models;
+use crate::element::contact::rolling_zones::LaidZone;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::math::real::Real;
+use crate::normal::Strips;
 
 /// A zone in a frame of its own.
+#[derive(Clone, Copy, Debug)]
 pub struct TakenZone<T = f64> {
     /// The frame, and how deep the zone is.
     pub contact: Contact<T>,
@@ -31,6 +34,15 @@ pub(in crate::element) struct LocalPlace<T = f64> {
     pub ahead: T,
 }
 
+impl<T: Copy> TakenZone<T> {
+    /// That of a zone that was laid.
+    pub fn of(laid: &LaidZone<T>) -> Self {
+        let &LaidZone { contact, resultant_share, rolling, surface, .. } = laid;
+        let (load_factor, ahead) = (rolling.load_factor, surface.ahead);
+        Self { contact, load_factor, resultant_share, ahead }
+    }
+}
+
 /// The deepest contact between the outermost strips of a zone, which have the parameters `u`, if
 /// there is one.
 pub(in crate::element) fn deepest_within<'a, T: Real>(
@@ -42,7 +54,12 @@ pub(in crate::element) fn deepest_within<'a, T: Real>(
     inside.max_by(|a, b| a.penetration.total_cmp(&b.penetration))
 }
 
-/// Moves zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
+/// Parameters of the strips of the last zone.
+pub(in crate::element) fn of_last_zone<T>(strips: &Strips<T>) -> &[T] {
+    strips.zones.last().map_or(&[], |zone| &strips.u[zone.first..zone.first + zone.count])
+}
+
+/// Adds zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
 /// own, with derivatives where the numbers have them; `place` is that at a parameter of the line.
 pub(in crate::element) fn zone_in_frame<T: Real>(
     index: usize,
@@ -51,8 +68,8 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     mut place: impl FnMut(T) -> LocalPlace<T>,
 ) -> TakenZone<T> {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
-    strips.clear();
     let mut zone = all.zones[index];
+    let first = strips.y.len();
     let range = zone.first..zone.first + zone.count;
     let zero = T::from(0.0);
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
@@ -79,7 +96,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
         strips.u.push(all.u[j]);
     }
     let (area, load) = (zone.area, zone.load);
-    zone.first = 0;
+    zone.first = first;
     strips.summarise(&mut zone);
     let load_factor = if load > 0.0 { zone.load / load } else { T::from(1.0) };
     (zone.area, zone.load) = (area, load);
@@ -87,7 +104,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     let center = zone.y;
     // Normals that diverge carry less together.
     let resultant_share = if sum > 0.0 { resultant / sum } else { zero };
-    for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()) {
+    for (y, pressure) in strips.y.iter_mut().zip(strips.pressure.iter_mut()).skip(first) {
         *y -= center;
         *pressure /= load_factor;
     }

@@ -38,7 +38,10 @@ impl MarchedEllipse {
             half_length: a * (1.0 - u * u).sqrt(),
             width,
             limit: (1.0 - u * u) / load,
+            shear_modulus: 1.0,
             creepage: Creepage::default(),
+            load: (1.0 - u * u) * width / load,
+            left: 1.0,
         });
         Self { solver: Solver::new(count), strips: strips.collect(), poisson_ratio }
     }
@@ -49,7 +52,7 @@ impl MarchedEllipse {
             creepage: Creepage { longitudinal: longitudinal - spin * strip.y, lateral, spin },
             ..*strip
         }));
-        self.solver.solve(self.poisson_ratio, 1.0);
+        self.solver.solve(self.poisson_ratio);
         let mut force = [0.0; 3];
         for (strip, found) in self.strips.iter().zip(self.solver.resultants()) {
             let [[x, _], [y, moment]] = found.moments;

@@ -7,10 +7,10 @@
 //! few rounds without any equation to be solved (`solver`).
 //!
 //! What is left is made up for by what the same marches lack on the ellipse of each zone or lobe
-//! (`ellipse`), from a table of differences (`differences`).
+//! (`ellipse`, `parts`), from a table of differences (`differences`).
 //!
-//! All zones of a contact frame are in one solution. Every step of it is continuous in the strips of
-//! the normal problem, which come and go without load.
+//! All zones of a rail are in one solution. Every step of it is continuous in the strips of the
+//! normal problem, which come and go without load.
 
 mod adhesion;
 mod band;
@@ -20,6 +20,7 @@ mod functions;
 mod influence;
 mod march;
 mod model;
+mod parts;
 mod solver;
 mod state;
 

@@ -4,23 +4,22 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::differences::Differences;
+use super::parts::ZoneParts;
 use super::solver::{DIRECTIONS, Solver};
 use super::state::{Resultant, Strip};
 use crate::kinematics::creepage::Creepage;
 use crate::math::dual::Dual;
 use crate::math::real::Real;
 use crate::tangential::boundary_element::LoadedElements;
-use crate::tangential::convergence::Convergence;
 use crate::tangential::creep_number::CreepNumber;
-use crate::tangential::ellipse_force::{part_force, spread_parts};
-use crate::tangential::equivalent_ellipse::LoadedPart;
+use crate::tangential::equivalent_ellipse::{EquivalentEllipse, LoadedPart};
 use crate::tangential::field::ContactField;
-use crate::tangential::forces::{CreepForce, StripForce};
+use crate::tangential::forces::StripForce;
 use crate::tangential::loaded_zone::LoadedZone;
-use crate::tangential::neck::Lobes;
+use crate::tangential::neck::{Lobes, Neck};
 use crate::tangential::rigid_slip::RigidSlip;
 use crate::tangential::rolling::Rolling;
-use crate::tangential::zone_model::{RollingZone, ZoneModel};
+use crate::tangential::zone_model::RollingZone;
 
 /// Solvers in plain numbers and with derivatives.
 #[derive(Clone, Debug)]
@@ -58,16 +57,18 @@ impl CoupledMarches {
     }
 }
 
-/// Strips with which solutions are found.
+/// Numbers with which solutions are found.
 pub trait MarchNumber: Real {
-    /// Solves for `strips` and hands the number of each and its tractions to `each`, which adds them
-    /// up: a strip may come twice.
+    /// Solves for `strips` of `zones`, with what is missing on ellipses by the table `differences`,
+    /// and hands the tractions of all strips, in their order, to `each`, which adds them up: they may
+    /// come in several parts.
     fn march_strips(
         memory: &mut Memory,
         strips: impl Iterator<Item = Strip<Self>> + Clone,
+        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
         poisson_ratio: f64,
-        shear_modulus: Self,
-        each: impl FnMut(usize, &Resultant<Self>),
+        differences: &Differences,
+        each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     );
 }
 
@@ -75,18 +76,14 @@ impl MarchNumber for f64 {
     fn march_strips(
         memory: &mut Memory,
         strips: impl Iterator<Item = Strip> + Clone,
+        zones: impl Iterator<Item = ZoneParts> + Clone,
         poisson_ratio: f64,
-        shear_modulus: f64,
-        mut each: impl FnMut(usize, &Resultant),
+        differences: &Differences,
+        mut each: impl FnMut(&mut dyn Iterator<Item = Resultant>),
     ) {
-        let solver = &mut memory.plain;
-        if !solver.is_solved(strips.clone(), poisson_ratio, shear_modulus) {
-            solver.take(strips);
-            solver.solve(poisson_ratio, shear_modulus);
-        }
-        for (j, resultant) in memory.plain.resultants().enumerate() {
-            each(j, resultant);
-        }
+        memory.plain.take(strips);
+        memory.plain.solve_zones(poisson_ratio, zones, differences);
+        each(&mut memory.plain.resultants().copied());
     }
 }
 
@@ -94,9 +91,10 @@ impl<const N: usize> MarchNumber for Dual<N> {
     fn march_strips(
         memory: &mut Memory,
         strips: impl Iterator<Item = Strip<Self>> + Clone,
+        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
         poisson_ratio: f64,
-        shear_modulus: Self,
-        mut each: impl FnMut(usize, &Resultant<Self>),
+        differences: &Differences,
+        mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
         for start in (0..N).step_by(DIRECTIONS) {
             let count = (N - start).min(DIRECTIONS);
@@ -110,109 +108,108 @@ impl<const N: usize> MarchNumber for Dual<N> {
                 number.slopes[start..start + count].copy_from_slice(&x.slopes[..count]);
                 number
             };
+            let zones = zones.clone().map(|zone| zone.map(few));
             memory.moving.take(strips.clone().map(|strip| strip.map(few)));
-            memory.moving.solve(poisson_ratio, few(shear_modulus));
-            for (j, resultant) in memory.moving.resultants().enumerate() {
-                let slip_share = if start == 0 { resultant.slip_share } else { 0.0 };
-                let moments = resultant.moments.map(|moments| moments.map(back));
-                each(j, &Resultant { moments, slip_share });
-            }
+            memory.moving.solve_zones(poisson_ratio, zones, differences);
+            each(&mut memory.moving.resultants().map(|resultant| Resultant {
+                moments: resultant.moments.map(|moments| moments.map(back)),
+                slip_share: if start == 0 { resultant.slip_share } else { 0.0 },
+            }));
         }
     }
+}
+
+/// The same creepage in other numbers.
+fn in_numbers<T: Real, O: Real>(creepage: Creepage<T>, to: impl Fn(T) -> O) -> Creepage<O> {
+    let Creepage { longitudinal, lateral, spin } = creepage;
+    Creepage { longitudinal: to(longitudinal), lateral: to(lateral), spin: to(spin) }
 }
 
 impl<T: Real> Strip<T> {
     /// The same in other numbers.
     fn map<O: Real>(&self, to: impl Fn(T) -> O) -> Strip<O> {
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
         Strip {
             y: to(self.y),
             half_length: to(self.half_length),
             width: to(self.width),
             limit: to(self.limit),
-            creepage: Creepage {
-                longitudinal: to(longitudinal),
-                lateral: to(lateral),
-                spin: to(spin),
-            },
+            shear_modulus: to(self.shear_modulus),
+            creepage: in_numbers(self.creepage, &to),
+            load: to(self.load),
+            left: to(self.left),
         }
     }
 }
 
-impl<T: CreepNumber> ZoneModel<T> for CoupledMarches {
-    fn strip_forces(
-        &self,
-        zone: &RollingZone<'_, impl RigidSlip<T>, T>,
-        each: &mut dyn FnMut(usize, StripForce<T>),
-    ) -> Convergence {
-        let loaded = &zone.loaded;
-        let (of, strips) = (loaded.zone, loaded.strips);
-        let lobes = Lobes::of(loaded);
-        let neck = lobes.map(|lobes| lobes.neck);
-        let apart = neck.map_or(T::from(0.0), |neck| neck.share);
-        let mut marched = [CreepForce::<T>::default(); 3];
-        let members = members(loaded);
-        for (rolling, share) in zone.directions() {
-            let strip = |j| strip(loaded, rolling, j);
-            let material = loaded.material;
-            let mut next = members.clone();
-            T::march_strips(
-                &mut self.lend(),
-                members.clone().map(strip),
-                material.poisson_ratio,
-                material.shear_modulus,
-                |n, found| {
-                    if n == 0 {
-                        next = members.clone();
-                    }
-                    let Some(j) = next.next() else { return };
-                    if !(of.first..of.first + of.count).contains(&j) {
-                        return;
-                    }
-                    let area = strips.half_length[j] * strips.width[j];
-                    let force = force(found, rolling, area).times(share);
-                    if let Some(neck) = neck {
-                        let left = neck.left(strips.y[j]);
-                        let parts = [-apart + 1.0, apart * left, apart * (-left + 1.0)];
-                        for (marched, part) in marched.iter_mut().zip(parts) {
-                            marched.add(of, strips, j, &force.times(part));
-                        }
-                    } else {
-                        marched[0].add(of, strips, j, &force);
-                    }
-                    each(j, force);
-                },
-            );
-        }
-        let correction = |n: usize, part: &LoadedPart<T>, weight: T| {
-            let mut force = part_force(zone, part, weight, |ellipse, area| {
-                ellipse.tabulated_force(self.differences, area)
-            });
-            force.keep_within(zone.limit * part.share * part.friction * weight, &marched[n]);
-            force
+impl<T: Real> ZoneParts<T> {
+    /// The same in other numbers.
+    fn map<O: Real>(&self, to: impl Fn(T) -> O) -> ZoneParts<O> {
+        let part = |part: LoadedPart<T>| LoadedPart {
+            share: to(part.share),
+            ellipse: EquivalentEllipse {
+                along: to(part.ellipse.along),
+                across: to(part.ellipse.across),
+            },
+            creepage: in_numbers(part.creepage, &to),
+            friction: to(part.friction),
         };
-        spread_parts(zone, lobes.as_ref(), correction, each);
-        Convergence::default()
+        ZoneParts {
+            count: self.count,
+            limit: to(self.limit),
+            apart: to(self.apart),
+            parts: self.parts.map(|of| of.map(part)),
+        }
     }
 }
 
 impl CoupledMarches {
+    /// Hands the force on the wheel of each strip of `zones`, which come with their numbers in the
+    /// order of their places across, to `each`, which adds them up: with the number of the zone and
+    /// that of the strip, which may come twice. Allocates nothing.
+    pub fn roll<'a, T: CreepNumber, S: RigidSlip<T> + 'a>(
+        &self,
+        zones: &(impl Iterator<Item = (usize, RollingZone<'a, S, T>)> + Clone),
+        mut each: impl FnMut(usize, usize, StripForce<T>),
+    ) {
+        let Some((_, any)) = zones.clone().next() else { return };
+        let poisson_ratio = any.loaded.material.poisson_ratio;
+        for rolling in [Rolling::Forward, Rolling::Backward] {
+            if zones.clone().all(|(_, zone)| zone.share(rolling) <= 0.0) {
+                continue;
+            }
+            let strips = zones.clone().flat_map(|(_, zone)| {
+                let neck = Neck::of(zone.loaded.zone, zone.loaded.strips);
+                members(zone.loaded).map(move |j| strip(&zone, neck.as_ref(), rolling, j))
+            });
+            let of_zones = zones.clone().map(|(_, zone)| parts(&zone, rolling));
+            let differences = self.differences;
+            let memory = &mut self.lend();
+            T::march_strips(memory, strips, of_zones, poisson_ratio, differences, |found| {
+                for (n, zone) in zones.clone() {
+                    let (loaded, share) = (&zone.loaded, zone.share(rolling));
+                    for (j, resultant) in members(*loaded).zip(&mut *found) {
+                        let area = loaded.strips.half_length[j] * loaded.strips.width[j];
+                        each(n, j, force(&resultant, rolling, area).times(share));
+                    }
+                }
+            });
+        }
+    }
+
     /// Enters the tractions of a zone that rolls forward into `field`, whose grid is that of
     /// `elements`: shares of the bound of a cell there, of that of the pressure here.
     pub(in super::super) fn draw(
         &self,
-        RollingZone { loaded, .. }: &RollingZone<'_, impl RigidSlip>,
+        zone: &RollingZone<'_, impl RigidSlip>,
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {
+        let loaded = &zone.loaded;
         let strips = loaded.strips;
         let mut memory = self.lend();
-        let members = members(loaded);
-        let strip = |j| strip(loaded, Rolling::Forward, j);
-        memory.plain.take(members.clone().map(strip));
-        let material = loaded.material;
-        let cells = memory.plain.tractions(material.poisson_ratio, material.shear_modulus);
-        let numbers: Vec<usize> = members.collect();
+        memory.plain.take(members(*loaded).map(|j| strip(zone, None, Rolling::Forward, j)));
+        let cells = memory.plain.tractions(loaded.material.poisson_ratio);
+        let numbers: Vec<usize> = members(*loaded).collect();
         for (row, strip) in elements.rows_of(loaded.zone) {
             let Some(marched) = numbers.iter().position(|&j| j == strip) else { continue };
             let own = &cells[marched];
@@ -228,49 +225,66 @@ impl CoupledMarches {
     }
 }
 
-/// The strips of all zones of the contact frame that take part, in growing y.
+/// The strips of a zone that carry load on which friction acts.
 fn members<'a, T: Real>(
-    loaded: &'a LoadedZone<'_, impl RigidSlip<T>, T>,
+    loaded: LoadedZone<'a, impl RigidSlip<T> + 'a, T>,
 ) -> impl Iterator<Item = usize> + Clone + 'a {
-    let (own, all) = (loaded.zone, &loaded.strips.zones);
-    let before = all.iter().filter(|other| other.first < own.first);
-    let behind = all.iter().filter(|other| other.first > own.first);
-    before.chain([own]).chain(behind).flat_map(|zone| {
-        let numbers = zone.first..zone.first + zone.count;
-        numbers.filter(|&j| is_loaded(loaded, j))
+    let zone = loaded.zone;
+    (zone.first..zone.first + zone.count).filter(move |&j| {
+        let strips = loaded.strips;
+        strips.half_length[j] > 0.0
+            && strips.width[j] > 0.0
+            && loaded.friction_coefficient(j) * strips.pressure[j] > 0.0
     })
 }
 
-/// Strip `j` as one that rolls forward.
+/// Strip `j` of a zone with this `neck` as one that rolls forward.
 fn strip<T: Real>(
-    loaded: &LoadedZone<'_, impl RigidSlip<T>, T>,
+    RollingZone { loaded, origin, .. }: &RollingZone<'_, impl RigidSlip<T>, T>,
+    neck: Option<&Neck<T>>,
     rolling: Rolling,
     j: usize,
 ) -> Strip<T> {
     let strips = loaded.strips;
-    let own = loaded.slip.creepage(j);
-    // Backwards the strip is the same seen in a mirror along x.
-    let direction = rolling.direction();
     let load = strips.pressure[j] * strips.half_length[j] * FRAC_PI_2;
     Strip {
-        y: strips.y[j],
+        y: *origin + strips.y[j],
         half_length: strips.half_length[j],
         width: strips.width[j],
         limit: loaded.friction_coefficient(j) * load,
-        creepage: Creepage {
-            longitudinal: own.longitudinal * direction,
-            lateral: own.lateral,
-            spin: own.spin * direction,
-        },
+        shear_modulus: loaded.material.shear_modulus,
+        creepage: forward(&loaded.slip.creepage(j), rolling),
+        load: load * strips.width[j],
+        left: neck.map_or(T::from(1.0), |neck| neck.left(strips.y[j])),
     }
 }
 
-/// Whether strip `j` carries load that friction acts on.
-fn is_loaded<T: Real>(loaded: &LoadedZone<'_, impl RigidSlip<T>, T>, j: usize) -> bool {
-    let strips = loaded.strips;
-    strips.half_length[j] > 0.0
-        && strips.width[j] > 0.0
-        && loaded.friction_coefficient(j) * strips.pressure[j] > 0.0
+/// The parts of a zone as one that rolls forward.
+fn parts<T: Real>(zone: &RollingZone<'_, impl RigidSlip<T>, T>, rolling: Rolling) -> ZoneParts<T> {
+    let loaded = &zone.loaded;
+    let lobes = Lobes::of(loaded);
+    let apart = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
+    let [left, right] = lobes.map_or([None; 2], |lobes| lobes.parts);
+    let whole =
+        (apart < 1.0).then(|| LoadedPart::whole(loaded.zone, loaded.strips, zone.state.creepage));
+    let forward =
+        |part: LoadedPart<T>| LoadedPart { creepage: forward(&part.creepage, rolling), ..part };
+    ZoneParts {
+        count: members(*loaded).count(),
+        limit: zone.limit,
+        apart,
+        parts: [whole, left, right].map(|part| part.map(forward)),
+    }
+}
+
+/// A creepage as one that rolls forward: backwards the strip is the same seen in a mirror along x.
+fn forward<T: Real>(creepage: &Creepage<T>, rolling: Rolling) -> Creepage<T> {
+    let direction = rolling.direction();
+    Creepage {
+        longitudinal: creepage.longitudinal * direction,
+        lateral: creepage.lateral,
+        spin: creepage.spin * direction,
+    }
 }
 
 /// Force on the wheel of a strip of half length times width `area`.

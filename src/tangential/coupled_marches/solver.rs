@@ -6,10 +6,11 @@ use pulp::{NullaryFnOnce, x86::V3};
 
 use super::influence::{Influence, Pair, Ratio, WIDEST};
 use super::march::{ALONG, CELLS, LANES, Marched, march};
+use super::parts::{ZoneParts, Zones};
 use super::state::{Resultant, State, Strip, receive};
-use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
+use crate::tangential::tables::tabulated::{ForceTable, Tabulated};
 
 /// Marches: with more of them errors against boundary elements stay what they are.
 const ROUNDS: usize = 3;
@@ -26,8 +27,8 @@ pub struct Solver<T = f64> {
     states: FixedVec<State<T>>,
     /// Pairs of the first strips with all above them, row by row.
     pairs: Vec<Pair<T>>,
-    /// Poisson's ratio and shear modulus for which the strips are solved.
-    solved: Option<(f64, T)>,
+    /// The zones of which the strips are.
+    zones: Zones<T>,
 }
 
 impl<T: Real> Solver<T> {
@@ -35,12 +36,12 @@ impl<T: Real> Solver<T> {
     pub fn new(strips: usize) -> Self {
         let pairs = (strips * strips.saturating_sub(1) / 2).min(MAX_PAIRS);
         let pairs = vec![Pair::default(); pairs];
-        Self { states: FixedVec::new(strips), pairs, solved: None }
+        Self { states: FixedVec::new(strips), pairs, zones: Zones::new() }
     }
 
-    /// Takes the strips of the next solution.
+    /// Takes the strips of the next solution, zone by zone in the order of their places.
     pub fn take(&mut self, strips: impl Iterator<Item = Strip<T>>) {
-        self.solved = None;
+        self.zones.clear();
         let mut count = 0;
         for strip in strips {
             if let Some(state) = self.states.get_mut(count) {
@@ -58,20 +59,18 @@ impl<T: Real> Solver<T> {
         self.states.iter().map(|state| &state.resultant)
     }
 
-    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
+    /// Lays out flexibilities and pairs for bodies of this `ratio`, and marches as often as `rounds`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn solve_all<const F: bool>(&mut self, poisson_ratio: f64, shear_modulus: T) {
+    fn begin<const F: bool>(&mut self, ratio: &Ratio, rounds: usize) {
         let influence = Influence::shared();
-        let ratio = Ratio::of(poisson_ratio);
-        let factor = T::from(-2.0 / std::f64::consts::PI.powi(2)) / shear_modulus;
         for i in 0..self.states.len() {
             let Strip { half_length, width, .. } = self.states[i].strip;
             let reach = reach(&self.states, i);
             let state = &mut self.states[i];
-            state.own = influence.own::<F, T>(half_length, width, reach, &ratio);
-            state.growth = state.growth(shear_modulus, factor);
-            state.gradients = [[T::from(0.0); 4]; 2];
+            state.own = influence.own::<F, T>(half_length, width, reach, ratio);
+            state.growth = state.growth();
+            (state.gradients, state.given) = ([[T::from(0.0); 4]; 2], [[T::from(0.0); 4]; 2]);
         }
         let mut room = &mut self.pairs[..];
         for (i, below) in self.states.iter().enumerate() {
@@ -80,20 +79,26 @@ impl<T: Real> Solver<T> {
             room = further;
             // Here and below closures of iterators might be compiled apart, for any processor.
             for (between, (above, kept)) in others.iter().zip(row).enumerate() {
-                *kept = pair::<F, T>(influence, below, above, between, &ratio);
+                *kept = pair::<F, T>(influence, below, above, between, ratio);
             }
         }
-        for round in 0..ROUNDS {
-            if round > 0 {
-                self.couple::<F>(influence, &ratio);
-            }
+        self.march_all::<F>(|_, _, _, _| {});
+        self.go_on::<F>(ratio, rounds - 1);
+    }
+
+    /// Marches on for some rounds.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn go_on<const F: bool>(&mut self, ratio: &Ratio, rounds: usize) {
+        let influence = Influence::shared();
+        for _ in 0..rounds {
+            self.couple::<F>(influence, ratio);
             self.march_all::<F>(|_, _, _, _| {});
         }
-        self.solved = Some((poisson_ratio, shear_modulus));
     }
 
     /// Gradients that all strips cause, without the share that each has in its own march, over the
-    /// factor of [`Pair`].
+    /// factor that goes with a [`Pair`].
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio) {
@@ -221,23 +226,10 @@ pub const DIRECTIONS: usize = 4;
 pub type Cells = [([f64; 2], bool); CELLS];
 
 impl Solver {
-    /// Whether this is what was solved last, as where the zones of a contact come one after the
-    /// other.
-    pub fn is_solved(
-        &self,
-        strips: impl Iterator<Item = Strip>,
-        poisson_ratio: f64,
-        shear_modulus: f64,
-    ) -> bool {
-        self.solved == Some((poisson_ratio, shear_modulus))
-            && strips.eq(self.states.iter().map(|state| state.strip))
-    }
-
-    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa]; tractions of the strips
-    /// taken, against their slip.
+    /// Solves for bodies of this Poisson's ratio; tractions of the strips taken, against their slip.
     #[must_use]
-    pub fn tractions(&mut self, poisson_ratio: f64, shear_modulus: f64) -> Vec<Cells> {
-        self.solve(poisson_ratio, shear_modulus);
+    pub fn tractions(&mut self, poisson_ratio: f64) -> Vec<Cells> {
+        self.solve(poisson_ratio);
         let strips: Vec<Strip> = self.states.iter().map(|state| state.strip).collect();
         let mut found = vec![[([0.0; 2], false); CELLS]; strips.len()];
         self.march_all::<FUSED>(|first, cell, [x, y], slip| {
@@ -250,48 +242,77 @@ impl Solver {
         found
     }
 
-    /// Solves for bodies of this Poisson's ratio and shear modulus [Pa].
-    pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: f64) {
-        self.solve_by_any(poisson_ratio, shear_modulus);
+    /// Solves for bodies of this Poisson's ratio, by marches alone.
+    pub fn solve(&mut self, poisson_ratio: f64) {
+        self.by_any(&Ratio::of(poisson_ratio), Stage::Begin(ROUNDS));
     }
 }
 
-impl Solver<Dual<DIRECTIONS>> {
-    /// As of plain numbers.
-    pub fn solve(&mut self, poisson_ratio: f64, shear_modulus: Dual<DIRECTIONS>) {
-        self.solve_by_any(poisson_ratio, shear_modulus);
+impl<T: Tabulated> Solver<T> {
+    /// Solves for bodies of this Poisson's ratio with `zones` of which the strips are, and what
+    /// marches lack on their ellipses by the `table`.
+    pub fn solve_zones(
+        &mut self,
+        poisson_ratio: f64,
+        zones: impl Iterator<Item = ZoneParts<T>>,
+        table: &impl ForceTable,
+    ) {
+        let ratio = Ratio::of(poisson_ratio);
+        self.by_any(&ratio, Stage::Begin(ROUNDS - 1));
+        self.zones.take(&self.states, zones);
+        self.zones.feel(&mut self.states, &ratio, poisson_ratio, table);
+        self.by_any(&ratio, Stage::GoOn(1));
+        self.zones.spread(&mut self.states);
     }
 }
 
 /// Whether every processor that this is compiled for adds a product in one instruction.
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
+/// Rounds of marches.
+#[derive(Clone, Copy)]
+enum Stage {
+    /// With what is laid out before.
+    Begin(usize),
+    /// With what is there.
+    GoOn(usize),
+}
+
 impl<T: Real> Solver<T> {
-    /// Solves with the instructions that the processor has, found out at run time.
-    fn solve_by_any(&mut self, poisson_ratio: f64, shear_modulus: T) {
+    /// Marches with the instructions that the processor has, found out at run time.
+    fn by_any(&mut self, ratio: &Ratio, stage: Stage) {
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = V3::try_new() {
-            return simd.vectorize(Solution { solver: self, poisson_ratio, shear_modulus });
+            return simd.vectorize(Rounds { solver: self, ratio, stage });
         }
-        self.solve_all::<FUSED>(poisson_ratio, shear_modulus);
+        self.rounds::<FUSED>(ratio, stage);
+    }
+
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
+    fn rounds<const F: bool>(&mut self, ratio: &Ratio, stage: Stage) {
+        match stage {
+            Stage::Begin(rounds) => self.begin::<F>(ratio, rounds),
+            Stage::GoOn(rounds) => self.go_on::<F>(ratio, rounds),
+        }
     }
 }
 
-/// A solution, to be compiled for AVX2 with products that are added at once.
+/// Rounds, to be compiled for AVX2 with products that are added at once.
 #[cfg(target_arch = "x86_64")]
-struct Solution<'a, T> {
+struct Rounds<'a, T> {
     solver: &'a mut Solver<T>,
-    poisson_ratio: f64,
-    shear_modulus: T,
+    ratio: &'a Ratio,
+    stage: Stage,
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<T: Real> NullaryFnOnce for Solution<'_, T> {
+impl<T: Real> NullaryFnOnce for Rounds<'_, T> {
     type Output = ();
 
     #[allow(clippy::inline_always)]
     #[inline(always)]
     fn call(self) {
-        self.solver.solve_all::<true>(self.poisson_ratio, self.shear_modulus);
+        self.solver.rounds::<true>(self.ratio, self.stage);
     }
 }

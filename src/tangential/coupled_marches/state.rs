@@ -1,5 +1,7 @@
 //! A strip between the rounds: what it is, what others do to it, and its tractions.
 
+use std::f64::consts::PI;
+
 use super::functions::Four;
 use super::influence::{Own, Pair};
 use super::march::{CELLS, Sums};
@@ -17,8 +19,30 @@ pub struct Strip<T = f64> {
     pub width: T,
     /// Friction limit per width > 0 [N/m].
     pub limit: T,
+    /// Shear modulus of the bodies as it seems > 0 [Pa].
+    pub shear_modulus: T,
     /// Rigid slip in its middle.
     pub creepage: Creepage<T>,
+    /// Load [N].
+    pub load: T,
+    /// How much of it belongs to the left lobe of its zone, where that has a neck [-].
+    pub left: T,
+}
+
+impl<T: Real> Strip<T> {
+    /// Creepage that does to its march what the `gradients` do. A longitudinal one that grows along
+    /// the strip does as much as a third of what it is at the leading edge, where all of it adheres.
+    pub(super) fn felt(&self, [along, across]: &[Four<T>; 2]) -> Creepage<T> {
+        let &Self { half_length: a, shear_modulus, .. } = self;
+        let factor = T::from(GRADIENT) / shear_modulus;
+        let even = |[zeroth, _, second, _]: &Four<T>| *zeroth + a * a * *second * 0.5;
+        let odd = |[_, first, _, other_first]: &Four<T>| *first + *other_first;
+        Creepage {
+            longitudinal: factor * (even(along) + a * odd(along) * (1.0 / 3.0)),
+            lateral: factor * even(across),
+            spin: factor * odd(across),
+        }
+    }
 }
 
 /// Tractions of a strip in sums: what it does to the body that creeps, with the other sign.
@@ -38,6 +62,9 @@ pub(super) struct Moments<T> {
     even: [Four<T>; 2],
 }
 
+/// Factor of the gradients that go with a [`Pair`], times the shear modulus.
+const GRADIENT: f64 = 2.0 / (PI * PI);
+
 /// A strip and how it stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State<T> {
@@ -47,6 +74,8 @@ pub(super) struct State<T> {
     pub growth: [Growth<T>; 2],
     pub moments: [Moments<T>; 2],
     pub gradients: [Four<T>; 2],
+    /// What does not come from marches.
+    pub given: [Four<T>; 2],
     pub resultant: Resultant<T>,
 }
 
@@ -60,10 +89,26 @@ pub(super) struct Growth<T> {
     caused: [T; 4],
 }
 
+#[allow(clippy::inline_always)]
 impl<T: Real> Moments<T> {
     fn none() -> Self {
-        let none = [T::from(0.0); 4];
-        Self { odd: none, even: [none; 2] }
+        Self::of([T::from(0.0); 3])
+    }
+
+    /// Of the moments ∫ f x^k, k = 0, 1, 2.
+    #[inline(always)]
+    pub fn of([zeroth, first, second]: [T; 3]) -> Self {
+        Self {
+            odd: [first, zeroth, first, second],
+            even: [[zeroth, first, zeroth, first], [second; 4]],
+        }
+    }
+
+    /// The moments.
+    #[inline(always)]
+    pub fn each(&self) -> [T; 3] {
+        let [first, zeroth, _, second] = self.odd;
+        [zeroth, first, second]
     }
 }
 
@@ -97,6 +142,13 @@ fn product<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
     std::array::from_fn(|lane| a[lane] * b[lane])
 }
 
+/// Sums lane by lane.
+#[allow(clippy::inline_always)]
+#[inline(always)]
+fn sum<T: Real>(a: &Four<T>, b: &Four<T>) -> Four<T> {
+    std::array::from_fn(|lane| a[lane] + b[lane])
+}
+
 #[allow(clippy::inline_always)]
 impl<T: Real> Growth<T> {
     /// Constant growth and that by t and by T₂(t) with these gradients.
@@ -120,39 +172,49 @@ impl<T: Real> State<T> {
             growth: [Growth::default(); 2],
             moments: [Moments::none(); 2],
             gradients: [[T::from(0.0); 4]; 2],
+            given: [[T::from(0.0); 4]; 2],
             resultant: Resultant::default(),
         }
     }
 
-    /// Growth of the tractions along the track and across, where gradients are to be taken times
-    /// `factor`.
+    /// Growth of the tractions along the track and across.
     #[inline(always)]
-    pub fn growth(&self, shear_modulus: T, factor: T) -> [Growth<T>; 2] {
-        let Strip { half_length: a, creepage, .. } = &self.strip;
-        let a = *a;
+    pub fn growth(&self) -> [Growth<T>; 2] {
+        let &Strip { half_length: a, creepage, shear_modulus, .. } = &self.strip;
         let rigid = [[creepage.longitudinal, T::from(0.0)], [creepage.lateral, creepage.spin * a]];
-        let step = shear_modulus * a * (2.0 / CELLS as f64);
+        let step = a * (2.0 / CELLS as f64);
         let mut growth = [Growth::default(); 2];
         for component in 0..2 {
             let [flexibility, by_first, by_second, _] = self.own.flexibility[component];
             let per_flexibility = step / flexibility;
             let [constant, linear] = rigid[component];
-            let caused = -(factor * per_flexibility);
+            let caused = per_flexibility * GRADIENT;
             // Of x² to T₂.
             let square = caused * (a * a * 0.5);
+            let by_slip = shear_modulus * per_flexibility;
             growth[component] = Growth {
-                rigid: [constant * per_flexibility, linear * by_first * per_flexibility],
+                rigid: [constant * by_slip, linear * by_first * by_slip],
                 caused: [caused, square, caused * by_first * a, square * by_second],
             };
         }
         growth
     }
 
-    /// Begins with the gradients that it causes itself beyond those in its march.
+    /// Begins with the gradients that are given and those that it causes itself beyond those in its
+    /// march.
     #[inline(always)]
     pub fn begin_gradients(&mut self) {
         let [x, y] = &self.moments;
-        self.gradients = [product(&self.own.along, &x.odd), product(&self.own.across, &y.odd)];
+        self.gradients = [
+            sum(&product(&self.own.along, &x.odd), &self.given[0]),
+            sum(&product(&self.own.across, &y.odd), &self.given[1]),
+        ];
+    }
+
+    /// Zeroth and first moments of the tractions of the march.
+    pub fn marched(&self) -> [[T; 2]; 2] {
+        let [x, y] = [self.moments[0].each(), self.moments[1].each()];
+        [[x[0], x[1]], [y[0], y[1]]]
     }
 
     /// Takes the moments of the tractions after a march.
@@ -165,10 +227,7 @@ impl<T: Real> State<T> {
             let zeroth = zeroth[lane] * length;
             let first = first[lane] * length * a;
             let second = second[lane] * length * a * a;
-            self.moments[component] = Moments {
-                odd: [first, zeroth, first, second],
-                even: [[zeroth, first, zeroth, first], [second; 4]],
-            };
+            self.moments[component] = Moments::of([zeroth, first, second]);
             self.resultant.moments[component] = [zeroth, first];
         }
         self.resultant.slip_share = sums.slipping[lane] / CELLS as f64;

@@ -41,7 +41,7 @@ impl Settled {
     /// Whether the equations are fulfilled, and what is left of them.
     #[must_use]
     pub fn convergence(&self) -> Convergence {
-        Convergence { fell_back: self.left > LEFT, residual: self.left }
+        Convergence { fallbacks: u64::from(self.left > LEFT), residual: self.left }
     }
 }
 

@@ -9,8 +9,7 @@ use wheelrail::material::MaterialPair;
 use wheelrail::normal::{Strips, Zone};
 use wheelrail::planar::{PlanarCase, solve};
 use wheelrail::tangential::fastsim::TractionBound;
-use wheelrail::tangential::rigid_slip::FlatSlip;
-use wheelrail::tangential::{RollingState, Tangential};
+use wheelrail::tangential::{RollingState, RollingZone, Tangential};
 
 /// Strips of one zone as a normal model could leave them, only rougher: each of its own.
 fn any_zone() -> impl Strategy<Value = (Zone, Strips)> {
@@ -74,11 +73,11 @@ fn no_strip_carries_more_than_friction_times_its_pressure() {
             longitudinal: size * longitudinal, lateral: size * lateral, spin: 300.0 * size * spin,
         };
         let state = RollingState { creepage, forward_share, friction, load_factor, speed: 20.0 };
-        let slip = FlatSlip { zone: &zone, strips: &strips, creepage };
         for (model, bound, tangential) in &tangential {
             let mut forces = vec![[0.0; 2]; zone.count];
             let law = tangential.under_law(&zone, &strips, &material, &state);
-            tangential.strip_forces(&zone, &strips, &slip, &law, |j, force| {
+            let rolling = RollingZone::flat(&zone, &strips, &law);
+            tangential.roll(std::iter::once(rolling), |_, j, force| {
                 forces[j][0] += force.longitudinal;
                 forces[j][1] += force.lateral;
             });

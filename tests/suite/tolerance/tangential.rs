@@ -99,8 +99,12 @@ super::entry::tolerances! {
     MARCHES_KALKER: [f64; 4] = [0.032, 0.032, 0.032, 0.12], target 0.01;
 
     /// Marches against boundary elements on 2 mm ridges beside each other, small creepages, over the
-    /// greater force: each ridge is corrected by an ellipse of its own, as if it were alone.
-    MARCHES_RIDGES: f64 = 0.35, target 0.1;
+    /// greater force: each ridge has few strips, and feels others as if each were one.
+    MARCHES_RIDGES: f64 = 0.2, target 0.1;
+
+    /// Marches against boundary elements on a rail with grooves of 3 mm, all zones together, over the
+    /// friction limit: zones share twenty strips, few each.
+    MARCHES_MILLED_RAIL: f64 = 0.05, target 0.02;
 
     /// Third differences of the creep force along a depth at which lobes grow together, in 6000
     /// steps, over the friction limit: the target of jumps.

@@ -21,80 +21,45 @@ use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
+use crate::tangential::StripForce;
 use crate::tangential::rigid_slip::StripSlip;
-use crate::tangential::{Convergence, CreepForce, CreepNumber, Tangential, UnderLaw};
 
-/// Resultant of the tractions of one zone on the wheel, in the track frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Tractions<T = f64> {
-    /// Force [N].
-    pub force: Vector3<T>,
-    /// Moment about the position of the patch [N m].
-    pub moment: Vector3<T>,
-    /// Power turned into heat over the reference speed [J/m].
-    pub dissipation: T,
-    /// Area that slips [m²].
-    pub slip_area: T,
-    /// How they converged.
-    pub convergence: Convergence,
-}
+use super::tractions::Tractions;
 
-impl<T: Real> Default for Tractions<T> {
-    fn default() -> Self {
-        Self {
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
-            dissipation: T::from(0.0),
-            slip_area: T::from(0.0),
-            convergence: Convergence::default(),
-        }
-    }
-}
-
-impl<T: Real> Tractions<T> {
-    /// Those of a flat zone with one creepage.
-    pub fn flat(force: &CreepForce<T>, creepage: &Creepage<T>, axes: &ContactAxes<T>) -> Self {
-        Self {
-            force: axes.longitudinal * force.longitudinal + axes.lateral * force.lateral,
-            moment: axes.normal * force.spin_moment,
-            dissipation: -(force.longitudinal * creepage.longitudinal
-                + force.lateral * creepage.lateral
-                + force.spin_moment * creepage.spin),
-            slip_area: force.slip_area,
-            convergence: force.convergence,
-        }
-    }
-}
-
-/// The strips of a zone on the wheel's surface, in the track frame.
+/// Strips on the wheel's surface, in the track frame.
 #[derive(Clone, Debug)]
-pub struct CurvedZone<T = f64> {
+pub struct CurvedStrips<T = f64> {
     /// Under the centre of each strip, x from the wheel marker [m].
     points: FixedVec<Vector3<T>>,
-    tangents: FixedVec<Vector3<T>>,
+    /// Axes of each.
+    axes: FixedVec<ContactAxes<T>>,
     creepages: FixedVec<Creepage<T>>,
-    /// Tangent of the angle by which its normals lean forward [-].
-    lean: T,
 }
 
-impl<T: Real> CurvedZone<T> {
-    /// Room for a zone of `strips` strips.
+impl<T: Real> CurvedStrips<T> {
+    /// Room for that many strips.
     pub fn with_capacity(strips: usize) -> Self {
         Self {
             points: FixedVec::new(strips),
-            tangents: FixedVec::new(strips),
+            axes: FixedVec::new(strips),
             creepages: FixedVec::new(strips),
-            lean: T::from(0.0),
         }
     }
 
-    /// Most strips of a zone.
+    /// Most strips without allocating.
     pub fn capacity(&self) -> usize {
         self.points.capacity()
     }
 
-    /// Takes the places and creepages of the strips of `zone`; returns the mean creepage, weighted
-    /// by load.
+    /// Forgets all strips.
+    pub fn clear(&mut self) {
+        self.points.clear();
+        self.axes.clear();
+        self.creepages.clear();
+    }
+
+    /// Takes the places and creepages of the strips of `zone`, which come after those taken before;
+    /// returns the mean creepage, weighted by load.
     ///
     /// `lean` is the tangent of the angle by which the normals of a rail that rises along the track
     /// lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact
@@ -108,11 +73,11 @@ impl<T: Real> CurvedZone<T> {
         lean: T,
         surface: impl Fn(T, T) -> [Vector3<T>; 2],
     ) -> Creepage<T> {
-        self.points.clear();
-        self.tangents.clear();
-        self.creepages.clear();
-        self.lean = lean;
         let (mut mean, mut load) = (Creepage::<T>::default(), T::from(0.0));
+        // Zones without load were left out.
+        self.points.resize(zone.first, Vector3::zeros());
+        self.axes.resize(zone.first, leaning_axes(Vector3::y(), T::from(0.0)));
+        self.creepages.resize(zone.first, Creepage::default());
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
             let axes = leaning_axes(tangent, lean);
@@ -123,7 +88,7 @@ impl<T: Real> CurvedZone<T> {
             mean.lateral += weight * creepage.lateral;
             mean.spin += weight * creepage.spin;
             self.points.push(point);
-            self.tangents.push(tangent);
+            self.axes.push(axes);
             self.creepages.push(creepage);
         }
         Creepage {
@@ -133,49 +98,33 @@ impl<T: Real> CurvedZone<T> {
         }
     }
 
-    /// The tractions of the zone placed last on the wheel, about `position`; nothing where there is
-    /// nothing to compute. `law` is that of the mean creepage. `each` gets the number of each
-    /// strip, its dissipation over the reference speed [J/m] and its area that slips [m²]; a strip
-    /// may come twice.
-    pub fn tractions(
+    /// Rigid slip of the strips of a zone with the `mean` creepage.
+    pub fn slip(&self, mean: Creepage<T>) -> StripSlip<'_, T> {
+        StripSlip { creepages: &self.creepages, mean }
+    }
+
+    /// Whether none of the strips creeps.
+    pub fn is_still(&self) -> bool {
+        self.creepages.iter().all(Creepage::is_zero)
+    }
+
+    /// Adds the force of strip `j` to `total`, about `position`; returns its dissipation over the
+    /// reference speed [J/m].
+    pub fn add(
         &self,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        tangential: &Tangential,
-        law: &UnderLaw<T>,
+        total: &mut Tractions<T>,
         position: Vector3<T>,
-        mut each: impl FnMut(usize, T, T),
-    ) -> Option<Tractions<T>>
-    where
-        T: CreepNumber,
-    {
-        let mean = law.state.creepage;
-        let slip = StripSlip { first: zone.first, creepages: &self.creepages, mean };
-        if self.creepages.iter().all(Creepage::is_zero) {
-            return None;
-        }
-        let mut total = Tractions::<T>::default();
-        let solved = tangential.strip_forces(zone, strips, &slip, law, |j, strip| {
-            let i = j - zone.first;
-            let (tangent, creepage) = (self.tangents[i], &self.creepages[i]);
-            let axes = leaning_axes(tangent, self.lean);
-            let force = axes.longitudinal * strip.longitudinal + tangent * strip.lateral;
-            total.force += force;
-            total.moment += (self.points[i] - position).cross(&force) + axes.normal * strip.moment;
-            let dissipation = -(strip.longitudinal * creepage.longitudinal
-                + strip.lateral * creepage.lateral
-                + strip.moment * creepage.spin);
-            total.dissipation += dissipation;
-            total.slip_area += strip.slip_area;
-            each(j, dissipation, strip.slip_area);
-        })?;
-        total.convergence = solved.convergence;
-        if tangential.is_corrected() {
-            // Parts of the correction against those of FASTSIM in other tangent planes may add up
-            // to more than friction can hold.
-            total.force *= (solved.limit / total.force.dot(&total.force).sqrt()).at_most(1.0);
-        }
-        Some(total)
+        j: usize,
+        strip: &StripForce<T>,
+    ) -> T {
+        let (axes, creepage) = (&self.axes[j], &self.creepages[j]);
+        let force = axes.longitudinal * strip.longitudinal + axes.lateral * strip.lateral;
+        total.force += force;
+        total.moment += (self.points[j] - position).cross(&force) + axes.normal * strip.moment;
+        let dissipation = strip.dissipation(creepage);
+        total.dissipation += dissipation;
+        total.slip_area += strip.slip_area;
+        dissipation
     }
 }
 
@@ -188,12 +137,20 @@ fn leaning_axes<T: Real>(tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::contact::models::Models;
+    use crate::element::contact::rolling_zones::LaidZone;
+    use crate::element::contact::zone_rolling::ZoneRolling;
+    use crate::element::contact::zone_surface::ZoneSurface;
+    use crate::element::output::Output;
+    use crate::element::parameters::Parameters;
+    use crate::element::work::Work;
     use crate::friction::StripFriction;
+    use crate::geometry::contacts::contact::Contact;
+    use crate::kinematics::creepage::rolling_speed;
     use crate::kinematics::motion::{RailMotion, WheelMotion};
     use crate::material::{Material, MaterialPair};
-    use crate::tangential::fastsim::TractionBound;
     use crate::tangential::friction_law::FrictionLaw;
-    use crate::tangential::{Flexibilities, RollingState, TangentialModel};
+    use crate::tangential::{RollingState, TangentialModel};
     use approx::assert_relative_eq;
     use std::f64::consts::PI;
 
@@ -217,9 +174,10 @@ mod tests {
             column.push(1e-3);
         }
         let zone = Zone { first: 0, count: 1, ..Zone::default() };
-        let mut curved = CurvedZone::with_capacity(1);
+        let mut curved = CurvedStrips::with_capacity(1);
         let mut creepage = |wheel: &WheelMotion| {
             let motion = RelativeMotion::new(wheel, &rail, Vector3::new(0.0, 0.76, 0.0));
+            curved.clear();
             curved.place(&zone, &strips, &motion, speed, 0.0, |_, x| {
                 let point = Vector3::new(x, 0.755, wheel.position[2] + rolling_radius);
                 [point, Vector3::new(0.0, angle.cos(), angle.sin())]
@@ -242,8 +200,16 @@ mod tests {
     fn corrected_tractions_in_many_planes_stay_within_the_friction_that_laws_leave() {
         // An ellipse bent round a corner of 7 mm, from tread to gauge face.
         let (count, along, across, pressure) = (20, 4e-3, 6e-3, 1.5e9);
-        let mut strips = Strips::with_capacity(1, count);
-        let mut curved = CurvedZone::with_capacity(count);
+        let clean = FrictionLaw::default();
+        let steep = FrictionLaw { falling_share: 0.3, falling_decay: 3.0, ..clean };
+        let mut models = Models::new(&Parameters {
+            tangential_model: TangentialModel::FastsimCorrected,
+            friction_law: clean,
+            gauge_face_law: steep,
+            ..Parameters::default()
+        });
+        let strips = &mut models.strips;
+        let mut curved = CurvedStrips::with_capacity(count);
         let mut zone = Zone {
             count,
             length: 2.0 * along,
@@ -272,14 +238,8 @@ mod tests {
             });
             zone.load += 0.5 * PI * along * chord * pressure * chord * 2.0 * across / count as f64;
             curved.points.push(Vector3::new(0.0, 7e-3 * angle.sin(), 7e-3 * (1.0 - angle.cos())));
-            curved.tangents.push(Vector3::new(0.0, angle.cos(), angle.sin()));
+            curved.axes.push(leaning_axes(Vector3::new(0.0, angle.cos(), angle.sin()), 0.0));
         }
-        let clean = FrictionLaw::default();
-        let steep = FrictionLaw { falling_share: 0.3, falling_decay: 3.0, ..clean };
-        let model = TangentialModel::FastsimCorrected;
-        let bound = TractionBound::Elliptic;
-        let tangential = Tangential::new(model, Flexibilities::Blended, bound, 20, [12, 12])
-            .with_laws([clean, steep]);
         let steel = Material { young_modulus: 2.1e11, poisson_ratio: 0.28 };
         let mut fallen = 0;
         for case in 0..4000 {
@@ -290,7 +250,7 @@ mod tests {
                 spin: 4.0 * (at(200, 20) - 0.5),
             };
             curved.creepages.clear();
-            for y in strips.y.iter() {
+            for y in models.strips.y.iter() {
                 let longitudinal = mean.longitudinal - mean.spin * y;
                 curved.creepages.push(Creepage { longitudinal, ..mean });
             }
@@ -302,10 +262,38 @@ mod tests {
                 speed: 30.0,
             };
             let material = MaterialPair::new(steel, steel);
-            let law = tangential.under_law(&zone, &strips, &material, &state);
-            let each = |_, _, _| {};
-            let found = curved.tractions(&zone, &strips, &tangential, &law, Vector3::zeros(), each);
-            let (force, limit) = (found.unwrap().force.norm(), law.state.friction * zone.load);
+            let law = models.tangential.under_law(&zone, &models.strips, &material, &state);
+            models.rolling.clear();
+            models.rolling.strips = curved.clone();
+            models.rolling.zones.push(LaidZone {
+                index: 0,
+                contact: Contact {
+                    u: 0.0,
+                    rail_s: 0.0,
+                    penetration: 0.0,
+                    origin: [0.0; 2],
+                    tangent: [1.0, 0.0],
+                    probes: [0, 0],
+                },
+                resultant_share: 1.0,
+                origin: 0.0,
+                rolling: ZoneRolling {
+                    zone,
+                    position: Vector3::zeros(),
+                    axes: leaning_axes(Vector3::y(), 0.0),
+                    rolling_radius: 0.46,
+                    forward: 30.0,
+                    speed: rolling_speed(30.0, -65.0, 0.46, 0.1),
+                    load_factor: 1.0,
+                    surface_depth: 0.0,
+                    lean: 0.0,
+                },
+                surface: ZoneSurface::even(),
+                law,
+            });
+            models.roll(&mut Output::default(), &mut Work::default());
+            let force = models.rolling.tractions[0].force.norm();
+            let limit = law.state.friction * zone.load;
             assert!(force <= limit * (1.0 + 1e-12), "{force} {limit} {mean:?}");
             fallen += usize::from(law.state.friction < 0.35);
         }
