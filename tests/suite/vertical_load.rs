@@ -202,3 +202,21 @@ fn the_height_follows_the_wheel_across_the_rail_without_steps_where_the_force_ha
     write_report("height_under_load.csv", &report);
     assert!(second < tolerance::HEIGHT_ROUGHNESS, "{second:e}");
 }
+
+#[test]
+fn a_load_on_tread_and_gauge_face_is_carried_where_the_wheel_stands_upright_between_them() {
+    let mut element =
+        element(&Parameters { vertical_mode: VerticalMode::Load, ..Parameters::default() });
+    let mut input = rolling(0.0, 20.0);
+    let wheel = &mut input.wheel;
+    wheel.position[1] = 0.748_849_512_159_364_3;
+    (wheel.roll, wheel.yaw) = (-0.015_004_591_607_284_571, -0.031_477_582_893_000_074);
+    wheel.velocity[1] = 0.022_962_158_866_193_766;
+    (wheel.roll_rate, wheel.yaw_rate) = (0.002_037_044_589_819_237, -0.030_426_938_512_800_26);
+    input.wheel_load = 40_100.443_938_739_83;
+    let output = evaluate(&mut element, &input);
+    let [share, force] = tolerance::CARRIED_LOAD;
+    let missed = (output.wheel.force[2] + input.wheel_load).abs();
+    assert!(missed <= share * input.wheel_load + force, "{missed}");
+    assert_eq!(output.fallback_count, 0);
+}

@@ -10,7 +10,7 @@ use super::number::ElementNumber;
 use super::rail_frame::RailFrame;
 use super::rail_friction::{LastPlace, RailFriction};
 use super::rail_walk::{RailPlace, RailWalk};
-use super::zone_surface::{ZoneSurface, closing_speed};
+use super::zone_surface::{self, ZoneSurface, closing_speed};
 use crate::element::input::{Input, WheelMotion};
 use crate::element::parameters::NormalModel;
 use crate::friction::StripFriction;
@@ -57,6 +57,9 @@ pub struct ContactSetup<'a, T = f64> {
     /// diverge. Friction is bounded by the loads themselves, strip by strip, so that a patch that
     /// wraps around the rail holds a little more than μ times its normal force [-].
     pub resultant_share: T,
+    /// How far its load is ahead of the contact line of a round wheel, where that is known better
+    /// than by its strips [m].
+    pub ahead: Option<T>,
     /// Friction over the surface of the rail, where it is not the same everywhere.
     pub friction: Option<&'a RailFriction>,
     /// Whether the strips lie on the arc of the rail, from the place of the contact on, and not
@@ -110,6 +113,13 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         self.frame.marker + self.frame.direction(point) + Vector3::x() * x
     }
 
+    /// How far the load of `zone` is ahead of the contact line of a round wheel [m].
+    fn ahead_of_line(&self, zone: &Zone<T>, models: &Models<T>) -> T {
+        let (is_ellipse, line) = (models.normal == NormalModel::Hertz, self.line.round());
+        let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
+        self.ahead.unwrap_or_else(|| zone_surface::ahead(zone, &models.strips, centre))
+    }
+
     /// The surface of the wheel in `zone` on a rail whose section varies along the track, or of one
     /// whose own section varies around.
     pub(in crate::element) fn met_surface(
@@ -117,15 +127,14 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         zone: &Zone<T>,
         models: &Models<T>,
     ) -> ZoneSurface<T> {
-        let (is_ellipse, line) = (models.normal == NormalModel::Hertz, &self.line.round());
-        let centre = |u| line.even_at(if is_ellipse { self.contact.u } else { u }).x;
+        let (line, ahead) = (&self.line.round(), self.ahead_of_line(zone, models));
         let Some(along) = self.rail.along(self.contact.rail_s) else {
-            return ZoneSurface::beside_round(zone, &models.strips, centre);
+            return ZoneSurface::beside_round(ahead);
         };
         let share = line.lifting_share(self.contact.normal());
         let line_ahead = self.line.ahead_of_round(self.contact.u);
         let radius = line.lifting_radius(zone.u);
-        ZoneSurface::met(share, radius, &along, line_ahead, zone, &models.strips, centre)
+        ZoneSurface::met(share, radius, &along, line_ahead, ahead)
     }
 
     /// Normal force with damping over that without [-].
@@ -140,7 +149,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             Damped::Together(whole) => whole,
             Damped::By(load_factor) => return load_factor,
         };
-        let closing_speed = self.closing_speed(motion, lifting, &models.strips);
+        let closing_speed = self.closing_speed(motion, lifting, models);
         let damped = damping::damped_load(load, penetration, closing_speed, models.damping);
         if load > 0.0 { damped / load } else { T::from(0.0) }
     }
@@ -151,15 +160,22 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         &self,
         motion: &RelativeMotion<T>,
         lifting: Option<&Lifting>,
-        strips: &Strips<T>,
+        models: &Models<T>,
     ) -> T {
-        let wheel = &self.input.wheel;
+        let (wheel, strips) = (&self.input.wheel, &models.strips);
         let load = strips.load();
         // Uneven bodies may touch in several places at once: their mean approach velocity has no
         // jump where the first one changes.
+        let mean = |place: &dyn Fn(&Zone<T>) -> T| {
+            strips.zones.iter().map(|zone| zone.load * place(zone)).sum::<T>() / load
+        };
         let along = self.rail.along(self.contact.rail_s);
-        let x = if (lifting.is_some() || along.is_some()) && load > 0.0 {
-            strips.zones.iter().map(|zone| zone.load * zone.x).sum::<T>() / load
+        let x = if along.is_some() && load > 0.0 {
+            // Ahead of where an even rail is touched, so that one that does not vary is one.
+            self.line.round().even_at(self.contact.u).x
+                + mean(&|zone| self.ahead_of_line(zone, models))
+        } else if lifting.is_some() && load > 0.0 {
+            mean(&|zone| zone.x)
         } else {
             self.line.even_at(self.contact.u).x
         };

@@ -29,32 +29,22 @@ impl<T: Real> ZoneSurface<T> {
         Self { depth: zero, radius: zero, lean: zero, ahead: zero }
     }
 
-    /// The surface of a wheel whose section varies around at the centroid of load of `zone`: its
-    /// normals do not lean, and act where they are. `centre` as of [`new`](Self::new), of the round
-    /// wheel in its place.
+    /// The surface of a wheel whose section varies around at a centroid of load `ahead` of the
+    /// contact line of the round wheel in its place [m]: its normals do not lean, and act where
+    /// they are.
     #[must_use]
-    pub fn beside_round(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> Self {
-        Self { ahead: ahead(zone, strips, centre), ..Self::even() }
+    pub fn beside_round(ahead: T) -> Self {
+        Self { ahead, ..Self::even() }
     }
 
-    /// The surface of a wheel at the centroid of load of `zone` on a rail that meets it `along` the
-    /// track ahead of the contact line or behind: it leans as the circle of the `radius` does
+    /// The surface of a wheel at a centroid of load `ahead` of the contact line of a round wheel
+    /// [m] on a rail that meets it `along` the track: it leans as the circle of the `radius` does
     /// there, so that the normal force of a round wheel has no moment about the axle, and less by
     /// as much as it passes ahead of the axle. The contact line itself lies `line_ahead` of that of
-    /// a round wheel. `share` is the component of a unit of height along the normal, `centre` as of
-    /// [`new`](Self::new), of a round wheel.
+    /// a round wheel. `share` is the component of a unit of height along the normal.
     #[must_use]
-    pub fn met(
-        share: T,
-        radius: T,
-        along: &Along<T>,
-        line_ahead: T,
-        zone: &Zone<T>,
-        strips: &Strips<T>,
-        centre: impl Fn(T) -> T,
-    ) -> Self {
+    pub fn met(share: T, radius: T, along: &Along<T>, line_ahead: T, ahead: T) -> Self {
         let Along { raised, lever, .. } = *along;
-        let ahead = ahead(zone, strips, centre);
         let to = ahead - line_ahead;
         let height = (radius * radius - to * to).at_least(0.0).sqrt();
         let lean = if height > 0.0 { share * (to - lever) / height } else { T::from(0.0) };
@@ -88,7 +78,7 @@ impl ZoneSurface {
 
 /// How far the load of `zone` is ahead of the contact line, of which `centre` is the place at the
 /// parameter of a strip [m].
-fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
+pub fn ahead<T: Real>(zone: &Zone<T>, strips: &Strips<T>, centre: impl Fn(T) -> T) -> T {
     // Strips of a yawed wheel each have their own place on the line.
     let zero = T::from(0.0);
     let (mut ahead, mut load) = (zero, zero);

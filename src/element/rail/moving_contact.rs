@@ -106,7 +106,7 @@ impl RailContact {
         let line = moving.value();
         let outline = RailOutline::moving(rail, laid);
         let mut work = Work::default();
-        let in_frame = |contact, damped, resultant_share| ContactSetup {
+        let in_frame = |contact, damped, resultant_share, ahead| ContactSetup {
             k,
             input,
             frame,
@@ -116,6 +116,7 @@ impl RailContact {
             slopes: [0.0; 2],
             damped,
             resultant_share,
+            ahead,
             friction: friction.as_ref(),
             is_on_arc: !matches!(damped, Damped::Alone),
         };
@@ -140,8 +141,8 @@ impl RailContact {
             };
             models.strips.clear();
             models.rolling.clear();
-            let setup = |TakenZone { contact, load_factor, resultant_share }| {
-                in_frame(contact, Damped::By(load_factor), resultant_share)
+            let setup = |TakenZone { contact, load_factor, resultant_share, ahead }| {
+                in_frame(contact, Damped::By(load_factor), resultant_share, Some(ahead))
             };
             let separation = |contact: Contact<T>| {
                 let values = LineSeparation::new(&line, rail, contact.value());
@@ -191,7 +192,7 @@ impl RailContact {
                 probes,
                 &mut models.strips,
             );
-            let forces = in_frame(contact, Damped::Alone, T::from(1.0));
+            let forces = in_frame(contact, Damped::Alone, T::from(1.0), None);
             forces.add_forces(&mut separation, models, output, &mut work);
             if separation.has_kink {
                 return Err(BODY_ENDS);

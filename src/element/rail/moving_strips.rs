@@ -3,7 +3,7 @@
 use super::cut_strip::{self, CutStrip};
 use super::local_line::{LocalLine, MIN_RATE, radius_on_rows};
 use super::strip_damping::StripDamping;
-use super::taken_zone::{TakenZone, deepest_within, of_last_zone, zone_in_frame};
+use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::models::Models;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
@@ -137,8 +137,9 @@ pub fn take_zone<T: Real>(
     let found = LocalLine::of(&value, rail.rail, search);
     let mut local = MovingLocal { line, rail, found, depth: depth(line, rail, search) };
     let taken = zone_in_frame(index, damping, models, |u| {
-        let LinePlace { tangent, overlap, .. } = local.place(u);
-        (line.even_at(u).point, tangent, overlap)
+        let LinePlace { x, tangent, overlap, .. } = local.place(u);
+        let at = line.even_at(u);
+        LocalPlace { point: at.point, tangent, overlap, ahead: x - at.x }
     });
     let deepest = deepest_within(search, of_last_zone(&models.strips));
     let deepest = deepest.and_then(|contact| contact.moving(line, rail));

@@ -57,6 +57,7 @@ impl RailContact {
                 slopes: [0.0; 2],
                 damped: Damped::Alone,
                 resultant_share: 1.0,
+                ahead: None,
                 friction: self.friction.as_ref(),
                 is_on_arc: false,
             };
@@ -167,6 +168,7 @@ impl RailContact {
                 slopes: pressed.slopes,
                 damped: Damped::Alone,
                 resultant_share: 1.0,
+                ahead: None,
                 friction: self.friction.as_ref(),
                 is_on_arc: false,
             };
@@ -201,6 +203,7 @@ impl RailContact {
             slopes,
             damped,
             resultant_share: 1.0,
+            ahead: None,
             friction: self.friction.as_ref(),
             // What shares its damping lies on the arc of the rail.
             is_on_arc: !matches!(damped, Damped::Alone),

@@ -7,7 +7,7 @@
 
 use super::local_line::LocalLine;
 use super::strip_damping::StripDamping;
-use super::taken_zone::{TakenZone, deepest_within, of_last_zone, zone_in_frame};
+use super::taken_zone::{LocalPlace, TakenZone, deepest_within, of_last_zone, zone_in_frame};
 use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds};
 use crate::element::contact::models::Models;
 use crate::element::output::Output;
@@ -19,7 +19,7 @@ use crate::geometry::contacts::separation::Probe;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::ContactLine;
-use crate::normal::least_energy::OverlapLine;
+use crate::normal::least_energy::{LinePlace, OverlapLine};
 
 /// Depth up to which strips are pressed [m]: beyond, at a hundred times the load of a wheel,
 /// normals of a gauge corner have crossed, and the strips of a virtual penetration carry on.
@@ -88,8 +88,9 @@ pub fn add<'a>(
     // Strips of all zones feel each other.
     models.strips.clear();
     models.rolling.clear();
-    let setup = |TakenZone { contact, load_factor, resultant_share }| ContactSetup {
+    let setup = |TakenZone { contact, load_factor, resultant_share, ahead }| ContactSetup {
         resultant_share,
+        ahead: Some(ahead),
         ..forces(contact, [0.0; 2], Damped::By(load_factor))
     };
     for zone in 0..models.rail_strips.zones.len() {
@@ -124,8 +125,10 @@ fn take_zone(
 ) -> TakenZone {
     let mut local = LocalLine::of(line, rail, search);
     let place = |u| {
-        let place = local.place(u);
-        (line.at(u).point, place.tangent, place.overlap)
+        let LinePlace { x, tangent, overlap, .. } = local.place(u);
+        let at = line.at(u);
+        let ahead = x - at.x + line.ahead_of_round(u);
+        LocalPlace { point: at.point, tangent, overlap, ahead }
     };
     let taken = zone_in_frame(index, damping, models, place);
     let deepest = deepest_within(search, of_last_zone(&models.strips));

@@ -18,13 +18,28 @@ pub struct TakenZone<T = f64> {
     pub load_factor: T,
     /// See [`ContactSetup::resultant_share`](crate::element::contact::contact_setup::ContactSetup::resultant_share).
     pub resultant_share: T,
+    /// How far its load is ahead of the contact line of a round wheel, where bodies vary along the
+    /// track [m].
+    pub ahead: T,
+}
+
+/// A place of the contact line and the surfaces there.
+pub(in crate::element) struct LocalPlace<T = f64> {
+    /// Point of the line and unit tangent of the rail across (y, z) [m, -].
+    pub point: [T; 2],
+    pub tangent: [T; 2],
+    /// Overlap [m].
+    pub overlap: T,
+    /// How far the middle of the strip is ahead of the contact line of a round wheel [m].
+    pub ahead: T,
 }
 
 impl<T: Copy> TakenZone<T> {
     /// That of a zone that was laid.
     pub fn of(laid: &LaidZone<T>) -> Self {
-        let &LaidZone { contact, resultant_share, rolling, .. } = laid;
-        Self { contact, load_factor: rolling.load_factor, resultant_share }
+        let &LaidZone { contact, resultant_share, rolling, surface, .. } = laid;
+        let (load_factor, ahead) = (rolling.load_factor, surface.ahead);
+        Self { contact, load_factor, resultant_share, ahead }
     }
 }
 
@@ -45,13 +60,12 @@ pub(in crate::element) fn of_last_zone<T>(strips: &Strips<T>) -> &[T] {
 }
 
 /// Adds zone number `index` of the rail to `models.strips`, with its `damping`, in a frame of its
-/// own, with derivatives where the numbers have them; `place` gives point, unit tangent and overlap
-/// at a parameter of the line.
+/// own, with derivatives where the numbers have them; `place` is that at a parameter of the line.
 pub(in crate::element) fn zone_in_frame<T: Real>(
     index: usize,
     damping: &StripDamping<T>,
     models: &mut Models<T>,
-    mut place: impl FnMut(T) -> ([T; 2], [T; 2], T),
+    mut place: impl FnMut(T) -> LocalPlace<T>,
 ) -> TakenZone<T> {
     let Models { strips, rail_strips: all, damping: coefficient, .. } = models;
     let mut zone = all.zones[index];
@@ -59,14 +73,16 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     let range = zone.first..zone.first + zone.count;
     let zero = T::from(0.0);
     let (mut sum, mut tangent, mut origin) = (zero, [zero; 2], [zero; 2]);
-    let mut penetration = zero;
+    let (mut penetration, mut ahead) = (zero, zero);
     for j in range {
-        let (point, direction, overlap) = place(all.u[j]);
+        let own = place(all.u[j]);
+        let LocalPlace { point, tangent: direction, overlap, .. } = own;
         let at = [all.x[j], all.y[j], all.u[j]];
         let factor = damping.factor(*coefficient, at, point, direction, overlap);
         let pressure = all.pressure[j] * factor;
         let load = all.half_length[j] * all.width[j] * pressure;
         sum += load;
+        ahead += load * own.ahead;
         for axis in 0..2 {
             tangent[axis] += load * direction[axis];
             origin[axis] += load * point[axis];
@@ -102,5 +118,6 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
         tangent: tangent.map(|t| t / resultant.at_least(f64::MIN_POSITIVE)),
         probes: [0, 0],
     };
-    TakenZone { contact, load_factor, resultant_share }
+    ahead /= sum.at_least(f64::MIN_POSITIVE);
+    TakenZone { contact, load_factor, resultant_share, ahead }
 }

@@ -13,6 +13,8 @@
 
 mod interval;
 mod sample;
+#[cfg(test)]
+mod tests;
 mod wheel_bounds;
 
 use crate::geometry::contacts::contact::Contact;
@@ -144,11 +146,18 @@ impl ContactSearch {
         self.evaluations += 1;
         let at = line.at(u);
         let mut nearest = rail.nearest(at.point, guess, tolerance);
-        if nearest.distance < -DEEP {
-            // So deep inside, the guess may hold on to a side that is no longer the nearest one.
-            let anywhere = rail.nearest(at.point, rail.coarse_nearest(at.point), tolerance);
-            if anywhere.distance < 0.0 && anywhere.distance > nearest.distance {
-                nearest = anywhere;
+        if nearest.distance < 0.0 {
+            let to = [0, 1].map(|i| at.point[i] - nearest.point[i]);
+            let squared = to[0] * to[0] + to[1] * to[1];
+            if squared > DEEP * DEEP {
+                // So deep inside, the guess may hold on to a side that is no longer the nearest
+                // one; or the line has gone so far at once, about the rim of a flange, that it is
+                // outside.
+                let anywhere = rail.nearest(at.point, rail.coarse_nearest(at.point), tolerance);
+                let is_on_a_side = anywhere.distance < 0.0 || !anywhere.beyond_end;
+                if is_on_a_side && anywhere.distance * anywhere.distance < squared {
+                    nearest = anywhere;
+                }
             }
         }
         let away = if nearest.beyond_end {
@@ -175,10 +184,15 @@ impl ContactSearch {
     fn advance(&mut self, line: &ContactLine, rail: &PlacedRail, from: &Sample, to: &Sample) {
         let dips = from.slope < 0.0 && to.slope > 0.0;
         if from.distance > 0.0 && to.distance > 0.0 {
-            // Where the distance is convex it lies above its two tangents.
+            if !dips {
+                return;
+            }
+            // Where the distance is convex along the line it lies above its two tangents, and the
+            // line goes on no faster than at one of its ends.
+            let length = (to.u - from.u) * stretch(line, from.u).max(stretch(line, to.u));
             let crossing = from.distance * to.slope - to.distance * from.slope
-                + from.slope * to.slope * (to.u - from.u);
-            if dips && crossing <= 0.1 * (to.slope - from.slope) * from.distance.min(to.distance) {
+                + from.slope * to.slope * length;
+            if crossing <= 0.1 * (to.slope - from.slope) * from.distance.min(to.distance) {
                 let lowest = self.extremum(line, rail, from, to);
                 if lowest.distance < 0.0 {
                     self.record(*from, Kind::Step);
@@ -322,4 +336,11 @@ impl ContactSearch {
             }
         }
     }
+}
+
+/// Length of the line over its parameter at `u` [-]: a yawed one runs fast where the profile is
+/// steep and curved.
+fn stretch(line: &ContactLine, u: f64) -> f64 {
+    let (_, [dy, dz]) = line.even_with_derivative(u);
+    dy.hypot(dz)
 }

@@ -110,6 +110,56 @@ fn random_pose(pair: &mut Pair, random: &mut Random, index: usize) -> WheelPose 
     }
 }
 
+/// What the search and brute force have at one pose.
+struct Found {
+    /// Deepest penetration by brute force, negative above the rail [m].
+    brute: f64,
+    contacts: usize,
+    /// Difference of the deepest penetrations, where there is one [m].
+    difference: f64,
+}
+
+/// Searches at `pose` and asserts that all contacts are found, and none is made up.
+fn compare(pair: &mut Pair, pose: &WheelPose) -> Found {
+    search(pair, pose);
+    let line = ContactLine::new(&pair.wheel.curve, RADIUS, pose);
+    let scan = dense_scan(&line, &pair.rail);
+    let contacts = &pair.search.contacts;
+    let brute = deepest(&scan);
+    let mut difference = 0.0;
+    if brute > tolerance::MISSED_PENETRATION {
+        let lifted = pair.ranges.is_empty();
+        assert!(!lifted, "{}: touches by {brute}, called lifted: {pose:?}", pair.name);
+        let found = contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
+        difference = (found - brute).abs();
+        assert!(
+            difference < tolerance::DEEPEST_PENETRATION,
+            "{}: found {found}, brute force {brute}: {pose:?}",
+            pair.name
+        );
+    }
+    // Every penetrated place lies in the interval of a contact.
+    for [u, distance] in scan {
+        if -distance <= tolerance::MISSED_PENETRATION {
+            continue;
+        }
+        let covered = contacts.iter().any(|c| {
+            let probes = &pair.search.probes[c.probes[0]..c.probes[1]];
+            (probes[0].u..=probes[probes.len() - 1].u).contains(&u)
+        });
+        assert!(covered, "{}: missed {distance} at {u}: {pose:?}", pair.name);
+    }
+    // And no contact is made up.
+    for contact in contacts.iter() {
+        assert!(
+            contact.penetration <= brute + tolerance::DEEPEST_PENETRATION,
+            "{}: {contact:?} against {brute}: {pose:?}",
+            pair.name
+        );
+    }
+    Found { brute, contacts: contacts.len(), difference }
+}
+
 #[test]
 fn the_search_finds_what_brute_force_finds() {
     let mut random = Random::new(1);
@@ -119,48 +169,60 @@ fn the_search_finds_what_brute_force_finds() {
         let mut pair = Pair::new(wheel, rail);
         for index in 0..130 {
             let pose = random_pose(&mut pair, &mut random, index);
-            search(&mut pair, &pose);
-            let line = ContactLine::new(&pair.wheel.curve, RADIUS, &pose);
-            let scan = dense_scan(&line, &pair.rail);
-            let contacts = &pair.search.contacts;
-            let brute = deepest(&scan);
-            if brute > tolerance::MISSED_PENETRATION {
-                touching += 1;
-                let lifted = pair.ranges.is_empty();
-                assert!(!lifted, "{}: touches by {brute}, called lifted: {pose:?}", pair.name);
-                let found = contacts.iter().map(|c| c.penetration).fold(0.0, f64::max);
-                worst = worst.max((found - brute).abs());
-                let miss = (found - brute).abs();
-                assert!(
-                    miss < tolerance::DEEPEST_PENETRATION,
-                    "{}: found {found}, brute force {brute}: {pose:?}",
-                    pair.name
-                );
-            }
-            several += usize::from(contacts.len() > 1);
-            // Every penetrated place lies in the interval of a contact.
-            for [u, distance] in scan {
-                if -distance <= tolerance::MISSED_PENETRATION {
-                    continue;
-                }
-                let covered = contacts.iter().any(|c| {
-                    let probes = &pair.search.probes[c.probes[0]..c.probes[1]];
-                    (probes[0].u..=probes[probes.len() - 1].u).contains(&u)
-                });
-                assert!(covered, "{}: missed {distance} at {u}: {pose:?}", pair.name);
-            }
-            // And no contact is made up.
-            for contact in contacts.iter() {
-                assert!(
-                    contact.penetration <= brute + tolerance::DEEPEST_PENETRATION,
-                    "{}: {contact:?} against {brute}: {pose:?}",
-                    pair.name
-                );
-            }
+            let Found { brute, contacts, difference } = compare(&mut pair, &pose);
+            touching += i32::from(brute > tolerance::MISSED_PENETRATION);
+            several += i32::from(contacts > 1);
+            worst = worst.max(difference);
         }
     }
     println!("{touching} touching, {several} with several contacts, worst difference {worst:e} m");
     assert!(touching > 150 && several > 20, "{touching}, {several}");
+}
+
+/// The height of first touch of a wheel that yaws so far, and what is found about it, against brute
+/// force.
+fn touch_of_a_yawed_wheel(pair: &mut Pair, [shift, roll, yaw]: [f64; 3]) {
+    let touch = pair.pose(shift, 0.0, roll, yaw);
+    for depth in [-1e-7, 1e-6, 1e-4] {
+        let mut pose = touch;
+        pose.marker[2] += depth;
+        let Found { brute, .. } = compare(pair, &pose);
+        let is_above = depth < 0.0;
+        assert!(
+            (brute < tolerance::MISSED_PENETRATION) == is_above,
+            "{}: {brute} at {depth}: {pose:?}",
+            pair.name
+        );
+    }
+}
+
+/// Wheels that yaw so far that their lines run three times as fast at the foot of the flange.
+fn yawed_wheels(poses: usize, seed: u64) {
+    let mut random = Random::new(seed);
+    for wheel in ["S1002", "S1002_worn.txt"] {
+        let mut pair = Pair::new(wheel, "60E1");
+        for _ in 0..poses {
+            let shift = random.within(-5e-3, 1e-2);
+            let attitude = [shift, random.about(0.02), random.about(0.08)];
+            touch_of_a_yawed_wheel(&mut pair, attitude);
+        }
+    }
+}
+
+#[test]
+fn wheels_that_yaw_far_begin_to_touch_where_brute_force_does() {
+    yawed_wheels(250, 11);
+    // A dip beside a place where the curvature of the wheel steps, and with it how fast the line
+    // runs.
+    let mut pair = Pair::new("S1002", "60E1");
+    touch_of_a_yawed_wheel(&mut pair, [4.100_357_9e-3, -2.072_777_6e-3, 0.049_343_896]);
+    touch_of_a_yawed_wheel(&mut pair, [8.627_967_4e-3, 8.328_903_6e-3, -0.053_036_582]);
+}
+
+#[test]
+#[ignore = "long: cargo test --release --test suite geometry:: -- --ignored"]
+fn twenty_thousand_wheels_that_yaw_far_begin_to_touch_where_brute_force_does() {
+    yawed_wheels(10_000, 12);
 }
 
 #[test]

@@ -95,6 +95,13 @@ super::entry::tolerances! {
     /// elsewhere: the target for loads.
     ECCENTRIC_ELEMENTS: [[f64; 2]; 2] = [[1e-2; 2]; 2];
 
+    /// Force and moment over a metre of a wheel on sections that are all the same against those on
+    /// one profile, over the force: the target.
+    EQUAL_SECTIONS: f64 = 1e-9;
+
+    /// The same under a given load, and heights [m]: each of both is found to 1e-9 of the load.
+    EQUAL_SECTIONS_LOADED: f64 = 2e-9, target 1e-9;
+
     /// A wheel that varies around on a rail of equal slices against that on one profile, worst, over
     /// the greatest force: rows are met within 1e-10 m of their place.
     EQUAL_SLICES: f64 = 1e-8, target 1e-9;

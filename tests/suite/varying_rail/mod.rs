@@ -4,6 +4,7 @@ mod against_contact;
 mod boundary_elements;
 mod corrugation;
 mod crossing;
+mod equal_sections;
 mod parts;
 
 use self::crossing::crossing;

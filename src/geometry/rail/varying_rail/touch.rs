@@ -139,12 +139,11 @@ impl Touch<'_> {
         let [y, _] = over.in_wheel(&p);
         let near = beside.and_then(|b| b.opposite).filter(|[_, own]| (y - own).abs() < CLOSE);
         let near = near.map(|[u, own]| u + y - own);
-        let Some(near) = near.or_else(|| self.wheel.parameter(y)) else {
-            return Some(over.under_axle(j, &p, x));
-        };
-        // A wheel that stands upright there may touch.
-        let Some(mut opposite) = over.opposite(near, y) else {
-            return Some(over.under_axle(j, &p, x));
+        let near = near.or_else(|| self.wheel.parameter(y));
+        // Where the wheel stands upright, or nothing of it is opposite, the row is as good as beside
+        // it, wherever those beside it are met.
+        let Some(mut opposite) = near.and_then(|near| over.opposite(near, y)) else {
+            return self.aside(over, j);
         };
         let centre = opposite.x;
         if guess.is_none() {
