@@ -55,8 +55,7 @@ pub fn displaced(
     let values = wheel.evaluator().values.clone();
     let (parameters, input) = (&values.parameters, &values.input);
     let [own, first, second] = &ways;
-    let made =
-        py.detach(|| Element::displaced(parameters, input, &folders, own, &[first, second]));
+    let made = py.detach(|| Element::displaced(parameters, input, &folders, own, &[first, second]));
     let subject = made.map_err(|error| refused(py, &error, None))?;
     Ok(Wheel::of(Evaluator::of(values, subject)))
 }
