@@ -220,11 +220,9 @@ mod tests {
     }
 
     #[test]
-    fn a_force_that_begins_at_once_is_told() -> Result<(), ContactError> {
-        assert!(matches!(
-            told_at(-0.1188)?[..],
-            [Remark::Place(StartWarning::BeginsAtOnce { overlap })] if overlap > 2e-5
-        ));
+    fn a_force_begins_with_nothing_where_a_yawed_line_runs_fast() -> Result<(), ContactError> {
+        // A dip that the search missed made it begin with an overlap of 20 µm here, which was told.
+        assert_eq!(told_at(-0.1188)?, []);
         assert_eq!(told_at(0.04)?, []);
         Ok(())
     }
