@@ -9,7 +9,7 @@ mod arithmetic;
 
 use std::cmp::Ordering;
 
-use super::logarithm;
+use super::by_slopes::functions_by_slopes;
 use super::real::Real;
 
 /// A value with its derivatives in `N` directions.
@@ -107,114 +107,13 @@ impl<const N: usize> Real for Dual<N> {
         self.function(value, slope())
     }
 
-    #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        if root == 0.0 { Self::from(0.0) } else { self.function(root, 0.5 / root) }
-    }
-
-    #[inline]
-    fn powi(self, power: i32) -> Self {
-        self.function(self.value.powi(power), f64::from(power) * self.value.powi(power - 1))
-    }
-
-    #[inline]
-    fn three_halves(self) -> Self {
-        self.function(self.value.powf(1.5), 1.5 * self.value.sqrt())
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.function(self.value.ln(), 1.0 / self.value)
-    }
-
-    #[inline]
-    fn normal_ln(self) -> Self {
-        self.function(logarithm::ln(self.value), 1.0 / self.value)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        let value = self.value.exp();
-        self.function(value, value)
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.value.sin_cos();
-        (self.function(sine, cosine), self.function(cosine, -sine))
-    }
-
-    #[inline]
-    fn asin(self) -> Self {
-        let rest = 1.0 - self.value * self.value;
-        let slope = if rest > 0.0 { 1.0 / rest.sqrt() } else { 0.0 };
-        self.function(self.value.asin(), slope)
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        let square = self.value * self.value + x.value * x.value;
-        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
-        let (by_y, by_x) = (x.value * inverse, -self.value * inverse);
-        Self::function_of_two(&self, &x, self.value.atan2(x.value), by_y, by_x)
-    }
-
-    #[inline]
-    fn hypot(self, other: Self) -> Self {
-        let length = self.value.hypot(other.value);
-        if length == 0.0 {
-            return Self::from(0.0);
-        }
-        let (by_self, by_other) = (self.value / length, other.value / length);
-        Self::function_of_two(&self, &other, length, by_self, by_other)
-    }
+    functions_by_slopes!(function, |a: Self, b: Self, value, by_a, by_b| {
+        Self::function_of_two(&a, &b, value, by_a, by_b)
+    });
 
     #[inline]
     fn abs(self) -> Self {
         self.function(self.value.abs(), self.value.signum())
-    }
-
-    #[inline]
-    fn signum(self) -> f64 {
-        self.value.signum()
-    }
-
-    #[inline]
-    fn max(self, other: Self) -> Self {
-        if self.value >= other.value || other.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
-    fn min(self, other: Self) -> Self {
-        if self.value <= other.value || other.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
-    fn at_least(self, least: f64) -> Self {
-        if self.value >= least { self } else { Self::from(least) }
-    }
-
-    #[inline]
-    fn at_most(self, most: f64) -> Self {
-        if self.value <= most { self } else { Self::from(most) }
-    }
-
-    #[inline]
-    fn within(self, least: f64, most: f64) -> Self {
-        if self.value < least {
-            Self::from(least)
-        } else if self.value > most {
-            Self::from(most)
-        } else {
-            self
-        }
-    }
-
-    #[inline]
-    fn copysign(self, sign: f64) -> Self {
-        let value = self.value.copysign(sign);
-        if value.is_sign_positive() == self.value.is_sign_positive() { self } else { -self }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Mathematics without railway words.
 
 pub(crate) mod b_spline;
+mod by_slopes;
 pub(crate) mod dual;
 pub mod elliptic;
 pub(crate) mod fixed_vec;

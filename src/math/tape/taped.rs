@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use super::{Entry, Look, TAPE, Tape};
+use crate::math::by_slopes::functions_by_slopes;
 use crate::math::dual::Dual;
-use crate::math::logarithm;
 use crate::math::real::{Cubic, Function, Leaf, Real};
 
 /// A value with its place on the tape of the thread.
@@ -165,113 +165,10 @@ impl Real for Taped {
         found.map(|found| Self::combined(found.value, numbers.iter().zip(found.slopes)))
     }
 
-    #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        if root == 0.0 { Self::from(0.0) } else { self.by(root, 0.5 / root) }
-    }
-
-    #[inline]
-    fn powi(self, power: i32) -> Self {
-        self.by(self.value.powi(power), f64::from(power) * self.value.powi(power - 1))
-    }
-
-    #[inline]
-    fn three_halves(self) -> Self {
-        self.by(self.value.powf(1.5), 1.5 * self.value.sqrt())
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.by(self.value.ln(), 1.0 / self.value)
-    }
-
-    #[inline]
-    fn normal_ln(self) -> Self {
-        self.by(logarithm::ln(self.value), 1.0 / self.value)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        let value = self.value.exp();
-        self.by(value, value)
-    }
-
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sine, cosine) = self.value.sin_cos();
-        (self.by(sine, cosine), self.by(cosine, -sine))
-    }
-
-    #[inline]
-    fn asin(self) -> Self {
-        let rest = 1.0 - self.value * self.value;
-        let slope = if rest > 0.0 { 1.0 / rest.sqrt() } else { 0.0 };
-        self.by(self.value.asin(), slope)
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        let square = self.value * self.value + x.value * x.value;
-        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
-        let (by_y, by_x) = (x.value * inverse, -self.value * inverse);
-        Self::by_two(self, x, self.value.atan2(x.value), by_y, by_x)
-    }
-
-    #[inline]
-    fn hypot(self, other: Self) -> Self {
-        let length = self.value.hypot(other.value);
-        if length == 0.0 {
-            return Self::from(0.0);
-        }
-        let (by_self, by_other) = (self.value / length, other.value / length);
-        Self::by_two(self, other, length, by_self, by_other)
-    }
+    functions_by_slopes!(by, Self::by_two);
 
     #[inline]
     fn abs(self) -> Self {
         if self.value.is_sign_positive() { self } else { -self }
-    }
-
-    #[inline]
-    fn signum(self) -> f64 {
-        self.value.signum()
-    }
-
-    #[inline]
-    fn max(self, other: Self) -> Self {
-        if self.value >= other.value || other.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
-    fn min(self, other: Self) -> Self {
-        if self.value <= other.value || other.value.is_nan() { self } else { other }
-    }
-
-    #[inline]
-    fn at_least(self, least: f64) -> Self {
-        if self.value >= least { self } else { Self::from(least) }
-    }
-
-    #[inline]
-    fn at_most(self, most: f64) -> Self {
-        if self.value <= most { self } else { Self::from(most) }
-    }
-
-    #[inline]
-    fn within(self, least: f64, most: f64) -> Self {
-        if self.value < least {
-            Self::from(least)
-        } else if self.value > most {
-            Self::from(most)
-        } else {
-            self
-        }
-    }
-
-    #[inline]
-    fn copysign(self, sign: f64) -> Self {
-        let value = self.value.copysign(sign);
-        if value.is_sign_positive() == self.value.is_sign_positive() { self } else { -self }
     }
 }

@@ -55,7 +55,7 @@ impl CoupledMarches {
         Self { memory: Mutex::new(Box::new(memory)), differences: Differences::shared() }
     }
 
-    /// The memory. One left in the middle of a solution counts as not solved.
+    /// The memory. Each solution begins with what it takes, also after one that did not end.
     fn lend(&self) -> MutexGuard<'_, Box<Memory>> {
         self.memory.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -63,13 +63,12 @@ impl CoupledMarches {
 
 /// Numbers with which solutions are found.
 pub trait MarchNumber: Real {
-    /// Solves for `strips` of `zones`, with what is missing on ellipses by the table `differences`,
-    /// and hands the tractions of all strips, in their order, to `each`, which adds them up: they may
-    /// come in several parts.
+    /// Solves for `zones` with their strips, with what is missing on ellipses by the table
+    /// `differences`, and hands the tractions of all strips, in their order, to `each`, which adds
+    /// them up: they may come in several parts.
     fn march_strips(
         memory: &mut Memory,
-        strips: impl Iterator<Item = Strip<Self>> + Clone,
-        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
+        zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: f64,
         differences: &Differences,
         each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
@@ -79,14 +78,12 @@ pub trait MarchNumber: Real {
 impl MarchNumber for f64 {
     fn march_strips(
         memory: &mut Memory,
-        strips: impl Iterator<Item = Strip> + Clone,
-        zones: impl Iterator<Item = ZoneParts> + Clone,
+        zones: impl Iterator<Item = (ZoneParts, impl Iterator<Item = Strip>)> + Clone,
         poisson_ratio: f64,
         differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant>),
     ) {
-        memory.plain.take(strips);
-        memory.plain.solve_zones(poisson_ratio, zones, differences);
+        memory.plain.solve_zones(zones, poisson_ratio, differences);
         each(&mut memory.plain.resultants().copied());
     }
 }
@@ -94,15 +91,14 @@ impl MarchNumber for f64 {
 impl<const N: usize> MarchNumber for Dual<N> {
     fn march_strips(
         memory: &mut Memory,
-        strips: impl Iterator<Item = Strip<Self>> + Clone,
-        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
+        zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: f64,
         differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
         for start in (0..N).step_by(DIRECTIONS) {
             let count = (N - start).min(DIRECTIONS);
-            let few = |x: Self| {
+            let few = move |x: Self| {
                 let mut slopes = [0.0; DIRECTIONS];
                 slopes[..count].copy_from_slice(&x.slopes[start..start + count]);
                 Dual { value: x.value, slopes }
@@ -112,9 +108,10 @@ impl<const N: usize> MarchNumber for Dual<N> {
                 number.slopes[start..start + count].copy_from_slice(&x.slopes[..count]);
                 number
             };
-            let zones = zones.clone().map(|zone| zone.map(few));
-            memory.moving.take(strips.clone().map(|strip| strip.map(few)));
-            memory.moving.solve_zones(poisson_ratio, zones, differences);
+            let of_few = zones
+                .clone()
+                .map(|(parts, strips)| (parts.map(few), strips.map(move |strip| strip.map(few))));
+            memory.moving.solve_zones(of_few, poisson_ratio, differences);
             each(&mut memory.moving.resultants().map(|resultant| Resultant {
                 moments: resultant.moments.map(|moments| moments.map(back)),
                 slip_share: if start == 0 { resultant.slip_share } else { 0.0 },
@@ -126,16 +123,14 @@ impl<const N: usize> MarchNumber for Dual<N> {
 impl MarchNumber for Taped {
     fn march_strips(
         memory: &mut Memory,
-        strips: impl Iterator<Item = Strip<Self>> + Clone,
-        zones: impl Iterator<Item = ZoneParts<Self>> + Clone,
+        zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
         poisson_ratio: f64,
         differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
         let most = memory.plain.most_strips();
         let solver = memory.taped.get_or_insert_with(|| Box::new(Solver::new(most)));
-        solver.take(strips);
-        solver.solve_zones(poisson_ratio, zones, differences);
+        solver.solve_zones(zones, poisson_ratio, differences);
         each(&mut solver.resultants().copied());
     }
 }
@@ -175,7 +170,6 @@ impl<T: Real> ZoneParts<T> {
             friction: to(part.friction),
         };
         ZoneParts {
-            count: self.count,
             limit: to(self.limit),
             apart: to(self.apart),
             parts: self.parts.map(|of| of.map(part)),
@@ -198,14 +192,15 @@ impl CoupledMarches {
             if zones.clone().all(|(_, zone)| zone.share(rolling) <= 0.0) {
                 continue;
             }
-            let strips = zones.clone().flat_map(|(_, zone)| {
-                let neck = Neck::of(zone.loaded.zone, zone.loaded.strips);
-                members(zone.loaded).map(move |j| strip(&zone, neck.as_ref(), rolling, j))
+            let with_strips = zones.clone().map(|(_, zone)| {
+                let lobes = Lobes::of(&zone.loaded);
+                let neck = lobes.map(|lobes| lobes.neck);
+                let strips = members(zone.loaded);
+                let strips = strips.map(move |j| strip(&zone, neck.as_ref(), rolling, j));
+                (parts(&zone, lobes.as_ref(), rolling), strips)
             });
-            let of_zones = zones.clone().map(|(_, zone)| parts(&zone, rolling));
-            let differences = self.differences;
-            let memory = &mut self.lend();
-            T::march_strips(memory, strips, of_zones, poisson_ratio, differences, |found| {
+            let (memory, differences) = (&mut self.lend(), self.differences);
+            T::march_strips(memory, with_strips, poisson_ratio, differences, |found| {
                 for (n, zone) in zones.clone() {
                     let (loaded, share) = (&zone.loaded, zone.share(rolling));
                     for (j, resultant) in members(*loaded).zip(&mut *found) {
@@ -280,10 +275,13 @@ fn strip<T: Real>(
     }
 }
 
-/// The parts of a zone as one that rolls forward.
-fn parts<T: Real>(zone: &RollingZone<'_, impl RigidSlip<T>, T>, rolling: Rolling) -> ZoneParts<T> {
+/// The parts of a zone with these `lobes` as one that rolls forward.
+fn parts<T: Real>(
+    zone: &RollingZone<'_, impl RigidSlip<T>, T>,
+    lobes: Option<&Lobes<T>>,
+    rolling: Rolling,
+) -> ZoneParts<T> {
     let loaded = &zone.loaded;
-    let lobes = Lobes::of(loaded);
     let apart = lobes.map_or(T::from(0.0), |lobes| lobes.neck.share);
     let [left, right] = lobes.map_or([None; 2], |lobes| lobes.parts);
     let whole =
@@ -291,7 +289,6 @@ fn parts<T: Real>(zone: &RollingZone<'_, impl RigidSlip<T>, T>, rolling: Rolling
     let forward =
         |part: LoadedPart<T>| LoadedPart { creepage: forward(&part.creepage, rolling), ..part };
     ZoneParts {
-        count: members(*loaded).count(),
         limit: zone.limit,
         apart,
         parts: [whole, left, right].map(|part| part.map(forward)),

@@ -7,18 +7,16 @@
 
 use super::functions::Four;
 use super::influence::{Influence, Ratio};
-use super::state::{Moments, State, Strip, receive};
+use super::state::{Moments, State, felt, receive};
 use crate::kinematics::creepage::Creepage;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 use crate::tangential::equivalent_ellipse::LoadedPart;
 use crate::tangential::tables::tabulated::{ForceTable, Tabulated};
 
-/// A zone and its parts, of strips that are taken one after the other.
+/// A zone and its parts, as ellipses.
 #[derive(Clone, Copy, Debug)]
 pub struct ZoneParts<T = f64> {
-    /// Number of its strips.
-    pub count: usize,
     /// Its friction limit [N].
     pub limit: T,
     /// Share of the lobes in the force, 0 to 1.
@@ -33,14 +31,19 @@ const PARTS: usize = 3;
 /// A part as one strip.
 #[derive(Clone, Copy, Debug)]
 struct Part<T> {
-    strip: Strip<T>,
+    /// Where its load is [m], its mean half length [m] and its load [N].
+    y: T,
+    half_length: T,
+    load: T,
+    shear_modulus: T,
+    /// Of the tractions of its marches.
     moments: [Moments<T>; 2],
     /// What its marches lack: forces on the body that creeps and the moment about the centroid of
     /// the load, with its share in the force of the zone [N, N m].
     lacks: [T; 3],
 }
 
-/// Zones with their parts as strips, lobes where there are any.
+/// Zones with their parts as strips.
 #[derive(Clone, Debug)]
 pub(super) struct Zones<T> {
     zones: FixedVec<Zone<T>>,
@@ -49,8 +52,10 @@ pub(super) struct Zones<T> {
 #[derive(Clone, Debug)]
 struct Zone<T> {
     given: ZoneParts<T>,
-    whole: Part<T>,
-    lobes: Option<[Part<T>; 2]>,
+    /// Number of its strips.
+    count: usize,
+    /// The whole, and the lobes where there are any.
+    parts: [Option<Part<T>>; PARTS],
 }
 
 /// Zones for which there is room; further ones allocate.
@@ -61,11 +66,16 @@ fn membership<T: Real>(left: T) -> [T; PARTS] {
     [T::from(1.0), left, -left + 1.0]
 }
 
+/// The other lobe.
+fn opposite(n: usize) -> Option<usize> {
+    (n > 0).then(|| PARTS - n)
+}
+
 impl<T: Real> Part<T> {
     /// The part `n` of a zone of these strips, which carry load.
     fn of(strips: &[State<T>], n: usize) -> Self {
         let zero = T::from(0.0);
-        let [mut load, mut y, mut square, mut limit] = [zero; 4];
+        let [mut load, mut y, mut square] = [zero; 3];
         let mut sums = [[zero; 3]; 2];
         for state in strips {
             let strip = &state.strip;
@@ -74,7 +84,6 @@ impl<T: Real> Part<T> {
             load += own;
             y += own * strip.y;
             square += own * strip.half_length * strip.half_length;
-            limit += member * strip.limit * strip.width;
             for (sums, moments) in sums.iter_mut().zip(&state.moments) {
                 for (sum, moment) in sums.iter_mut().zip(moments.each()) {
                     *sum += member * moment;
@@ -83,14 +92,14 @@ impl<T: Real> Part<T> {
         }
         // A part that carries nothing is nowhere.
         let per_load = if load > 0.0 { T::from(1.0) / load } else { zero };
-        let strip = Strip {
+        Self {
             y: y * per_load,
             half_length: (square * per_load).sqrt(),
-            limit,
             load,
-            ..strips[0].strip
-        };
-        Self { strip, moments: sums.map(Moments::of), lacks: [zero; 3] }
+            shear_modulus: strips[0].strip.shear_modulus,
+            moments: sums.map(Moments::of),
+            lacks: [zero; 3],
+        }
     }
 
     /// Adds the gradients that `moments` of another one cause here.
@@ -101,26 +110,59 @@ impl<T: Real> Part<T> {
         moments: &[Moments<T>; 2],
         ratio: &Ratio,
     ) {
-        let [own, other] = [&self.strip, &other.strip];
-        let distance = (own.y - other.y).abs();
-        if distance <= 0.0 || own.load <= 0.0 || other.load <= 0.0 {
+        let distance = (self.y - other.y).abs();
+        if distance <= 0.0 || self.load <= 0.0 || other.load <= 0.0 {
             return;
         }
         let square =
-            (own.half_length * own.half_length + other.half_length * other.half_length) * 0.5;
+            (self.half_length * self.half_length + other.half_length * other.half_length) * 0.5;
         let pair = Influence::shared().narrow::<false, T>(distance, square, ratio);
-        if other.y < own.y {
+        if other.y < self.y {
             receive::<false, true, T>(gradients, &pair, moments);
         } else {
             receive::<false, false, T>(gradients, &pair, moments);
         }
     }
 
+    /// Adds what its marches lack to the tractions of the strips of its zone, of which it is number
+    /// `n`, in proportion to their loads: so much that the force with its `share` in that of the
+    /// zone is not above `limit`.
+    fn spread(&self, strips: &mut [State<T>], n: usize, share: T, limit: T) {
+        let [mut x, mut y] = [T::from(0.0); 2];
+        for state in strips.iter() {
+            let member = share * membership(state.strip.left)[n];
+            let [along, across] = state.marched();
+            (x, y) = (x - member * along, y - member * across);
+        }
+        let [mut lacks_x, mut lacks_y, moment] = self.lacks;
+        let whole = [x + lacks_x, y + lacks_y];
+        let magnitude = whole[0].hypot(whole[1]);
+        if magnitude > limit {
+            let ratio = limit / magnitude;
+            (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
+        }
+        let per_load = T::from(1.0) / self.load;
+        for state in strips {
+            let of_part = membership(state.strip.left)[n] * state.strip.load * per_load;
+            let [[along, _], [across, turning]] = &mut state.resultant.moments;
+            *along -= of_part * lacks_x;
+            *across -= of_part * lacks_y;
+            *turning -= of_part * moment;
+        }
+    }
+
     /// Moments of what its marches lack, as a semi-ellipse along it, of the sign of tractions.
     fn lacking(&self) -> [Moments<T>; 2] {
-        let a = self.strip.half_length;
+        let a = self.half_length;
         let [x, y, _] = self.lacks;
         [x, y].map(|force| Moments::of([-force, T::from(0.0), -(force * a * a * 0.25)]))
+    }
+}
+
+impl<T: Real> Zone<T> {
+    /// Share of part `n` in the force.
+    fn share(&self, n: usize) -> T {
+        if n == 0 { -self.given.apart + 1.0 } else { self.given.apart }
     }
 }
 
@@ -132,102 +174,48 @@ impl<T: Real> Zones<T> {
     pub fn clear(&mut self) {
         self.zones.clear();
     }
-}
 
-impl<T: Real> Zone<T> {
-    /// Part number `n`, if there is one: the whole, the left lobe, the right one.
-    fn part(&self, n: usize) -> Option<&Part<T>> {
-        n.checked_sub(1)
-            .map_or(Some(&self.whole), |lobe| self.lobes.as_ref().map(|lobes| &lobes[lobe]))
-    }
-
-    fn part_mut(&mut self, n: usize) -> Option<&mut Part<T>> {
-        match n.checked_sub(1) {
-            None => Some(&mut self.whole),
-            Some(lobe) => self.lobes.as_mut().map(|lobes| &mut lobes[lobe]),
+    /// Adds a zone with so many strips, which come after those of the zones before it.
+    pub fn push(&mut self, given: ZoneParts<T>, count: usize) {
+        if count > 0 {
+            self.zones.push(Zone { given, count, parts: [None; PARTS] });
         }
     }
 
-    /// All parts.
-    fn all_parts(&self) -> impl Iterator<Item = &Part<T>> {
-        (0..PARTS).filter_map(|n| self.part(n))
-    }
-
-    /// Share of part `n` in the force.
-    fn share(&self, n: usize) -> T {
-        if n == 0 { -self.given.apart + 1.0 } else { self.given.apart }
-    }
-
-    /// The parts that have a share, with their numbers.
-    fn loaded_parts(&self) -> impl Iterator<Item = (usize, &LoadedPart<T>, &Part<T>)> {
-        let parts = self.given.parts.iter().enumerate();
-        parts.filter_map(|(n, loaded)| Some((n, loaded.as_ref()?, self.part(n)?)))
-    }
-}
-
-impl<T: Tabulated> Zones<T> {
-    /// Takes `zones` whose strips are `states`, in their order.
-    pub fn take(&mut self, states: &[State<T>], zones: impl Iterator<Item = ZoneParts<T>>) {
-        self.zones.clear();
+    /// Gathers the parts from the strips, which are `states`.
+    pub fn gather(&mut self, states: &[State<T>]) {
         let mut further = states;
-        for given in zones {
-            let (own, others) = further.split_at(given.count);
+        for zone in self.zones.iter_mut() {
+            let (own, others) = further.split_at(zone.count);
             further = others;
-            if own.is_empty() {
-                continue;
-            }
-            let lobes = (given.apart > 0.0).then(|| [Part::of(own, 1), Part::of(own, 2)]);
-            self.zones.push(Zone { given, whole: Part::of(own, 0), lobes });
+            let lobe = |n: usize| (zone.given.apart > 0.0).then(|| Part::of(own, n));
+            zone.parts = [Some(Part::of(own, 0)), lobe(1), lobe(2)];
         }
     }
 
-    /// Finds what the marches lack in the creepages that are felt, by the `table`, and gives the
-    /// strips the gradients that this causes in other parts.
-    pub fn feel(
-        &mut self,
-        states: &mut [State<T>],
-        ratio: &Ratio,
-        poisson_ratio: f64,
-        table: &impl ForceTable,
-    ) {
-        for z in 0..self.zones.len() {
-            for n in 0..PARTS {
-                let zone = &self.zones[z];
-                let (Some(loaded), Some(own)) = (&zone.given.parts[n], zone.part(n)) else {
-                    continue;
-                };
-                let mut gradients = [[T::from(0.0); 4]; 2];
-                for Zone { whole, .. } in self.beside(z) {
-                    own.receive(&mut gradients, whole, &whole.moments, ratio);
-                }
-                if let Some(other) = opposite(n).and_then(|other| zone.part(other)) {
-                    own.receive(&mut gradients, other, &other.moments, ratio);
-                }
-                let creepage = add(&loaded.creepage, &own.strip.felt(&gradients));
-                let limit = zone.given.limit * loaded.share * loaded.friction;
-                let modulus = own.strip.shear_modulus;
-                let lacks =
-                    loaded.ellipse.tabulated(table, poisson_ratio, modulus, &creepage, limit);
-                let share = zone.share(n);
-                if let Some(part) = self.zones[z].part_mut(n) {
-                    part.lacks = lacks.force.map(|force| share * force);
-                }
-            }
-        }
+    /// The zones beside number `z`.
+    fn beside(&self, z: usize) -> impl Iterator<Item = &Zone<T>> {
+        let others = self.zones.iter().enumerate().filter(move |(other, _)| *other != z);
+        others.map(|(_, zone)| zone)
+    }
+
+    /// Gives the strips, which are `states`, the gradients that what the marches of other parts lack
+    /// causes: in all of a zone that of other zones, in a lobe that of the other one.
+    pub fn hand_on(&self, states: &mut [State<T>], ratio: &Ratio) {
         let mut further = states;
         for (z, zone) in self.zones.iter().enumerate() {
-            let (own, others) = further.split_at_mut(zone.given.count);
+            let (own, others) = further.split_at_mut(zone.count);
             further = others;
-            for n in 0..PARTS {
-                let Some(part) = zone.part(n) else { continue };
+            for (n, part) in zone.parts.iter().enumerate() {
+                let Some(part) = part else { continue };
                 let mut gradients = [[T::from(0.0); 4]; 2];
-                let mut feel = |other: &Part<T>| {
+                let feel = |other: &Part<T>| {
                     part.receive(&mut gradients, other, &other.lacking(), ratio);
                 };
                 match opposite(n) {
-                    Some(other) => zone.part(other).map_or((), &mut feel),
+                    Some(other) => zone.parts[other].iter().for_each(feel),
                     None if self.zones.len() < 2 => continue,
-                    None => self.beside(z).flat_map(Zone::all_parts).for_each(feel),
+                    None => self.beside(z).flat_map(|zone| &zone.parts).flatten().for_each(feel),
                 }
                 for state in own.iter_mut() {
                     let member = membership(state.strip.left)[n];
@@ -241,55 +229,56 @@ impl<T: Tabulated> Zones<T> {
         }
     }
 
-    /// The zones beside number `z`.
-    fn beside(&self, z: usize) -> impl Iterator<Item = &Zone<T>> {
-        let others = self.zones.iter().enumerate().filter(move |(other, _)| *other != z);
-        others.map(|(_, zone)| zone)
-    }
-
     /// Adds what the marches lack to the tractions of the strips, in proportion to their loads and
     /// within what friction holds of each part.
     pub fn spread(&self, states: &mut [State<T>]) {
         let mut further = states;
         for zone in self.zones.iter() {
-            let (own, others) = further.split_at_mut(zone.given.count);
+            let (own, others) = further.split_at_mut(zone.count);
             further = others;
-            for (n, loaded, part) in zone.loaded_parts() {
+            for (n, (loaded, part)) in zone.given.parts.iter().zip(&zone.parts).enumerate() {
+                let (Some(loaded), Some(part)) = (loaded, part) else { continue };
                 // Friction may act on other strips alone.
-                if part.strip.load <= 0.0 {
-                    continue;
-                }
-                let share = zone.share(n);
-                let limit = zone.given.limit * loaded.share * loaded.friction * share;
-                let [mut x, mut y] = [T::from(0.0); 2];
-                for state in own.iter() {
-                    let member = share * membership(state.strip.left)[n];
-                    let [[along, _], [across, _]] = state.marched();
-                    (x, y) = (x - member * along, y - member * across);
-                }
-                let [mut lacks_x, mut lacks_y, moment] = part.lacks;
-                let whole = [x + lacks_x, y + lacks_y];
-                let magnitude = whole[0].hypot(whole[1]);
-                if magnitude > limit {
-                    let ratio = limit / magnitude;
-                    (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
-                }
-                let per_load = T::from(1.0) / part.strip.load;
-                for state in own.iter_mut() {
-                    let of_part = membership(state.strip.left)[n] * state.strip.load * per_load;
-                    let [[along, _], [across, turning]] = &mut state.resultant.moments;
-                    *along -= of_part * lacks_x;
-                    *across -= of_part * lacks_y;
-                    *turning -= of_part * moment;
+                if part.load > 0.0 {
+                    let share = zone.share(n);
+                    let limit = zone.given.limit * loaded.share * loaded.friction * share;
+                    part.spread(own, n, share, limit);
                 }
             }
         }
     }
 }
 
-/// The other lobe.
-fn opposite(n: usize) -> Option<usize> {
-    (n > 0).then(|| PARTS - n)
+impl<T: Tabulated> Zones<T> {
+    /// Finds what the marches lack in the creepages that are felt, by the `table`.
+    pub fn look_up(&mut self, ratio: &Ratio, poisson_ratio: f64, table: &impl ForceTable) {
+        for z in 0..self.zones.len() {
+            let zone = &self.zones[z];
+            let mut lacks = [None; PARTS];
+            for (n, (loaded, part)) in zone.given.parts.iter().zip(&zone.parts).enumerate() {
+                let (Some(loaded), Some(part)) = (loaded, part) else { continue };
+                let mut gradients = [[T::from(0.0); 4]; 2];
+                let other_lobe = opposite(n).and_then(|other| zone.parts[other].as_ref());
+                let wholes = self.beside(z).filter_map(|zone| zone.parts[0].as_ref());
+                for other in wholes.chain(other_lobe) {
+                    part.receive(&mut gradients, other, &other.moments, ratio);
+                }
+                let caused = felt(part.half_length, part.shear_modulus, &gradients);
+                let creepage = add(&loaded.creepage, &caused);
+                let limit = zone.given.limit * loaded.share * loaded.friction;
+                let modulus = part.shear_modulus;
+                let found =
+                    loaded.ellipse.tabulated(table, poisson_ratio, modulus, &creepage, limit);
+                let share = zone.share(n);
+                lacks[n] = Some(found.force.map(|force| share * force));
+            }
+            for (part, lacks) in self.zones[z].parts.iter_mut().zip(lacks) {
+                if let (Some(part), Some(lacks)) = (part, lacks) {
+                    part.lacks = lacks;
+                }
+            }
+        }
+    }
 }
 
 /// Sum of two creepages.

@@ -44,19 +44,24 @@ impl<T: Real> Solver<T> {
         self.states.capacity()
     }
 
-    /// Takes the strips of the next solution, zone by zone in the order of their places.
+    /// Takes the strips of the next solution.
     pub fn take(&mut self, strips: impl Iterator<Item = Strip<T>>) {
-        self.zones.clear();
-        let mut count = 0;
+        let count = self.put(0, strips);
+        self.states.truncate(count);
+    }
+
+    /// Puts `strips` in their places from number `first` on; returns the number after the last one.
+    fn put(&mut self, first: usize, strips: impl Iterator<Item = Strip<T>>) -> usize {
+        let mut next = first;
         for strip in strips {
-            if let Some(state) = self.states.get_mut(count) {
+            if let Some(state) = self.states.get_mut(next) {
                 state.strip = strip;
             } else {
                 self.states.push(State::new(strip));
             }
-            count += 1;
+            next += 1;
         }
-        self.states.truncate(count);
+        next
     }
 
     /// Tractions of the strips, in the order in which they were taken.
@@ -254,18 +259,27 @@ impl Solver {
 }
 
 impl<T: Tabulated> Solver<T> {
-    /// Solves for bodies of this Poisson's ratio with `zones` of which the strips are, and what
-    /// marches lack on their ellipses by the `table`.
+    /// Solves for `zones` with their strips, in the order of their places, on bodies of this Poisson's
+    /// ratio, with what marches lack on their ellipses by the `table`.
     pub fn solve_zones(
         &mut self,
+        zones: impl Iterator<Item = (ZoneParts<T>, impl Iterator<Item = Strip<T>>)>,
         poisson_ratio: f64,
-        zones: impl Iterator<Item = ZoneParts<T>>,
         table: &impl ForceTable,
     ) {
+        self.zones.clear();
+        let mut first = 0;
+        for (parts, strips) in zones {
+            let next = self.put(first, strips);
+            self.zones.push(parts, next - first);
+            first = next;
+        }
+        self.states.truncate(first);
         let ratio = Ratio::of(poisson_ratio);
         self.by_any(&ratio, Stage::Begin(ROUNDS - 1));
-        self.zones.take(&self.states, zones);
-        self.zones.feel(&mut self.states, &ratio, poisson_ratio, table);
+        self.zones.gather(&self.states);
+        self.zones.look_up(&ratio, poisson_ratio, table);
+        self.zones.hand_on(&mut self.states, &ratio);
         self.by_any(&ratio, Stage::GoOn(1));
         self.zones.spread(&mut self.states);
     }

@@ -29,19 +29,17 @@ pub struct Strip<T = f64> {
     pub left: T,
 }
 
-impl<T: Real> Strip<T> {
-    /// Creepage that does to its march what the `gradients` do. A longitudinal one that grows along
-    /// the strip does as much as a third of what it is at the leading edge, where all of it adheres.
-    pub(super) fn felt(&self, [along, across]: &[Four<T>; 2]) -> Creepage<T> {
-        let &Self { half_length: a, shear_modulus, .. } = self;
-        let factor = T::from(GRADIENT) / shear_modulus;
-        let even = |[zeroth, _, second, _]: &Four<T>| *zeroth + a * a * *second * 0.5;
-        let odd = |[_, first, _, other_first]: &Four<T>| *first + *other_first;
-        Creepage {
-            longitudinal: factor * (even(along) + a * odd(along) * (1.0 / 3.0)),
-            lateral: factor * even(across),
-            spin: factor * odd(across),
-        }
+/// Creepage that does to the march of a strip of the half length `a` what these gradients do. A
+/// longitudinal one that grows along the strip does as much as a third of what it is at the leading
+/// edge, where all of it adheres.
+pub(super) fn felt<T: Real>(a: T, shear_modulus: T, [along, across]: &[Four<T>; 2]) -> Creepage<T> {
+    let factor = T::from(GRADIENT) / shear_modulus;
+    let even = |[zeroth, _, second, _]: &Four<T>| *zeroth + a * a * *second * 0.5;
+    let odd = |[_, first, _, other_first]: &Four<T>| *first + *other_first;
+    Creepage {
+        longitudinal: factor * (even(along) + a * odd(along) * (1.0 / 3.0)),
+        lateral: factor * even(across),
+        spin: factor * odd(across),
     }
 }
 
@@ -211,10 +209,9 @@ impl<T: Real> State<T> {
         ];
     }
 
-    /// Zeroth and first moments of the tractions of the march.
-    pub fn marched(&self) -> [[T; 2]; 2] {
-        let [x, y] = [self.moments[0].each(), self.moments[1].each()];
-        [[x[0], x[1]], [y[0], y[1]]]
+    /// Sums of the tractions of the march, along the track and across.
+    pub fn marched(&self) -> [T; 2] {
+        [0, 1].map(|component| self.moments[component].each()[0])
     }
 
     /// Takes the moments of the tractions after a march.

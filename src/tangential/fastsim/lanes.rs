@@ -54,80 +54,60 @@ impl Marching for f64 {
 }
 
 impl<const N: usize> Marching for Dual<N> {
-    /// All that a strip depends on are four numbers, so that four derivatives do for any number of
-    /// directions.
-    fn march(
-        input: &LaneInput<Self>,
-        _: usize,
-        profile: &[f64],
-        abscissae: &[[f64; 2]],
-    ) -> Sums<Self> {
-        let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
-        let values = LaneInput {
-            step_x: value(&input.step_x),
-            step_y: value(&input.step_y),
-            step_y_per_abscissa: value(&input.step_y_per_abscissa),
-            bound: value(&input.bound),
-        };
-        let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
-        let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
-            let own = [
-                &input.step_x[lane],
-                &input.step_y[lane],
-                &input.step_y_per_abscissa[lane],
-                &input.bound[lane],
-            ];
-            let mut number = Self::from(sum);
-            for (own, slopes) in own.into_iter().zip(slopes) {
-                for (slope, direction) in number.slopes.iter_mut().zip(own.slopes) {
-                    *slope += slopes[lane] * direction;
-                }
-            }
-            number
-        };
-        Sums {
-            x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),
-            y: std::array::from_fn(|lane| moving(sums.y[lane], &slopes[1], lane)),
-            y_abscissa: std::array::from_fn(|lane| moving(sums.y_abscissa[lane], &slopes[2], lane)),
-            slipping: sums.slipping,
-        }
-    }
-}
-
-impl Marching for Taped {
-    /// As with dual numbers; lanes behind the last one are idle.
     fn march(
         input: &LaneInput<Self>,
         lanes: usize,
         profile: &[f64],
         abscissae: &[[f64; 2]],
     ) -> Sums<Self> {
-        let value = |lanes: &Lanes<Self>| lanes.map(Self::value);
-        let values = LaneInput {
-            step_x: value(&input.step_x),
-            step_y: value(&input.step_y),
-            step_y_per_abscissa: value(&input.step_y_per_abscissa),
-            bound: value(&input.bound),
-        };
-        let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
-        let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
-            if lane >= lanes {
-                return Self::from(sum);
-            }
-            let own = [
-                &input.step_x[lane],
-                &input.step_y[lane],
-                &input.step_y_per_abscissa[lane],
-                &input.bound[lane],
-            ];
-            Self::combined(sum, own.into_iter().zip(slopes.iter().map(|slopes| slopes[lane])))
-        };
-        Sums {
-            x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),
-            y: std::array::from_fn(|lane| moving(sums.y[lane], &slopes[1], lane)),
-            y_abscissa: std::array::from_fn(|lane| moving(sums.y_abscissa[lane], &slopes[2], lane)),
-            slipping: sums.slipping,
+        march_as_whole(input, lanes, profile, abscissae)
+    }
+}
+
+impl Marching for Taped {
+    fn march(
+        input: &LaneInput<Self>,
+        lanes: usize,
+        profile: &[f64],
+        abscissae: &[[f64; 2]],
+    ) -> Sums<Self> {
+        march_as_whole(input, lanes, profile, abscissae)
+    }
+}
+
+/// The march of numbers with derivatives: all that a strip depends on are four numbers, so that four
+/// derivatives do for any number of directions. Lanes behind the last one are idle.
+fn march_as_whole<T: Real>(
+    input: &LaneInput<T>,
+    lanes: usize,
+    profile: &[f64],
+    abscissae: &[[f64; 2]],
+) -> Sums<T> {
+    let value = |lanes: &Lanes<T>| lanes.map(T::value);
+    let values = LaneInput {
+        step_x: value(&input.step_x),
+        step_y: value(&input.step_y),
+        step_y_per_abscissa: value(&input.step_y_per_abscissa),
+        bound: value(&input.bound),
+    };
+    let (sums, slopes) = march_with_slopes(&values, profile, abscissae);
+    let moving = |sum: f64, slopes: &[Lanes<f64>; 4], lane: usize| {
+        if lane >= lanes {
+            return T::from(sum);
         }
+        let own = [
+            &input.step_x[lane],
+            &input.step_y[lane],
+            &input.step_y_per_abscissa[lane],
+            &input.bound[lane],
+        ];
+        T::combined(sum, own.into_iter().zip(slopes.iter().map(|slopes| slopes[lane])))
+    };
+    Sums {
+        x: std::array::from_fn(|lane| moving(sums.x[lane], &slopes[0], lane)),
+        y: std::array::from_fn(|lane| moving(sums.y[lane], &slopes[1], lane)),
+        y_abscissa: std::array::from_fn(|lane| moving(sums.y_abscissa[lane], &slopes[2], lane)),
+        slipping: sums.slipping,
     }
 }
 
