@@ -74,15 +74,15 @@ pub const ROLLING: [Rolling; 9] = [
     rolling(TangentialModel::Fastsim, 20, TractionBound::Parabolic, Flexibilities::Three),
     rolling(TangentialModel::Fastrip, 20, TractionBound::Elliptic, Flexibilities::Blended),
     rolling(TangentialModel::Tables, 4, TractionBound::Elliptic, Flexibilities::Blended),
-    CORRECTED,
-    rolling(TangentialModel::Marches, 20, TractionBound::Elliptic, Flexibilities::Blended),
+    rolling(TangentialModel::FastsimCorrected, 20, TractionBound::Elliptic, Flexibilities::Blended),
+    MARCHES,
 ];
 
 /// That of the fast pair, and that of the element as it starts.
 const FASTSIM: Rolling =
     rolling(TangentialModel::Fastsim, 20, TractionBound::Elliptic, Flexibilities::Blended);
-pub const CORRECTED: Rolling =
-    rolling(TangentialModel::FastsimCorrected, 20, TractionBound::Elliptic, Flexibilities::Blended);
+pub const MARCHES: Rolling =
+    rolling(TangentialModel::Marches, 20, TractionBound::Elliptic, Flexibilities::Blended);
 
 /// Boundary elements along and across.
 pub const BOUNDARY: [usize; 3] = [10, 20, 30];
@@ -154,17 +154,17 @@ impl Choice {
         let hertz = normal(NormalModel::Hertz, 12);
         let of_fast = ROLLING.map(|rolling| Self { normal: fast, rolling });
         let others = NORMAL.into_iter().filter(|&other| other != fast);
-        let corrected = others.map(|normal| Self { normal, rolling: CORRECTED });
-        let of_default = ROLLING.into_iter().filter(|&other| other != CORRECTED);
+        let marched = others.map(|normal| Self { normal, rolling: MARCHES });
+        let of_default = ROLLING.into_iter().filter(|&other| other != MARCHES);
         let of_default = of_default.map(|rolling| Self { normal: default, rolling });
         let hertz = [Self { normal: hertz, rolling: FASTSIM }];
-        let all = hertz.into_iter().chain(of_fast).chain(corrected).chain(of_default);
+        let all = hertz.into_iter().chain(of_fast).chain(marched).chain(of_default);
         all.chain(BOUNDARY.map(boundary)).collect()
     }
 
     /// Whether the element starts with it.
     pub fn is_default(self) -> bool {
-        self.normal == normal(NormalModel::Strips, DEFAULT_NODES) && self.rolling == CORRECTED
+        self.normal == normal(NormalModel::Strips, DEFAULT_NODES) && self.rolling == MARCHES
     }
 
     /// Both names.

@@ -9,7 +9,7 @@ use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use crate::canvas::{
     Area, BLUE, GREEN, GREY, INK, ORANGE, VERMILION, heading, px, style_axes, svg, text,
 };
-use crate::choices::{CORRECTED, DEFAULT_NODES, Normal};
+use crate::choices::{DEFAULT_NODES, MARCHES, Normal};
 use crate::common::{column, read_table, value};
 use crate::labels::{Frame, Labels};
 use crate::report::TREAD;
@@ -120,7 +120,7 @@ fn force_panel(area: &Area<'_>, rows: &[Row]) {
         .map(|row| {
             let (normal, rolling) = (row.choice.normal, row.choice.rolling);
             let is_default = row.choice.is_default();
-            let is_of_default = normal.model == NormalModel::Strips && rolling == CORRECTED;
+            let is_of_default = normal.model == NormalModel::Strips && rolling == MARCHES;
             let is_on_front = front.iter().any(|other| other.choice == row.choice);
             let name = match normal.model {
                 _ if is_default => format!("{}, default", normal.count),
@@ -158,7 +158,7 @@ fn force_panel(area: &Area<'_>, rows: &[Row]) {
         "Creep force: mean error against CONTACT, 656 states of real patches [% of the limit]",
         &marks,
         &line,
-        "strips or elements across (with fastsim_corrected), or the tangential model",
+        "strips or elements across (with marches), or the tangential model",
     );
 }
 

@@ -41,7 +41,7 @@ fn main() -> ExitCode {
     let families: Vec<&Family> = (planar::FAMILIES.iter().chain([&linear::FAMILY]))
         .chain(&wheel_rail::FAMILIES)
         .chain(&measured::FAMILIES)
-        .chain([&random::FAMILY])
+        .chain(&random::FAMILIES)
         .filter(|family| word.as_ref().is_none_or(|word| family.title.contains(word)))
         .collect();
     let wish = env::var("WHEELRAIL_SCOREBOARD").unwrap_or_default();

@@ -20,8 +20,13 @@ const FINE: usize = 40;
 const ELEMENTS: usize = 40;
 
 /// All of them.
-pub const SETTINGS: [Setting; 5] = [
+pub const SETTINGS: [Setting; 6] = [
     Setting { name: "by default", change: |_| (), is_slow: false },
+    Setting {
+        name: "`strips` 20 + `fastsim_corrected`",
+        change: |p| p.tangential_model = TangentialModel::FastsimCorrected,
+        is_slow: false,
+    },
     Setting {
         name: "`strips` 40 + `tables`",
         change: |p| {

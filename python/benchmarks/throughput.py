@@ -27,7 +27,7 @@ MODELS = (
     ("piotrowski_kik", "flat", "fastsim", 20_000),
     ("piotrowski_kik", "flat", "tables", 20_000),
     ("strips", "curved", "tables", 2_000),
-    ("strips", "curved", "fastsim_corrected", 2_000),
+    ("strips", "curved", "marches", 2_000),
     ("boundary_element", "curved", "boundary_element", 64),
 )
 #: Elements of the boundary element solution along and across, as in the scoreboard.

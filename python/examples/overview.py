@@ -26,7 +26,7 @@ def main() -> None:
     target = sys.argv[1] if len(sys.argv) > 1 else "overview.png"
     wheel = wheelrail.Element(
         normal_model="strips",
-        tangential_model="fastsim_corrected",
+        tangential_model="marches",
         vertical_mode="load",
         motion="rolling",
         vx=20.0,

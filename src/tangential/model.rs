@@ -16,7 +16,6 @@ pub enum TangentialModel {
     /// solutions; no tractions.
     Tables,
     /// FASTSIM on the true patch, its force corrected by its error on that ellipse.
-    #[default]
     FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
@@ -24,6 +23,7 @@ pub enum TangentialModel {
     Strips,
     /// Marches through the strips of the true patch, which feel each other through the half-space,
     /// their force corrected by its error on the ellipse.
+    #[default]
     Marches,
 }
 

@@ -70,7 +70,9 @@ class Wheel(unittest.TestCase):
         self.assertLess(braked.get("wheel.force.x"), 0.0)
         self.assertGreater(driven.get("wheel.force.x"), 0.0)
         limit = 0.3 * braked.get("patch[1].normal_force")
-        self.assertLessEqual(-braked.get("wheel.force.x"), limit * (1 + 1e-9))
+        # Friction acts along the track on pressures that point to both sides: those of a patch whose
+        # normals turn by 40 mrad add up to 1e-3 more than the normal force at most.
+        self.assertLessEqual(-braked.get("wheel.force.x"), limit * (1 + 1e-3))
         self.assertGreater(braked.get("frictional_power"), 0.0)
 
     def test_directional_derivatives_are_those_of_differences(self):

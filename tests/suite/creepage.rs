@@ -225,7 +225,9 @@ fn the_power_of_the_tractions_on_both_bodies_is_the_frictional_power_and_never_f
 
 #[test]
 fn kinematic_creepage_follows_from_the_rolling_radius_alone() {
-    let mut element = element(&with(&Parameters::default(), CreepageModel::Kinematic));
+    // Strips that feel each other turn the force a little where a patch is not symmetric.
+    let alone = Parameters { tangential_model: TangentialModel::Fastsim, ..Parameters::default() };
+    let mut element = element(&with(&alone, CreepageModel::Kinematic));
     let mut random = Random::new(24);
     for _ in 0..100 {
         let input = random_input(&mut element, &mut random);

@@ -1,13 +1,13 @@
 //! The tangential model marches against boundary elements, CONTACT's ellipses and Kalker's linear
 //! theory, and how smooth its forces are.
 
+use crate::common::kinked_heads::milled;
 use crate::common::planar::{creepage_of, hertzian_bodies, separations, steel_case};
 use crate::common::summary::Summary;
 use crate::common::wheel::{pressed, rolling};
 use crate::common::{column, quantiles, read_table, value};
 use crate::tolerance;
 use std::f64::consts::PI;
-use std::fmt::Write as _;
 use wheelrail::element::parameters::TangentialModel;
 use wheelrail::element::{Element, Input, Output, Parameters};
 use wheelrail::normal::NormalModel;
@@ -155,37 +155,10 @@ fn ridges_beside_each_other_are_not_driven_apart() {
     }
 }
 
-/// A rail head of 300 mm with grooves 3 mm wide and 30 µm deep, as milling leaves it, rounded corners
-/// and flanks [mm].
-fn milled_rail() -> String {
-    let crown = |y: f64| 300.0 - (300.0 * 300.0 - y * y).sqrt();
-    let groove = |y: f64| {
-        let place = (y / 3.0).rem_euclid(1.0);
-        crown(y) + 0.03 * 4.0 * place * (1.0 - place)
-    };
-    let (edge, radius) = (24.0, 13.0);
-    let start = f64::asin(edge / 300.0);
-    let corner = (1..=40).map(|i| {
-        let angle = start + (1.45 - start) * f64::from(i) / 40.0;
-        let across = radius * (angle.sin() - start.sin());
-        [edge + across, crown(edge) + radius * (start.cos() - angle.cos())]
-    });
-    let mut corner: Vec<[f64; 2]> = corner.collect();
-    let [across, down] = corner[corner.len() - 1];
-    corner.extend((1..=25).map(f64::from).map(|d| [across + d / f64::tan(1.45), down + d]));
-    let head = (-96..=96).map(|i| 0.25 * f64::from(i)).map(|y| [y, groove(y)]);
-    let left = corner.iter().rev().map(|[y, z]| [-y, *z]);
-    let mut text = String::new();
-    for [y, z] in left.chain(head).chain(corner.iter().copied()) {
-        writeln!(text, "{y:.7},{z:.7}").unwrap();
-    }
-    text
-}
-
 #[test]
 fn zones_of_a_milled_rail_feel_each_other() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("milled.csv"), milled_rail()).unwrap();
+    std::fs::write(folder.path().join("milled.csv"), milled()).unwrap();
     let mut exact = Parameters {
         normal_model: NormalModel::BoundaryElement,
         tangential_model: TangentialModel::BoundaryElement,

@@ -4,6 +4,7 @@
 
 pub mod contact_plane;
 pub mod document;
+pub mod kinked_heads;
 pub mod planar;
 pub mod random;
 pub mod roller;

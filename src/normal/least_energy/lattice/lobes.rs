@@ -54,7 +54,14 @@ fn add<T: Real, const SKEWED: bool>(
     let (square, cube) = (share * share, share * share * share);
     let product = square * other;
     let other_square = product * other;
-    for place in places {
+    // Of one length that is known to be right, so that the loop has no bounds to check and is made
+    // of wide instructions.
+    let count = places.len();
+    let (shares, least) = (&shares[places.clone()][..count], &mut least[places.clone()][..count]);
+    let [first, second, third] =
+        [first, second, third].map(|sums| &mut sums[places.clone()][..count]);
+    let [fourth, fifth] = [fourth, fifth].map(|sums| &mut sums[places.clone()][..count]);
+    for place in 0..count {
         least[place] = least[place].min(share);
         // A place without a share belongs to what a place with hardly any belongs to.
         let none = f64::MIN_POSITIVE;
