@@ -44,11 +44,10 @@ const CASES: [Case; 33] = [
     option("`tangential.model` = linear", |p| p.tangential_model = TangentialModel::Linear),
     option("`tangential.model` = tables", |p| p.tangential_model = TangentialModel::Tables),
     option("`tangential.model` = fastsim", |p| p.tangential_model = TangentialModel::Fastsim),
-    option("`tangential.model` = strips", |p| p.tangential_model = TangentialModel::Strips),
-    option("`tangential.model` = strips, `tangential.points` = 8", |p| {
-        p.tangential_model = TangentialModel::Strips;
-        p.points = 8;
+    option("`tangential.model` = fastsim_corrected", |p| {
+        p.tangential_model = TangentialModel::FastsimCorrected;
     }),
+    option("`tangential.model` = none", |p| p.tangential_model = TangentialModel::None),
     option("piotrowski_kik + fastsim, flat", fastest),
     option("`friction.distribution` = regions", regions),
     option("`friction.falling.*` and `friction.reduction.*`", falling),

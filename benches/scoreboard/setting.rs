@@ -20,7 +20,7 @@ const FINE: usize = 40;
 const ELEMENTS: usize = 40;
 
 /// All of them.
-pub const SETTINGS: [Setting; 6] = [
+pub const SETTINGS: [Setting; 5] = [
     Setting { name: "by default", change: |_| (), is_slow: false },
     Setting {
         name: "`strips` 20 + `fastsim_corrected`",
@@ -33,11 +33,6 @@ pub const SETTINGS: [Setting; 6] = [
             p.strips = FINE;
             p.tangential_model = TangentialModel::Tables;
         },
-        is_slow: false,
-    },
-    Setting {
-        name: "`strips` 20 + `strips`",
-        change: |p| p.tangential_model = TangentialModel::Strips,
         is_slow: false,
     },
     Setting {
@@ -77,7 +72,6 @@ impl Setting {
             elements: parameters.normal_elements,
             tangential_model: parameters.tangential_model,
             elements_along: parameters.elements_along,
-            points: parameters.points,
             bound: parameters.bound,
             flexibilities: parameters.flexibilities,
             ..*case

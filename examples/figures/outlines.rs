@@ -116,7 +116,6 @@ fn patch(
         tangential_model: TangentialModel::None,
         strips: STRIPS,
         elements_along: ALONG,
-        points: 15,
         elements: [ALONG, across],
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,

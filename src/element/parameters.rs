@@ -205,8 +205,6 @@ pub struct Parameters {
     pub tangential_model: TangentialModel,
     /// Elements along each strip, 4 to 200.
     pub elements_along: usize,
-    /// Points along each strip of the tangential model strips, 4 to 15.
-    pub points: usize,
     /// Shape of the traction bound.
     pub bound: TractionBound,
     /// How the flexibilities enter.
@@ -301,7 +299,6 @@ impl Default for Parameters {
             minimum_speed: 1e-3,
             tangential_model: TangentialModel::default(),
             elements_along: 20,
-            points: 15,
             bound: TractionBound::default(),
             flexibilities: Flexibilities::default(),
             friction_distribution: FrictionDistribution::default(),

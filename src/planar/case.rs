@@ -7,7 +7,6 @@ use crate::normal::{NormalModel, ShapeFit};
 use crate::tangential::fastsim::TractionBound;
 use crate::tangential::flash_temperature::FlashTemperature;
 use crate::tangential::friction_law::FrictionLaw;
-use crate::tangential::strips::MAX_POINTS;
 use crate::tangential::{Flexibilities, TangentialModel};
 
 /// How deep the bodies are pressed together.
@@ -53,8 +52,6 @@ pub struct PlanarCase<'a> {
     pub strips: usize,
     /// Elements along each strip.
     pub elements_along: usize,
-    /// Points along each strip of the tangential model strips.
-    pub points: usize,
     /// Boundary elements along and across the contact.
     pub elements: [usize; 2],
     /// Shape of the traction bound.
@@ -181,8 +178,6 @@ impl PlanarCase<'_> {
             counts.contains(&self.elements_along),
             "4 to 200",
         )?;
-        let points = 4..=MAX_POINTS;
-        require("points", self.points as f64, points.contains(&self.points), "4 to 15")?;
         for (name, count) in ["elements_along", "elements_across"].into_iter().zip(self.elements) {
             require(name, count as f64, counts.contains(&count), "4 to 200")?;
         }

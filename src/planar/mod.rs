@@ -237,7 +237,7 @@ fn tangential_of(case: &PlanarCase) -> Tangential {
         case.elements_along,
         case.elements,
     )
-    .with_points(case.points, case.strips)
+    .for_strips(case.strips)
     .with_laws([case.friction_law, case.gauge_face_law])
     .with_flash_temperature(case.flash_temperature)
 }

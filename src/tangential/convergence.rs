@@ -4,12 +4,10 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Convergence {
-    /// Zones for which the chosen model did not converge: FASTSIM took the place of boundary
-    /// elements; strips keep their last step, within the bound.
+    /// Zones for which boundary elements did not converge: FASTSIM took their place.
     pub fallbacks: u64,
-    /// Greatest part of the bound that tractions on strips are away from the law of friction; of
-    /// boundary elements the largest slip that contradicts it, over the largest rigid slip; 0 for
-    /// other models [-].
+    /// Largest slip of boundary elements that contradicts the law of friction, over the largest rigid
+    /// slip; 0 for other models [-].
     pub residual: f64,
 }
 

@@ -6,7 +6,6 @@ use super::forces::StripForce;
 use super::loaded_zone::LoadedZone;
 use super::rigid_slip::RigidSlip;
 use super::rolling::Rolling;
-use super::strips::{Settled, Span, TractionStrips};
 use super::{fastrip, fastsim, tables};
 use crate::math::dual::Dual;
 use crate::math::tape::Taped;
@@ -23,16 +22,6 @@ pub trait CreepNumber:
         None
     }
 
-    /// Solves on the strips of `span` and hands the force of each strip to `each`; nothing where there is no
-    /// solution.
-    fn on_strips(
-        solver: &mut TractionStrips,
-        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
-        span: &Span<Self>,
-        rolling: Rolling,
-        each: impl FnMut(usize, StripForce<Self>),
-    ) -> Option<Settled>;
-
     /// Solves on the elements and hands the force of each strip to `each`; false where no solution
     /// was found.
     #[must_use]
@@ -46,41 +35,11 @@ pub trait CreepNumber:
     }
 }
 
-impl<const N: usize> CreepNumber for Dual<N> {
-    fn on_strips(
-        solver: &mut TractionStrips,
-        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
-        span: &Span<Self>,
-        rolling: Rolling,
-        each: impl FnMut(usize, StripForce<Self>),
-    ) -> Option<Settled> {
-        solver.moving_strip_forces(loaded, span, rolling, each)
-    }
-}
+impl<const N: usize> CreepNumber for Dual<N> {}
 
-impl CreepNumber for Taped {
-    fn on_strips(
-        solver: &mut TractionStrips,
-        loaded: &LoadedZone<'_, impl RigidSlip<Self>, Self>,
-        span: &Span<Self>,
-        rolling: Rolling,
-        each: impl FnMut(usize, StripForce<Self>),
-    ) -> Option<Settled> {
-        solver.taped_strip_forces(loaded, span, rolling, each)
-    }
-}
+impl CreepNumber for Taped {}
 
 impl CreepNumber for f64 {
-    fn on_strips(
-        solver: &mut TractionStrips,
-        loaded: &LoadedZone<'_, impl RigidSlip>,
-        span: &Span,
-        rolling: Rolling,
-        each: impl FnMut(usize, StripForce),
-    ) -> Option<Settled> {
-        solver.strip_forces(loaded, span, rolling, each)
-    }
-
     fn elements(zone: &Zone, strips: &Strips, count: [usize; 2]) -> Option<LoadedElements> {
         Some(LoadedElements::of(zone, strips, count))
     }

@@ -19,8 +19,6 @@ pub enum TangentialModel {
     FastsimCorrected,
     /// The half-space solution on rectangular elements: slow, for checking the others.
     BoundaryElement,
-    /// The half-space solution in a few points along a few strips of the true patch.
-    Strips,
     /// Marches through the strips of the true patch, which feel each other through the half-space,
     /// their force corrected by its error on the ellipse.
     #[default]

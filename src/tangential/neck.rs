@@ -95,13 +95,6 @@ impl<T: Real> Neck<T> {
     /// The neck of `zone`, if it has one.
     #[must_use]
     pub fn of(zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
-        Self::below(WHOLE, zone, strips)
-    }
-
-    /// The neck of `zone` whose depth is less than `whole`, from which on the zone is one, if it
-    /// has one.
-    #[must_use]
-    pub fn below(whole: f64, zone: &Zone<T>, strips: &Strips<T>) -> Option<Self> {
         let range = zone.first..zone.first + zone.count;
         let [ys, lengths, pressures] =
             [&strips.y, &strips.half_length, &strips.pressure].map(|column| &column[range.clone()]);
@@ -123,7 +116,7 @@ impl<T: Real> Neck<T> {
             }
         }
         let (count, peak) = (ys.len(), greatest.1);
-        let mut deepest = (T::from(whole), None);
+        let mut deepest = (T::from(WHOLE), None);
         for_each_depth(count, peak, load, |j, depth| {
             if depth < deepest.0 {
                 deepest = (depth, Some(j));
@@ -150,7 +143,7 @@ impl<T: Real> Neck<T> {
         let square = (second / sum - way * way).at_least(0.0);
         // An even distribution as wide as that of these strips.
         let blend = (square * 12.0).sqrt().at_least(f64::MIN_POSITIVE);
-        Some(Self { share: smooth_step(-(least / whole) + 1.0), y: at + way, blend })
+        Some(Self { share: smooth_step(-(least / WHOLE) + 1.0), y: at + way, blend })
     }
 
     /// Share of a strip at `y` that belongs to the lobe on one side, 0 to 1.

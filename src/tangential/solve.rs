@@ -15,19 +15,14 @@ use super::linear::Linear;
 use super::march::March;
 use super::model::{Flexibilities, TangentialModel};
 use super::on_elements::OnElements;
-use super::on_strips::OnStrips;
 use super::rigid_slip::RigidSlip;
 use super::rolling::RollingState;
-use super::strips::Scratch;
 use super::tables::CreepForceTable;
 use super::under_law::UnderLaw;
 use super::zone_model::{RollingZone, ZoneModel};
 use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::{Strips, Zone};
-
-/// Points along each strip of the strip model that was not told another number.
-const STRIP_POINTS: usize = 15;
 
 /// The chosen tangential model with its settings.
 #[derive(Clone, Debug)]
@@ -51,7 +46,6 @@ enum Model {
     Tables(Tabulated),
     FastsimCorrected(Corrected),
     BoundaryElement(OnElements),
-    Strips(OnStrips),
     Marches(CoupledMarches),
 }
 
@@ -77,8 +71,7 @@ impl Tangential {
         elements_along: usize,
         elements: [usize; 2],
     ) -> Self {
-        let with_bound = |bound| March { rule: Fastsim::new(elements_along, bound), flexibilities };
-        let fastsim = with_bound(bound);
+        let fastsim = March { rule: Fastsim::new(elements_along, bound), flexibilities };
         let table = CreepForceTable::shared;
         let model = match model {
             TangentialModel::None => Model::None,
@@ -99,22 +92,13 @@ impl Tangential {
                 Model::BoundaryElement(OnElements { count: elements, otherwise: fastsim })
             }
             TangentialModel::Marches => Model::Marches(CoupledMarches::new(elements[1])),
-            TangentialModel::Strips => Model::Strips(OnStrips {
-                solver: Scratch::new(STRIP_POINTS, elements[1]),
-                // Bounded strip by strip as the solution is, of which lobes may take its place.
-                otherwise: with_bound(TractionBound::Elliptic),
-            }),
         };
         Self { model, elements, laws: None, flash_temperature: None }
     }
 
-    /// The same with `points` along each strip of the strip model, 4 to 15, in zones of up to
-    /// `strips` strips; larger ones allocate.
+    /// The same for zones that have up to `strips` strips together; more allocate.
     #[must_use]
-    pub fn with_points(mut self, points: usize, strips: usize) -> Self {
-        if let Model::Strips(OnStrips { solver, .. }) = &mut self.model {
-            *solver = Scratch::new(points, strips);
-        }
+    pub fn for_strips(mut self, strips: usize) -> Self {
         if let Model::Marches(marches) = &mut self.model {
             *marches = CoupledMarches::new(strips);
         }
@@ -150,7 +134,6 @@ impl Tangential {
             Model::Tables(_) => TangentialModel::Tables,
             Model::FastsimCorrected(_) => TangentialModel::FastsimCorrected,
             Model::BoundaryElement(_) => TangentialModel::BoundaryElement,
-            Model::Strips(_) => TangentialModel::Strips,
             Model::Marches(_) => TangentialModel::Marches,
         }
     }
@@ -232,7 +215,6 @@ impl Tangential {
             Model::Tables(model) => one_by_one(model, zones, each),
             Model::FastsimCorrected(model) => one_by_one(model, zones, each),
             Model::BoundaryElement(model) => one_by_one(model, zones, each),
-            Model::Strips(model) => one_by_one(model, zones, each),
             Model::Marches(model) => {
                 model.roll(&zones, each);
                 Convergence::default()
@@ -241,7 +223,7 @@ impl Tangential {
     }
 
     /// Pressure and tractions of a zone with one creepage that rolls forward; of all zones where
-    /// the normal model has boundary elements. FASTSIM, marches, strips and boundary elements have
+    /// the normal model has boundary elements. FASTSIM, marches and boundary elements have
     /// tractions to show, the tables and corrected FASTSIM those of FASTSIM, corrections none, other
     /// models pressure alone.
     #[must_use]
@@ -268,7 +250,6 @@ impl Tangential {
                 march.draw(&zone, &elements, &mut field);
             }
             Model::BoundaryElement(_) => OnElements::draw(&zone, &elements, &mut field),
-            Model::Strips(model) => model.draw(&zone, &elements, &mut field),
             Model::Marches(model) => model.draw(&zone, &elements, &mut field),
             Model::None | Model::Linear(_) | Model::Fastrip(_) => {}
         }

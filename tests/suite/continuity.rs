@@ -221,7 +221,6 @@ fn creep_forces_do_not_jump_where_the_strips_of_two_zones_join() {
         (TangentialModel::Fastrip, tolerance::JOINING_ZONES_MARCHED),
         (TangentialModel::Tables, tolerance::JOINING_ZONES),
         (TangentialModel::FastsimCorrected, tolerance::JOINING_ZONES_MARCHED),
-        (TangentialModel::Strips, tolerance::STRIPS_JOIN),
         (TangentialModel::Marches, tolerance::JOINING_ZONES_MARCHED),
     ] {
         let at = |approach: f64| {

@@ -205,7 +205,7 @@ fn creep_forces_of_strips_with_tables_are_those_of_the_contact_program() {
     for tangential_model in [
         TangentialModel::Tables,
         TangentialModel::FastsimCorrected,
-        TangentialModel::Strips,
+        TangentialModel::Marches,
         TangentialModel::Fastsim,
     ] {
         let mut columns: [Vec<f64>; 2] = Default::default();

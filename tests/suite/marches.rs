@@ -238,7 +238,7 @@ fn steps_of_a_nanometre_show_no_roughness() {
     }
     let found = quantiles(bends);
     println!("roughness: {found:?}");
-    assert!(found[1] <= tolerance::STRIPS_ROUGHNESS, "{found:?}");
+    assert!(found[1] <= tolerance::MARCHES_ROUGHNESS, "{found:?}");
 }
 
 #[test]

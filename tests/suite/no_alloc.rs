@@ -72,11 +72,6 @@ fn a_thousand_evaluations_allocate_nothing_with_any_model() {
         ),
         (
             NormalModel::Strips,
-            TangentialModel::Strips,
-            (CreepageModel::Curved, Flexibilities::Blended),
-        ),
-        (
-            NormalModel::Strips,
             TangentialModel::Marches,
             (CreepageModel::Curved, Flexibilities::Blended),
         ),

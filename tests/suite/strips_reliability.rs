@@ -79,3 +79,20 @@ fn steps_and_cost_of_random_poses() {
     }
     write_report("strips_poses.csv", &all);
 }
+
+#[test]
+fn answers_tell_how_well_their_equations_are_solved() {
+    let mut element = Element::new(&Parameters::default(), &Input::default(), &[]).unwrap();
+    let mut output = Output::default();
+    for shift in (-60..=80).step_by(5) {
+        let mut input = rolling(1e-4 * f64::from(shift), 20.0);
+        input.wheel.yaw = 4e-3;
+        let input = pressed(&mut element, &input, 8e-5);
+        element.evaluate(&input, &mut output).unwrap();
+        let gap = output.normal_residual;
+        assert!(gap > 0.0 && gap <= tolerance::STRIPS_GAP, "y {shift}: {gap:e}");
+    }
+    // Nothing is left of nothing.
+    element.evaluate(&Input::default(), &mut output).unwrap();
+    assert!(output.normal_residual <= 0.0, "{output:?}");
+}

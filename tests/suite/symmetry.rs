@@ -13,16 +13,7 @@ const POSES: usize = 8;
 fn real_time_models() -> Vec<Parameters> {
     use NormalModel::{Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips};
     use TangentialModel::{Fastrip, Fastsim, FastsimCorrected, Linear, Marches, None, Tables};
-    let tangential = [
-        None,
-        Linear,
-        Fastsim,
-        Fastrip,
-        Tables,
-        FastsimCorrected,
-        TangentialModel::Strips,
-        Marches,
-    ];
+    let tangential = [None, Linear, Fastsim, Fastrip, Tables, FastsimCorrected, Marches];
     let mut all = Vec::new();
     for normal_model in [Hertz, PiotrowskiKik, PiotrowskiKikCorrected, Strips] {
         for tangential_model in tangential {

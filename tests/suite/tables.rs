@@ -284,7 +284,6 @@ fn real_patches_roll_as_by_contact() {
             tolerance::CORRECTED_PROFILES,
             tolerance::CORRECTED_PROFILES_MOMENT,
         ),
-        (TangentialModel::Strips, tolerance::STRIPS_PROFILES, tolerance::STRIPS_PROFILES_MOMENT),
     ] {
         let base = PlanarCase {
             normal_model: NormalModel::Strips,

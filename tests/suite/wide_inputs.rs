@@ -173,7 +173,7 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
         (NormalModel::PiotrowskiKik, CreepageModel::Flat, TangentialModel::Tables, given),
         (NormalModel::Hertz, CreepageModel::Curved, TangentialModel::Tables, VerticalMode::Load),
         (NormalModel::PiotrowskiKik, CreepageModel::Flat, TangentialModel::FastsimCorrected, given),
-        (NormalModel::PiotrowskiKik, CreepageModel::Curved, TangentialModel::Strips, given),
+        (NormalModel::PiotrowskiKik, CreepageModel::Curved, TangentialModel::Marches, given),
         (NormalModel::Strips, CreepageModel::Curved, TangentialModel::Marches, given),
     ] {
         // A wheel centimetres inside a rail is beyond the strip model, which takes long to give up.

@@ -207,16 +207,14 @@ class ElementParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips", "marches"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "marches"]
     """Tangential contact model."""
     tangential_elements_along: int
-    """Elements along each strip."""
-    tangential_points: int
-    """Points along each strip of the model strips; other models do not use it."""
+    """Elements along each strip of fastsim, fastsim_corrected and fastrip; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]
-    """Shape of the traction bound along a strip."""
+    """Shape of the traction bound along a strip of fastsim and fastsim_corrected; other models have their own."""
     tangential_flexibilities: Literal["three", "blended"]
-    """How the flexibilities of the simplified theory enter."""
+    """How the flexibilities of the simplified theory enter in fastsim, fastsim_corrected and fastrip; other models do not use them."""
     friction_distribution: Literal["uniform", "regions", "profile"]
     """How friction is spread over the surface of the rails."""
     friction_profile: str | os.PathLike[str]
@@ -1110,16 +1108,14 @@ class WheelSetParameters(TypedDict, total=False):
     """How creepage varies over a patch."""
     creepage_minimum_speed: float
     """Floor of the speed to which creepages refer [m/s]."""
-    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "strips", "marches"]
+    tangential_model: Literal["none", "linear", "fastsim", "fastrip", "tables", "fastsim_corrected", "boundary_element", "marches"]
     """Tangential contact model."""
     tangential_elements_along: int
-    """Elements along each strip."""
-    tangential_points: int
-    """Points along each strip of the model strips; other models do not use it."""
+    """Elements along each strip of fastsim, fastsim_corrected and fastrip; other models do not use it."""
     tangential_bound: Literal["elliptic", "parabolic"]
-    """Shape of the traction bound along a strip."""
+    """Shape of the traction bound along a strip of fastsim and fastsim_corrected; other models have their own."""
     tangential_flexibilities: Literal["three", "blended"]
-    """How the flexibilities of the simplified theory enter."""
+    """How the flexibilities of the simplified theory enter in fastsim, fastsim_corrected and fastrip; other models do not use them."""
     friction_distribution: Literal["uniform", "regions", "profile"]
     """How friction is spread over the surface of the rails."""
     friction_falling_law: Literal["exponential", "rational", "linear"]

@@ -148,7 +148,7 @@ impl Models {
                 parameters.elements_along,
                 parameters.normal_elements,
             )
-            .with_points(parameters.points, most_strips)
+            .for_strips(most_strips)
             .with_laws([parameters.friction_law, parameters.gauge_face_law])
             .with_flash_temperature(parameters.flash_temperature),
             creepage: parameters.creepage_model,

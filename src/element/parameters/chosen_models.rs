@@ -46,7 +46,6 @@ impl Parameters {
             tangential_model: self.tangential_model,
             strips: self.strips,
             elements_along: self.elements_along,
-            points: self.points,
             elements: self.normal_elements,
             bound: self.bound,
             flexibilities: self.flexibilities,

@@ -113,7 +113,6 @@ fn of_tangential_models() {
         TangentialModel::Fastrip,
         TangentialModel::Tables,
         TangentialModel::Marches,
-        TangentialModel::Strips,
     ] {
         for creepage_model in [CreepageModel::Flat, CreepageModel::Curved] {
             let normal_model = NormalModel::PiotrowskiKik;

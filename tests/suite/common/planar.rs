@@ -81,7 +81,6 @@ pub fn steel_case(separation: &[[f64; 2]], radius: f64, approach: f64) -> Planar
         tangential_model: TangentialModel::Fastsim,
         strips: 20,
         elements_along: 20,
-        points: 15,
         elements: [20, 20],
         bound: TractionBound::Elliptic,
         flexibilities: Flexibilities::Three,

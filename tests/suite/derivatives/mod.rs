@@ -56,7 +56,6 @@ fn of_tabulated_forces() {
     for (name, tangential_model) in [
         ("tables", TangentialModel::Tables),
         ("fastsim_corrected", TangentialModel::FastsimCorrected),
-        ("traction_strips", TangentialModel::Strips),
         ("marches", TangentialModel::Marches),
     ] {
         judge(name, &Parameters { tangential_model, ..default() }, &[]);

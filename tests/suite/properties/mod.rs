@@ -21,15 +21,14 @@ const NORMAL: [NormalModel; 4] = [
     NormalModel::Strips,
 ];
 /// All but the linear one are bounded by friction.
-const BOUNDED: [TangentialModel; 6] = [
+const BOUNDED: [TangentialModel; 5] = [
     TangentialModel::Fastsim,
     TangentialModel::Fastrip,
     TangentialModel::Tables,
     TangentialModel::FastsimCorrected,
-    TangentialModel::Strips,
     TangentialModel::Marches,
 ];
-const TANGENTIAL: [TangentialModel; 8] = [
+const TANGENTIAL: [TangentialModel; 7] = [
     TangentialModel::None,
     TangentialModel::Linear,
     BOUNDED[0],
@@ -37,7 +36,6 @@ const TANGENTIAL: [TangentialModel; 8] = [
     BOUNDED[2],
     BOUNDED[3],
     BOUNDED[4],
-    BOUNDED[5],
 ];
 const CREEPAGE: [CreepageModel; 3] =
     [CreepageModel::Kinematic, CreepageModel::Flat, CreepageModel::Curved];

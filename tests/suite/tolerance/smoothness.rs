@@ -36,10 +36,6 @@ super::entry::tolerances! {
     /// The same of marches: ellipses of the same moments of the outline do not jump.
     JOINING_ZONES_MARCHED: f64 = 5e-5;
 
-    /// Jump of the creep force of strips for both problems where two zones join, over the friction
-    /// limit: zones that touch feel each other through the half-space only once they are one.
-    STRIPS_JOIN: f64 = 0.03, target 1e-3;
-
     /// Jumps along random walks, of the force over the load without creep forces, and over the
     /// friction limit with them: what the steps of an integrator do not see.
     WALK_JUMPS: [f64; 2] = [1e-4, 1e-3];
@@ -60,9 +56,9 @@ super::entry::tolerances! {
     /// 70 µm. They have no other kink.
     ROUGHNESS_STRIPS: f64 = 7e-7, target 1e-9;
 
-    /// The same of creep forces of strips, over the friction limit, at 95 %: the rest is for points
+    /// The same of creep forces of marches, over the friction limit, at 95 %: the rest is for cells
     /// that begin to slip or to adhere.
-    STRIPS_ROUGHNESS: f64 = 1e-9;
+    MARCHES_ROUGHNESS: f64 = 1e-9;
 
     /// Second differences of the height under a given load over lateral steps of 1 µm [m]: what the
     /// curvature of the profiles leaves.

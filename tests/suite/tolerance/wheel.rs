@@ -49,10 +49,11 @@ super::entry::tolerances! {
     /// patches, less on these.
     MANCHESTER_PRESSURE: [f64; 2] = [0.085, 0.29], kept;
 
-    /// Longitudinal creep force of these contacts by strips with tables and with corrected FASTSIM,
-    /// over the friction limit, median and worst: a tenth of the target for the mean, and the target
-    /// for the worst of an element by default.
-    MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.04];
+    /// Longitudinal creep force of these contacts by strips with tables, with corrected FASTSIM and
+    /// with marches, over the friction limit, median and worst: a tenth of the target for the mean,
+    /// and the target for the worst of an element by default. Marches are further off on a patch of
+    /// 16 mm with two lobes that is about to slide, where spin turns the slip from lobe to lobe.
+    MANCHESTER_TABLES_FX: [f64; 2] = [0.001, 0.05], target [0.001, 0.04];
 
     /// The same, lateral: the same targets.
     MANCHESTER_TABLES_FY: [f64; 2] = [0.001, 0.04];

@@ -36,7 +36,7 @@ fn on_flat(
 
 #[test]
 fn strips_stand_on_a_flat_as_by_contact() {
-    on_flat(NormalModel::Strips, TangentialModel::Strips, 1);
+    on_flat(NormalModel::Strips, TangentialModel::Marches, 1);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::models::is_slow;
 
 /// Columns that set a variable of the element: name, variable, SI per unit of the column (0: not a
 /// number).
-const VARIABLE_COLUMNS: [(&str, &str, f64); 19] = [
+const VARIABLE_COLUMNS: [(&str, &str, f64); 18] = [
     ("friction", "friction.coefficient", 1.0),
     ("young_modulus_mpa", "wheel.young_modulus", 1e6),
     ("poisson_ratio", "wheel.poisson_ratio", 1.0),
@@ -24,7 +24,6 @@ const VARIABLE_COLUMNS: [(&str, &str, f64); 19] = [
     ("shape_fit", "normal.shape_fit", 0.0),
     ("strips", "normal.strips", 0.0),
     ("elements_along", "tangential.elements_along", 0.0),
-    ("points", "tangential.points", 0.0),
     ("elements_across", "normal.elements_across", 0.0),
     ("bound", "tangential.bound", 0.0),
     ("flexibilities", "tangential.flexibilities", 0.0),
