@@ -12,6 +12,7 @@ mod curved_patches;
 mod driven_wheelset;
 mod free_wheelset;
 mod outlines;
+mod tractions;
 mod wear_distribution;
 mod wear_two_load_cases;
 mod wheel_flat;
@@ -23,7 +24,7 @@ use std::error::Error;
 type Figure = fn(&[String]) -> Result<(), Box<dyn Error>>;
 
 /// Name, arguments and question of each.
-const FIGURES: [(&str, &str, &str, Figure); 9] = [
+const FIGURES: [(&str, &str, &str, Figure); 10] = [
     ("corrugated_rail", "FILE.svg", "creep force over the waves of a rail", corrugated_rail::draw),
     (
         "coupling_stability",
@@ -39,6 +40,7 @@ const FIGURES: [(&str, &str, &str, Figure); 9] = [
         curved_patches::draw,
     ),
     ("outlines", "FILE.svg", "outlines of patches beside those of CONTACT", outlines::draw),
+    ("tractions", "FILE.svg", "where do ten contacts stick and slip?", tractions::draw),
     ("wear_distribution", "FILE.svg", "does summing up wear dig holes?", wear_distribution::draw),
     (
         "wear_two_load_cases",
