@@ -152,9 +152,9 @@ impl ContactSearch {
             if squared > DEEP * DEEP {
                 // So deep inside, the guess may hold on to a side that is no longer the nearest
                 // one; or the line has gone so far at once, about the rim of a flange, that it is
-                // outside.
-                let anywhere = rail.nearest(at.point, rail.coarse_nearest(at.point), tolerance);
-                let is_on_a_side = anywhere.distance < 0.0 || !anywhere.beyond_end;
+                // outside; or it is before a wall, and what was found is the wall behind.
+                let anywhere = rail.nearest_of_all(at.point, tolerance);
+                let is_on_a_side = !anywhere.beyond_end || !rail.is_between_ends(at.point);
                 if is_on_a_side && anywhere.distance * anywhere.distance < squared {
                     nearest = anywhere;
                 }

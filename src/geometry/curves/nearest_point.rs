@@ -5,6 +5,9 @@ use crate::geometry::curves::curve::Curve;
 /// Samples for the coarse search of the nearest point.
 const COARSE_POINTS: usize = 32;
 
+/// Samples to either side of one of them for the nearest point of all.
+const FINE_POINTS: i32 = 32;
+
 /// Newton steps for the nearest point; two or three are the rule.
 const MAX_STEPS: usize = 20;
 
@@ -57,6 +60,47 @@ impl CoarsePoints {
         }
         let (start, end) = (curve.start(), curve.end());
         start + (end - start) * best.1 as f64 / COARSE_POINTS as f64
+    }
+
+    /// The point of `curve`, which they are of, nearest to `point`, to within `tolerance` [m], by
+    /// all points around the nearest of them: Newton steps from far off a wall may end on another
+    /// side.
+    #[cold]
+    pub fn nearest_of_all(&self, curve: &Curve, point: [f64; 2], tolerance: f64) -> Nearest {
+        let away = |s: f64| {
+            let [y, z] = curve.at(s).point;
+            (y - point[0]).hypot(z - point[1])
+        };
+        let step = (curve.end() - curve.start()) / COARSE_POINTS as f64;
+        let coarse = self.nearest(curve, point);
+        let (mut closest, mut best) = (away(coarse), coarse);
+        for i in -FINE_POINTS..=FINE_POINTS {
+            let s = curve.within(coarse + step * f64::from(i) / f64::from(FINE_POINTS));
+            let own = away(s);
+            if own < closest {
+                (closest, best) = (own, s);
+            }
+        }
+        let found = nearest(curve, point, best, tolerance);
+        // Of a corner there may be no point to go to that is nearer.
+        if (found.s - best).abs() <= 2.0 * step { found } else { standing(curve, point, best) }
+    }
+}
+
+/// The point of `curve` at parameter `s`, as the one nearest to `point`.
+fn standing(curve: &Curve, point: [f64; 2], s: f64) -> Nearest {
+    let p = curve.at(s);
+    let speed = p.first[0].hypot(p.first[1]);
+    let tangent = p.first.map(|first| first / speed);
+    let to = [point[0] - p.point[0], point[1] - p.point[1]];
+    let side = (to[0] * tangent[1] - to[1] * tangent[0]).signum();
+    Nearest {
+        s,
+        distance: side * to[0].hypot(to[1]),
+        tangent,
+        point: p.point,
+        ratio: 1.0 / speed,
+        beyond_end: false,
     }
 }
 

@@ -330,6 +330,20 @@ impl PlacedRail {
         self.coarse.nearest(&self.curve, point)
     }
 
+    /// The point of the rail nearest to `point` [m] of all, to within `tolerance` [m].
+    #[must_use]
+    pub fn nearest_of_all(&self, point: [f64; 2], tolerance: f64) -> Nearest {
+        self.coarse.nearest_of_all(&self.curve, point, tolerance)
+    }
+
+    /// Whether a `point` lies across within what the rail's curve ends at: below the curve it is
+    /// inside then.
+    #[must_use]
+    pub fn is_between_ends(&self, [y, _]: [f64; 2]) -> bool {
+        let [a, b] = [self.curve.start(), self.curve.end()].map(|s| self.curve.at(s).point[0]);
+        y > a.min(b) && y < a.max(b)
+    }
+
     /// The point of the rail nearest to `point` [m], found from the parameter `guess` near it, to
     /// within `tolerance` [m].
     #[inline]
