@@ -121,7 +121,8 @@ impl Sides {
     }
 
     fn is_once(&self, name: &str) -> bool {
-        self.once.iter().any(|entry| stands_for(entry, name))
+        let is_there = !self.left_out.iter().any(|entry| entry == name);
+        is_there && self.once.iter().any(|entry| stands_for(entry, name))
     }
 
     fn is_of_side(&self, name: &str) -> bool {

@@ -23,8 +23,18 @@ const PLAIN_PATCHES: usize = 4;
 /// What of a patch it has not: what only laws of friction by place and heat tell.
 const PLAIN_LACKS: [&str; 2] = [".friction_coefficient", ".temperature"];
 
-/// What it has nothing of: elastically supported rails, rollers.
-const PLAIN_LACKS_ALL_OF: [&str; 3] = ["foundation.", ".roller_radius", "].pitch_rate"];
+/// What it has nothing of: elastically supported rails, rollers, longest steps.
+const PLAIN_LACKS_ALL_OF: [&str; 9] = [
+    "foundation.",
+    ".roller_radius",
+    "].pitch_rate",
+    "coupling.mass",
+    "inertia",
+    "coupling.lever",
+    "coupling.longest_step",
+    "coupling.normal_limit",
+    "coupling.creep_limit",
+];
 
 impl Style {
     fn describes(self, v: &Variable) -> bool {

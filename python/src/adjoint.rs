@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use numpy::{PyArray2, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
-use wheelrail::element::subject::{BySubject, Subject};
+use wheelrail::element::subject::{BySubject, Subject, Sweep};
 use wheelrail::element::{Element, ParameterSlopes};
 use wheelrail::geometry::profile::Profile;
 use wheelrail::variables::{Described, ValuesOf};
@@ -108,9 +108,11 @@ pub fn adjoint_of(
             for (number, reference) in by_input.iter_mut().zip(&by) {
                 *number = Element::real(&weighted, *reference).unwrap_or(f64::NAN);
             }
-            let [first, second] = &found.gradient.rail_points;
-            let parameters = found.parameters.iter().map(|(_, slope)| slope);
-            let all = parameters.chain(&found.gradient.wheel_points).chain(first).chain(second);
+            let Some(Sweep { gradient, .. }) = found.sweeps.first() else { return Ok(FINE) };
+            let [first, second] = &gradient.rail_points;
+            let parameters = gradient.parameters.named();
+            let parameters = parameters.iter().map(|(_, slope)| slope);
+            let all = parameters.chain(&gradient.wheel_points).chain(first).chain(second);
             more.iter_mut().zip(all).for_each(|(number, slope)| *number = *slope);
             Ok(FINE)
         },

@@ -10,7 +10,7 @@ use super::contact::models::Models;
 use super::contact::rail_friction::RailFriction;
 use super::derivative_memory::{DIRECTIONS, DerivativeMemory};
 use super::input::{INPUT_NAMES, INPUTS, Input};
-use super::output::{Output, REPORTED_PATCHES};
+use super::output::{Output, REPORTED_PATCHES, Wrench};
 use super::parameters::foundation::FoundationModel;
 use super::parameters::{NormalModel, Side, VerticalMode};
 use super::rail::moving_contact::{Kink, MovingNumber};
@@ -90,6 +90,37 @@ impl Element {
         let input = self.admitted(input)?;
         self.check_models()?;
         let followed = self.carried_at(&input).and_then(|at| self.all_columns(&at, columns));
+        followed.map_err(at_this_input)
+    }
+
+    /// The derivatives of the force and the moment on the wheel in each of the `directions`, at most
+    /// [`DIRECTIONS`], of an element whose heights are given; one sweep for all of them.
+    ///
+    /// # Errors
+    /// As [`directional_derivative`](Self::directional_derivative); `rates` hold a part then.
+    pub(super) fn wheel_rates(
+        &mut self,
+        input: &Input,
+        directions: &[Input],
+        rates: &mut [Wrench],
+    ) -> Result<(), ContactError> {
+        let input = self.admitted(input)?;
+        self.check_models()?;
+        let mirrored = self.side == Side::Left;
+        let mut ways = [[0.0; INPUTS]; DIRECTIONS];
+        for (way, direction) in ways.iter_mut().zip(directions) {
+            let direction = self.turning(*direction);
+            *way = if mirrored { direction.mirrored() } else { direction }.to_array();
+        }
+        let ways = &mut ways[..directions.len()];
+        let followed = self.carried_at(&input).and_then(|at| {
+            self.give_way(&at, ways)?;
+            self.with_memory(|element, DerivativeMemory { all, all_output, .. }| {
+                element.follow(&at, ways, all, all_output, |n, found| {
+                    rates[n] = if mirrored { found.mirrored() } else { found }.wheel;
+                })
+            })
+        });
         followed.map_err(at_this_input)
     }
 

@@ -32,6 +32,11 @@ impl FreeRolling {
     pub(crate) fn pitch_rate(&self, velocity: f64, of_rail: f64) -> f64 {
         -(velocity + of_rail * self.roller_radius) / self.nominal_radius
     }
+
+    /// Derivative of that by the nominal radius.
+    pub(crate) fn by_radius(&self, velocity: f64, of_rail: f64) -> f64 {
+        -self.pitch_rate(velocity, of_rail) / self.nominal_radius
+    }
 }
 
 impl Element {

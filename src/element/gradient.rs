@@ -248,18 +248,22 @@ impl Element {
             let marker = [by_input.rails[k].y, by_input.rails[k].z];
             let constants = leaves::of_rail(k as u32).map(&by_leaf);
             let varies = contact.rail.variation().is_some();
-            let placed = contact.rail.back_to_placement(knots, marker, constants, worn || varies);
+            let points = &mut gradient.rail_points[k];
+            let stays = worn || varies;
+            let placed = contact.rail.back_to_placement(knots, marker, constants, stays, points);
             found.gauge += placed.gauge;
             found.gauge_depth += placed.gauge_depth;
             let [y, z] = placed.position;
             found.position[k] = [if self.side == Side::Left { -y } else { y }, z];
-            if !varies {
+            if varies {
+                points.clear();
+            } else {
                 found.inclination[k] = placed.inclination;
-                gradient.rail_points[k] = placed.points;
             }
             if gradient.wheel_points.is_empty() {
                 let outside = ProfileKind::Wheel.outside();
-                gradient.wheel_points = wheel.by_displacements(&contact.wheel.curve, outside);
+                let points = &mut gradient.wheel_points;
+                wheel.by_displacements(&contact.wheel.curve, outside, points);
             }
         }
         let points = gradient.rail_points.iter().flatten().chain(&gradient.wheel_points);

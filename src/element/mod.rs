@@ -20,6 +20,7 @@ mod remarks;
 
 mod start;
 mod start_warning;
+mod step_limit;
 mod stiffness;
 pub mod subject;
 pub(crate) mod vertical_load;
@@ -40,6 +41,8 @@ pub use rail::flattened::FlatContact;
 pub use remark::Remark;
 pub use remarks::{place_remark, remarks, without_effect};
 pub use start_warning::StartWarning;
+pub use step_limit::{Inertia, StepLimit};
+pub use stiffness::ContactSlopes;
 pub use wear_sums::WearState;
 pub use wheel_on_rails::Element;
 pub use work::Work;

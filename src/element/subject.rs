@@ -13,16 +13,44 @@ use crate::error::ContactError;
 pub struct BySubject<S: Subject> {
     /// By the inputs.
     pub input: S::Input,
-    /// By parameters, with their FMI names.
-    pub parameters: Vec<(&'static str, f64)>,
-    /// Those of an element.
+    /// Those of the elements, in the order of [`PREFIXES`](Subject::PREFIXES).
+    pub sweeps: Vec<Sweep>,
+}
+
+/// What sweeps back through one element have found.
+#[derive(Clone, Debug, Default)]
+pub struct Sweep {
+    /// Derivatives of the weighted sum, at the height that the wheel has.
     pub gradient: Gradient,
+    /// Derivatives of that height, where it follows a load.
+    pub height: Gradient,
+    /// Derivative of the sum by that height.
+    pub share: f64,
 }
 
 impl<S: Subject> Default for BySubject<S> {
     fn default() -> Self {
-        let (input, parameters) = (S::Input::default(), Vec::new());
-        Self { input, parameters, gradient: Gradient::default() }
+        Self { input: S::Input::default(), sweeps: Vec::new() }
+    }
+}
+
+impl<S: Subject> BySubject<S> {
+    /// The derivative by the parameter with the FMI name `name`, where sweeps know of it: of the
+    /// element whose prefix it has, or of all that have it in common.
+    #[must_use]
+    pub fn parameter(&self, name: &str) -> Option<f64> {
+        let of = |sweep: &Sweep, name: &str| {
+            let [own, height] =
+                [&sweep.gradient, &sweep.height].map(|gradient| gradient.parameters.named());
+            let place = own.iter().position(|(known, _)| *known == name)?;
+            Some(own[place].1 + sweep.share * height[place].1)
+        };
+        let own = self.sweeps.iter().zip(S::PREFIXES).find_map(|(sweep, prefix)| {
+            let name = name.strip_prefix(prefix)?;
+            (!prefix.is_empty()).then(|| of(sweep, name))
+        });
+        let all = || self.sweeps.iter().map(|sweep| of(sweep, name)).sum::<Option<f64>>();
+        own.unwrap_or_else(all).filter(|_| !self.sweeps.is_empty())
     }
 }
 
@@ -105,16 +133,13 @@ pub trait Subject: Clone + Debug {
     /// evaluations however many these are; all is left as it was.
     ///
     /// # Errors
-    /// The input at fault, by its name, or why there are none; what was `found` is then as before.
+    /// The input at fault, by its name, or why there are none; what was `found` holds a part then.
     fn adjoint_derivative_of_all(
         &mut self,
-        _input: &Self::Input,
-        _weights: &Self::Output,
-        _found: &mut BySubject<Self>,
-    ) -> Result<(), ContactError> {
-        let reason = "of several wheels together they are there forwards";
-        Err(ContactError::NoDerivative { name: None, reason })
-    }
+        input: &Self::Input,
+        weights: &Self::Output,
+        found: &mut BySubject<Self>,
+    ) -> Result<(), ContactError>;
 
     /// Its elements, in the order of [`PREFIXES`](Self::PREFIXES).
     fn elements(&self) -> &[Element];
@@ -140,6 +165,10 @@ pub trait Subject: Clone + Debug {
     /// The input of element number `k` where it was evaluated: with the height, and for a wheelset
     /// the roll, that `output` has found.
     fn input_of_element(&self, k: usize, input: &Self::Input, output: &Self::Output) -> Input;
+
+    /// Distance of the wheel marker of element number `k` from the centre of the wheelset; `alone`
+    /// if the subject does not know of one [m].
+    fn lever(&self, k: usize, alone: f64) -> f64;
 
     /// Puts the counts of the elements as they are into `output`.
     fn report_fallbacks(&self, output: &mut Self::Output);
@@ -202,11 +231,10 @@ impl Subject for Element {
         weights: &Output,
         found: &mut BySubject<Self>,
     ) -> Result<(), ContactError> {
-        let BySubject { input: by_input, parameters, gradient } = found;
+        found.sweeps.resize_with(1, Sweep::default);
+        let gradient = &mut found.sweeps[0].gradient;
         self.adjoint_derivative(input, weights, gradient)?;
-        *by_input = gradient.input;
-        parameters.clear();
-        parameters.extend(gradient.parameters.named());
+        found.input = gradient.input;
         Ok(())
     }
 
@@ -242,6 +270,10 @@ impl Subject for Element {
         let mut found = *input;
         found.wheel.position[2] = output.wheel_z;
         found
+    }
+
+    fn lever(&self, _: usize, alone: f64) -> f64 {
+        alone
     }
 
     fn report_fallbacks(&self, output: &mut Output) {

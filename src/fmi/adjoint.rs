@@ -39,7 +39,8 @@ impl<S: Described + Subject> Instance<S> {
     /// One sweep back for all knowns where the element has one: of outputs by inputs and by the
     /// parameters of [`ParameterSlopes`](crate::element::ParameterSlopes), which are knowns after
     /// initialization too. Known by known for all else, as
-    /// [`directional_derivative`](Self::directional_derivative) has it. The first calls allocate.
+    /// [`directional_derivative`](Self::directional_derivative) has it. The first call allocates, later
+    /// ones where an evaluation is longer than all before.
     ///
     /// # Errors
     /// The variable at fault by name; `sensitivity` is then as before or holds a part.
@@ -149,10 +150,7 @@ fn slope<S: Described + Subject>(
             Value::Real(slope) => Some(slope),
             _ => None,
         },
-        Causality::Parameter => {
-            let own = found.parameters.iter().find(|(name, _)| *name == known.name);
-            own.map(|(_, slope)| *slope)
-        }
+        Causality::Parameter => found.parameter(known.name),
         _ => None,
     }
 }

@@ -19,7 +19,7 @@ const MIN_SHARE: f64 = 1e-10;
 pub(super) struct Wanted {
     /// Of outputs.
     pub outputs: bool,
-    /// Of stiffness and damping.
+    /// Of stiffness, damping and longest steps.
     pub slopes: bool,
     /// Of what follows from parameters: an element of its own on each side.
     pub prepared: bool,

@@ -17,7 +17,7 @@ use crate::variables::{Causality, Described, Kind, Unit, Value, ValuesOf, Variab
 pub(super) struct Asked {
     /// Outputs of an evaluation.
     pub outputs: bool,
-    /// Stiffness and damping.
+    /// Stiffness, damping and longest steps.
     slopes: bool,
     /// Heights of first touch.
     pub nominal: bool,

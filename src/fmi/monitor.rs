@@ -1,5 +1,5 @@
 //! What `coupling.monitor` asks for: the energy residual of steps, stiffness and damping of the
-//! contact.
+//! contact, the longest steps.
 
 use super::coupling::{LastStep, slopes};
 use super::error::FmiError;
@@ -24,7 +24,7 @@ impl<S: Described> Instance<S> {
         self.last_step = Some(LastStep { duration, pairs: *pairs });
     }
 
-    /// Brings stiffness and damping up to date, after the outputs.
+    /// Brings stiffness, damping and longest steps up to date, after the outputs.
     #[cold]
     pub(super) fn find_slopes(&mut self) -> Result<(), FmiError> {
         let Some(subject) = &mut self.element else { return Ok(()) };

@@ -128,7 +128,17 @@ impl Tape {
         seeds: impl Iterator<Item = (Taped, f64)>,
         mut solve: impl FnMut(usize, &mut [f64]),
     ) {
-        let Self { entries, operands, ranges, systems, rights, slopes, .. } = self;
+        let Self { entries, operands, ranges, looks, systems, rights, slopes } = self;
+        if slopes.is_empty() {
+            // Room for evaluations up to twice as long as the first one.
+            slopes.reserve(2 * entries.len());
+            entries.reserve(entries.len());
+            operands.reserve(operands.len());
+            ranges.reserve(ranges.len());
+            looks.reserve(looks.len());
+            systems.reserve(systems.len());
+            rights.reserve(rights.len());
+        }
         if slopes.len() < entries.len() {
             slopes.resize(entries.len(), 0.0);
         }

@@ -4,8 +4,14 @@
 /// which it is `by_slopes` by the slopes that
 /// [`interpolating_slopes`](super::spline::interpolating_slopes) finds: A m = B v, so v̄ += Bᵀ A⁻ᵀ m̄.
 ///
-/// All three are as long, two numbers at least; knots grow strictly.
-pub fn add_by_values(knots: &[f64], by_slopes: &[f64], by_values: &mut [f64]) {
+/// All three are as long, two numbers at least; knots grow strictly. The `work` grows to that length
+/// once.
+pub fn add_by_values(
+    knots: &[f64],
+    by_slopes: &[f64],
+    by_values: &mut [f64],
+    work: &mut [Vec<f64>; 2],
+) {
     let n = knots.len();
     let inverse = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
     // A has 2, 1 in its first row, 1, 2 in its last one, and 1/h, 2/h + 2/h', 1/h' between.
@@ -15,8 +21,11 @@ pub fn add_by_values(knots: &[f64], by_slopes: &[f64], by_values: &mut [f64]) {
         if i == 0 || i == n - 1 { 2.0 } else { 2.0 * (inverse(i - 1) + inverse(i)) }
     };
     // Elimination of the transposed matrix, whose columns are dominant: without pivoting.
-    let mut pivots = vec![diagonal(0)];
-    let mut solved = vec![by_slopes[0]];
+    let [pivots, solved] = work;
+    pivots.clear();
+    solved.clear();
+    pivots.push(diagonal(0));
+    solved.push(by_slopes[0]);
     for i in 1..n {
         let factor = above(i - 1) / pivots[i - 1];
         pivots.push(diagonal(i) - factor * below(i));
@@ -50,7 +59,7 @@ mod tests {
         for count in 2..=knots.len() {
             let (knots, weights) = (&knots[..count], [0.7, -1.1, 0.3, 2.0, -0.4, 0.9]);
             let mut by_values = vec![0.0; count];
-            add_by_values(knots, &weights[..count], &mut by_values);
+            add_by_values(knots, &weights[..count], &mut by_values, &mut Default::default());
             for (i, by) in by_values.iter().enumerate() {
                 // The spline is linear in its values.
                 let mut unit = vec![0.0; count];

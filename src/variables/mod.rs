@@ -20,7 +20,7 @@ use crate::wheelset::Wheelset;
 pub use dummy_state::{DERIVATIVE_NAME, STATE_NAME, WITH_STATE, state_references, unit_of};
 pub use start_file::{START_FILE, StartFileError};
 pub use table::{LOG_CATEGORIES, VARIABLES, WHEEL, WHEELSET};
-pub use values::{Coupling, Described, ValuesOf, check};
+pub use values::{Coupling, Described, StepLimits, ValuesOf, check};
 pub(crate) use values::{admits, shortened};
 pub use variable::{Causality, Enumeration, Item, Kind, Unit, UnknownVariable, Value, Variable};
 

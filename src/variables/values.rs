@@ -1,6 +1,7 @@
 //! The values of all variables of one element, set and read through the table.
 
 use super::variable::{Kind, Unit, Value, Variable};
+use crate::element::Inertia;
 use crate::element::subject::Subject;
 use crate::error::ContactError;
 
@@ -24,7 +25,7 @@ pub struct ValuesOf<S: Subject> {
 
 /// What goes on between the contact and a host that steps; an element by itself knows nothing of
 /// steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Coupling {
     /// Whether all this is computed.
@@ -33,9 +34,41 @@ pub struct Coupling {
     pub stiffness: [f64; 2],
     /// Vertical damping of the contact of each wheel [N s/m].
     pub damping: [f64; 2],
+    /// Inertia of the wheelset that the host moves.
+    pub inertia: Inertia,
+    /// Distance of the wheel marker from the centre of that wheelset, of a wheel alone [m].
+    pub lever: f64,
+    /// How long a step may be.
+    pub limits: StepLimits,
     /// Energy that forces held over the step before the last one have put into the bodies beyond
     /// the mean of those at both ends [J].
     pub energy_residual: f64,
+}
+
+/// Longest steps over which forces may be held.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct StepLimits {
+    /// By the normal contact [s].
+    pub normal: f64,
+    /// By creep forces [s].
+    pub creep: f64,
+    /// The shorter of both [s].
+    pub longest: f64,
+}
+
+impl Default for Coupling {
+    fn default() -> Self {
+        Self {
+            monitor: false,
+            stiffness: [0.0; 2],
+            damping: [0.0; 2],
+            inertia: Inertia::default(),
+            lever: 0.75,
+            limits: StepLimits::default(),
+            energy_residual: 0.0,
+        }
+    }
 }
 
 impl<S: Subject> PartialEq for ValuesOf<S> {

@@ -14,6 +14,22 @@ use crate::math::dual::Dual;
 /// Motion of a wheelset with its rates.
 type Moving = WheelMotion<Dual<1>>;
 
+/// Rates of the outputs of the element of a side, at its input in a direction.
+pub(super) trait SideRates:
+    FnMut(usize, &element::Input, &element::Input, &mut element::Output) -> Result<(), ContactError>
+{
+}
+
+impl<F> SideRates for F where
+    F: FnMut(
+        usize,
+        &element::Input,
+        &element::Input,
+        &mut element::Output,
+    ) -> Result<(), ContactError>
+{
+}
+
 impl Wheelset {
     /// The derivative of the outputs in the direction `direction`, all of whose numbers are rates
     /// of the inputs, as the rates of the outputs in `rates`; see
@@ -28,6 +44,20 @@ impl Wheelset {
         direction: &Input,
         rates: &mut Output,
     ) -> Result<(), ContactError> {
+        let place = self.place(input)?;
+        let direction = self.turned_direction(input, direction);
+        let elements = &mut self.elements;
+        *rates = place.rates(&direction, &mut |k, at, within, found| {
+            elements[k].directional_derivative(at, within, found)
+        })?;
+        Ok(())
+    }
+
+    /// Where the wheelset is at an `input`.
+    ///
+    /// # Errors
+    /// The input at fault, by its name.
+    pub(super) fn place(&mut self, input: &Input) -> Result<Place, ContactError> {
         let mut at = Output::default();
         let fallbacks = self.elements.each_ref().map(Element::fallbacks);
         let evaluated = self.evaluate(input, &mut at);
@@ -35,24 +65,59 @@ impl Wheelset {
             element.set_fallbacks(count);
         }
         evaluated?;
+        let mut input = self.on_its_rails(input);
+        let is_loaded = self.vertical_mode == VerticalMode::Load;
+        if is_loaded {
+            (input.wheelset.position[2], input.wheelset.roll) = (at.wheelset_z, at.roll);
+        }
+        Ok(Place { markers: self.markers, is_loaded, input, at })
+    }
+
+    /// A `direction` of the inputs with the rates of what follows from them.
+    pub(super) fn turned_direction(&self, input: &Input, direction: &Input) -> Input {
         let mut direction = self.turning(*direction);
         if let Some(irregularities) = &self.irregularities {
             irregularities.add_rates(input, &mut direction);
         }
-        let mut input = self.on_its_rails(input);
-        let loaded = self.vertical_mode == VerticalMode::Load;
-        if loaded {
-            (input.wheelset.position[2], input.wheelset.roll) = (at.wheelset_z, at.roll);
-        }
+        direction
+    }
+}
+
+/// Where derivatives are taken.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    /// Place of each wheel marker along the axle [m].
+    pub markers: [f64; 2],
+    /// Whether height and roll follow the loads.
+    pub is_loaded: bool,
+    /// The input, on its rails and where it carries its loads.
+    pub input: Input,
+    /// Its outputs.
+    pub at: Output,
+}
+
+impl Place {
+    /// The rates of the outputs along `direction` from the rates of the elements, which `sides`
+    /// gives; with given loads it is asked several times, last of all for those that count.
+    ///
+    /// # Errors
+    /// Why `sides` has none, or why the roll has none.
+    pub fn rates(
+        &self,
+        direction: &Input,
+        sides: &mut impl SideRates,
+    ) -> Result<Output, ContactError> {
+        let (input, mut direction) = (&self.input, *direction);
         let mut found = Output::default();
-        let mut motion = self.follow_loads(&input, &mut direction, &at.sides, &mut found)?;
-        if loaded && input.track != TrackTurn::default() {
+        let mut motion = self.follow_loads(&mut direction, &mut found, sides)?;
+        if self.is_loaded && input.track != TrackTurn::default() {
             // Velocities go with the height, as in the search for it.
             direction.wheelset.position[2] = found.wheelset_z;
-            motion = self.follow_loads(&input, &mut direction, &at.sides, &mut found)?;
+            motion = self.follow_loads(&mut direction, &mut found, sides)?;
         }
         let mut total = Wrench::<Dual<1>>::default();
-        let wrenches = [RIGHT, LEFT].map(|k| moving(&at.sides[k].wheel, &found.sides[k].wheel));
+        let wrenches =
+            [RIGHT, LEFT].map(|k| moving(&self.at.sides[k].wheel, &found.sides[k].wheel));
         for (along, wrench) in self.markers.iter().zip(&wrenches) {
             total::add(&mut total, &motion, *along, wrench);
         }
@@ -62,26 +127,23 @@ impl Wheelset {
         found.wear_number = right.wear_number + left.wear_number;
         found.frictional_power = right.frictional_power + left.frictional_power;
         found.roll = direction.wheelset.roll;
-        *rates = found;
-        Ok(())
+        Ok(found)
     }
 
     /// Rates of both sides and of the height, at the roll rate that goes with the loads where these
     /// are given; returns the motion of the centre with its rates.
     fn follow_loads(
-        &mut self,
-        input: &Input,
+        &self,
         direction: &mut Input,
-        at: &[element::Output; 2],
         found: &mut Output,
+        sides: &mut impl SideRates,
     ) -> Result<Moving, ContactError> {
-        let loaded = self.vertical_mode == VerticalMode::Load;
-        if loaded {
-            direction.wheelset.roll = self.rate_of_roll(input, direction, at)?;
+        if self.is_loaded {
+            direction.wheelset.roll = self.rate_of_roll(direction, sides)?;
         }
-        let motion = self.sides_along(input, direction, at, &mut found.sides)?;
+        let motion = self.sides_along(direction, &mut found.sides, sides)?;
         found.wheelset_z = direction.wheelset.position[2];
-        if loaded {
+        if self.is_loaded {
             let up = motion.axle().z.slopes[0];
             let height = |k: usize| found.sides[k].wheel_z - self.markers[k] * up;
             found.wheelset_z = 0.5 * (height(RIGHT) + height(LEFT));
@@ -89,15 +151,14 @@ impl Wheelset {
         Ok(motion)
     }
 
-    /// Rates of both sides, which are `at` these outputs; returns the motion of the centre with its
-    /// rates.
+    /// Rates of both sides; returns the motion of the centre with its rates.
     fn sides_along(
-        &mut self,
-        input: &Input,
+        &self,
         direction: &Input,
-        at: &[element::Output; 2],
         rates: &mut [element::Output; 2],
+        sides: &mut impl SideRates,
     ) -> Result<Moving, ContactError> {
+        let input = &self.input;
         let motion = with_rates(&input.wheelset, &direction.wheelset);
         let turn = turn_with_rates(&input.track, &direction.track);
         let against_ground = turn.against_ground(&motion);
@@ -116,24 +177,22 @@ impl Wheelset {
                 wheel: rates_of(&marker),
                 ..rate.with(direction.wheelset, direction.track_s)
             };
-            let found = self.elements[k].directional_derivative(&side, &within, &mut rates[k]);
-            found.map_err(|error| on_side(error, SIDES[k]))?;
-            bring_out(&frame, [height, marker.position[2]], &at[k], &mut rates[k]);
+            sides(k, &side, &within, &mut rates[k]).map_err(|error| on_side(error, SIDES[k]))?;
+            bring_out(&frame, [height, marker.position[2]], &self.at.sides[k], &mut rates[k]);
         }
         Ok(motion)
     }
 
     /// Rate of the roll at which the heights of both wheels go on to fit the axle.
     fn rate_of_roll(
-        &mut self,
-        input: &Input,
+        &self,
         direction: &Input,
-        at: &[element::Output; 2],
+        sides: &mut impl SideRates,
     ) -> Result<f64, ContactError> {
         let between = self.markers[RIGHT] - self.markers[LEFT];
         let mut misfit = |direction: &Input| {
             let mut rates = [element::Output::default(); 2];
-            let motion = self.sides_along(input, direction, at, &mut rates)?;
+            let motion = self.sides_along(direction, &mut rates, sides)?;
             let apart = rates[RIGHT].wheel_z - rates[LEFT].wheel_z;
             Ok::<f64, ContactError>(apart - between * motion.axle().z.slopes[0])
         };

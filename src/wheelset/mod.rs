@@ -17,6 +17,7 @@
 //! # Ok::<(), wheelrail::error::ContactError>(())
 //! ```
 
+mod adjoint;
 mod derivatives;
 mod given_load;
 mod guiding;
@@ -40,7 +41,7 @@ pub use track::{MAX_SLOPE, MAX_TURN, RailLine, TrackTurn};
 
 use crate::element::output::Wrench;
 use crate::element::parameters::VerticalMode;
-use crate::element::subject::Subject;
+use crate::element::subject::{BySubject, Subject};
 use crate::element::work_pairs::{WorkPairs, work_pairs};
 use crate::element::{self, Element, FreeRolling};
 use crate::error::ContactError;
@@ -333,6 +334,15 @@ impl Subject for Wheelset {
         self.directional_derivative(input, direction, rates)
     }
 
+    fn adjoint_derivative_of_all(
+        &mut self,
+        input: &Input,
+        weights: &Output,
+        found: &mut BySubject<Self>,
+    ) -> Result<(), ContactError> {
+        self.go_back(input, weights, found)
+    }
+
     fn elements(&self) -> &[Element] {
         &self.elements
     }
@@ -368,6 +378,10 @@ impl Subject for Wheelset {
         found.wheelset.position[2] = output.wheelset_z;
         found.wheelset.roll = output.roll;
         found.of_side(k, self.markers[k])
+    }
+
+    fn lever(&self, k: usize, _: f64) -> f64 {
+        self.markers[k].abs()
     }
 
     fn report_fallbacks(&self, output: &mut Output) {

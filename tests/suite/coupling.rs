@@ -181,6 +181,101 @@ fn stiffness_and_damping_are_the_slopes_of_the_force_when_the_monitor_is_on() {
     assert_eq!(off.get_real("contact.stiffness").to_bits(), 0);
 }
 
+/// The three limits of a step.
+const LIMITS: [&str; 3] =
+    ["coupling.longest_step", "coupling.normal_limit", "coupling.creep_limit"];
+
+/// A wheelset that rolls, off the middle of the track and yawed, with `masses`.
+fn rolling_wheelset(unit: &Unit, monitor: bool, masses: &[(&str, f64)]) -> Box<Host> {
+    let host = Host::initializing_with(&Arguments::of(unit));
+    assert_eq!(host.set_boolean("coupling.monitor", monitor), Status::Ok, "{}", host.last());
+    assert_eq!(host.set_reals(masses), Status::Ok, "{}", host.last());
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    host
+}
+
+#[test]
+fn the_longest_steps_of_a_wheelset_follow_from_its_forces() {
+    let [mass, inertia, axle_inertia] = [1200.0, 700.0, 150.0];
+    let masses = [
+        ("coupling.mass", mass),
+        ("coupling.inertia", inertia),
+        ("coupling.axle_inertia", axle_inertia),
+    ];
+    let host = rolling_wheelset(&WHEELSET, true, &masses);
+    let at = [
+        ("wheelset.y", 1e-3),
+        ("wheelset.z", -0.45972),
+        ("wheelset.yaw", 1e-3),
+        ("wheelset.vx", 20.0),
+        ("wheelset.pitch_rate", -43.48),
+    ];
+    assert_eq!(host.set_reals(&at), Status::Ok, "{}", host.last());
+    let [longest, normal, creep] = host.get_reals(&LIMITS).unwrap().try_into().unwrap();
+    let names = ["stiffness", "damping"]
+        .map(|name| ["right", "left"].map(|side| host.get_real(&format!("{side}.contact.{name}"))));
+    // Of the output by the velocity, with its value put back.
+    let slope = |output: &str, input: &str, step: f64| {
+        let own = host.get_real(input);
+        let beside = |way: f64| {
+            assert_eq!(host.set_reals(&[(input, own + way)]), Status::Ok);
+            host.get_real(output)
+        };
+        let found = (beside(step) - beside(-step)) / (2.0 * step);
+        beside(0.0);
+        -found
+    };
+    let rates = [
+        slope("wheelset.force.y", "wheelset.vy", 2e-5) / mass,
+        // The axle is turned by a milliradian: its moment is that about the vertical axis to 1e-6.
+        slope("wheelset.moment.z", "wheelset.yaw_rate", 2e-5) / inertia,
+        slope("wheelset.moment.y", "wheelset.pitch_rate", 2e-5) / axle_inertia,
+    ];
+    let fastest = rates.iter().copied().fold(0.0, f64::max);
+    println!("{longest:e} {normal:e} {creep:e}, {rates:?}, {names:?}");
+    assert!((creep * fastest / 2.0 - 1.0).abs() < tolerance::LIMIT_BY_DIFFERENCES, "{rates:?}");
+    let [stiffness, damping] = names;
+    let shorter = (2.0 * damping[0] / stiffness[0]).min(2.0 * damping[1] / stiffness[1]);
+    assert!(
+        (normal / shorter - 1.0).abs() < 1e-12 && longest.to_bits() == normal.min(creep).to_bits()
+    );
+    // They follow the inputs, are finite without contact and 0 without the monitor.
+    assert_eq!(
+        host.set_reals(&[("wheelset.vx", 0.5), ("wheelset.pitch_rate", -1.087)]),
+        Status::Ok
+    );
+    let slow = host.get_reals(&LIMITS).unwrap();
+    assert!(slow[2] < 0.1 * creep && slow[0].to_bits() == slow[2].to_bits(), "{slow:?}");
+    assert_eq!(host.set_reals(&[("wheelset.z", -0.5)]), Status::Ok);
+    assert_eq!(host.get_reals(&LIMITS).unwrap(), [1e6; 3]);
+    let off = rolling_wheelset(&WHEELSET, false, &[]);
+    assert_eq!(off.get_reals(&LIMITS).unwrap(), [0.0; 3]);
+}
+
+/// On the middle of the track both wheels of a wheelset do the same.
+#[test]
+fn a_wheel_alone_has_the_longest_steps_of_its_wheelset() {
+    let (wheel, set) =
+        (rolling_wheelset(&WHEEL, true, &[]), rolling_wheelset(&WHEELSET, true, &[]));
+    let [wheel, set] = [wheel, set].map(|host| host.get_reals(&LIMITS).unwrap());
+    println!("{wheel:?} {set:?}");
+    for (wheel, set) in wheel.iter().zip(&set) {
+        assert!((wheel / set - 1.0).abs() < 1e-9, "{wheel} {set}");
+    }
+}
+
+/// A height that follows a load is not the host's to integrate: creep forces alone limit the step.
+#[test]
+fn a_given_load_leaves_the_limit_by_creep_forces() {
+    let host = Host::initializing_with(&Arguments::of(&WHEEL));
+    assert_eq!(host.set_boolean("coupling.monitor", true), Status::Ok);
+    assert_eq!(host.set_integer("vertical.mode", 2), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    let [longest, normal, creep] = host.get_reals(&LIMITS).unwrap().try_into().unwrap();
+    let bits = [normal, longest].map(f64::to_bits);
+    assert!(bits == [1e6, creep].map(f64::to_bits) && creep < 0.1, "{longest} {normal} {creep}");
+}
+
 /// How a master carries the motion of a mass on a spring and a damper over a step.
 #[derive(Clone, Copy, Debug)]
 enum Scheme {

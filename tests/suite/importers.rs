@@ -114,30 +114,45 @@ fn ecos_gets_the_same_bits() {
     same_as_in_fmpy(&answers("ecos"));
 }
 
-/// A profile, and a choice, which libcosim and ecos cannot set: both are in the unit.
+/// A profile, and a choice, which libcosim and ecos cannot set: both are in the unit, with a state for
+/// model exchange and without.
 #[test]
 #[ignore = "installs its client"]
 #[cfg(feature = "cli")]
 fn a_packed_unit_is_the_same_in_all_of_them() {
-    let unit = Path::new(env!("CARGO_TARGET_TMPDIR")).join("PackedForImporters.fmu");
-    let mut pack = wheelrail::pack::Pack::open(&packaged::fmu()).unwrap();
-    let profile = in_tree("fmu/resources/profiles/S1002_worn.txt");
-    pack.set_wheel(profile.to_str().unwrap()).unwrap();
-    pack.set("normal.model", "hertz").unwrap();
-    pack.add_dummy_state();
-    pack.write(&unit).unwrap();
-    let first = answers_of("fmpy", &unit);
-    assert_ne!(first.bits(), in_fmpy().bits());
-    for client in ["libcosim", "ecos"] {
-        assert_eq!(answers_of(client, &unit).bits(), first.bits(), "{client}");
+    let mut forces = Vec::new();
+    for has_state in [false, true] {
+        let name = if has_state { "PackedWithState.fmu" } else { "Packed.fmu" };
+        let unit = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let mut pack = wheelrail::pack::Pack::open(&packaged::fmu()).unwrap();
+        let profile = in_tree("fmu/resources/profiles/S1002_worn.txt");
+        pack.set_wheel(profile.to_str().unwrap()).unwrap();
+        pack.set("normal.model", "hertz").unwrap();
+        if has_state {
+            pack.add_dummy_state();
+        }
+        pack.write(&unit).unwrap();
+        let first = answers_of("fmpy", &unit);
+        assert_ne!(first.bits(), in_fmpy().bits());
+        for client in ["libcosim", "ecos"] {
+            assert_eq!(answers_of(client, &unit).bits(), first.bits(), "{client}, {name}");
+        }
+        assert_eq!(in_fmi_crate(&unit).bits(), first.bits(), "the fmi crate, {name}");
+        forces.push(first.bits());
     }
+    assert_eq!(forces[0], forces[1], "a state for model exchange changes no force");
 }
 
 #[test]
 #[ignore = "installs its client"]
 fn the_fmi_crate_gets_the_same_bits() {
+    same_as_in_fmpy(&in_fmi_crate(&packaged::fmu()));
+}
+
+/// What the client of the fmi crate answers of a unit.
+fn in_fmi_crate(unit: &Path) -> Table {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmi-crate");
-    let file = target.join("answers.csv");
+    let file = target.join(unit.with_extension("csv").file_name().unwrap());
     let script = "import clang, pathlib; print(pathlib.Path(clang.__file__).parent / 'native')";
     let printed = |mut command: Command, what: &str| {
         let output = run(&mut command, what);
@@ -156,7 +171,7 @@ fn the_fmi_crate_gets_the_same_bits() {
         .args(["run", "--quiet", "--locked", "--target-dir"])
         .arg(&target)
         .arg("--")
-        .arg(packaged::fmu())
+        .arg(unit)
         .arg(in_tree(POSITIONS))
         .arg(&file)
         .arg(in_fmpy().names.join(","))
@@ -164,7 +179,7 @@ fn the_fmi_crate_gets_the_same_bits() {
         .env("BINDGEN_EXTRA_CLANG_ARGS", format!("-I{headers}"))
         .env_remove("CARGO_BUILD_TARGET");
     run(&mut command, "the client of the fmi crate");
-    same_as_in_fmpy(&Table::read(&file));
+    Table::read(&file)
 }
 
 #[test]

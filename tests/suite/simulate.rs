@@ -1,11 +1,16 @@
 //! `wheelrail simulate` on the packaged FMU: the run of the README, Klingel's wave, and wrong use.
 
+use crate::host::{Arguments, Host};
 use crate::packaged;
+use crate::tolerance;
 use std::collections::HashMap;
 use std::path::Path;
 use std::process::{Command, Output};
 
 use tempfile::TempDir;
+use wheelrail::fmi::v2::fmi2ExitInitializationMode;
+use wheelrail::fmi::v2::types::Status;
+use wheelrail::variables::WHEELSET;
 
 type Row = HashMap<String, f64>;
 
@@ -73,6 +78,41 @@ fn a_wheelset_meets_the_ramp_and_returns_to_the_middle_of_the_track() {
     for name in ["motion.svg", "patches.svg"] {
         let figure = std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(figure.contains("</svg>") && figure.contains("S1002 on 60E1"), "{name}");
+    }
+}
+
+/// The number behind `word` in a text.
+fn number_behind(printed: &str, word: &str) -> f64 {
+    let rest = &printed[printed.find(word).unwrap() + word.len()..];
+    rest.split_whitespace().next().unwrap().trim_end_matches(',').parse().unwrap()
+}
+
+/// What is printed by differences the unit of a wheelset gives as outputs by derivatives.
+#[test]
+fn the_limits_of_the_step_are_those_that_the_unit_puts_out() {
+    let folder = TempDir::new().unwrap();
+    let output = simulate(folder.path(), &["--length", "0.1"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    let host = Host::initializing_with(&Arguments::of(&WHEELSET));
+    assert_eq!(host.set_boolean("coupling.monitor", true), Status::Ok);
+    assert_eq!(fmi2ExitInitializationMode(host.component), Status::Ok, "{}", host.last());
+    let row = &history(folder.path())[0];
+    let at = [
+        ("wheelset.z", 1e-3 * row["z_mm"]),
+        ("wheelset.vx", 15.0),
+        ("wheelset.pitch_rate", row["pitch_rate_rad_s"]),
+    ];
+    assert_eq!(host.set_reals(&at), Status::Ok, "{}", host.last());
+    for (word, name) in [
+        ("k = ", "right.contact.stiffness"),
+        ("c = ", "right.contact.damping"),
+        ("2c/k = ", "coupling.normal_limit"),
+        ("creep forces: h ≤ ", "coupling.creep_limit"),
+    ] {
+        let (printed, found) = (number_behind(&printed, word), host.get_real(name));
+        println!("{name} {found:e}, printed {printed:e}");
+        assert!((found / printed - 1.0).abs() < tolerance::LIMIT_BY_DIFFERENCES, "{name} {found}");
     }
 }
 

@@ -192,10 +192,11 @@ fn forces_are_finite_and_bounded_by_friction_wherever_the_wheel_is() {
     }
 }
 
-/// The parameters that are numbers, each with the least and greatest value that it admits.
+/// The parameters that are numbers, each with the least and greatest value that it admits; those of the
+/// host's wheelset are the unit's alone.
 fn parameter_ranges() -> impl Iterator<Item = (&'static Variable, [f64; 2])> {
     let parameters = VARIABLES.iter().filter(|v| v.causality == Causality::Parameter);
-    let numbers = parameters.filter(|v| v.kind == Kind::Real);
+    let numbers = parameters.filter(|v| v.kind == Kind::Real && !v.name.starts_with("coupling."));
     numbers.map(|v| (v, [v.min.unwrap_or(f64::MIN), v.max.unwrap_or(f64::MAX)]))
 }
 

@@ -370,7 +370,15 @@ class ElementParameters(TypedDict, total=False):
     wear_rail2_file: str | os.PathLike[str]
     """File to which fmi2Terminate writes the worn profile of rail 2, as wear.wheel.file."""
     coupling_monitor: bool
-    """Whether contact.stiffness and contact.damping are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
+    """Whether contact.stiffness, contact.damping and the longest steps are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
+    coupling_mass: float
+    """Mass of the wheelset that the host moves, for coupling.creep_limit alone; of a wheel alone that of the wheelset whose other wheel does the same [kg]."""
+    coupling_inertia: float
+    """Its moment of inertia about the yaw axis [kg.m2]."""
+    coupling_axle_inertia: float
+    """Its moment of inertia about the axle [kg.m2]."""
+    coupling_lever: float
+    """Distance of the wheel marker from its centre [m]."""
     x: float
     """Longitudinal position of the wheel marker in the track frame [m]."""
     y: float
@@ -1263,7 +1271,13 @@ class WheelSetParameters(TypedDict, total=False):
     wear_rail_archard_speed2: float
     """Law archard: slip velocity above which wear is mild again [m/s]."""
     coupling_monitor: bool
-    """Whether contact.stiffness and contact.damping are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
+    """Whether contact.stiffness, contact.damping and the longest steps are computed when they are read, and coupling.energy_residual at each step of co-simulation."""
+    coupling_mass: float
+    """Mass of the wheelset that the host moves, for coupling.creep_limit alone; of a wheel alone that of the wheelset whose other wheel does the same [kg]."""
+    coupling_inertia: float
+    """Its moment of inertia about the yaw axis [kg.m2]."""
+    coupling_axle_inertia: float
+    """Its moment of inertia about the axle [kg.m2]."""
     right_wheel_profile: str | os.PathLike[str]
     """Right side: Wheel profile: a built-in name or a file; a relative file name is looked for in resources/profiles, then in the working directory; slices (.slcw) or a table of sections where it varies around."""
     right_wheel_nominal_radius: float

@@ -18,6 +18,16 @@ pub struct ByKnot {
 pub struct KnotSlopes {
     /// One for each knot.
     pub knots: Vec<ByKnot>,
+    work: Work,
+}
+
+/// Memory for going back through the splines.
+#[derive(Clone, Debug, Default)]
+struct Work {
+    parameters: Vec<f64>,
+    by_values: [Vec<f64>; 2],
+    by_slopes: Vec<f64>,
+    solver: [Vec<f64>; 2],
 }
 
 impl KnotSlopes {
@@ -56,18 +66,22 @@ impl KnotSlopes {
 
     /// Derivatives by normal displacements of the points of `curve` to its `side`, 1 for the one
     /// that is to the right of its tangent with z down (a wheel's outside) and -1 for the other
-    /// one, as [`Curve::displaced`] has it.
-    #[must_use]
-    pub fn by_displacements(&self, curve: &Curve, side: f64) -> Vec<f64> {
-        let parameters: Vec<f64> = curve.knots().collect();
-        let [y, z] = [0, 1].map(|axis| {
-            let mut by_values: Vec<f64> = self.knots.iter().map(|by| by.point[axis]).collect();
-            let by_slopes: Vec<f64> = self.knots.iter().map(|by| by.tangent[axis]).collect();
-            add_by_values(&parameters, &by_slopes, &mut by_values);
-            by_values
-        });
+    /// one, as [`Curve::displaced`] has it; `found` gets them.
+    pub fn by_displacements(&mut self, curve: &Curve, side: f64, found: &mut Vec<f64>) {
+        let Self { knots, work: Work { parameters, by_values, by_slopes, solver } } = self;
+        parameters.clear();
+        parameters.extend(curve.knots());
+        for (axis, by_values) in by_values.iter_mut().enumerate() {
+            by_values.clear();
+            by_values.extend(knots.iter().map(|by| by.point[axis]));
+            by_slopes.clear();
+            by_slopes.extend(knots.iter().map(|by| by.tangent[axis]));
+            add_by_values(parameters, by_slopes, by_values, solver);
+        }
+        let [y, z] = by_values;
         let normals = parameters.iter().map(|&s| curve.normal(s, side));
-        normals.zip(y.iter().zip(&z)).map(|([ny, nz], (y, z))| ny * y + nz * z).collect()
+        found.clear();
+        found.extend(normals.zip(y.iter().zip(z)).map(|([ny, nz], (y, z))| ny * *y + nz * *z));
     }
 }
 
@@ -96,7 +110,8 @@ mod tests {
         slopes.clear(&curve);
         slopes.add_at(&curve, s, by);
         for side in [1.0, -1.0] {
-            let found = slopes.by_displacements(&curve, side);
+            let mut found = Vec::new();
+            slopes.by_displacements(&curve, side, &mut found);
             for (i, found) in found.into_iter().enumerate() {
                 let displaced = |way: f64| {
                     let mut ways = [0.0; 7];

@@ -14,7 +14,7 @@ use crate::geometry::profiles::profile_kind::ProfileKind;
 const LEVEL: f64 = 1e-6;
 
 /// Derivatives by what a rail is placed by, and by its profile.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ByPlacement {
     /// By the inclination, a tangent.
     pub inclination: f64,
@@ -23,14 +23,13 @@ pub struct ByPlacement {
     pub gauge_depth: f64,
     /// By y and z of the position, where that places it, in the frame of a right rail.
     pub position: [f64; 2],
-    /// By normal displacements of the points of the profile.
-    pub points: Vec<f64>,
 }
 
 impl PlacedRail {
     /// Derivatives from those by the knots of the placed curve, by the marker and by sine, cosine
     /// and highest point (y, z) of the inclined profile. A rail that `stays` is not placed anew
-    /// when its profile changes.
+    /// when its profile changes. Those by normal displacements of the points of the profile go to
+    /// `points`.
     #[must_use]
     pub(crate) fn back_to_placement(
         &self,
@@ -38,6 +37,7 @@ impl PlacedRail {
         marker: [f64; 2],
         [by_sine, by_cosine, top_y, top_z]: [f64; 4],
         stays: bool,
+        points: &mut Vec<f64>,
     ) -> ByPlacement {
         let (curve, hand, zero) = (self.curve(), self.hand(), [0.0; 2]);
         let mut found = ByPlacement::default();
@@ -82,9 +82,9 @@ impl PlacedRail {
             angle += by.point[1] * y - by.point[0] * z + by.tangent[1] * ty - by.tangent[0] * tz;
         }
         found.inclination = -angle * cosine * cosine;
-        found.points = knots.by_displacements(curve, ProfileKind::Rail.outside());
+        knots.by_displacements(curve, ProfileKind::Rail.outside(), points);
         if hand < 0.0 {
-            found.points.reverse();
+            points.reverse();
         }
         found
     }

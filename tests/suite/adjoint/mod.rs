@@ -3,6 +3,7 @@
 
 mod parameters;
 mod points;
+mod wheelset;
 
 use crate::common::random::Random;
 use crate::common::wheel::{element, evaluate, mirrored, random_input};

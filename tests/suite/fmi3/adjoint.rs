@@ -4,6 +4,7 @@ use wheelrail::fmi::v2::types::{Status, ValueReference};
 use wheelrail::fmi::v3::*;
 use wheelrail::variables::{WHEEL, WHEELSET};
 
+use crate::allocations;
 use crate::host3::Host3;
 use crate::tolerance;
 
@@ -88,6 +89,50 @@ fn a_wheelset_has_them_too() {
     let knowns = ["wheelset.z", "wheelset.yaw", "wheelset.vy", "left.friction.coefficient"];
     let seed = [1.0, -0.5, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
     compare((&Host3::stepping(&WHEELSET), &unknowns, &knowns), &seed, tolerance::BACKWARDS);
+}
+
+/// What one sweep has grown the next ones use.
+#[test]
+fn later_calls_allocate_nothing() {
+    let references = |host: &Host3, names: &[&str]| -> Vec<ValueReference> {
+        names.iter().map(|n| host.reference(n)).collect()
+    };
+    for (unit, body, unknown) in
+        [(&WHEEL, "wheel", "wheel.force.y"), (&WHEELSET, "wheelset", "wheelset.force.y")]
+    {
+        let host = Host3::stepping(unit);
+        let inputs = ["y", "z", "yaw", "vy"].map(|name| format!("{body}.{name}"));
+        let young = "wheel.young_modulus";
+        let knowns: Vec<&str> = inputs.iter().map(String::as_str).chain([young]).collect();
+        let (unknowns, knowns) = (references(&host, &[unknown]), references(&host, &knowns));
+        let y = host.get_real(&inputs[0]);
+        let (seed, mut found) = ([1.0], [0.0; 5]);
+        let mut sweep = |way: f64| {
+            assert_eq!(host.set_reals(&[(&inputs[0], y + way)]), Status::Ok);
+            let before = allocations::count();
+            // SAFETY: FMI 3.0, 2.2.11: all arrays hold as many elements as their counts say.
+            let status = unsafe {
+                fmi3GetAdjointDerivative(
+                    host.component,
+                    unknowns.as_ptr(),
+                    1,
+                    knowns.as_ptr(),
+                    5,
+                    seed.as_ptr(),
+                    1,
+                    found.as_mut_ptr(),
+                    5,
+                )
+            };
+            assert_eq!(status, Status::Ok, "{}", host.last());
+            allocations::count() - before
+        };
+        let places = [0.0, 1e-4, -1e-4, 2e-4];
+        let [first, again] = [places, places].map(|places| places.map(&mut sweep));
+        println!("{body}: {first:?}, {again:?}");
+        assert!(first[0] > 0 && again == [0; 4], "{body}: {first:?}, {again:?}");
+        assert!(found.iter().all(|slope| *slope != 0.0), "{found:?}");
+    }
 }
 
 #[test]

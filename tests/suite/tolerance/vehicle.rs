@@ -56,6 +56,10 @@ super::entry::tolerances! {
     /// Longest stable steps against their formulas: the search for them.
     LONGEST_STEP: f64 = 1e-4;
 
+    /// Limits of the step put out by a unit against those printed or from differences of its forces: the
+    /// four digits that are printed.
+    LIMIT_BY_DIFFERENCES: f64 = 5e-4;
+
     /// The same for forces one step late: their formula is that for light damping.
     DELAYED_STEP: f64 = 0.05;
 

@@ -3,12 +3,13 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use wheelrail::element::StepLimit;
+
 use super::arguments::Arguments;
 use super::integration::Run;
 use crate::wheelset::body::State;
 use crate::wheelset::oscillation::oscillation;
 use crate::wheelset::record::{Patch, Record, SIDES};
-use crate::wheelset::step_limit::StepLimit;
 
 /// Messages of the unit that are shown.
 const SHOWN_MESSAGES: usize = 5;

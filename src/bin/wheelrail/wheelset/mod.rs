@@ -9,7 +9,7 @@ pub mod equilibrium;
 pub mod options;
 pub mod oscillation;
 pub mod record;
-pub mod step_limit;
+mod step_limit;
 pub mod suspension;
 pub mod track;
 

@@ -2,6 +2,7 @@
 
 use anyhow::{Result, bail};
 use clap::Args;
+use wheelrail::element::Inertia;
 
 use super::GRAVITY;
 use super::body::Body;
@@ -11,13 +12,13 @@ use super::suspension::Suspension;
 #[derive(Args, Debug)]
 pub struct WheelsetOptions {
     /// Mass of the wheelset [kg]
-    #[arg(long, value_name = "KG", default_value_t = 1500.0, help_heading = "Wheelset")]
+    #[arg(long, value_name = "KG", default_value_t = Inertia::default().mass, help_heading = "Wheelset")]
     pub mass: f64,
     /// Moment of inertia about the roll and yaw axes [kg m²]
-    #[arg(long, value_name = "KG_M2", default_value_t = 900.0, help_heading = "Wheelset")]
+    #[arg(long, value_name = "KG_M2", default_value_t = Inertia::default().transverse, help_heading = "Wheelset")]
     pub inertia: f64,
     /// Moment of inertia about the axle [kg m²]
-    #[arg(long, value_name = "KG_M2", default_value_t = 100.0, help_heading = "Wheelset")]
+    #[arg(long, value_name = "KG_M2", default_value_t = Inertia::default().axle, help_heading = "Wheelset")]
     pub axle_inertia: f64,
     /// Force of the wheelset on the track, its own weight included [N]
     #[arg(long, value_name = "N", default_value_t = 100e3, help_heading = "Wheelset")]
