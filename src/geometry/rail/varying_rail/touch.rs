@@ -114,9 +114,9 @@ impl Touch<'_> {
     /// Row `j` as it is under the axle; nothing where it is not there.
     pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
         let run = self.surface.run(j, over.station, over.within.slice)?;
-        let [from, to] = self.surface.reach(run, over.station)?;
+        let [from, to] = over.reach(self.surface, j, run)?;
         let x = 0.0_f64.clamp(from, to);
-        let p = self.surface.at(j, run, over.station + x, over.within.slice);
+        let p = over.row(self.surface, j, run, x);
         Some(over.under_axle(j, &p, x))
     }
 
@@ -131,8 +131,8 @@ impl Touch<'_> {
         looks_through: bool,
     ) -> Option<Met> {
         let run = self.surface.run(j, over.station, over.within.slice)?;
-        let [from, to] = self.surface.reach(run, over.station)?;
-        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let [from, to] = over.reach(self.surface, j, run)?;
+        let at = |x: f64| over.row(self.surface, j, run, x);
         let start = guess.unwrap_or(0.0).clamp(from, to);
         let mut x = start;
         let mut p = at(x);
@@ -176,7 +176,7 @@ impl Touch<'_> {
         mut opposite: Opposite,
         [from, to]: [f64; 2],
     ) -> Met {
-        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let at = |x: f64| over.row(self.surface, j, run, x);
         let state = |p: &RowPoint, x: f64, opposite: &Opposite| {
             let deviation = over.deviation(x, over.in_wheel(p), opposite);
             State::new(over, p, x, opposite, deviation)
@@ -223,17 +223,17 @@ impl Touch<'_> {
         let mut x = T::from(found.x);
         // Both were there when it was found.
         let Some(run) = self.surface.run(j, over.station.value(), slice) else {
-            return over.under_axle(j, &self.surface.at(j, [0, 0], x, slice), x);
+            return over.under_axle(j, &over.row(self.surface, j, [0, 0], x), x);
         };
         let mut is_held = false;
-        if let Some(ends) = self.surface.reach(run, over.station)
+        if let Some(ends) = over.reach(self.surface, j, run)
             && let Some(end) =
                 ends.into_iter().find(|end| end.value().to_bits() == found.x.to_bits())
         {
             (x, is_held) = (end, true);
         }
         let Some([u, _]) = found.opposite else {
-            return over.under_axle(j, &self.surface.at(j, run, over.station + x, slice), x);
+            return over.under_axle(j, &over.row(self.surface, j, run, x), x);
         };
         let (_, _, _, rates) = self.equations(over, j, run, x, u.into());
         let (at_x, at_u) = (Dual::variable(found.x, 0), Dual::variable(u, 1));
@@ -260,7 +260,7 @@ impl Touch<'_> {
         x: T,
         u: T,
     ) -> (RowPoint<T>, Opposite<T>, State<T>, [T; 2]) {
-        let p = self.surface.at(j, run, over.station + x, over.within.slice);
+        let p = over.row(self.surface, j, run, x);
         let (opposite, missing) = over.on_line(u, over.in_wheel(&p)[0]);
         let state = State::new(over, &p, x, &opposite, Deviation::default());
         let g = state.g;
@@ -286,7 +286,8 @@ impl Touch<'_> {
         } else {
             over.deviation(place, [across, below], opposite).raised
         };
-        let rise = (here.value[1] - own - self.bounds.of(j, over.within.slice).least).max(0.0);
+        let rise = (over.height_of(place, here) - own - self.bounds.of(j, over.within.slice).least)
+            .max(0.0);
         let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt()
             + (place - centre).abs()
             + over.reach_around();
@@ -296,7 +297,7 @@ impl Touch<'_> {
         let at = |i: usize| from + (to - from) * i as f64 / count as f64;
         let height = |i: usize| -> f64 {
             let x = at(i);
-            let p = self.surface.at(j, run, over.station + x, over.within.slice);
+            let p = over.row(self.surface, j, run, x);
             let [_, z] = over.in_wheel(&p);
             let raised = over.deviation(x, [across, z], opposite).raised;
             let down = (x - centre).hypot(z) - z - raised;
