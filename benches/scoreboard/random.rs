@@ -141,7 +141,7 @@ struct Pose {
 /// the first who asks for it.
 struct Poses {
     pairs: [[&'static str; 2]; 4],
-    solved: [OnceLock<Option<Pose>>; 4 * POSES],
+    solved: OnceLock<Vec<OnceLock<Option<Pose>>>>,
 }
 
 static SMOOTH_RAILS: Poses = Poses::on(PAIRS);
@@ -149,7 +149,13 @@ static KINKED_RAILS: Poses = Poses::on(KINKED);
 
 impl Poses {
     const fn on(pairs: [[&'static str; 2]; 4]) -> Self {
-        Self { pairs, solved: [const { OnceLock::new() }; 4 * POSES] }
+        Self { pairs, solved: OnceLock::new() }
+    }
+
+    /// Room for all of them.
+    fn all(&self) -> &[OnceLock<Option<Pose>>] {
+        let count = self.pairs.len() * POSES;
+        self.solved.get_or_init(|| (0..count).map(|_| OnceLock::new()).collect())
     }
 
     /// Pose `k` of the run with this `seed`; nothing where the default models do not carry the load.
@@ -161,12 +167,12 @@ impl Poses {
             let exact = evaluate(&mut on(pair, reference().parameters(), &at), &at);
             Some(Pose { pair, seed, at, exact })
         };
-        self.solved[k].get_or_init(solve).as_ref()
+        self.all()[k].get_or_init(solve).as_ref()
     }
 
     /// Cases of all poses by a setting that does not take milliseconds itself.
     fn compared(&self, setting: &Setting, seed: u64) -> Option<Vec<Case>> {
-        let all = (0..self.solved.len()).into_par_iter();
+        let all = (0..self.all().len()).into_par_iter();
         let cases = all.filter_map(|k| Some(compare(setting, self.at(k, seed)?)));
         (!setting.is_slow).then(|| cases.collect())
     }
