@@ -130,12 +130,12 @@ mod tests {
     /// has.
     #[test]
     fn a_wheelset_has_on_each_side_or_once_what_a_wheel_has() {
-        // What a wheelset has in its own way: the motion of its centre, two sides.
+        // What a wheelset has in its own way: the motion of its centre, two sides, where they are.
         let own = |name: &str| {
             let coordinate = name.strip_prefix("wheel.").is_some_and(|c| {
                 WHEELSET.variables.iter().any(|v| v.name == format!("wheelset.{c}"))
             }) && find(name).unwrap().causality == Causality::Input;
-            coordinate || name == "side"
+            coordinate || ["side", "coupling.lever"].contains(&name)
         };
         for v in VARIABLES.iter().filter(|v| !own(v.name)) {
             for side in crate::wheelset::SIDES {
