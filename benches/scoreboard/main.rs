@@ -6,7 +6,8 @@
 //! from that table. WHEELRAIL_SEED chooses the random cases, which are others
 //! in every run without it; WHEELRAIL_PROFILES names the folder of profiles that may not be passed
 //! on. A word behind `--` runs the families alone whose titles have it in them, and shows their
-//! tables: `cargo bench --no-default-features --bench scoreboard -- roller`.
+//! tables: `cargo bench --no-default-features --bench scoreboard -- roller`; the word `times` measures
+//! times alone.
 
 #[path = "../../tests/suite/common/mod.rs"]
 mod common;
@@ -28,7 +29,7 @@ use family::{Case, Family};
 use indicatif::{ProgressBar, ProgressStyle};
 use page::Results;
 use rayon::prelude::*;
-use setting::SETTINGS;
+use setting::{SETTINGS, Setting};
 
 fn main() -> ExitCode {
     if !env::args().any(|argument| argument == "--bench") {
@@ -48,6 +49,10 @@ fn main() -> ExitCode {
     if wish == "page" {
         page::write_families(&families);
         page::write(&page::again(&families));
+        return ExitCode::SUCCESS;
+    }
+    if word.as_deref() == Some("times") {
+        print!("{}", page::times_table(&measured_times(seed)));
         return ExitCode::SUCCESS;
     }
     let results = solve_all(&families, seed);
@@ -70,16 +75,18 @@ fn main() -> ExitCode {
         return if worse.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
     println!("times");
-    let times: Vec<(String, Vec<Case>)> = SETTINGS
-        .iter()
-        .map(|setting| (setting.name.to_owned(), times::times(setting, seed)))
-        .collect();
-    let text = page::text(&results, &walk, &times, seed);
+    let text = page::text(&results, &walk, &measured_times(seed), seed);
     print!("{text}");
     page::write_table(&page::rows(&results));
     page::write_families(&families);
     page::write(&text);
     ExitCode::SUCCESS
+}
+
+/// What an evaluation takes by all settings.
+fn measured_times(seed: u64) -> Vec<(String, Vec<Case>)> {
+    let of = |setting: &Setting| (setting.name.to_owned(), times::times(setting, seed));
+    SETTINGS.iter().map(of).collect()
 }
 
 /// That of the environment, or one of the clock.

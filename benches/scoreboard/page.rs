@@ -264,17 +264,8 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
         rounded(walk.jumps[1]),
     )
     .expect("a text");
-    page += "## Times\n\nOne evaluation in random poses, the least of five, over the median of the fastest in the same run; and the greatest over the median. Slow models are timed in one pose of twenty.\n\n\
-             | by | poses | median | greatest over median | which |\n|---|---:|---:|---:|---|\n";
-    let median = |cases: &[Case]| Spread::of(cases, 0).map_or(f64::NAN, |spread| spread.sizes[0]);
-    let unit = times.iter().map(|(_, cases)| median(cases)).fold(f64::INFINITY, f64::min);
-    for (name, cases) in times {
-        let Some(spread) = Spread::of(cases, 0) else { continue };
-        let [middle, _, worst] = spread.sizes;
-        let (over, most) = (rounded(middle / unit), rounded(worst / middle));
-        writeln!(page, "| {name} | {} | {over} | {most} | {} |", spread.count, spread.worst)
-            .expect("a text");
-    }
+    page += "## Times\n\nOne evaluation in random poses, the least of five, over the median of the fastest in the same run; and the greatest over the median. Slow models are timed in one pose of twenty.\n\n";
+    page += &times_table(times);
     writeln!(
         page,
         "\nRandom cases of this run: seed {seed} (`WHEELRAIL_SEED`; another one in every run without it). From seed to seed the medians of random cases change by up to a \
@@ -282,6 +273,23 @@ pub fn text(results: &[Results], walk: &Walk, times: &[(String, Vec<Case>)], see
     )
     .expect("a text");
     page
+}
+
+/// What an evaluation takes, as a table: medians over the least of them.
+pub fn times_table(times: &[(String, Vec<Case>)]) -> String {
+    let mut table = String::from(
+        "| by | poses | median | greatest over median | which |\n|---|---:|---:|---:|---|\n",
+    );
+    let median = |cases: &[Case]| Spread::of(cases, 0).map_or(f64::NAN, |spread| spread.sizes[0]);
+    let unit = times.iter().map(|(_, cases)| median(cases)).fold(f64::INFINITY, f64::min);
+    for (name, cases) in times {
+        let Some(spread) = Spread::of(cases, 0) else { continue };
+        let [middle, _, worst] = spread.sizes;
+        let (over, most) = (rounded(middle / unit), rounded(worst / middle));
+        writeln!(table, "| {name} | {} | {over} | {most} | {} |", spread.count, spread.worst)
+            .expect("a text");
+    }
+    table
 }
 
 /// All cases.

@@ -39,8 +39,8 @@ const HEAD: u32 = 48;
 /// Elements along and across, and every how many there is a line.
 const ELEMENTS: usize = 28;
 /// Shades that are told apart.
-const SHADES: f64 = 8.0;
-const EVERY: usize = 3;
+const SHADES: f64 = 5.0;
+const EVERY: usize = 4;
 
 pub fn draw(arguments: &[String]) -> Result<(), Box<dyn Error>> {
     let rows = CONTACTS.len().div_ceil(COLUMNS) as u32;
@@ -163,7 +163,7 @@ fn patch(area: &Area<'_>, title: &str, fields: &[ContactField]) -> anyhow::Resul
                         at(grid.x(first) + 0.5 * grid.dx, grid.y(j) - 0.5 * grid.dy),
                         at(grid.x(last) - 0.5 * grid.dx, grid.y(j) + 0.5 * grid.dy),
                     ];
-                    let colour = colour.mix(0.1 + 0.8 * level / SHADES);
+                    let colour = colour.mix((10.0 + 80.0 * level / SHADES).round() / 100.0);
                     area.draw(&Rectangle::new(corners, colour.filled()))?;
                 }
                 first = last + 1;

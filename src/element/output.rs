@@ -128,8 +128,7 @@ pub struct Output<T = f64> {
     /// Newton step; 0 for other models [-].
     pub normal_residual: T,
     /// Largest slip of boundary elements that contradicts the friction law, over the largest rigid
-    /// slip; of tractions on strips, the greatest part of their bound by which they do; 0 for other
-    /// models [-].
+    /// slip; 0 for other models [-].
     pub tangential_residual: T,
     /// Dissipated energy per distance, spin included [J/m].
     pub wear_number: T,

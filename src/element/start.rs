@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn a_force_begins_with_nothing_where_a_yawed_line_runs_fast() -> Result<(), ContactError> {
-        // A dip that the search missed made it begin with an overlap of 20 µm here, which was told.
+        // A search that misses the dip here begins with an overlap of 20 µm, which is told.
         assert_eq!(told_at(-0.1188)?, []);
         assert_eq!(told_at(0.04)?, []);
         Ok(())
