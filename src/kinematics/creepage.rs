@@ -96,7 +96,7 @@ pub fn rolling_speed<T: Real>(
 /// Unit vectors of a contact in the track frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactAxes<T = f64> {
-    /// Along the track, or along its surface where a corrugated rail leans.
+    /// Along the rail, or along its surface where a corrugated rail leans.
     pub longitudinal: Vector3<T>,
     /// Across, in the contact plane, towards the field side.
     pub lateral: Vector3<T>,
@@ -105,10 +105,19 @@ pub struct ContactAxes<T = f64> {
 }
 
 impl<T: Real> ContactAxes<T> {
-    /// The axes of a contact plane along the track with unit vectors `lateral` and `normal`.
+    /// The axes of a contact plane with unit vectors along the rail, `lateral` and `normal`.
     #[must_use]
-    pub fn along_track(lateral: Vector3<T>, normal: Vector3<T>) -> Self {
-        Self { longitudinal: Vector3::x(), lateral, normal }
+    pub fn along(longitudinal: Vector3<T>, lateral: Vector3<T>, normal: Vector3<T>) -> Self {
+        Self { longitudinal, lateral, normal }
+    }
+
+    /// The same axes turned about the normal, so that the first goes along the track as far as the
+    /// plane lets it.
+    #[must_use]
+    pub fn beside_track(self) -> Self {
+        let along = Vector3::x() - self.normal * self.normal.x;
+        let longitudinal = along / along.dot(&along).sqrt();
+        Self { longitudinal, lateral: self.normal.cross(&longitudinal), ..self }
     }
 
     /// The same axes turned about the lateral one, so that the normal leans forward by an angle
@@ -208,10 +217,10 @@ impl<T: Real> RelativeMotion<T> {
     }
 
     /// Velocity at which a wheel that is not round closes by its turning about its axle where it is
-    /// met `ahead` [m] of a round one with the same normal, whose turning closes nothing [m/s].
+    /// met by `ahead` [m] from a round one with the same normal, whose turning closes nothing [m/s].
     #[must_use]
-    pub fn turning_velocity(&self, ahead: T) -> Vector3<T> {
-        (self.wheel_rotation - self.attitude_rotation).cross(&(Vector3::x() * ahead))
+    pub fn turning_velocity(&self, ahead: Vector3<T>) -> Vector3<T> {
+        (self.wheel_rotation - self.attitude_rotation).cross(&ahead)
     }
 
     /// Velocity of the rail, without the turning of a roller [m/s].

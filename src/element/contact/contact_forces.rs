@@ -48,6 +48,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let wheel = self.wheel();
         let wheel_marker = Vector3::from(wheel.position);
         let even_axes = self.axes();
+        let along = self.frame.along();
         let is_even = separation.lifting().is_none();
         for n in zones {
             let LaidZone { index, rolling, surface, law, .. } = models.rolling.zones[n];
@@ -59,16 +60,24 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             let pressing = axes.normal * -normal_force;
             let bearing = if is_even {
                 // Where the even part of the normal meets the axle, the part that leans does too.
-                let even =
-                    position - Vector3::x() * surface.ahead - even_axes.normal * surface.depth;
-                position + (meeting_axle(&wheel, even, even_axes.normal) - even)
+                let even = position - along * surface.ahead - even_axes.normal * surface.depth;
+                position + (meeting_axle(&wheel, even, even_axes.normal, along) - even)
             } else {
                 position
             };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
-            let creep_force =
+            let tell = |along: T, across: T, force: Vector3<T>| match self.frame.course() {
+                None => [along, across],
+                Some(_) => {
+                    let told = axes.beside_track();
+                    [told.longitudinal, told.lateral].map(|axis| force.dot(&axis))
+                }
+            };
+            let [along, across] =
                 [axes.longitudinal, axes.lateral].map(|axis| tractions.force.dot(&axis));
+            let is_traction = along * forward > 0.0;
+            let creep_force = tell(along, across, tractions.force);
             let position = position + Vector3::x() * station;
             let (rail, marker) = (&mut output.rails[self.k], self.frame.marker);
             add(rail, -tractions.force, position - marker, -tractions.moment);
@@ -81,12 +90,14 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             output.wear_number += dissipation;
             output.frictional_power += frictional_power;
             let slip = law.state.creepage;
+            let sliding = axes.longitudinal * slip.longitudinal + axes.lateral * slip.lateral;
+            let [slip_along, slip_across] = tell(slip.longitudinal, slip.lateral, sliding);
             models.patches.push(Patch {
                 rail: self.k as i32 + 1,
                 normal_force,
                 creep_force,
                 spin_moment: tractions.moment.dot(&axes.normal),
-                contact_angle: self.contact.angle() + self.frame.roll,
+                contact_angle: self.contact_angle(),
                 position: position.into(),
                 wheel_y: wheel_point.y,
                 rail_y: self.rail.profile_y(separation.rail_parameter(zone.u)),
@@ -96,12 +107,12 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
                 length: zone.length,
                 width: zone.width,
                 area: zone.area,
-                creepage: [slip.longitudinal, slip.lateral, slip.spin],
+                creepage: [slip_along, slip_across, slip.spin],
                 friction_coefficient: law.state.friction,
                 temperature: law.temperature,
                 slip_share: (tractions.slip_area / zone.area).at_most(1.0),
                 frictional_power,
-                tgamma_damage: rcf::tgamma_damage(dissipation, creep_force[0] * forward > 0.0),
+                tgamma_damage: rcf::tgamma_damage(dissipation, is_traction),
                 surface_fatigue_index: rcf::surface_fatigue_index(
                     normal_force,
                     creep_force,
@@ -113,11 +124,12 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     }
 }
 
-/// The place at which the normal force of a patch on an even wheel acts: `position`, moved along x
-/// so that the line of action along `normal` meets the axle of the `wheel`, as every normal of a
+/// The place at which the normal force of a patch on an even wheel acts: `position`, moved `along`
+/// the rail so that the line of action along `normal` meets the axle of the `wheel`, as every normal of a
 /// surface of revolution does.
 ///
-/// With the axle u through the marker M and (P - M) · (n × u) = 0, n without a part along x,
+/// With the axle u through the marker M, x along the rail and (P - M) · (n × u) = 0, n without a
+/// part along x,
 ///
 /// ```text
 /// x - M_x = u_x ((y - M_y) n_z - (z - M_z) n_y) / (u_y n_z - u_z n_y)
@@ -131,19 +143,20 @@ fn meeting_axle<T: Real>(
     wheel: &WheelMotion<T>,
     position: Vector3<T>,
     normal: Vector3<T>,
+    along: Vector3<T>,
 ) -> Vector3<T> {
     let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (wheel.roll.sin_cos(), wheel.yaw.sin_cos());
     // R_x(roll) R_z(yaw) e_y
     let axle = Vector3::new(-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll);
     let to = position - Vector3::from(wheel.position);
-    let facing = axle.y * normal.z - axle.z * normal.y;
+    let facing = axle.cross(&normal).dot(&along);
     let [none, all] = FACING;
     if facing.abs() <= none {
         return position;
     }
     let share = smooth_step(((facing.abs() - none) / (all - none)).at_most(1.0));
-    let x = axle.x * (to.y * normal.z - to.z * normal.y) / facing;
-    position + Vector3::x() * (share * (x - to.x))
+    let x = axle.dot(&along) * to.cross(&normal).dot(&along) / facing;
+    position + along * (share * (x - to.dot(&along)))
 }
 
 /// Sines of the angle between normal and axle below which the normal force acts at the centroid of

@@ -78,9 +78,27 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         relative_motion(self.input, self.k, &self.frame)
     }
 
+    /// Velocity of the wheel marker along the rail [m/s].
+    pub(in crate::element) fn forward(&self) -> T {
+        let velocity = self.input.wheel.velocity;
+        self.frame
+            .course()
+            .map_or(velocity[0], |_| Vector3::from(velocity).dot(&self.frame.along()))
+    }
+
+    /// Contact angle, about the track [rad].
+    pub(in crate::element) fn contact_angle(&self) -> T {
+        if self.frame.course().is_none() {
+            return self.contact.angle() + self.frame.roll;
+        }
+        let normal = self.frame.direction(self.contact.normal());
+        (T::from(0.0) - normal.y).atan2(normal.z)
+    }
+
     /// The axes of the contact frame in the track frame.
     pub(in crate::element) fn axes(&self) -> ContactAxes<T> {
-        ContactAxes::along_track(
+        ContactAxes::along(
+            self.frame.along(),
             self.frame.direction(self.contact.tangent),
             self.frame.direction(self.contact.normal()),
         )
@@ -100,7 +118,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         // A Hertzian ellipse can be wider than the wheel.
         let [start, end] = self.line.range();
         let at = self.line.even_at(u.within(start, end));
-        let point = self.frame.marker + self.frame.direction(at.point) + Vector3::x() * x;
+        let point = self.frame.point(at.point, x);
         let tangent = self.frame.direction(at.tangent);
         [point, tangent / tangent.dot(&tangent).sqrt()]
     }
@@ -110,7 +128,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     pub(in crate::element) fn track_point(&self, x: T, y: T, depth: T) -> Vector3<T> {
         let (o, t, n) = (self.contact.origin, self.contact.tangent, self.contact.normal());
         let point = [o[0] + y * t[0] + depth * n[0], o[1] + y * t[1] + depth * n[1]];
-        self.frame.marker + self.frame.direction(point) + Vector3::x() * x
+        self.frame.point(point, x)
     }
 
     /// How far the load of `zone` is ahead of the contact line of a round wheel [m].
@@ -186,10 +204,11 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         if along.is_some() || self.line.varies_around() {
             let Along { ahead, lever, .. } = along.unwrap_or_default();
             let x = self.line.even_at(self.contact.u).x + ahead;
-            let speeds = rail_speeds(self.input, self.k, self.rail.rail);
+            let speeds = rail_speeds(self.input, self.k, self.rail.rail, &self.frame);
             let rail = self.rail.closing_speed(self.contact.rail_s, x, speeds).unwrap_or_default();
             let ahead = self.line.ahead_of_round(self.contact.u) + lever;
-            return even + rail + motion.turning_velocity(ahead).dot(&normal);
+            let arm = self.frame.along() * ahead;
+            return even + rail + motion.turning_velocity(arm).dot(&normal);
         }
         let Some(lifting) = lifting else { return even };
         let (radius, [forward, ..]) = (self.line.nominal_radius(), wheel.velocity);
@@ -218,14 +237,18 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
                 // depend on friction.
                 walk.to(y, || separation.clone().rail_parameter(u.within(start, end)))
             };
-            friction.at(&place, hand, self.station(x), self.input, &mut last)
+            friction.at(&place, hand, self.station(&place, x), self.input, &mut last)
         }));
     }
 
-    /// Station of a place `x` along the track from the wheel marker [m].
+    /// Station of a `place` of the rail `x` along it from the wheel marker [m].
     #[inline]
-    fn station(&self, x: T) -> T {
-        self.input.track_s + self.input.wheel.position[0] + x
+    fn station(&self, place: &RailPlace<T>, x: T) -> T {
+        let along_track = self.frame.course().map_or(x, |course| {
+            let [y, z] = self.rail.at(place.s).point;
+            course.on_rail([x, y, z])[0]
+        });
+        self.input.track_s + self.input.wheel.position[0] + along_track
     }
 
     /// Friction at a `place` of the rail and `x` along the track from the wheel marker, where it is
@@ -238,7 +261,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
     ) -> Option<StripFriction<T>> {
         let hand = self.rail.rail.hand();
         self.friction.map(|friction| {
-            friction.at(place, hand, self.station(x), self.input, &mut LastPlace::default())
+            let station = self.station(place, x);
+            friction.at(place, hand, station, self.input, &mut LastPlace::default())
         })
     }
 }
@@ -259,12 +283,18 @@ pub(in crate::element) fn relative_motion<T: Real>(
     frame.relative_motion(&wheel_here(input), &input.rails[k], input.wheel.position[0])
 }
 
-/// Forward speed of the wheel over rail number `k`, from 0, and how fast the arc on its top grows if
-/// that is a roller [m/s].
+/// Speed of the wheel along the `frame` of rail number `k`, from 0, and how fast the arc on its top
+/// grows if that is a roller [m/s].
 pub(in crate::element) fn rail_speeds<T: Real>(
     input: &Input<T>,
     k: usize,
     rail: &PlacedRail,
+    frame: &RailFrame<T>,
 ) -> [T; 2] {
-    [input.wheel.velocity[0], input.rails[k].pitch_rate * rail.roller_radius()]
+    let (wheel, motion) = (&input.wheel, &input.rails[k]);
+    let forward = frame.course().map_or(wheel.velocity[0], |_| {
+        let [x, y, z] = wheel.velocity;
+        Vector3::new(x, y - motion.vy, z - motion.vz).dot(&frame.along())
+    });
+    [forward, motion.pitch_rate * rail.roller_radius()]
 }

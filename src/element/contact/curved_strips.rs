@@ -61,8 +61,8 @@ impl<T: Real> CurvedStrips<T> {
     /// Takes the places and creepages of the strips of `zone`, which come after those taken before;
     /// returns the mean creepage, weighted by load.
     ///
-    /// `lean` is the tangent of the angle by which the normals of a rail that rises along the track
-    /// lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact
+    /// `along` is the direction along the rail, `lean` the tangent of the angle by which the normals
+    /// of one that rises lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact
     /// line and an x [m].
     pub fn place(
         &mut self,
@@ -70,17 +70,17 @@ impl<T: Real> CurvedStrips<T> {
         strips: &Strips<T>,
         motion: &RelativeMotion<T>,
         reference_speed: T,
-        lean: T,
+        (along, lean): (Vector3<T>, T),
         surface: impl Fn(T, T) -> [Vector3<T>; 2],
     ) -> Creepage<T> {
         let (mut mean, mut load) = (Creepage::<T>::default(), T::from(0.0));
         // Zones without load were left out.
         self.points.resize(zone.first, Vector3::zeros());
-        self.axes.resize(zone.first, leaning_axes(Vector3::y(), T::from(0.0)));
+        self.axes.resize(zone.first, leaning_axes(along, Vector3::y(), T::from(0.0)));
         self.creepages.resize(zone.first, Creepage::default());
         for j in zone.first..zone.first + zone.count {
             let [point, tangent] = surface(strips.u[j], strips.x[j]);
-            let axes = leaning_axes(tangent, lean);
+            let axes = leaning_axes(along, tangent, lean);
             let creepage = motion.creepage(point, &axes, reference_speed);
             let weight = strips.width[j] * strips.half_length[j] * strips.pressure[j];
             load += weight;
@@ -128,10 +128,10 @@ impl<T: Real> CurvedStrips<T> {
     }
 }
 
-/// The axes of a strip with the tangent `tangent` across, whose normal leans forward by an angle
-/// with the tangent `lean`.
-fn leaning_axes<T: Real>(tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
-    ContactAxes::along_track(tangent, Vector3::x().cross(&tangent)).leaning(lean)
+/// The axes of a strip `along` the rail with the tangent `tangent` across, whose normal leans forward
+/// by an angle with the tangent `lean`.
+fn leaning_axes<T: Real>(along: Vector3<T>, tangent: Vector3<T>, lean: T) -> ContactAxes<T> {
+    ContactAxes::along(along, tangent, along.cross(&tangent)).leaning(lean)
 }
 
 #[cfg(test)]
@@ -178,7 +178,7 @@ mod tests {
         let mut creepage = |wheel: &WheelMotion| {
             let motion = RelativeMotion::new(wheel, &rail, Vector3::new(0.0, 0.76, 0.0));
             curved.clear();
-            curved.place(&zone, &strips, &motion, speed, 0.0, |_, x| {
+            curved.place(&zone, &strips, &motion, speed, (Vector3::x(), 0.0), |_, x| {
                 let point = Vector3::new(x, 0.755, wheel.position[2] + rolling_radius);
                 [point, Vector3::new(0.0, angle.cos(), angle.sin())]
             })
@@ -238,7 +238,8 @@ mod tests {
             });
             zone.load += 0.5 * PI * along * chord * pressure * chord * 2.0 * across / count as f64;
             curved.points.push(Vector3::new(0.0, 7e-3 * angle.sin(), 7e-3 * (1.0 - angle.cos())));
-            curved.axes.push(leaning_axes(Vector3::new(0.0, angle.cos(), angle.sin()), 0.0));
+            let tangent = Vector3::new(0.0, angle.cos(), angle.sin());
+            curved.axes.push(leaning_axes(Vector3::x(), tangent, 0.0));
         }
         let steel = Material { young_modulus: 2.1e11, poisson_ratio: 0.28 };
         let mut fallen = 0;
@@ -280,7 +281,7 @@ mod tests {
                 rolling: ZoneRolling {
                     zone,
                     position: Vector3::zeros(),
-                    axes: leaning_axes(Vector3::y(), 0.0),
+                    axes: leaning_axes(Vector3::x(), Vector3::y(), 0.0),
                     rolling_radius: 0.46,
                     forward: 30.0,
                     speed: rolling_speed(30.0, -65.0, 0.46, 0.1),

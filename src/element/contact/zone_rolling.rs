@@ -23,7 +23,7 @@ pub struct ZoneRolling<T> {
     pub position: Vector3<T>,
     pub axes: ContactAxes<T>,
     pub rolling_radius: T,
-    /// Forward velocity of the wheel over the rail's surface [m/s].
+    /// Velocity of the wheel along the rail's surface [m/s].
     pub forward: T,
     pub speed: RollingSpeed<T>,
     /// Normal force with damping over that without [-].
@@ -48,7 +48,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
         let depth = self.depth(zone.u) + surface.depth;
         let rolling_radius = self.line.wheel_point(zone.u).rolling_radius + surface.radius;
         let position = self.track_point(zone.x, zone.y, depth);
-        let forward = wheel.velocity[0] - motion.roller_speed(position);
+        let forward = self.forward() - motion.roller_speed(position);
         ZoneRolling {
             zone,
             position,
@@ -156,7 +156,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
                     let [point, tangent] = self.surface(u, x);
                     [point + axes.normal * *surface_depth, tangent]
                 };
-                zones.strips.place(zone, strips, motion, speed.reference, *lean, place)
+                let course = (self.frame.along(), *lean);
+                zones.strips.place(zone, strips, motion, speed.reference, course, place)
             }
         };
         let state = self.state(rolling, creepage);

@@ -5,8 +5,6 @@
 //! [`rail_elements`](crate::normal::rail_elements). Loaded zones get their frames from their own
 //! resultants.
 
-use nalgebra::Vector3;
-
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
 use crate::element::contact::given_tractions::GivenTractions;
 use crate::element::contact::models::Models;
@@ -224,7 +222,7 @@ fn tractions(
         .collect();
     let in_track = |element: &Loaded| {
         let point = element.row.wheel_point(element.x, element.overlap);
-        forces.frame.marker + forces.frame.direction(point) + Vector3::x() * element.x
+        forces.frame.point(point, element.x)
     };
     // Of the wheel opposite: where a rail rises, the bodies close along the track, which is no slip
     // across.
@@ -233,7 +231,7 @@ fn tractions(
         let size = y.hypot(z);
         let [tangent, normal] =
             [[z, -y], [y, z]].map(|v| forces.frame.direction(v.map(|c| c / size)));
-        ContactAxes::along_track(tangent, normal).leaning(element.row.course.lean)
+        ContactAxes::along(forces.frame.along(), tangent, normal).leaning(element.row.course.lean)
     };
     // Of a row of elements, each of which has a place on the arc of its own.
     let own_friction =
@@ -250,7 +248,7 @@ fn tractions(
             // As if the wheel were laid flat along the track, as its contact is: the point of its
             // outline at the place of the element.
             let at = element.row.wheel_point(element.x, element.row.overlap);
-            let at = forces.frame.marker + forces.frame.direction(at) + Vector3::x() * element.x;
+            let at = forces.frame.point(at, element.x);
             motion.creepage(at, &axes, state.speed)
         } else {
             let Creepage { longitudinal, lateral, spin } = state.creepage;

@@ -59,7 +59,7 @@ impl ContactSetup<'_> {
         let axes = self.axes();
         let place = self.track_point(self.line.at(self.contact.u).x, 0.0, 0.0);
         let speed = rolling_speed(
-            wheel.velocity[0] - motion.roller_speed(place),
+            self.forward() - motion.roller_speed(place),
             wheel.pitch_rate,
             self.line.wheel_point(self.contact.u).rolling_radius,
             minimum_speed,
@@ -73,8 +73,7 @@ impl ContactSetup<'_> {
         for step in 0..POINTS {
             let u = from + (to - from) * step as f64 / (POINTS - 1) as f64;
             let at = separation.at(u);
-            let point: Vector3<f64> =
-                self.frame.marker + self.frame.direction(self.line.at(u).point);
+            let point: Vector3<f64> = self.frame.point(self.line.at(u).point, 0.0);
             outline.push([point.y, point.z]);
             let grows = points.last().is_none_or(|last| at.y > last[0]);
             if at.f < BEYOND && grows {
@@ -91,12 +90,12 @@ impl ContactSetup<'_> {
         );
         let rail_head = (0..POINTS).map(|step| {
             let s = from + (to - from) * step as f64 / (POINTS - 1) as f64;
-            let point = self.frame.marker + self.frame.direction(curve.at(s).point);
+            let point = self.frame.point(curve.at(s).point, 0.0);
             [point.y, point.z]
         });
         FlatContact {
             rail: self.k as i32 + 1,
-            contact_angle: self.contact.angle() + self.frame.roll,
+            contact_angle: self.contact_angle(),
             position: [place.y, place.z],
             separation: points,
             radius,

@@ -7,6 +7,7 @@ use super::cut_strip::{self, CutStrip};
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::geometry::wheel::contact_line::{ContactLine, LinePoint};
@@ -75,7 +76,9 @@ impl<'a> LocalLine<'a> {
         let varying = self.rail.variation();
         let mut along = varying.map_or_else(Along::default, |varying| varying.along(y));
         if let Some(varying) = varying.filter(|varying| varying.has_waves()) {
-            along.curvature += ty * varying.bridged([x, on_rail[1]], self.bridge(even));
+            let (point, reach) = ([x, on_rail[0], on_rail[1]], self.bridge(even));
+            along.curvature += ty * varying.bridged(point, reach).unwrap_or(0.0);
+            along.waves = varying.waves_over(point, reach).map_or(along.waves, |waves| ty * waves);
         }
         if self.line.varies_around() {
             let round = self.line.round().wheel_point(u).section_radius;
@@ -94,7 +97,7 @@ impl<'a> LocalLine<'a> {
     /// What the end of a rail that varies leaves of the strip at `place`; nothing where it is whole.
     fn cut(&self, place: &LinePlace) -> Option<CutStrip<f64>> {
         let varying = self.rail.variation()?;
-        let ends = varying.ends(place.y)?.map(|end| end - place.x);
+        let ends = RailOutline::at_rest(self.rail).ends(place.y)?.map(|end| end - place.x);
         let slope = varying.along(place.y).gap;
         cut_strip::cut(self.depth, slope, self.varying_radius(place), ends)
     }

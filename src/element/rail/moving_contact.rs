@@ -10,16 +10,18 @@ use crate::element::contact::contact_setup::{ContactSetup, Damped, rail_speeds, 
 use crate::element::contact::models::Models;
 use crate::element::contact::number::ElementNumber;
 use crate::element::contact::rail_frame::RailFrame;
-use crate::element::input::Input;
+use crate::element::input::{Input, RailMotion};
 use crate::element::output::Output;
 use crate::element::work::Work;
 use crate::geometry::contacts::contact::Contact;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::contacts::moving_separation::MovingSeparation;
+use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::MovingOutline;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::dual::Dual;
+use crate::math::real::Real;
 use crate::math::tape::Taped;
 use crate::normal::least_energy::StripNumber;
 use crate::normal::{self, NormalProblem};
@@ -33,6 +35,16 @@ pub trait MovingNumber:
 impl<const N: usize> MovingNumber for Dual<N> {}
 
 impl MovingNumber for Taped {}
+
+/// The frame of a `rail` that has moved by `motion`, along its rows as `laid` has them.
+fn frame_of<T: Real>(
+    rail: &PlacedRail,
+    motion: &RailMotion<T>,
+    laid: Option<&MovingOutline<T>>,
+) -> RailFrame<T> {
+    let course = laid.filter(|_| rail.variation().is_some()).and_then(MovingOutline::course);
+    RailFrame::new(rail, motion).along_rows(course)
+}
 
 /// Why there is no derivative.
 pub type Kink = &'static str;
@@ -83,9 +95,11 @@ impl RailContact {
         laid: Option<&mut MovingOutline<T>>,
     ) {
         let Some((laid, varying)) = laid.zip(self.rail.variation()) else { return };
-        let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
-        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
+        let frame = RailFrame::new(&self.rail, &input.rails[k]);
         let station = varying.station(input.track_s, input.wheel.position[0]);
+        laid.follow_rows(varying, &frame.pose(&input.wheel), station);
+        let pose = frame.along_rows(laid.course()).pose(&input.wheel);
+        let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         varying.move_with(&line, &pose, station, laid);
     }
 
@@ -100,7 +114,7 @@ impl RailContact {
         laid: Option<&MovingOutline<T>>,
     ) -> Result<(), Kink> {
         let Self { rail, search, probes, friction, .. } = self;
-        let frame = RailFrame::new(rail, &input.rails[k]);
+        let frame = frame_of(rail, &input.rails[k], laid);
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
         let line = moving.value();
@@ -136,7 +150,7 @@ impl RailContact {
                 whole: [models.rail_strips.load(), deepest],
                 deviations: None,
                 rail: outline,
-                speeds: rail_speeds(input, k, rail),
+                speeds: rail_speeds(input, k, rail, &frame),
                 around: None,
             };
             models.strips.clear();
@@ -216,7 +230,7 @@ impl RailContact {
         }
         self.lay_moving(k, input, models.outline.as_deref_mut());
         let outline = RailOutline::moving(&self.rail, models.outline.as_deref());
-        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let frame = frame_of(&self.rail, &input.rails[k], models.outline.as_deref());
         let radius = self.nominal_radius;
         let moving = ContactLine::new(&self.wheel.curve, radius, &frame.pose(&input.wheel));
         let contacts = self.search.contacts.iter();

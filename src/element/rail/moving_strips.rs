@@ -98,6 +98,17 @@ impl<T: Real> OverlapLine<T> for MovingLocal<'_, T> {
         let radius = self.rail.along(place.y).map_or(even, |along| radius_on_rows(even, &along));
         self.cut(&place).map_or(radius, |cut| radius * cut.radius_share)
     }
+
+    fn body_end(&mut self, u: f64) -> T {
+        let [start, end] = self.line.range();
+        if u <= start || u >= end {
+            // That of the wheel.
+            return T::from(u);
+        }
+        // The place that stays opposite to the end of the rail.
+        let LinePlace { y, dy, .. } = self.whole_place(T::from(u));
+        T::moving(u, (T::from(y.value()) - y) / dy.value())
+    }
 }
 
 /// How far a point may be from the normal of the rail that it was found on [m].

@@ -173,30 +173,41 @@ impl RailContact {
     /// Searches for the contacts with rail number `k` for `input` (right side); false where bounds
     /// show that there are none.
     pub(in crate::element) fn search_contacts(&mut self, k: usize, input: &Input) -> bool {
-        let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
-        if !self.turn_wheel(input, &pose) {
+        let level = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        if self.around.is_none() && !self.find_ranges(input, &level) {
             return false;
         }
-        self.find_ranges(input, &pose);
-        if self.ranges.is_empty() {
+        let place = [input.track_s, input.wheel.position[0]];
+        self.rail.approach(&level, place);
+        let pose = self.frame(k, input).pose(&input.wheel);
+        let turned = self.rail.course().map_or(0.0, |course| course.pitch(&level, &pose));
+        let pitch = input.wheel.pitch - turned;
+        if !self.turn_wheel(pitch, &pose) {
+            return false;
+        }
+        if self.around.is_some() && !self.find_ranges(input, &level) {
             return false;
         }
         let line = ContactLine::new(&self.wheel.curve, self.nominal_radius, &pose);
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
-        let place = [input.track_s, input.wheel.position[0]];
-        if !self.rail.pass(&line, &pose, place, input.wheel.pitch) {
+        if !self.rail.pass(&line, &pose, place, pitch) {
             return false;
         }
         self.search.search(&line, &self.rail, &self.ranges);
         true
     }
 
-    /// Turns a wheel whose section varies around to the pitch of `input`; false where there is
-    /// nothing of it.
-    fn turn_wheel(&mut self, input: &Input, pose: &WheelPose) -> bool {
+    /// The frame of rail number `k` for the `input` of the last search, along its rows.
+    pub(in crate::element) fn frame(&self, k: usize, input: &Input) -> RailFrame {
+        RailFrame::new(&self.rail, &input.rails[k]).along_rows(self.rail.course().copied())
+    }
+
+    /// Turns a wheel whose section varies around to `pitch` at `pose`; false where there is nothing
+    /// of it.
+    fn turn_wheel(&mut self, pitch: f64, pose: &WheelPose) -> bool {
         let Some(around) = &mut self.around else { return true };
         let Around { wheel, clearance } = around.as_mut();
-        let is_there = wheel.pass(pose, input.wheel.pitch, &mut self.wheel.curve);
+        let is_there = wheel.pass(pose, pitch, &mut self.wheel.curve);
         if is_there {
             clearance.put_wheel(&self.wheel.curve);
             self.search.follow_wheel(&self.wheel.curve);
@@ -205,8 +216,8 @@ impl RailContact {
     }
 
     /// Fills `ranges` with the stretches of the contact line that may touch, and places the
-    /// deviations along the track.
-    fn find_ranges(&mut self, input: &Input, pose: &WheelPose) {
+    /// deviations along the track; false where there are none.
+    fn find_ranges(&mut self, input: &Input, pose: &WheelPose) -> bool {
         let mut lowest = *pose;
         lowest.marker[2] += self.highest();
         if let Some(deviations) = &mut self.deviations {
@@ -216,6 +227,7 @@ impl RailContact {
         }
         let clearance = self.around.as_ref().map_or(&self.clearance, |around| &around.clearance);
         clearance.ranges(&lowest, &mut self.ranges);
+        !self.ranges.is_empty()
     }
 
     /// A marker height from which a wheel coming down at the y, roll and yaw of `input` (right side)
@@ -250,7 +262,7 @@ impl RailContact {
     /// How deep the wheel of `input` (right side) is below the top of rail number `k`, none if it
     /// is not [m].
     pub(in crate::element) fn depth(&mut self, k: usize, input: &Input) -> f64 {
-        let pose = RailFrame::new(&self.rail, &input.rails[k]).pose(&input.wheel);
+        let pose = self.frame(k, input).pose(&input.wheel);
         let clearance = match (&mut self.here, &self.around) {
             (None, None) => &self.clearance,
             (None, Some(around)) => &around.clearance,

@@ -8,7 +8,6 @@ use super::rail_contact::{RailContact, STEEPEST, with};
 use super::strip_contact::{self, MAX_STRIP_DEPTH};
 use crate::element::contact::contact_setup::{ContactSetup, Damped};
 use crate::element::contact::models::Models;
-use crate::element::contact::rail_frame::RailFrame;
 use crate::element::input::Input;
 use crate::element::output::Output;
 use crate::element::work::Work;
@@ -35,7 +34,7 @@ impl RailContact {
         if !self.search_contacts(k, input) {
             return Vec::new();
         }
-        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
@@ -127,7 +126,7 @@ impl RailContact {
         if lift > most_lift {
             return Some(Err(lift));
         }
-        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());
@@ -188,7 +187,7 @@ impl RailContact {
         output: &mut Output,
         work: &mut Work,
     ) -> u64 {
-        let frame = RailFrame::new(&self.rail, &input.rails[k]);
+        let frame = self.frame(k, input);
         let line =
             ContactLine::new(&self.wheel.curve, self.nominal_radius, &frame.pose(&input.wheel));
         let line = with(line, self.deviations.as_ref(), self.around.as_deref());

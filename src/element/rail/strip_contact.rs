@@ -82,7 +82,7 @@ pub fn add<'a>(
         whole: whole(models, search),
         deviations: deviations.map(|deviations| (deviations, speeds)),
         rail: *rail,
-        speeds: rail_speeds(input, of_rail.k, placed),
+        speeds: rail_speeds(input, of_rail.k, placed, frame),
         around: Some(line).filter(|line| line.varies_around()),
     };
     // Strips of all zones feel each other.

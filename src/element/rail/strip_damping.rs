@@ -1,7 +1,5 @@
 //! Damping of the normal motion of strips.
 
-use nalgebra::Vector3;
-
 use crate::element::contact::rail_frame::RailFrame;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::Along;
@@ -55,13 +53,13 @@ impl<T: Real> StripDamping<'_, T> {
         let normal = [-tangent[1], tangent[0]];
         // The wheel's surface of first touch lies deeper in the rail by the overlap.
         let touch = [0, 1].map(|axis| point[axis] + overlap * normal[axis]);
-        let touch = self.frame.marker + self.frame.direction(touch) + Vector3::x() * x;
-        let along = self.frame.direction(normal);
-        let even = self.motion.approach_velocity(touch).dot(&along);
+        let touch = self.frame.point(touch, x);
+        let normal = self.frame.direction(normal);
+        let even = self.motion.approach_velocity(touch).dot(&normal);
         let even = self.rail.closing_speed(y, x, self.speeds).map_or(even, |speed| even + speed);
         let Along { lever, .. } = self.rail.along(y).unwrap_or_default();
         let ahead = self.around.map_or(lever, |line| line.ahead_of_round(u) + lever);
-        let even = even + self.motion.turning_velocity(ahead).dot(&along);
+        let even = even + self.motion.turning_velocity(self.frame.along() * ahead).dot(&normal);
         let closing = self.deviations.map_or(even, |(deviations, [forward, turning])| {
             let [rail, wheel] = deviations.slopes(x.value());
             even + (forward * rail - turning * wheel) * tangent[0]

@@ -127,7 +127,11 @@ impl ContactSearch {
                     rail.coarse_nearest(line.at(u).point)
                 };
                 let to = self.sample(line, rail, u, guess, COARSE);
-                self.advance(line, rail, &from, &to);
+                if from.beyond_end == to.beyond_end {
+                    self.advance(line, rail, &from, &to);
+                } else {
+                    self.pass_end(line, rail, &from, &to);
+                }
                 from = to;
             }
             self.close_interval();
@@ -177,6 +181,33 @@ impl ContactSearch {
             rail_rate: nearest.ratio
                 * (at.tangent[0] * nearest.tangent[0] + at.tangent[1] * nearest.tangent[1]),
             beyond_end: nearest.beyond_end,
+        }
+    }
+
+    /// Deals with the line between two neighbouring samples of which one lies beyond an end of the
+    /// rail: what is inside the rail ends exactly there.
+    fn pass_end(&mut self, line: &ContactLine, rail: &PlacedRail, from: &Sample, to: &Sample) {
+        let inside = if from.beyond_end { to } else { from };
+        // Inside the distance changes no faster than the line runs.
+        let length = (to.u - from.u) * stretch(line, from.u).max(stretch(line, to.u));
+        if inside.distance > length {
+            return;
+        }
+        let (mut end, mut beyond) = (*inside, from.u + to.u - inside.u);
+        while (beyond - end.u).abs() > EXTREMUM_BRACKET {
+            let middle = 0.5 * (end.u + beyond);
+            let here = self.sample(line, rail, middle, end.rail_s, FINE);
+            if here.beyond_end {
+                beyond = middle;
+            } else {
+                end = here;
+            }
+        }
+        if from.beyond_end {
+            self.advance(line, rail, &end, to);
+        } else {
+            self.advance(line, rail, from, &end);
+            self.close_interval();
         }
     }
 

@@ -8,6 +8,10 @@ const COARSE_POINTS: usize = 32;
 /// Samples to either side of one of them for the nearest point of all.
 const FINE_POINTS: i32 = 32;
 
+/// How far beyond an end of the curve the foot of the normal has to lie so that nothing is opposite
+/// [m].
+const BEYOND: f64 = 1e-9;
+
 /// Newton steps for the nearest point; two or three are the rule.
 const MAX_STEPS: usize = 20;
 
@@ -130,7 +134,7 @@ pub(in crate::geometry) fn nearest(
         let free = s + along * stiffness;
         let next = curve.within(free);
         let moved = next - s;
-        beyond_end = (next - free).abs() > tolerance;
+        beyond_end = (next - free).abs() > BEYOND;
         s = next;
         if moved.abs() <= tolerance {
             // Over so short a step the curve is as good as its tangent and its curvature.

@@ -1,5 +1,6 @@
 //! The placed rail: its outline as the wheel above it meets it.
 
+pub(crate) mod course;
 mod gauge_face;
 #[doc(hidden)]
 pub mod placed_rail;

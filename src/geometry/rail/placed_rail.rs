@@ -5,6 +5,7 @@ use crate::geometry::curves::curve::{Curve, Knot};
 pub use crate::geometry::curves::nearest_point::Nearest;
 use crate::geometry::curves::nearest_point::{CoarsePoints, nearest};
 use crate::geometry::profiles::profile::Profile;
+use crate::geometry::rail::course::Course;
 use crate::geometry::rail::gauge_face::{GaugeFace, gauge_face};
 use crate::geometry::rail::varying_rail::{VaryingRail, WheelAbove};
 use crate::geometry::sections::slices::Slices;
@@ -286,8 +287,23 @@ impl PlacedRail {
         self.varying.is_some() && self.roller_radius() == 0.0
     }
 
+    /// Takes axes along the rows of a rail that varies near a wheel that stands at `pose`, `x` from
+    /// the origin of a track that is at the station `origin` [m]; nothing for others.
+    pub fn approach(&mut self, pose: &WheelPose, place: [f64; 2]) {
+        if let Some(varying) = &mut self.varying {
+            varying.approach(pose, place);
+        }
+    }
+
+    /// The axes along the rows near the wheel that was to pass last, where these drift or rise: its
+    /// outline and the wheel are seen in these.
+    #[must_use]
+    pub fn course(&self) -> Option<&Course> {
+        self.varying.as_ref()?.course()
+    }
+
     /// Takes the outline of a rail that varies as the wheel of `line` meets it, which stands at
-    /// `pose`, `x` from the origin of a track that is at the station `origin` [m], turned by `pitch`
+    /// `pose` in the axes along the rows, `x` from the origin of a track that is at the station `origin` [m], turned by `pitch`
     /// [rad]; nothing for others. False where there is no rail within reach.
     pub fn pass(
         &mut self,

@@ -67,11 +67,16 @@ impl<'a, T: Real> RailOutline<'a, T> {
     }
 
     /// From where to where a rail that varies is there at parameter `s`, from the wheel marker [m],
-    /// as [`VaryingRail::ends`](crate::geometry::rail::varying_rail::VaryingRail::ends).
+    /// along the rows, as [`VaryingRail::ends`](crate::geometry::rail::varying_rail::VaryingRail::ends).
     #[must_use]
     pub fn ends(&self, s: T) -> Option<[T; 2]> {
-        let ends = self.rail.variation()?.ends(s.value())?;
-        Some(ends.map(|x| self.moving.map_or(x.into(), |moving| moving.passed(x))))
+        let varying = self.rail.variation()?;
+        let ends = varying.ends(s.value())?;
+        Some(ends.map(|end| match self.moving {
+            _ if end[0].is_infinite() => end[0].into(),
+            Some(moving) => moving.passed(end),
+            None => varying.course().map_or(end[0], |course| course.place(end)[0]).into(),
+        }))
     }
 
     /// Whether the section varies along the track.

@@ -23,10 +23,14 @@
 //! surface is the same all along the track it is x_l, and the envelope is the section. Strips of
 //! the contact lie along the rows: a rail whose edge runs off sideways turns its patch with it.
 //!
+//! All of it is seen in axes along the mean course of the rows near the wheel, so that sections that
+//! drift or rise evenly are an even rail: see [`mean_course`].
+//!
 //! A roller is such a rail: its rows go around an axle across the track. Corrugation is part of the
 //! surface, so that the wheel meets its crests.
 
 mod bounds;
+mod mean_course;
 mod moving_outline;
 mod over;
 mod touch;
@@ -36,14 +40,16 @@ mod wheel_above;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
+use self::mean_course::Courses;
 pub use self::moving_outline::MovingOutline;
-use self::over::Over;
+use self::over::{Over, REACH_ALONG};
 use self::touch::{CLOSE, Touch};
 use self::waves::Waves;
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::curves::arc_length::ArcLength;
 use crate::geometry::curves::curve::{Curve, Knot};
+use crate::geometry::rail::course::Course;
 pub use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::envelope::{Envelope, TREND};
 use crate::geometry::sections::rows::met::Met;
@@ -71,6 +77,14 @@ pub struct VaryingRail {
     surface: Surface,
     bounds: Bounds,
     wheel: WheelTable,
+    /// Profile of the wheel; of one whose section varies around the first one.
+    profile: Curve,
+    courses: Courses,
+    /// How the wheel that passed last stood in the axes along the rows.
+    pose: WheelPose,
+    /// How the wheel that comes next stands against the rail, and the axes along the rows near it,
+    /// where these drift or rise.
+    level: Option<(WheelPose, Course)>,
     /// Deviations of the wheel over the arc of its nominal rolling circle, with a radius [m].
     waves: Waviness,
     nominal_radius: f64,
@@ -116,6 +130,10 @@ impl VaryingRail {
             is_near_end: false,
             bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
             wheel: WheelTable::new(wheel.profile, wheel.sides()),
+            profile: wheel.profile.clone(),
+            courses: Courses::new(&surface, wheel.profile),
+            pose: WheelPose { marker: [0.0; 3], roll: 0.0, yaw: 0.0 },
+            level: None,
             waves: wheel.waves.clone(),
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
@@ -157,9 +175,31 @@ impl VaryingRail {
         self.surface.faces()
     }
 
-    /// Lays the envelope for the wheel of `line`, which stands at `pose`, `x` from the origin of a
-    /// track that is at the station `origin` [m], turned by `pitch` [rad], into `curve`; allocates
-    /// nothing within the room that it has. False where there is no rail within reach.
+    /// Takes axes along the rows near a wheel that stands at `pose`, `x` from the origin of a track
+    /// that is at the station `origin` [m]: those in which it is seen to [`pass`](Self::pass).
+    pub fn approach(&mut self, pose: &WheelPose, [origin, x]: [f64; 2]) {
+        let station = self.station(origin, x);
+        self.level = self.course_under(pose, station).map(|course| (*pose, course));
+    }
+
+    /// Axes along the rows near a wheel that stands at `pose` above `station` [m]; nothing where
+    /// these do not drift or rise.
+    #[must_use]
+    pub fn course_under<T: Real>(&self, pose: &WheelPose<T>, station: T) -> Option<Course<T>> {
+        let line = ContactLine::new(&self.profile, self.nominal_radius, pose);
+        self.courses.near(&self.surface, &line, pose, station)
+    }
+
+    /// The axes along the rows near the wheel that was to pass last, where these drift or rise.
+    #[must_use]
+    pub fn course(&self) -> Option<&Course> {
+        self.level.as_ref().map(|(_, course)| course)
+    }
+
+    /// Lays the envelope for the wheel of `line`, which stands at `pose` in the axes along the rows,
+    /// `x` from the origin of a track that is at the station `origin` [m], turned by `pitch` [rad],
+    /// into `curve`; allocates nothing within the room that it has. False where there is no rail
+    /// within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
@@ -171,8 +211,9 @@ impl VaryingRail {
         if let Some(roller) = &mut self.surface.roller {
             roller.top = origin;
         }
-        (self.station, self.pitch) = (self.station(origin, x), pitch);
-        let near = |place: &f64| (place - self.station).abs() < REACH;
+        (self.station, self.pitch, self.pose) = (self.station(origin, x), pitch, *pose);
+        let reach = if self.level.is_some() { REACH_ALONG } else { REACH };
+        let near = |place: &f64| (place - self.station).abs() < reach;
         self.is_near_end = self.free_ends.iter().any(near);
         if line.varies_around() {
             self.wheel.follow(line.profile());
@@ -204,7 +245,8 @@ impl VaryingRail {
             yaw: pose.yaw.value().into(),
         };
         let fixed = Over::new(&fixed_line, &fixed_pose, station.value().into(), within);
-        let over = Over::new(line, pose, station, within);
+        let fixed = fixed.along(self.course().map(Course::fixed));
+        let over = Over::new(line, pose, station, within).along(outline.course);
         outline.met.clear();
         outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
         outline.envelope.lay(surface, &outline.met);
@@ -213,11 +255,20 @@ impl VaryingRail {
 
     /// Fills `met` with all rows that may touch, and with a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
-        let Self { surface, bounds, wheel, met, waves, .. } = self;
+        let Self { surface, bounds, wheel, met, waves, level, .. } = self;
+        let level = *level;
         let within = surface.within(self.station);
         let turn = [self.pitch, pose.yaw];
         let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
-        let over = &Over::new(line, pose, self.station, within).with_waves(waves);
+        let course = level.map(|(_, course)| course);
+        let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
+        // Bounds hold along the track.
+        let level = level.map_or(*pose, |(level, _)| level);
+        let above = &Over::new(line, &level, self.station, within);
+        let aside = course.map_or(0.0, |course| {
+            let [along, ..] = course.axes;
+            (REACH_ALONG - REACH) * (along[1] / along[0]).abs()
+        });
         met.clear();
         let touch = Touch { surface, bounds, wheel };
         let (parameter, parts) = (&surface.rows.parameter, &surface.rows.parts);
@@ -227,7 +278,7 @@ impl VaryingRail {
         let is_wavy =
             !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
         for j in 0..count {
-            let below = below(bounds.of(j, over.within.slice), wheel, over);
+            let below = below(bounds.of(j, within.slice), wheel, above, aside);
             let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
             let is_far = kept.is_none_or(|k: usize| parameter[j] - parameter[k] > WIDE);
             if !(below < 0.0 || is_far || is_end(j)) {
@@ -285,23 +336,29 @@ impl VaryingRail {
         !self.surface.corrugation.is_empty()
     }
 
-    /// How much more curved waves of rail and wheel are at the point (x, z), x from the marker of
-    /// the wheel that passed last and z of the outline, than over the distance `reach` to either
-    /// side of it [m], positive where they bulge more [1/m].
+    /// By how much a corrugation is more curved over the distance `reach` to either side of the
+    /// point (x, y, z) than there [m], x from the marker of the wheel that passed last, y and z of
+    /// the outline, positive where it bulges more [1/m]; nothing where it is as good as that.
     #[must_use]
-    pub fn bridged(&self, [x, z]: [f64; 2], reach: f64) -> f64 {
-        let place = self.station + x;
-        let on_rail = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
-        let on_wheel = x - self.pitch * self.nominal_radius;
-        let surfaces = [(&self.surface.corrugation, on_rail), (&self.waves, on_wheel)];
-        let bridged = surfaces.map(|(waves, at)| {
-            if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
-                return 0.0;
-            }
-            let [here, ahead, behind] = [at, at + reach, at - reach].map(|s| waves.at(s));
-            (2.0 * here[0] - ahead[0] - behind[0]) / (reach * reach) + here[2]
-        });
-        bridged[0] + bridged[1]
+    pub fn bridged(&self, [x, y, z]: [f64; 3], reach: f64) -> Option<f64> {
+        let along_track = self.course().map_or(x, |course| course.on_rail([x, y, z])[0]);
+        let place = self.station + along_track;
+        let place = self.surface.roller.map_or(place, |roller| roller.arc(place, z));
+        let corrugation = &self.surface.corrugation;
+        Some(bulge_over(corrugation, place, reach)? + corrugation.at(place)[2])
+    }
+
+    /// Curvature of the waves of the wheel over the distance `reach` to either side of the same
+    /// point [m], positive where they bulge [1/m]; nothing where that of the place is as good.
+    #[must_use]
+    pub fn waves_over(&self, [x, y, z]: [f64; 3], reach: f64) -> Option<f64> {
+        let WheelPose { marker, roll, yaw } = self.pose;
+        let (sine, cosine) = roll.sin_cos();
+        let (y, z) = (y - marker[1], z - marker[2]);
+        let (across, below) = (y * cosine + z * sine, z * cosine - y * sine);
+        let (sine, cosine) = yaw.sin_cos();
+        let angle = (x * cosine + across * sine).atan2(below);
+        bulge_over(&self.waves, (angle - self.pitch) * self.nominal_radius, reach)
     }
 
     /// How much higher a roller gets at the point (x, z), as of [`bridged`](Self::bridged), as the
@@ -317,18 +374,25 @@ impl VaryingRail {
         }
     }
 
-    /// From where to where along the track the row at parameter `s` of the envelope is there, from
-    /// the marker of the wheel that passed last, without end where it goes on to the end of the
-    /// rail or is broken [m]; nothing where no row ends within reach.
+    /// From where to where the row at parameter `s` of the envelope is there: places in the frame of
+    /// the rail, x from the marker of the wheel that passed last, without end where it goes on to
+    /// the end of the rail or is broken [m]; nothing where no row ends within reach.
     #[must_use]
-    pub fn ends(&self, s: f64) -> Option<[f64; 2]> {
+    pub fn ends(&self, s: f64) -> Option<[[f64; 3]; 2]> {
         if !self.is_near_end {
             return None;
         }
         let slice = self.surface.within(self.station).slice;
         let row = self.envelope.row_near(s)?;
         let run = self.surface.run(row, self.station, slice)?;
-        Some(self.surface.ends(row, run, self.station))
+        let ends = self.surface.ends(row, run, self.station);
+        Some(ends.map(|x| {
+            if self.level.is_none() || x.is_infinite() {
+                return [x, 0.0, 0.0];
+            }
+            let p = self.surface.at(row, run, self.station + x, slice);
+            [x, p.value[0], p.value[1]]
+        }))
     }
 
     /// Where the wheel that passed last meets the rail at parameter `s` of the envelope.
@@ -357,10 +421,22 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
     (arcs, top)
 }
 
+/// Curvature of `waves` over the distance `reach` to either side of the place `at` [m], positive
+/// where they bulge [1/m]; nothing where that of the place is as good.
+fn bulge_over(waves: &Waviness, at: f64, reach: f64) -> Option<f64> {
+    if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
+        return None;
+    }
+    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.at(place)[0]);
+    Some((2.0 * here - ahead - behind) / (reach * reach))
+}
+
 /// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it
-/// counts as near [m].
-fn below(bound: &Bound, wheel: &WheelTable, over: &Over) -> f64 {
-    let [left, right] = bound.y.map(|y| over.seen_from_marker([y, bound.top]));
+/// counts as near, if it goes `aside` beyond that [m].
+fn below(bound: &Bound, wheel: &WheelTable, over: &Over, aside: f64) -> f64 {
+    let [left, right] = bound.y;
+    let y = [left - aside, right + aside];
+    let [left, right] = y.map(|y| over.seen_from_marker([y, bound.top]));
     let across = [left, right].map(|[y, z]| y * over.right[0] + z * over.right[1]);
     let lowest = wheel.lowest([across[0] - over.margin[0], across[1] + over.margin[0]]);
     let z = left[1];

@@ -10,3 +10,15 @@ pub struct SurfacePoint {
     /// Normal out of the wheel, of length one.
     pub normal: [f64; 3],
 }
+
+/// The surface of the wheel straight below a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Below<T = f64> {
+    /// How far below [m].
+    pub depth: T,
+    /// Derivatives of that along the track and to the right [-].
+    pub slopes: [T; 2],
+    /// Second derivative along the track, but for what the section is curved across a wheel that
+    /// yaws [1/m].
+    pub bend: T,
+}

@@ -27,7 +27,6 @@
 mod surface;
 mod vectors;
 
-pub use self::surface::Below;
 use self::vectors::{dot, in_plane};
 use std::f64::consts::{PI, TAU};
 

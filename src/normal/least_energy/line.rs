@@ -31,6 +31,12 @@ pub trait OverlapLine<T: Real = f64> {
 
     /// Radius of the normal section of the wheel along x at parameter `u`, > 0 [m].
     fn radius(&mut self, u: T) -> T;
+
+    /// The parameter at which a body ends, which it does at the value `u`, as it moves with the
+    /// bodies [m].
+    fn body_end(&mut self, u: f64) -> T {
+        T::from(u)
+    }
 }
 
 /// The separation in one contact frame as a line: all normals are parallel.

@@ -92,8 +92,11 @@ fn crossing(line: &mut impl OverlapLine, inside: &Probe, outside: &Probe, level:
 impl End {
     /// Parameter of the line as it moves with `line` [m].
     pub fn moving<T: Real>(&self, line: &mut impl OverlapLine<T>) -> T {
-        if !(T::HAS_SLOPES && self.is_free) {
+        if !T::HAS_SLOPES {
             return T::from(self.u);
+        }
+        if !self.is_free {
+            return line.body_end(self.u);
         }
         let place = line.place(T::from(self.u));
         let slope = place.overlap_slope.value();

@@ -4,6 +4,7 @@
 use crate::boundary_element::grid::Grid;
 use crate::geometry::curves::arc_length::ArcLength;
 use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::wheel::contact_line::ContactLine;
 
@@ -119,7 +120,7 @@ impl Section<'_> {
                 return match self.rail.variation() {
                     None => Some(row),
                     Some(varying) => {
-                        let ends = varying.ends(s).unwrap_or(row.ends);
+                        let ends = RailOutline::at_rest(self.rail).ends(s).unwrap_or(row.ends);
                         self.met(Row { ends, ..row }, &varying.along(s))
                     }
                 };

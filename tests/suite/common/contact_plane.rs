@@ -156,20 +156,44 @@ pub enum Whose<'a> {
     Element(&'a [Patch]),
 }
 
+/// A contact on such a plane, and in CONTACT.
+pub struct OnPlane {
+    /// Its row in CONTACT's table.
+    pub name: String,
+    /// Friction limit [N].
+    pub limit: f64,
+    /// Greatest pressure, over that of CONTACT [-].
+    pub pressure: f64,
+    /// Force on the wheel along the track and across, on the plane and in CONTACT [N].
+    pub force: [f64; 2],
+    pub contact: [f64; 2],
+}
+
 /// Errors of boundary elements on such planes in rows of CONTACT's table of the rail `name`,
-/// greatest pressure and creep force over the friction limit, with the name of the row. Particles
-/// pass through the contact by `course` away from the track [rad]. Rows are left out of which the
-/// contact is not `within` a place along the rail [m].
+/// greatest pressure and creep force over the friction limit, with the name of the row; as
+/// [`on_planes`].
 pub fn errors_on_plane(
     name: &str,
     whose: &Whose,
     course: f64,
     within: f64,
 ) -> Vec<(String, [f64; 2])> {
+    let found = on_planes(name, whose, course, within).into_iter();
+    let errors = found.map(|OnPlane { name, limit, pressure, force, contact, .. }| {
+        let missed = (force[0] - contact[0]).hypot(force[1] - contact[1]) / limit;
+        (name, [pressure - 1.0, missed])
+    });
+    errors.collect()
+}
+
+/// Boundary elements on such planes in rows of CONTACT's table of the rail `name`. Particles pass
+/// through the contact by `course` away from the track [rad]. Rows are left out of which the
+/// contact is not `within` a place along the rail [m].
+pub fn on_planes(name: &str, whose: &Whose, course: f64, within: f64) -> Vec<OnPlane> {
     let wheel = load_profile("wheel", "S1002", ProfileKind::Wheel, 0.0, &[]).unwrap();
     let table = read_table("contact_25_1/variable_profiles.csv");
     let rows = table.rows.iter().filter(|row| row.iter().any(|cell| cell == name)).enumerate();
-    let mut errors = Vec::new();
+    let mut found = Vec::new();
     for (k, row) in rows {
         let of = |name: &str| value(&table, row, name);
         if 1e-3 * (of("s_mm") + of("x_mm")) > within {
@@ -194,9 +218,14 @@ pub fn errors_on_plane(
             }
         };
         let plane = Plane::new(origin.into(), angle, course);
-        let (pressure, [fx, fs]) = plane.solve(&bodies, load, creepage);
-        let missed = (fx + of("Fx_N")).hypot(fs + of("Fs_N")) / (FRICTION * load);
-        errors.push((row[0].to_owned(), [pressure / (1e6 * of("pmax_MPa")) - 1.0, missed]));
+        let (pressure, force) = plane.solve(&bodies, load, creepage);
+        found.push(OnPlane {
+            name: row[0].to_owned(),
+            limit: FRICTION * load,
+            pressure: pressure / (1e6 * of("pmax_MPa")),
+            force,
+            contact: [-of("Fx_N"), -of("Fs_N")],
+        });
     }
-    errors
+    found
 }

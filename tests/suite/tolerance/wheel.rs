@@ -82,6 +82,10 @@ super::entry::tolerances! {
     /// themselves are in the scoreboard.
     VARYING_FORCE: f64 = 0.03;
 
+    /// The same on rows that drift: particles pass CONTACT's contact along the track and not along
+    /// the rows, by which boundary elements are 3.1 % from it; marches add their own 0.4 %.
+    PASSED_ALONG_TRACK: f64 = 0.035, target 0.03;
+
     /// Change of the vertical force along a track that bends against that of the longitudinal one
     /// with the height: the target for loads.
     VARYING_ENERGY: f64 = 1e-2;
@@ -102,6 +106,18 @@ super::entry::tolerances! {
 
     /// The same under a given load, and heights [m]: each of both is found to 1e-9 of the load.
     EQUAL_SECTIONS_LOADED: f64 = 2e-9, target 1e-9;
+
+    /// Forces and moments over half a metre on sections that drift or rise evenly against those on the
+    /// even rail at an angle that they are, over the force: the target.
+    EVENLY_DRIFTING: f64 = 1e-6;
+
+    /// The same by boundary elements: their lattices count from other places on both.
+    EVENLY_DRIFTING_ELEMENTS: f64 = 3e-4, target 1e-6;
+
+    /// Forces and moments of a wheel of equal sections around on a rail that varies against those of
+    /// the round wheel, worst, over the greatest force: splines go through rows of the one and
+    /// through points of the other, and models of one ellipse see the curvature of a place.
+    EQUAL_SECTIONS_AROUND: f64 = 1e-5, target 1e-6;
 
     /// A wheel that varies around on a rail of equal slices against that on one profile, worst, over
     /// the greatest force: rows are met within 1e-10 m of their place.

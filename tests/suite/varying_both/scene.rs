@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::fs;
 
 use crate::common::random::Random;
-use crate::common::varying::{crown, of_slices};
+use crate::common::varying::of_slices;
 use crate::common::wheel::random_input;
 use tempfile::TempDir;
 use wheelrail::element::input::RailMotion;
@@ -33,11 +33,21 @@ pub fn crossing_at(station: f64) -> [f64; 2] {
     [1e-3 * (0.5 * (0.02 * place).tanh() - 1e-5 * place * place), 0.03 * station]
 }
 
+/// A crown of radius 300 mm, so wide that no wheel touches its ends, moved by (`y`, `z`) [mm]: what
+/// is found at the end of a body depends on how the search steps there.
+fn wide_crown([y, z]: [f64; 2]) -> String {
+    (-120..=120).fold(String::new(), |text, i| {
+        let angle = 0.5 * f64::from(i) / 300.0;
+        let point = [300.0 * angle.sin() + y, 300.0 * (1.0 - angle.cos()) + z];
+        text + &format!("{:.9} {:.9}\n", point[0], point[1])
+    })
+}
+
 /// Slices `step` mm apart in `rail.slcs`: a crown of radius 300 mm that runs off by 3:100 and drops
 /// by 1 mm on the way; a table of a rail that is the same all along in `even.csv`; one of a wheel
 /// that is the same all around in `same.csv`.
 pub fn folder(step: f64) -> TempDir {
-    let folder = crossing_of(step, |at| crown(1.0, at));
+    let folder = crossing_of(step, wide_crown);
     write(&folder, "even.csv", "station_m,profile\n-1,60E1\n-0.02,60E1\n0.03,60E1\n2,60E1\n");
     let around = "angle_deg,profile\n-180,S1002\n-60,S1002\n60,S1002\n180,S1002\n";
     write(&folder, "same.csv", around);

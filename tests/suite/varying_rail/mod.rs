@@ -4,6 +4,7 @@ mod against_contact;
 mod boundary_elements;
 mod corrugation;
 mod crossing;
+mod drifting_sections;
 mod equal_sections;
 mod parts;
 
@@ -15,9 +16,11 @@ use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::fs;
 
-use crate::common::contact_plane::{Whose, errors_on_plane};
+use crate::common::contact_plane::{OnPlane, Whose, errors_on_plane, on_planes};
 use crate::common::random::Random;
-use crate::common::varying::{crown, errors_against_contact, of_slices, rail_of, slices};
+use crate::common::varying::{
+    crown, errors_against_contact, of_slices, outputs_of, rail_of, slices,
+};
 use crate::common::vectors::assert_balanced;
 use crate::common::wheel::{evaluate, random_input, rolling, the_patch};
 use crate::common::{median_and_worst, spread};

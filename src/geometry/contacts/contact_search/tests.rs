@@ -131,6 +131,41 @@ fn worn_wheels_touch_rails_with_walls_where_all_points_say() {
     assert!(touching > 40, "{touching}");
 }
 
+#[test]
+fn a_wheel_on_the_end_of_a_rail_goes_down_without_jumps() {
+    let wheel = built_in("S1002", ProfileKind::Wheel).unwrap().unwrap();
+    let profile = built_in("60E1", ProfileKind::Rail).unwrap().unwrap();
+    let mut rail = PlacedRail::by_gauge(&profile.curve, 0.025, 1.435, 0.014, false).unwrap();
+    // A crown that ends where the root of a flange meets it.
+    let knots: Vec<Knot> = (-120..=120)
+        .map(|i| {
+            let (sine, cosine) = (f64::from(i) / 600.0).sin_cos();
+            let (s, point) = (f64::from(i) * 5e-4, [0.3 * sine, 0.3 * (1.0 - cosine)]);
+            Knot { s, point, tangent: [cosine, sine] }
+        })
+        .collect();
+    rail.put_curve(|own| *own = Curve::through(&knots));
+    let mut search = ContactSearch::new(&wheel.curve);
+    for (y, yaw) in [(-0.021, 0.0), (-0.022, 0.01), (-0.024, -0.02)] {
+        let mut deepest = |z: f64| {
+            let pose = WheelPose { marker: [0.0, y, z], roll: -0.004, yaw };
+            let line = ContactLine::new(&wheel.curve, 0.46, &pose);
+            search.search(&line, &rail, &[line.range()]);
+            search.contacts.iter().map(|c| [c.penetration, c.u]).next()
+        };
+        let touching = (0..).map(|i| -0.48 + 1e-5 * f64::from(i));
+        let start = touching.clone().find(|z| deepest(*z).is_some()).unwrap() + 1e-5;
+        let found: Vec<[f64; 2]> =
+            (0..200).map(|i| deepest(start + 1e-6 * f64::from(i)).unwrap()).collect();
+        for window in found.windows(3) {
+            for (k, bend) in [2e-9, 2e-8].into_iter().enumerate() {
+                let change = window[0][k] - 2.0 * window[1][k] + window[2][k];
+                assert!(change.abs() < bend, "{k}: {change} at {window:?}");
+            }
+        }
+    }
+}
+
 /// Pseudo-random numbers.
 struct Random(u64);
 

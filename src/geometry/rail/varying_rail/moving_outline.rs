@@ -1,9 +1,12 @@
 //! The outline of a rail that varies, with derivatives.
 
+use super::VaryingRail;
 use crate::geometry::curves::curve::CurvePoint;
+use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::envelope::Envelope;
 use crate::geometry::sections::rows::met::Met;
+use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
@@ -13,6 +16,7 @@ pub struct MovingOutline<T> {
     pub(super) envelope: Envelope<T>,
     pub(super) met: FixedVec<Met<T>>,
     pub(super) station: T,
+    pub(super) course: Option<Course<T>>,
 }
 
 impl<T: Real> MovingOutline<T> {
@@ -20,7 +24,7 @@ impl<T: Real> MovingOutline<T> {
     #[must_use]
     pub fn new(count: usize) -> Self {
         let station = T::from(0.0);
-        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station }
+        Self { envelope: Envelope::new(count), met: FixedVec::new(count), station, course: None }
     }
 
     /// Point and derivatives of the outline at parameter `s` [m].
@@ -35,9 +39,23 @@ impl<T: Real> MovingOutline<T> {
         self.envelope.along(s)
     }
 
-    /// A place `x` of the rail from the wheel marker, as the wheel moves on [m].
+    /// Takes the axes along the rows of the `rail` near a wheel that stands at `pose` above `station`
+    /// [m].
+    pub fn follow_rows(&mut self, rail: &VaryingRail, pose: &WheelPose<T>, station: T) {
+        self.course = rail.course_under(pose, station).filter(|_| rail.course().is_some());
+    }
+
+    /// The axes along the rows near the wheel, where these drift or rise.
     #[must_use]
-    pub fn passed(&self, x: f64) -> T {
-        T::moving(x, -self.station)
+    pub fn course(&self) -> Option<Course<T>> {
+        self.course
+    }
+
+    /// A place (x, y, z) of the rail, x from the wheel marker, along the rows as the wheel moves on
+    /// [m].
+    #[must_use]
+    pub fn passed(&self, [x, y, z]: [f64; 3]) -> T {
+        let x = T::moving(x, -self.station);
+        self.course.map_or(x, |course| course.place([x, y.into(), z.into()])[0])
     }
 }

@@ -2,9 +2,10 @@
 
 use super::waves::Waves;
 use super::wheel_table::CELL;
+use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::met::Met;
 use crate::geometry::sections::rows::plane::dot;
-use crate::geometry::sections::rows::surface::{RowPoint, Within};
+use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface, Within};
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -16,6 +17,12 @@ const STEEPEST_FLANK: f64 = 3.0;
 /// Newton steps to a point of the contact line, and the last of them [m].
 const MAX_STEPS: usize = 12;
 const STRAIGHT: f64 = 1e-6;
+/// Farthest place of touch from the axle along rows that drift or rise: flanges touch rows that
+/// come from the side far ahead [m].
+pub(super) const REACH_ALONG: f64 = 0.3;
+/// Steps to a place along such a row, and how near they come to it [m].
+const MAX_STEPS_ALONG: usize = 12;
+const NEAR_ALONG: f64 = 1e-12;
 /// Least share of its parameter by which the contact line goes across: a flank is not followed as
 /// if it stood upright.
 const MIN_RATE: f64 = 0.1;
@@ -24,6 +31,8 @@ const MIN_RATE: f64 = 0.1;
 pub(super) struct Over<'a, T: Real = f64> {
     line: &'a ContactLine<'a, T>,
     marker: [T; 2],
+    /// The axes in which it is seen, where the rows drift or rise.
+    course: Option<Course<T>>,
     /// Deviations of the wheel over its angle, where it has any.
     waves: Option<Waves<'a>>,
     /// Directions to the right and down in the plane across the track [-].
@@ -51,6 +60,16 @@ pub(super) struct Opposite<T = f64> {
     pub curvature: T,
 }
 
+/// A place of the contact line.
+pub(super) struct OnLine<T> {
+    /// Along the track [m].
+    pub x: T,
+    /// Across the track (y, z) [m].
+    pub point: [T; 2],
+    /// Normal into the rail.
+    pub normal: [T; 2],
+}
+
 impl<'a, T: Real> Over<'a, T> {
     /// The wheel of `line`, which stands at `pose` above `station` [m].
     pub fn new(
@@ -68,6 +87,7 @@ impl<'a, T: Real> Over<'a, T> {
             right: [cosine, sine],
             down: [-sine, cosine],
             waves: None,
+            course: None,
             leads: T::HAS_SLOPES || yaw != 0.0 || line.varies_around(),
             margin: [CELL + yawed, APART + 0.5 * STEEPEST_FLANK * yawed],
             station,
@@ -80,6 +100,60 @@ impl<'a, T: Real> Over<'a, T> {
         Self { waves, ..self }
     }
 
+    /// The same in axes along the `course` of the rows, of line and pose too.
+    pub fn along(self, course: Option<Course<T>>) -> Self {
+        Self { course, ..self }
+    }
+
+    /// Row `j` of the `surface` on a `run` of slices at `x` [m].
+    pub fn row(&self, surface: &Surface, j: usize, run: [usize; 2], x: T) -> RowPoint<T> {
+        let Some(course) = &self.course else {
+            return surface.at(j, run, self.station + x, self.within.slice);
+        };
+        let at = |place: T| surface.at(j, run, self.station + place, self.within.slice);
+        let missing =
+            |place: T, p: &RowPoint<T>| x - course.place([place, p.value[0], p.value[1]])[0];
+        let [along, ..] = course.axes;
+        let mut place = x;
+        let mut p = at(place);
+        for _ in 0..MAX_STEPS_ALONG {
+            let left = missing(place, &p);
+            let rate = along[0] + along[1] * p.first[0] + along[2] * p.first[1];
+            let is_near = left.value().abs() <= NEAR_ALONG;
+            if is_near && !T::HAS_SLOPES {
+                break;
+            }
+            place += left / rate;
+            p = at(place);
+            // The last step leaves derivatives.
+            if is_near {
+                break;
+            }
+        }
+        course.row_point(place, &p)
+    }
+
+    /// From where to where row `j` of the `surface` on a `run` of slices is within reach [m].
+    pub fn reach(&self, surface: &Surface, j: usize, run: [usize; 2]) -> Option<[T; 2]> {
+        let ends = surface.reach(run, self.station)?;
+        let Some(course) = &self.course else { return Some(ends) };
+        let [from, to] = ends.map(|end| {
+            if end.value().abs() >= REACH {
+                return T::from(REACH_ALONG.copysign(end.value()));
+            }
+            let p = surface.at(j, run, self.station + end, self.within.slice);
+            course.place([end, p.value[0], p.value[1]])[0].within(-REACH_ALONG, REACH_ALONG)
+        });
+        (from <= to).then_some([from, to])
+    }
+
+    /// Height over the track of the place at `x` of a row at (y, z), down positive, as the rows are
+    /// given [m].
+    pub fn height_of(&self, x: T, p: &RowPoint<T>) -> T {
+        let [y, z] = [p.value[0], p.value[1]];
+        self.course.map_or(z, |course| course.on_rail([x, y, z])[2])
+    }
+
     /// The contact line.
     pub fn line(&self) -> &'a ContactLine<'a, T> {
         self.line
@@ -88,6 +162,11 @@ impl<'a, T: Real> Over<'a, T> {
     /// Deviations of the wheel over its angle, where it has any.
     pub fn waves(&self) -> Option<Waves<'a>> {
         self.waves
+    }
+
+    /// Whether the contact line may lie ahead of the axle or behind.
+    pub fn leads(&self) -> bool {
+        self.leads
     }
 
     /// Radius of the nominal rolling circle [m].
@@ -127,6 +206,18 @@ impl<'a, T: Real> Over<'a, T> {
             x,
             ..Met::default()
         }
+    }
+
+    /// The place of the contact line, its point and its normal into the rail at `across`, which is
+    /// opposite to about the parameter `u` [m].
+    pub fn to_across(&self, u: f64, across: T) -> OnLine<T> {
+        let (at, derivative) = self.line.even_with_derivative(u.into());
+        let missing = across - dot(self.seen_from_marker(at.point), self.right);
+        let u = T::from(u) + missing / dot(derivative, self.right);
+        let (at, derivative) = self.line.even_with_derivative(u);
+        let size = derivative[0].hypot(derivative[1]);
+        let [ty, tz] = derivative.map(|d| d / size);
+        OnLine { x: at.x, point: at.point, normal: [T::from(0.0) - tz, ty] }
     }
 
     /// The point of the contact line at the parameter `u`, and what it still has to go so as to be

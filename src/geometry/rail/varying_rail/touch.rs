@@ -35,8 +35,6 @@ struct State<T> {
     lean: T,
     /// Component of the normal down [-].
     share: T,
-    /// Distance from the axle of the round wheel [m].
-    radius: T,
     deviation: Deviation<T>,
 }
 
@@ -80,7 +78,6 @@ impl<T: Real> State<T> {
             drift,
             lean: -dot(normal, first),
             share,
-            radius,
             deviation,
         }
     }
@@ -95,9 +92,10 @@ impl<T: Real> State<T> {
             lean,
             drift,
             gap: g,
-            raised: deviation.raised,
-            lever: self.radius * deviation.slopes[0],
+            raised: deviation.unround,
+            lever: deviation.lever,
             bulge: self.share * bulge,
+            waves: self.share * deviation.waves,
         };
         Met { row, point, direction, first, x, along, opposite: Some([wheel.u, y]) }
     }
@@ -114,9 +112,9 @@ impl Touch<'_> {
     /// Row `j` as it is under the axle; nothing where it is not there.
     pub fn aside(&self, over: &Over, j: usize) -> Option<Met> {
         let run = self.surface.run(j, over.station, over.within.slice)?;
-        let [from, to] = self.surface.reach(run, over.station)?;
+        let [from, to] = over.reach(self.surface, j, run)?;
         let x = 0.0_f64.clamp(from, to);
-        let p = self.surface.at(j, run, over.station + x, over.within.slice);
+        let p = over.row(self.surface, j, run, x);
         Some(over.under_axle(j, &p, x))
     }
 
@@ -131,8 +129,8 @@ impl Touch<'_> {
         looks_through: bool,
     ) -> Option<Met> {
         let run = self.surface.run(j, over.station, over.within.slice)?;
-        let [from, to] = self.surface.reach(run, over.station)?;
-        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let [from, to] = over.reach(self.surface, j, run)?;
+        let at = |x: f64| over.row(self.surface, j, run, x);
         let start = guess.unwrap_or(0.0).clamp(from, to);
         let mut x = start;
         let mut p = at(x);
@@ -176,7 +174,7 @@ impl Touch<'_> {
         mut opposite: Opposite,
         [from, to]: [f64; 2],
     ) -> Met {
-        let at = |x: f64| self.surface.at(j, run, over.station + x, over.within.slice);
+        let at = |x: f64| over.row(self.surface, j, run, x);
         let state = |p: &RowPoint, x: f64, opposite: &Opposite| {
             let deviation = over.deviation(x, over.in_wheel(p), opposite);
             State::new(over, p, x, opposite, deviation)
@@ -223,19 +221,19 @@ impl Touch<'_> {
         let mut x = T::from(found.x);
         // Both were there when it was found.
         let Some(run) = self.surface.run(j, over.station.value(), slice) else {
-            return over.under_axle(j, &self.surface.at(j, [0, 0], x, slice), x);
+            return over.under_axle(j, &over.row(self.surface, j, [0, 0], x), x);
         };
         let mut is_held = false;
-        if let Some(ends) = self.surface.reach(run, over.station)
+        if let Some(ends) = over.reach(self.surface, j, run)
             && let Some(end) =
                 ends.into_iter().find(|end| end.value().to_bits() == found.x.to_bits())
         {
             (x, is_held) = (end, true);
         }
         let Some([u, _]) = found.opposite else {
-            return over.under_axle(j, &self.surface.at(j, run, over.station + x, slice), x);
+            return over.under_axle(j, &over.row(self.surface, j, run, x), x);
         };
-        let (_, _, _, rates) = self.equations(over, j, run, x, u.into());
+        let (.., rates) = self.equations(over, j, run, x, u.into());
         let (at_x, at_u) = (Dual::variable(found.x, 0), Dual::variable(u, 1));
         let (.., slopes) = self.equations(fixed, j, run, at_x, at_u);
         let [[a, b], [c, d]] = slopes.map(|equation| equation.slopes);
@@ -246,12 +244,13 @@ impl Touch<'_> {
             x = T::moving(found.x, (rates[0] * d - rates[1] * b) * inverse);
             T::moving(u, (rates[1] * a - rates[0] * c) * inverse)
         };
-        let (p, opposite, state, _) = self.equations(over, j, run, x, u);
-        state.met(j, x, &opposite, over.in_wheel(&p)[0], T::from(0.0))
+        let (p, opposite, state, bulge, _) = self.equations(over, j, run, x, u);
+        state.met(j, x, &opposite, over.in_wheel(&p)[0], bulge)
     }
 
-    /// Row `j` at `x`, the point `u` of the wheel, what holds there, and what the wheel is beside
-    /// the row and the slope of their distance.
+    /// Row `j` at `x`, the point `u` of the wheel, what holds there, by how much the wheel bulges more
+    /// there than on its contact line, and what the wheel is beside the row and the slope of their
+    /// distance.
     fn equations<T: Real>(
         &self,
         over: &Over<T>,
@@ -259,12 +258,14 @@ impl Touch<'_> {
         run: [usize; 2],
         x: T,
         u: T,
-    ) -> (RowPoint<T>, Opposite<T>, State<T>, [T; 2]) {
-        let p = self.surface.at(j, run, over.station + x, over.within.slice);
-        let (opposite, missing) = over.on_line(u, over.in_wheel(&p)[0]);
-        let state = State::new(over, &p, x, &opposite, Deviation::default());
+    ) -> (RowPoint<T>, Opposite<T>, State<T>, T, [T; 2]) {
+        let p = over.row(self.surface, j, run, x);
+        let [y, _] = over.in_wheel(&p);
+        let (opposite, missing) = over.on_line(u, y);
+        let (deviation, bulge) = over.round_deviation(x, y, &opposite);
+        let state = State::new(over, &p, x, &opposite, deviation);
         let g = state.g;
-        (p, opposite, state, [missing, g])
+        (p, opposite, state, bulge, [missing, g])
     }
 
     /// The sample of row `j` about which it is highest for the wheel, and the one about which it
@@ -286,7 +287,8 @@ impl Touch<'_> {
         } else {
             over.deviation(place, [across, below], opposite).raised
         };
-        let rise = (here.value[1] - own - self.bounds.of(j, over.within.slice).least).max(0.0);
+        let rise = (over.height_of(place, here) - own - self.bounds.of(j, over.within.slice).least)
+            .max(0.0);
         let far = (2.0 * LARGEST * over.nominal_radius() * rise).sqrt()
             + (place - centre).abs()
             + over.reach_around();
@@ -296,7 +298,7 @@ impl Touch<'_> {
         let at = |i: usize| from + (to - from) * i as f64 / count as f64;
         let height = |i: usize| -> f64 {
             let x = at(i);
-            let p = self.surface.at(j, run, over.station + x, over.within.slice);
+            let p = over.row(self.surface, j, run, x);
             let [_, z] = over.in_wheel(&p);
             let raised = over.deviation(x, [across, z], opposite).raised;
             let down = (x - centre).hypot(z) - z - raised;

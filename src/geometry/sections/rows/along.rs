@@ -21,9 +21,11 @@ pub struct Along<T = f64> {
     pub raised: T,
     /// How far ahead of the axle of that round wheel the normal of the wheel passes it [m].
     pub lever: T,
-    /// Curvature of the wheel beyond that of its section on the contact line, along its normal;
-    /// positive where it bulges more [1/m].
+    /// Curvature of the wheel beyond that of its section on the contact line, along its normal, but
+    /// for its waves; positive where it bulges more [1/m].
     pub bulge: T,
+    /// That of its waves [1/m].
+    pub waves: T,
 }
 
 impl<T: Real> Along<T> {
@@ -38,6 +40,7 @@ impl<T: Real> Along<T> {
             raised: value(|a| a.raised),
             lever: value(|a| a.lever),
             bulge: value(|a| a.bulge),
+            waves: value(|a| a.waves),
         }
     }
 
@@ -54,6 +57,7 @@ impl<T: Real> Along<T> {
             raised: number(self.raised),
             lever: number(self.lever),
             bulge: number(self.bulge),
+            waves: number(self.waves),
         }
     }
 
@@ -69,6 +73,6 @@ impl<T: Real> Along<T> {
     /// The wheel's circle is as round along the lean as it is along the track.
     #[must_use]
     pub fn relative(&self, even: T) -> T {
-        even * (self.curvature * self.shortening() + self.bulge) + 1.0
+        even * (self.curvature * self.shortening() + self.bulge + self.waves) + 1.0
     }
 }

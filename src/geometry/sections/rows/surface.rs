@@ -79,7 +79,7 @@ impl Surface {
         if let Some(roller) = &self.roller {
             return self.on_roller(roller, j, station);
         }
-        let mut point = self.even_at(j, run, station, near);
+        let mut point = self.at_without_waves(j, run, station, near);
         if !self.corrugation.is_empty() {
             let [height, slope, curvature] = self.corrugation.at(station.value());
             // To first order in how the station moves.
@@ -92,7 +92,13 @@ impl Surface {
     }
 
     /// The same of a rail without corrugation.
-    fn even_at<T: Real>(&self, j: usize, run: [usize; 2], station: T, near: usize) -> RowPoint<T> {
+    pub fn at_without_waves<T: Real>(
+        &self,
+        j: usize,
+        run: [usize; 2],
+        station: T,
+        near: usize,
+    ) -> RowPoint<T> {
         let (places, count) = (&self.rows.places, self.count());
         let [first, last] = run;
         let zero = T::from(0.0);

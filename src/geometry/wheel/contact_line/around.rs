@@ -2,8 +2,8 @@
 
 use super::{ContactLine, LinePoint, MIN_SECTION_SHARE};
 use crate::geometry::uneven::longitudinal::MIN_REACH;
-use crate::geometry::wheel::surface_point::SurfacePoint;
-use crate::geometry::wheel::varying_wheel::{Below, BesideRound, VaryingWheel};
+use crate::geometry::wheel::surface_point::{Below, SurfacePoint};
+use crate::geometry::wheel::varying_wheel::{BesideRound, VaryingWheel};
 use crate::math::real::Real;
 
 impl<T: Real> ContactLine<'_, T> {
@@ -110,6 +110,19 @@ impl<'a> ContactLine<'a> {
             self.seen([x - self.marker[0], from[0] - self.marker[1], from[1] - self.marker[2]]);
         let directions = [[1.0, 0.0, 0.0], [0.0, right[0], right[1]], [0.0, down[0], down[1]]];
         self.around?.below(start, directions.map(|way| self.seen(way)), guess)
+    }
+
+    /// How far ahead of the axle the normal of the surface passes it which is `below` the place at `x`
+    /// along the track and `y` to the right of the marker, of round wheels nowhere [m].
+    ///
+    /// As it turns the wheel moves by u × r: with n along (-z_x, -z_y, 1) that is
+    /// -n · (u × r)/cos ψ.
+    #[must_use]
+    pub fn lever(&self, [x, y]: [f64; 2], below: &Below) -> f64 {
+        let (sine, cosine) = (-self.axle[0], self.cosine);
+        let [by_x, by_y] = below.slopes;
+        let forward = x * cosine + y * sine;
+        (below.depth * (by_x * cosine + by_y * sine) + forward) / cosine
     }
 
     /// How far ahead of where a round wheel would be met or behind one whose section varies around

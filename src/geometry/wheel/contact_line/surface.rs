@@ -11,7 +11,9 @@
 //! track; of a wheel whose section varies around the surface is that of its rows.
 
 use super::ContactLine;
+use crate::geometry::wheel::surface_point::Below;
 pub use crate::geometry::wheel::surface_point::SurfacePoint;
+use crate::math::real::Real;
 
 /// Newton steps to a point; three are the rule.
 const MAX_STEPS: usize = 12;
@@ -72,6 +74,49 @@ impl ContactLine<'_> {
             }
         }
         None
+    }
+}
+
+impl<T: Real> ContactLine<'_, T> {
+    /// The surface of the round wheel below the place at `x` along the track and `y` to the right
+    /// of the marker [m], across track and axle, sought near the profile parameter `s`; nothing
+    /// where the wheel ends or stands upright.
+    ///
+    /// With v = y cos ψ - x sin ψ along the axle and f = x cos ψ + y sin ψ forward it is z below
+    /// the axle, z² = R(v)² - f².
+    #[must_use]
+    pub fn round_below(&self, x: T, y: T, mut s: f64) -> Option<Below<T>> {
+        let (sine, cosine) = (-self.axle[0], self.cosine);
+        let (axial, forward) = (y * cosine - x * sine, x * cosine + y * sine);
+        let mut is_found = false;
+        for _ in 0..MAX_STEPS {
+            let p = self.profile.at(s);
+            let step = (axial.value() - p.point[0]) / p.first[0];
+            s += step;
+            // Not a number where the profile stands upright.
+            if !(s > self.profile.start() && s < self.profile.end()) {
+                return None;
+            }
+            is_found = step.abs() <= LAST_STEP;
+            if is_found {
+                break;
+            }
+        }
+        let p = self.profile.at(T::from(s));
+        let s = T::from(s) + (axial - p.point[0]) / p.first[0];
+        let p = self.profile.at(s);
+        let radius = p.point[1] + self.nominal_radius;
+        let slope = p.first[1] / p.first[0];
+        let depth = (radius * radius - forward * forward).at_least(0.0).sqrt();
+        let facing = depth / (radius * (slope * slope + 1.0).sqrt());
+        if !(is_found && p.first[0].value() > 0.0 && facing.value() > MIN_COSINE) {
+            return None;
+        }
+        let turning = radius * slope;
+        let by_x = -(turning * sine + forward * cosine) / depth;
+        let by_y = (turning * cosine - forward * sine) / depth;
+        let bend = (slope * slope * sine * sine - cosine * cosine - by_x * by_x) / depth;
+        Some(Below { depth, slopes: [by_x, by_y], bend })
     }
 }
 

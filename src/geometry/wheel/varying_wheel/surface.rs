@@ -11,7 +11,7 @@
 
 use super::vectors::{cross, dot, in_plane};
 use super::{Place, VaryingWheel};
-use crate::geometry::wheel::surface_point::SurfacePoint;
+use crate::geometry::wheel::surface_point::{Below, SurfacePoint};
 
 /// Newton steps to a place: three are the rule.
 const MAX_STEPS: usize = 12;
@@ -19,18 +19,6 @@ const MAX_STEPS: usize = 12;
 /// of round wheels.
 const LAST_STEP: f64 = 1e-8;
 const MIN_COSINE: f64 = 0.1;
-
-/// The surface of the wheel straight below a point.
-#[derive(Clone, Copy, Debug)]
-pub struct Below {
-    /// How far below [m].
-    pub depth: f64,
-    /// Derivatives of that along the track and to the right [-].
-    pub slopes: [f64; 2],
-    /// Second derivative along the track, but for what the section is curved across a wheel that
-    /// yaws [1/m].
-    pub bend: f64,
-}
 
 impl VaryingWheel {
     /// How far to either side of where a round wheel is met this one may overlap a rail that it
