@@ -67,12 +67,12 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
-            let tell = |along: T, across: T, force: Vector3<T>| match self.frame.course() {
-                None => [along, across],
-                Some(_) => {
-                    let told = axes.beside_track();
-                    [told.longitudinal, told.lateral].map(|axis| force.dot(&axis))
+            let tell = |along: T, across: T, force: Vector3<T>| {
+                if self.frame.course().is_none() {
+                    return [along, across];
                 }
+                let told = axes.beside_track();
+                [told.longitudinal, told.lateral].map(|axis| force.dot(&axis))
             };
             let [along, across] =
                 [axes.longitudinal, axes.lateral].map(|axis| tractions.force.dot(&axis));

@@ -55,8 +55,10 @@ impl Courses {
             let turning = (0..count).any(|j| {
                 let [a, b] = [i - 1, i].map(|i| &rows.knots[i * count + j]);
                 let is_there = a.value[0].is_finite() && b.value[0].is_finite();
-                let goes =
-                    |c: usize| a.value[c] != b.value[c] || a.slope[c] != 0.0 || b.slope[c] != 0.0;
+                let goes = |c: usize| {
+                    let changes = [a.value[c] - b.value[c], a.slope[c], b.slope[c]];
+                    changes.iter().any(|change| change.abs() > 0.0)
+                };
                 is_there && (goes(0) || goes(1))
             });
             turns[i] = turns[i - 1] + u32::from(turning);
