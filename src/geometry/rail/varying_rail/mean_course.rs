@@ -7,7 +7,9 @@
 //! w = exp(-(g - min g)/h)
 //! ```
 //!
-//! g its distance from the wheel along the normal of that. Chords bridge kinks, as at the ends of
+//! g its distance from the wheel along the normal of that. Rows that go apart, as those of a nose and
+//! of the wing beside it, have no course in common: by 1/(1 + (σ/0.01)²), with σ their standard
+//! deviation about the mean, it goes back to the track. Chords bridge kinks, as at the ends of
 //! the rail, and rows that come within reach do so far below the wheel, so that the mean is a
 //! smooth function of the pose.
 
@@ -27,6 +29,9 @@ const CHORD: f64 = 0.01;
 /// count: a weight below rounding.
 const FADES: f64 = 5e-4;
 const FARTHEST: f64 = 40.0;
+/// How far the rows may go apart, by their standard deviation, so that half of their course counts:
+/// rails that drift by as much are right in the axes of the track [-].
+const APART: f64 = 0.01;
 /// Rows of which one is asked for its course.
 const STRIDE: usize = 3;
 
@@ -99,7 +104,7 @@ impl Courses {
         let rows = || (0..surface.count()).step_by(STRIDE);
         let gap = |j: usize| own(surface, &self.wheel, &fixed, &fixed, j).map(|row| row.gap);
         let least = rows().filter_map(gap).fold(f64::INFINITY, f64::min);
-        let (mut sum, mut total) = ([T::from(0.0); 2], T::from(0.0));
+        let (mut sum, mut squares, mut total) = ([T::from(0.0); 2], T::from(0.0), T::from(0.0));
         for j in rows() {
             let Some(row) = own(surface, &self.wheel, &fixed, &over, j) else { continue };
             let beyond = (row.gap - least) / FADES;
@@ -109,11 +114,15 @@ impl Courses {
             let weight = (T::from(0.0) - beyond).exp();
             total += weight;
             sum = [0, 1].map(|c| sum[c] + weight * row.rates[c]);
+            squares += weight * dot(row.rates, row.rates);
         }
         if total.value() <= 0.0 {
             return None;
         }
-        let rates = sum.map(|sum| sum / total);
+        let mean = sum.map(|sum| sum / total);
+        let spread = (squares / total - dot(mean, mean)).at_least(0.0);
+        let agreement = T::from(1.0) / (spread / (APART * APART) + 1.0);
+        let rates = mean.map(|rate| rate * agreement);
         let goes = rates.iter().any(|rate| rate.value() != 0.0);
         (goes || T::HAS_SLOPES).then(|| Course::new(rates, pose.marker))
     }
