@@ -67,6 +67,7 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
             };
             add(&mut output.wheel, tractions.force, position - wheel_marker, tractions.moment);
             add(&mut output.wheel, pressing, bearing - wheel_marker, Vector3::zeros());
+            // Along the track and across, wherever the rows go.
             let tell = |along: T, across: T, force: Vector3<T>| {
                 if self.frame.course().is_none() {
                     return [along, across];
@@ -74,10 +75,10 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
                 let told = axes.beside_track();
                 [told.longitudinal, told.lateral].map(|axis| force.dot(&axis))
             };
-            let [along, across] =
+            let [longitudinal, lateral] =
                 [axes.longitudinal, axes.lateral].map(|axis| tractions.force.dot(&axis));
-            let is_traction = along * forward > 0.0;
-            let creep_force = tell(along, across, tractions.force);
+            let is_traction = longitudinal * forward > 0.0;
+            let creep_force = tell(longitudinal, lateral, tractions.force);
             let position = position + Vector3::x() * station;
             let (rail, marker) = (&mut output.rails[self.k], self.frame.marker);
             add(rail, -tractions.force, position - marker, -tractions.moment);
@@ -125,8 +126,8 @@ impl<T: ElementNumber> ContactSetup<'_, T> {
 }
 
 /// The place at which the normal force of a patch on an even wheel acts: `position`, moved `along`
-/// the rail so that the line of action along `normal` meets the axle of the `wheel`, as every normal of a
-/// surface of revolution does.
+/// the rail so that the line of action along `normal` meets the axle of the `wheel`, as every normal
+/// of a surface of revolution does.
 ///
 /// With the axle u through the marker M, x along the rail and (P - M) · (n × u) = 0, n without a
 /// part along x,

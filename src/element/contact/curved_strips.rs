@@ -62,8 +62,8 @@ impl<T: Real> CurvedStrips<T> {
     /// returns the mean creepage, weighted by load.
     ///
     /// `along` is the direction along the rail, `lean` the tangent of the angle by which the normals
-    /// of one that rises lean forward; `surface` gives point and tangent of the wheel at a parameter of the contact
-    /// line and an x [m].
+    /// of one that rises lean forward; `surface` gives point and tangent of the wheel at a parameter
+    /// of the contact line and an x [m].
     pub fn place(
         &mut self,
         zone: &Zone<T>,

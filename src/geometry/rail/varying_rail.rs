@@ -30,11 +30,11 @@
 //! surface, so that the wheel meets its crests.
 
 mod bounds;
+mod deviation;
 mod mean_course;
 mod moving_outline;
 mod over;
 mod touch;
-mod unround;
 mod waves;
 mod wheel_above;
 mod wheel_table;

@@ -1,8 +1,8 @@
 //! Where the wheel meets a row of the rail.
 
 use super::bounds::{Bounds, LARGEST};
+use super::deviation::Deviation;
 use super::over::{Opposite, Over};
-use super::unround::Deviation;
 use super::wheel_table::WheelTable;
 use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::met::Met;

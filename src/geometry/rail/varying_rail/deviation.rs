@@ -68,14 +68,20 @@ impl<T: Real> Over<'_, T> {
         [radius, dot(tangent, self.down) / dot(tangent, self.right)]
     }
 
+    /// How far a round wheel is at `x` and `y` to the right of the marker from the circle about the
+    /// axle through its contact line, which is at `on_line` along the track [m], where the point
+    /// `wheel` is opposite; nothing where it stands upright.
+    fn of_round(&self, x: T, y: T, wheel: &Opposite<T>, on_line: T) -> Option<Deviation<T>> {
+        let [radius, lateral] = self.of_line(wheel);
+        let below = self.line().round_below(x, y, wheel.u.value())?;
+        Some(Deviation::of_surface(&below, [x - on_line, radius, lateral], wheel))
+    }
+
     /// How far a round wheel that yaws is from the circle of its contact line at `x` and `y` to the
     /// right of the marker [m], where the point `wheel` of that is opposite, and its curvature there
     /// beyond that on the line [1/m].
     pub fn round_deviation(&self, x: T, y: T, wheel: &Opposite<T>) -> (Deviation<T>, T) {
-        let [radius, lateral] = self.of_line(wheel);
-        let below = |x: T| self.line().round_below(x, y, wheel.u.value());
-        let at =
-            |x: T| Some(Deviation::of_surface(&below(x)?, [x - wheel.x, radius, lateral], wheel));
+        let at = |x: T| self.of_round(x, y, wheel, wheel.x);
         let Some((here, on_line)) = at(x).zip(at(wheel.x)) else { return Default::default() };
         (here, here.curvature - on_line.curvature)
     }
@@ -125,19 +131,15 @@ impl Over<'_> {
         if !self.leads() {
             return None;
         }
-        let [radius, lateral] = self.of_line(wheel);
-        let of = |below: &Below, centre| {
-            Deviation::of_surface(below, [x - centre, radius, lateral], wheel)
-        };
         let ahead = self.line().ahead_of_round(wheel.u);
-        let round = self.line().round_below(x, y, wheel.u);
-        let round = round.map(|below| of(&below, wheel.x - ahead));
+        let round = self.of_round(x, y, wheel, wheel.x - ahead);
         if !self.varies_around() {
             return round;
         }
         let directions = [self.right, self.down];
         let below = self.line().wheel_below(x, self.beside_marker(y), directions, [wheel.u, z])?;
-        let own = of(&below, wheel.x);
+        let [radius, lateral] = self.of_line(wheel);
+        let own = Deviation::of_surface(&below, [x - wheel.x, radius, lateral], wheel);
         let unround = own.raised - round.unwrap_or_default().raised;
         let lever = self.line().lever([x, y], &below) - ahead;
         Some(Deviation { unround, lever, ..own })
