@@ -18,7 +18,8 @@ macro_rules! functions_by_slopes {
 
         #[inline]
         fn three_halves(self) -> Self {
-            self.$one(self.value.powf(1.5), 1.5 * self.value.sqrt())
+            let root = self.value.sqrt();
+            self.$one(self.value * root, 1.5 * root)
         }
 
         #[inline]

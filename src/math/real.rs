@@ -275,7 +275,7 @@ impl Real for f64 {
 
     #[inline]
     fn three_halves(self) -> Self {
-        self.powf(1.5)
+        self * self.sqrt()
     }
 
     #[inline]

@@ -42,8 +42,8 @@ impl<T: Real> CurvePoint<T> {
     /// as a rail head does seen along growing y [1/m].
     #[must_use]
     pub fn curvature(&self) -> T {
-        let speed = self.first[0].hypot(self.first[1]);
-        (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / speed.powi(3)
+        let squared = self.first[0] * self.first[0] + self.first[1] * self.first[1];
+        (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / squared.three_halves()
     }
 }
 

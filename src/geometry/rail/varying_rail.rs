@@ -31,19 +31,23 @@
 
 mod bounds;
 mod deviation;
+mod few;
 mod mean_course;
 mod moving_outline;
 mod over;
 mod touch;
+mod trend;
 mod waves;
 mod wheel_above;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
+use self::few::{Few, NEAR};
 use self::mean_course::Courses;
 pub use self::moving_outline::MovingOutline;
 use self::over::{Over, REACH_ALONG};
-use self::touch::{CLOSE, Touch};
+use self::touch::{Start, Touch};
+use self::trend::Trend;
 use self::waves::Waves;
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
@@ -51,7 +55,7 @@ use crate::geometry::curves::arc_length::ArcLength;
 use crate::geometry::curves::curve::{Curve, Knot};
 use crate::geometry::rail::course::Course;
 pub use crate::geometry::sections::rows::along::Along;
-use crate::geometry::sections::rows::envelope::{Envelope, TREND};
+use crate::geometry::sections::rows::envelope::Envelope;
 use crate::geometry::sections::rows::met::Met;
 use crate::geometry::sections::rows::roller::Roller;
 use crate::geometry::sections::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, Surface};
@@ -64,18 +68,15 @@ use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
 
-/// Rows of which only one is looked through for hollows.
-const STRIDE: usize = 4;
 /// How far below the wheel a row surely stays where its place is no longer looked for [m].
 const FAR_BELOW: f64 = 0.02;
-/// Distance of the few rows that are enough where nothing touches [m].
-const WIDE: f64 = 2e-3;
 
 /// A rail whose section varies.
 #[derive(Clone, Debug)]
 pub struct VaryingRail {
     surface: Surface,
     bounds: Bounds,
+    few: Few,
     wheel: WheelTable,
     /// Profile of the wheel; of one whose section varies around the first one.
     profile: Curve,
@@ -89,6 +90,12 @@ pub struct VaryingRail {
     waves: Waviness,
     nominal_radius: f64,
     envelope: Envelope,
+    /// How far the few rows surely are below the wheel that comes next, along the track and along
+    /// the axes in which it is seen [m].
+    lows: FixedVec<f64>,
+    lows_along: FixedVec<f64>,
+    /// The few rows about where they are met, and all that are met.
+    about: FixedVec<Met>,
     met: FixedVec<Met>,
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
@@ -129,6 +136,7 @@ impl VaryingRail {
             free_ends: surface.free_ends(),
             is_near_end: false,
             bounds: Bounds::new(&surface, wheel.nominal_radius, &wheel.waves),
+            few: Few::new(&surface.rows, wheel),
             wheel: WheelTable::new(wheel.profile, wheel.sides()),
             profile: wheel.profile.clone(),
             courses: Courses::new(&surface, wheel.profile),
@@ -137,6 +145,9 @@ impl VaryingRail {
             waves: wheel.waves.clone(),
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
+            lows: FixedVec::new(surface.count()),
+            lows_along: FixedVec::new(surface.count()),
+            about: FixedVec::new(surface.count()),
             met: FixedVec::new(surface.count()),
             surface,
             station: 0.0,
@@ -179,6 +190,12 @@ impl VaryingRail {
     /// that is at the station `origin` [m]: those in which it is seen to [`pass`](Self::pass).
     pub fn approach(&mut self, pose: &WheelPose, [origin, x]: [f64; 2]) {
         let station = self.station(origin, x);
+        let Self { surface, bounds, few, wheel, lows, profile, .. } = self;
+        let line = ContactLine::new(profile, self.nominal_radius, pose);
+        let within = surface.within(station);
+        let above = &Over::new(&line, pose, station, within);
+        lows.clear();
+        lows.extend(few.rows.iter().map(|&j| below(bounds.of(j, within.slice), wheel, above, 0.0)));
         self.level = self.course_under(pose, station).map(|course| (*pose, course));
     }
 
@@ -186,8 +203,9 @@ impl VaryingRail {
     /// these do not drift or rise.
     #[must_use]
     pub fn course_under<T: Real>(&self, pose: &WheelPose<T>, station: T) -> Option<Course<T>> {
+        let Self { surface, few, lows, .. } = self;
         let line = ContactLine::new(&self.profile, self.nominal_radius, pose);
-        self.courses.near(&self.surface, &line, pose, station)
+        self.courses.near(surface, (&few.rows, lows), &line, pose, station)
     }
 
     /// The axes along the rows near the wheel that was to pass last, where these drift or rise.
@@ -255,55 +273,76 @@ impl VaryingRail {
 
     /// Fills `met` with all rows that may touch, and with a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
-        let Self { surface, bounds, wheel, met, waves, level, .. } = self;
-        let level = *level;
+        let Self {
+            surface, bounds, few, wheel, lows, lows_along, about, met, waves, level, ..
+        } = self;
         let within = surface.within(self.station);
         let turn = [self.pitch, pose.yaw];
         let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
         let course = level.map(|(_, course)| course);
         let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
-        // Bounds hold along the track.
-        let level = level.map_or(*pose, |(level, _)| level);
-        let above = &Over::new(line, &level, self.station, within);
-        let aside = course.map_or(0.0, |course| {
-            let [along, ..] = course.axes;
-            (REACH_ALONG - REACH) * (along[1] / along[0]).abs()
-        });
-        met.clear();
+        let lows: &[f64] = match level {
+            None => lows,
+            Some((level, course)) => {
+                let above = &Over::new(line, level, self.station, within);
+                let [along, ..] = course.axes;
+                let aside = (REACH_ALONG - REACH) * (along[1] / along[0]).abs();
+                let low = |&j: &usize| below(bounds.of(j, within.slice), wheel, above, aside);
+                lows_along.clear();
+                lows_along.extend(few.rows.iter().map(low));
+                lows_along
+            }
+        };
         let touch = Touch { surface, bounds, wheel };
-        let (parameter, parts) = (&surface.rows.parameter, &surface.rows.parts);
-        let count = parameter.len();
-        let mut before: Option<Met> = None;
-        let (mut kept, mut looked) = (None, None);
+        let parameter = &surface.rows.parameter;
+        // A few rows tell how near the wheel they are, where they may be nearer than the one that
+        // may be nearest.
+        let rows = few.rows.iter().copied().zip(lows.iter().copied());
+        let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
+        let nearest = first.and_then(|(j, _)| touch.about(over, j, None));
+        let nearest = nearest.filter(|met| met.opposite.is_some());
+        let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
+        about.clear();
+        let mut trend = Trend::default();
+        for (j, low) in rows {
+            let found = if low > far {
+                touch.aside(over, j)
+            } else if touch.is_hollow(over, j) {
+                touch.meet(over, j, Start::of(trend.beside()), true)
+            } else {
+                touch.about(over, j, trend.beside())
+            };
+            if let Some(mut found) = found {
+                if found.opposite.is_none() {
+                    found.gap.height = low;
+                }
+                about.push(found);
+                trend.follow(&found);
+            }
+        }
+        met.clear();
+        let opposite = about.iter().filter(|m| m.opposite.is_some());
+        let least = opposite.map(|m| m.gap.height).reduce(f64::min).unwrap_or(0.0).max(0.0);
         let is_wavy =
             !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
-        for j in 0..count {
-            let below = below(bounds.of(j, within.slice), wheel, above, aside);
-            let is_end = |k: usize| k == 0 || k + 1 == count || parts[k - 1] != parts[k + 1];
-            let is_far = kept.is_none_or(|k: usize| parameter[j] - parameter[k] > WIDE);
-            if !(below < 0.0 || is_far || is_end(j)) {
+        let mut trend = Trend::default();
+        for (k, here) in about.iter().enumerate() {
+            let next = about.get(k + 1);
+            let behind = k > 0 && few.is_near(&surface.rows, [&about[k - 1], here], least);
+            let ahead = next.filter(|next| few.is_near(&surface.rows, [here, next], least));
+            if !behind && ahead.is_none() {
+                met.push(*here);
+                trend = Trend::default();
                 continue;
             }
-            kept = Some(j);
-            if below > FAR_BELOW {
-                met.extend(touch.aside(over, j));
-                continue;
-            }
-            let looks = is_wavy || looked.is_none_or(|k: usize| j - k >= STRIDE);
-            if looks {
-                looked = Some(j);
-            }
-            let beside = before.filter(|m| parameter[j] - parameter[m.row] < CLOSE);
-            let trend = match (beside, met.len().checked_sub(2).map(|k| met[k])) {
-                (Some(b), Some(a)) if (b.x - a.x).abs() < TREND => {
-                    (b.x - a.x) / (parameter[b.row] - parameter[a.row])
+            let end = ahead.map_or(here.row + 1, |next| next.row);
+            for j in here.row..end {
+                let looks = is_wavy || j == here.row;
+                let start = trend.start(parameter, j, here);
+                if let Some(found) = touch.meet(over, j, start, looks) {
+                    met.push(found);
+                    trend.follow(&found);
                 }
-                _ => 0.0,
-            };
-            let guess = beside.map(|b| b.x + trend * (parameter[j] - parameter[b.row]));
-            if let Some(here) = touch.meet(over, j, guess, beside, looks) {
-                met.push(here);
-                before = Some(here);
             }
         }
     }

@@ -244,26 +244,28 @@ impl Slices {
             let inner = curve.knots().filter(|s| *s > from && *s < to);
             let knots: Vec<f64> = std::iter::once(from).chain(inner).chain([to]).collect();
             let begin = rows.parameter.last().map_or(from, |last| *last);
-            let between = knots.windows(2).flat_map(|pair| {
-                let (a, length) = (pair[0], pair[1] - pair[0]);
-                let count = (length / MAX_ROW_SPACING).ceil().max(1.0);
-                (0..count as usize).map(move |k| a + length * k as f64 / count)
-            });
-            for (i, s) in between.chain([to]).enumerate() {
-                let is_seam = f > 0 && i == 0;
+            // The row at the pattern's parameter `s` on all slices.
+            let row_at = |s: f64| -> Vec<RowValue> {
                 let share = (s - from) / (to - from);
-                let row: Vec<RowValue> = (span[0]..=span[1])
-                    .map(|i| {
-                        let [from, to] = ends(i);
-                        // The pattern's own parameter, not a rounded one.
-                        let own = if i == *pattern { s } else { from + share * (to - from) };
-                        let p = self.all[i].profile.curve.at(own);
-                        let ([y, z], [dy, dz]) = (point(p.point), direction(p.first));
-                        let [pattern_from, pattern_to] = ends(*pattern);
-                        let stretch = (to - from) / (pattern_to - pattern_from);
-                        [y, z, stretch * dy, stretch * dz]
-                    })
-                    .collect();
+                let on_slice = |i: usize| {
+                    let [own_from, own_to] = ends(i);
+                    // The pattern's own parameter, not a rounded one.
+                    let own =
+                        if i == *pattern { s } else { own_from + share * (own_to - own_from) };
+                    let p = self.all[i].profile.curve.at(own);
+                    let ([y, z], [dy, dz]) = (point(p.point), direction(p.first));
+                    let stretch = (own_to - own_from) / (to - from);
+                    [y, z, stretch * dy, stretch * dz]
+                };
+                (span[0]..=span[1]).map(on_slice).collect()
+            };
+            let mut between = vec![from];
+            for pair in knots.windows(2) {
+                divide([pair[0], pair[1]], &row_at, &mut between);
+            }
+            for (i, s) in between.into_iter().enumerate() {
+                let is_seam = f > 0 && i == 0;
+                let row = row_at(s);
                 let of_pattern = row[pattern - span[0]];
                 // Parts that are there together share the row between them.
                 let shared = is_seam && parts[f - 1].span == *span;
@@ -309,6 +311,34 @@ impl Slices {
             }
         }
         rows
+    }
+}
+
+/// Adds the rows from one parameter to another one, but for the first, so that cubics between them
+/// follow the sections, on which the rows are `at` their parameters.
+fn divide([from, to]: [f64; 2], at: &impl Fn(f64) -> Vec<RowValue>, rows: &mut Vec<f64>) {
+    let length = to - from;
+    let is_followed = || {
+        let (ends, places) = ([at(from), at(to)], [0.25, 0.5, 0.75]);
+        places.into_iter().all(|t| {
+            let between = at(from + t * length);
+            between.iter().zip(ends[0].iter().zip(&ends[1])).all(|(own, (a, b))| {
+                let away = [0, 1].map(|c| {
+                    let (m, n) = (length * a[c + 2], length * b[c + 2]);
+                    let rise = b[c] - a[c];
+                    let bend = 3.0 * rise - 2.0 * m - n + t * (m + n - 2.0 * rise);
+                    own[c] - (a[c] + t * (m + t * bend))
+                });
+                away[0].hypot(away[1]) <= FOLLOWED
+            })
+        })
+    };
+    if length > WIDEST_ROWS || (length > CLOSEST_ROWS && !is_followed()) {
+        let middle = from + 0.5 * length;
+        divide([from, middle], at, rows);
+        divide([middle, to], at, rows);
+    } else {
+        rows.push(to);
     }
 }
 
@@ -358,16 +388,19 @@ fn turn_direction(value: &mut RowValue) {
 /// Length of the arc between two points with the directions of their tangents: that of a circle, to
 /// the fourth order of their distance [m].
 pub(in crate::geometry) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T {
-    let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let chord = (way[0] * way[0] + way[1] * way[1]).sqrt();
     let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
     let turn = from[0] * to[1] - from[1] * to[0];
     chord * (turn * turn / (sizes * 24.0) + 1.0)
 }
 
-/// Greatest distance of two rows: where the sections are not alike their curvature changes between
-/// rows, by 1/13 mm at most on rail heads, and the splines between these are then a quarter of a
-/// micrometre off [m].
-const MAX_ROW_SPACING: f64 = 4e-4;
+/// Greatest distance of two rows; and the least one to which they are halved where cubics between
+/// them are farther from a section than that is to be followed: curvature that jumps by 1/13 mm, as
+/// on rail heads, leaves a quarter of a micrometre there [m].
+const WIDEST_ROWS: f64 = 8e-4;
+const CLOSEST_ROWS: f64 = 4e-4;
+const FOLLOWED: f64 = 1e-8;
 /// Steepest row along the track, as a slope against it, and share of the rows of a part from which
 /// on the part is broken where so many are steeper: the two slices are not of the same shape, as
 /// where a nose begins.

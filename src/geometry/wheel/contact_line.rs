@@ -93,6 +93,19 @@ pub struct LinePoint<T = f64> {
     pub tangent: [T; 2],
 }
 
+/// A point of the contact line of a round wheel with its derivatives by the parameter.
+pub(in crate::geometry) struct Followed<T> {
+    pub at: LinePoint<T>,
+    /// Derivatives of (y, z), and of x.
+    pub derivative: [T; 2],
+    pub advance: T,
+    /// Curvature of the profile, positive where it bulges [1/m].
+    pub curvature: T,
+    /// Curvature of the section along the track, but for what the profile is curved across a wheel
+    /// that yaws; positive where it bulges [1/m].
+    pub section: T,
+}
+
 impl<'a, T: Real> ContactLine<'a, T> {
     /// The contact line of the wheel with profile `profile` and radius `nominal_radius` of its
     /// nominal rolling circle [m].
@@ -153,6 +166,33 @@ impl<'a, T: Real> ContactLine<'a, T> {
         }
         let (point, derivative) = self.outline_with_derivative(&p);
         (self.met(s, point), derivative)
+    }
+
+    /// The point at parameter `s` [m] with its derivatives, without deviations along the track.
+    #[must_use]
+    pub(in crate::geometry) fn followed(&self, s: T) -> Followed<T> {
+        let p = self.profile.at(s);
+        let on = self.circle(&p);
+        let curvature = -p.curvature();
+        if self.follows_rim(&p) {
+            let rim = self.rim(s, &p, &on);
+            return Followed {
+                at: self.met(s, rim.point()),
+                derivative: rim.derivative(),
+                advance: rim.advance(),
+                curvature,
+                section: T::from(0.0),
+            };
+        }
+        let (point, derivative) = self.outline_with_derivative(&p);
+        let across = on.slope * self.axle[0];
+        Followed {
+            at: self.met(s, point),
+            derivative,
+            advance: self.advance_at(&p, &on),
+            curvature,
+            section: (self.cosine * self.cosine - across * across) / (on.radius * on.cosine),
+        }
     }
 
     /// The profile of the wheel.

@@ -21,4 +21,6 @@ pub struct Below<T = f64> {
     /// Second derivative along the track, but for what the section is curved across a wheel that
     /// yaws [1/m].
     pub bend: T,
+    /// What a round wheel that yaws is curved across adds to that; 0 where it varies around [1/m].
+    pub across: T,
 }

@@ -15,7 +15,6 @@
 
 use super::over::{Opposite, Over};
 use super::waves::Waves;
-use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::wheel::surface_point::Below;
 use crate::math::real::Real;
 
@@ -28,8 +27,8 @@ pub(super) struct Deviation<T = f64> {
     pub slopes: [T; 3],
     /// Second derivative along the track [1/m].
     pub bend: T,
-    /// Curvature of the surface without waves along the track, positive where it bulges; of a
-    /// wheel without yaw zero [1/m].
+    /// Curvature of the surface without waves along the track beyond that of the round wheel on the
+    /// contact line, positive where it bulges; of a wheel without yaw zero [1/m].
     pub curvature: T,
     /// Curvature of waves [1/m].
     pub waves: T,
@@ -42,48 +41,30 @@ pub(super) struct Deviation<T = f64> {
 
 impl<T: Real> Deviation<T> {
     /// Of a wheel whose surface is `below` a place `away` along the track from its contact line, of
-    /// which the point `wheel` is opposite, `radius` below the axle; `lateral` is the slope of the
-    /// line there.
-    fn of_surface(below: &Below<T>, [away, radius, lateral]: [T; 3], wheel: &Opposite<T>) -> Self {
+    /// which the point `wheel` is opposite.
+    fn of_surface(below: &Below<T>, away: T, wheel: &Opposite<T>) -> Self {
         let [by_x, by_y] = below.slopes;
-        let distance = away.hypot(below.depth);
+        let distance = (away * away + below.depth * below.depth).sqrt();
         let along = (away + below.depth * by_x) / distance;
         let across = (below.depth * by_y - away * wheel.advance) / distance;
         let steep = by_x * by_x + 1.0;
         Self {
-            raised: distance - radius,
-            slopes: [along, across - lateral, T::from(0.0)],
-            bend: (steep + below.depth * below.bend - along * along) / distance,
-            curvature: -below.bend / steep.three_halves(),
+            raised: distance - wheel.radius,
+            slopes: [along, across - wheel.lateral, T::from(0.0)],
+            bend: (steep + below.depth * (below.bend + below.across) - along * along) / distance,
+            curvature: -below.bend / steep.three_halves() - wheel.section,
             ..Self::default()
         }
     }
 }
 
 impl<T: Real> Over<'_, T> {
-    /// Height below the axle of the point `wheel` of the contact line, and its slope across [m, -].
-    fn of_line(&self, wheel: &Opposite<T>) -> [T; 2] {
-        let [_, radius] = self.across_and_down(self.line().even_at(wheel.u).point);
-        let tangent = [wheel.normal[1], -wheel.normal[0]];
-        [radius, dot(tangent, self.down) / dot(tangent, self.right)]
-    }
-
     /// How far a round wheel is at `x` and `y` to the right of the marker from the circle about the
     /// axle through its contact line, which is at `on_line` along the track [m], where the point
     /// `wheel` is opposite; nothing where it stands upright.
-    fn of_round(&self, x: T, y: T, wheel: &Opposite<T>, on_line: T) -> Option<Deviation<T>> {
-        let [radius, lateral] = self.of_line(wheel);
+    pub fn of_round(&self, x: T, y: T, wheel: &Opposite<T>, on_line: T) -> Option<Deviation<T>> {
         let below = self.line().round_below(x, y, wheel.u.value())?;
-        Some(Deviation::of_surface(&below, [x - on_line, radius, lateral], wheel))
-    }
-
-    /// How far a round wheel that yaws is from the circle of its contact line at `x` and `y` to the
-    /// right of the marker [m], where the point `wheel` of that is opposite, and its curvature there
-    /// beyond that on the line [1/m].
-    pub fn round_deviation(&self, x: T, y: T, wheel: &Opposite<T>) -> (Deviation<T>, T) {
-        let at = |x: T| self.of_round(x, y, wheel, wheel.x);
-        let Some((here, on_line)) = at(x).zip(at(wheel.x)) else { return Default::default() };
-        (here, here.curvature - on_line.curvature)
+        Some(Deviation::of_surface(&below, x - on_line, wheel))
     }
 }
 
@@ -138,8 +119,7 @@ impl Over<'_> {
         }
         let directions = [self.right, self.down];
         let below = self.line().wheel_below(x, self.beside_marker(y), directions, [wheel.u, z])?;
-        let [radius, lateral] = self.of_line(wheel);
-        let own = Deviation::of_surface(&below, [x - wheel.x, radius, lateral], wheel);
+        let own = Deviation::of_surface(&below, x - wheel.x, wheel);
         let unround = own.raised - round.unwrap_or_default().raised;
         let lever = self.line().lever([x, y], &below) - ahead;
         Some(Deviation { unround, lever, ..own })
@@ -148,11 +128,10 @@ impl Over<'_> {
     /// Curvature of the wheel at a place with `deviation` beyond that of its section on the contact
     /// line, at `y` to the right and `z` below the marker where the point `wheel` of that is [1/m].
     pub fn bulge(&self, deviation: &Deviation, place: [f64; 2], wheel: &Opposite) -> f64 {
-        let on_line = if self.leads() {
-            self.of_surface(wheel.x, place, wheel).map_or(deviation.curvature, |own| own.curvature)
-        } else {
-            0.0
-        };
-        deviation.curvature - on_line
+        if !self.varies_around() {
+            return deviation.curvature;
+        }
+        let on_line = self.of_surface(wheel.x, place, wheel);
+        on_line.map_or(0.0, |own| deviation.curvature - own.curvature)
     }
 }

@@ -7,18 +7,19 @@
 //! w = exp(-(g - min g)/h)
 //! ```
 //!
-//! g its distance from the wheel along the normal of that. Rows that go apart, as those of a nose and
+//! g how far below the wheel it is. Rows that go apart, as those of a nose and
 //! of the wing beside it, have no course in common: by 1/(1 + (σ/0.01)²), with σ their standard
 //! deviation about the mean, it goes back to the track. Chords bridge kinks, as at the ends of
 //! the rail, and rows that come within reach do so far below the wheel, so that the mean is a
 //! smooth function of the pose.
 
 use super::over::Over;
+use super::touch::CLOSE;
 use super::wheel_table::WheelTable;
 use crate::geometry::curves::curve::Curve;
 use crate::geometry::rail::course::Course;
 use crate::geometry::sections::rows::plane::dot;
-use crate::geometry::sections::rows::surface::{REACH, Surface};
+use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface};
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
@@ -26,14 +27,14 @@ use crate::math::real::Real;
 /// Half of a chord [m].
 const CHORD: f64 = 0.01;
 /// Distance h over which a row weighs less, by e [m], and multiples of it beyond which it does not
-/// count: a weight below rounding.
+/// count: by a weight of 1e-7 the mean turns by 1e-9 at most.
 const FADES: f64 = 5e-4;
-const FARTHEST: f64 = 40.0;
+const FARTHEST: f64 = 16.0;
 /// How far the rows may go apart, by their standard deviation, so that half of their course counts:
 /// rails that drift by as much are right in the axes of the track [-].
 const APART: f64 = 0.01;
-/// Rows of which one is asked for its course.
-const STRIDE: usize = 3;
+/// Steps to where a row is met.
+const STEPS: usize = 2;
 
 /// How the rows of a rail go.
 #[derive(Clone, Debug)]
@@ -44,10 +45,20 @@ pub(super) struct Courses {
     wheel: WheelTable,
 }
 
-/// Course and nearness of one row.
+/// Course and nearness of one row, and where it is met.
 struct RowCourse<T> {
     gap: T,
     rates: [T; 2],
+    met: Beside<T>,
+}
+
+/// Where a row is met: along the track, to the right of the marker [m], and the parameter of the
+/// wheel opposite.
+#[derive(Clone, Copy)]
+struct Beside<T> {
+    x: T,
+    across: f64,
+    u: f64,
 }
 
 impl Courses {
@@ -81,10 +92,12 @@ impl Courses {
     }
 
     /// Axes along the rows near the wheel of the even `line` that stands at `pose` above `station`
-    /// [m]; nothing where these do not drift or rise.
+    /// [m], as a few `rows` tell, which are at least as far below it as their `lows` say; nothing
+    /// where these do not drift or rise.
     pub fn near<T: Real>(
         &self,
         surface: &Surface,
+        (rows, lows): (&[usize], &[f64]),
         line: &ContactLine<T>,
         pose: &WheelPose<T>,
         station: T,
@@ -101,41 +114,76 @@ impl Courses {
             yaw: pose.yaw.value(),
         };
         let fixed = Over::new(&fixed_line, &fixed_pose, station.value(), within);
-        let rows = || (0..surface.count()).step_by(STRIDE);
-        let gap = |j: usize| own(surface, &self.wheel, &fixed, &fixed, j).map(|row| row.gap);
-        let least = rows().filter_map(gap).fold(f64::INFINITY, f64::min);
-        let (mut sum, mut squares, mut total) = ([T::from(0.0); 2], T::from(0.0), T::from(0.0));
-        for j in rows() {
-            let Some(row) = own(surface, &self.wheel, &fixed, &over, j) else { continue };
-            let beyond = (row.gap - least) / FADES;
-            if beyond.value() > FARTHEST {
-                continue;
+        // The row that may be nearest tells which ones need not be looked at.
+        let own = |j: usize, beside| own(surface, &self.wheel, &fixed, &over, (j, beside));
+        let rows = rows.iter().copied().zip(lows);
+        let (first, _) = rows.clone().min_by(|a, b| a.1.total_cmp(b.1))?;
+        let near = own(first, None).map_or(f64::INFINITY, |row| row.gap.value());
+        let (mut sums, mut beside) = (Sums { least: f64::INFINITY, ..Sums::default() }, None);
+        for (j, _) in rows.filter(|(_, low)| **low < near + FARTHEST * FADES) {
+            if let Some(row) = own(j, beside) {
+                beside = Some(row.met);
+                sums.add(&row);
             }
-            let weight = (T::from(0.0) - beyond).exp();
-            total += weight;
-            sum = [0, 1].map(|c| sum[c] + weight * row.rates[c]);
-            squares += weight * dot(row.rates, row.rates);
         }
-        if total.value() <= 0.0 {
-            return None;
-        }
-        let mean = sum.map(|sum| sum / total);
-        let spread = (squares / total - dot(mean, mean)).at_least(0.0);
-        let agreement = T::from(1.0) / (spread / (APART * APART) + 1.0);
-        let rates = mean.map(|rate| rate * agreement);
+        let rates = sums.common()?;
         let goes = rates.iter().any(|rate| rate.value() != 0.0);
         (goes || T::HAS_SLOPES).then(|| Course::new(rates, pose.marker))
     }
 }
 
-/// Row `j` where the wheel `over` it would meet it along the track, by its `table` and the same
-/// wheel at rest, `fixed`; nothing where the row is not there or the wheel stands upright.
+/// Sums over rows, weighted by how near they are.
+#[derive(Default)]
+struct Sums<T> {
+    /// The gap of the row whose weight is one [m].
+    least: f64,
+    total: T,
+    rates: [T; 2],
+    squares: T,
+}
+
+impl<T: Real> Sums<T> {
+    fn add(&mut self, row: &RowCourse<T>) {
+        let gap = row.gap.value();
+        if gap < self.least {
+            // Weights count from the nearest row.
+            let fade = ((gap - self.least) / FADES).exp();
+            self.least = gap;
+            self.total = self.total * fade;
+            self.rates = self.rates.map(|sum| sum * fade);
+            self.squares = self.squares * fade;
+        }
+        let beyond = (row.gap - self.least) / FADES;
+        if beyond.value() > FARTHEST {
+            return;
+        }
+        let weight = (-beyond).exp();
+        self.total += weight;
+        self.rates = [0, 1].map(|c| self.rates[c] + weight * row.rates[c]);
+        self.squares += weight * dot(row.rates, row.rates);
+    }
+
+    /// The rates that the rows have in common; nothing without rows.
+    fn common(&self) -> Option<[T; 2]> {
+        if self.total.value() <= 0.0 {
+            return None;
+        }
+        let mean = self.rates.map(|sum| sum / self.total);
+        let spread = (self.squares / self.total - dot(mean, mean)).at_least(0.0);
+        let agreement = T::from(1.0) / (spread / (APART * APART) + 1.0);
+        Some(mean.map(|rate| rate * agreement))
+    }
+}
+
+/// Row `j` where the wheel `over` it would meet it along the track, by its `table`, the same wheel
+/// at rest, `fixed`, and where the row `beside` is met; nothing where the row is not there or the
+/// wheel stands upright.
 fn own<T: Real>(
     surface: &Surface,
     table: &WheelTable,
     fixed: &Over,
     over: &Over<T>,
-    j: usize,
+    (j, beside): (usize, Option<Beside<T>>),
 ) -> Option<RowCourse<T>> {
     let slice = over.within.slice;
     let run = surface.run(j, fixed.station, slice)?;
@@ -150,28 +198,31 @@ fn own<T: Real>(
             x
         }
     };
-    // Opposite to the row below the axle; where that would be met; opposite to it there.
-    let mut x = clamped(T::from(0.0));
+    let across = |p: &RowPoint<T>| over.across_and_down([p.value[0], p.value[1]]);
+    // Opposite to the row where that beside it is met; where it would be met; opposite to it there.
+    let mut x = clamped(beside.map_or(T::from(0.0), |b| b.x));
     let mut p = at(x);
-    let [across, _] = over.in_wheel(&p);
-    let mut u = table.parameter(across.value())?;
-    for _ in 0..2 {
-        let [across, _] = over.in_wheel(&p);
-        u = fixed.opposite(u, across.value())?.u;
-        let met = over.to_across(u, across);
-        x = clamped(met.x);
+    let [y, _] = across(&p);
+    let near = beside.filter(|b| (b.across - y.value()).abs() < CLOSE);
+    let mut u = match near {
+        Some(near) => near.u + y.value() - near.across,
+        None => table.parameter(y.value())?,
+    };
+    let mut wheel = over.opposite_to(fixed, u, y)?;
+    for _ in 0..STEPS {
+        u = wheel.u.value();
+        x = clamped(wheel.x);
         p = at(x);
+        wheel = over.opposite_to(fixed, u, across(&p)[0])?;
     }
-    let [across, _] = over.in_wheel(&p);
-    u = fixed.opposite(u, across.value())?.u;
-    let met = over.to_across(u, across);
-    let to_row = [p.value[0] - met.point[0], p.value[1] - met.point[1]];
+    let [y, z] = across(&p);
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);
     let length = b - a;
     if length.value() <= 0.0 {
         return None;
     }
-    let [p, q] = [a, b].map(at);
-    let rates = [0, 1].map(|c| (q.value[c] - p.value[c]) / length);
-    Some(RowCourse { gap: dot(met.normal, to_row), rates })
+    let [p, q] = [a, b].map(|x| at(x).value);
+    let rates = [0, 1].map(|c| (q[c] - p[c]) / length);
+    let met = Beside { x, across: y.value(), u: wheel.u.value() };
+    Some(RowCourse { gap: z - wheel.radius, rates, met })
 }

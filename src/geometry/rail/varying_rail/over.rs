@@ -3,10 +3,10 @@
 use super::waves::Waves;
 use super::wheel_table::CELL;
 use crate::geometry::rail::course::Course;
-use crate::geometry::sections::rows::met::Met;
+use crate::geometry::sections::rows::met::{Gap, Met};
 use crate::geometry::sections::rows::plane::dot;
 use crate::geometry::sections::rows::surface::{REACH, RowPoint, Surface, Within};
-use crate::geometry::wheel::contact_line::ContactLine;
+use crate::geometry::wheel::contact_line::{ContactLine, Followed};
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::real::Real;
 
@@ -14,15 +14,13 @@ use crate::math::real::Real;
 const APART: f64 = 3e-4;
 /// Steepest flank of any wheel [-].
 const STEEPEST_FLANK: f64 = 3.0;
-/// Newton steps to a point of the contact line, and the last of them [m].
+/// Newton steps to a point of the contact line, and the last of them: over it the line is as good
+/// as an arc [m].
 const MAX_STEPS: usize = 12;
-const STRAIGHT: f64 = 1e-6;
+const STRAIGHT: f64 = 1e-8;
 /// Farthest place of touch from the axle along rows that drift or rise: flanges touch rows that
 /// come from the side far ahead [m].
 pub(super) const REACH_ALONG: f64 = 0.3;
-/// Steps to a place along such a row, and how near they come to it [m].
-const MAX_STEPS_ALONG: usize = 12;
-const NEAR_ALONG: f64 = 1e-12;
 /// Least share of its parameter by which the contact line goes across: a flank is not followed as
 /// if it stood upright.
 const MIN_RATE: f64 = 0.1;
@@ -58,16 +56,40 @@ pub(super) struct Opposite<T = f64> {
     /// Normal into the rail, and curvature of the wheel across, positive where it bulges [1/m].
     pub normal: [T; 2],
     pub curvature: T,
+    /// Its height below the axle, and the slope of the line across [m, -].
+    pub radius: T,
+    pub lateral: T,
+    /// Curvature of the round wheel along the track there [1/m].
+    pub section: T,
 }
 
-/// A place of the contact line.
-pub(super) struct OnLine<T> {
-    /// Along the track [m].
+impl Opposite {
+    /// The same in other numbers, which do not move.
+    fn fixed<T: Real>(&self) -> Opposite<T> {
+        Opposite {
+            u: self.u.into(),
+            x: self.x.into(),
+            advance: self.advance.into(),
+            normal: self.normal.map(T::from),
+            curvature: self.curvature.into(),
+            radius: self.radius.into(),
+            lateral: self.lateral.into(),
+            section: self.section.into(),
+        }
+    }
+}
+
+/// A place of a row.
+#[derive(Clone, Copy)]
+pub(super) struct OnRow<T = f64> {
+    /// Along the track, and in the axes in which the wheel is seen [m].
+    pub place: T,
     pub x: T,
-    /// Across the track (y, z) [m].
-    pub point: [T; 2],
-    /// Normal into the rail.
-    pub normal: [T; 2],
+    /// The row there, and how far to the right of the marker and below it that is [m].
+    pub point: RowPoint<T>,
+    pub across: [T; 2],
+    /// How fast x grows along the track.
+    pub rate: T,
 }
 
 impl<'a, T: Real> Over<'a, T> {
@@ -105,53 +127,42 @@ impl<'a, T: Real> Over<'a, T> {
         Self { course, ..self }
     }
 
-    /// Row `j` of the `surface` on a `run` of slices at `x` [m].
-    pub fn row(&self, surface: &Surface, j: usize, run: [usize; 2], x: T) -> RowPoint<T> {
-        let Some(course) = &self.course else {
-            return surface.at(j, run, self.station + x, self.within.slice);
+    /// Row `j` of the `surface` on a `run` of slices at the `place` along the track [m].
+    pub fn row(&self, surface: &Surface, j: usize, run: [usize; 2], place: T) -> OnRow<T> {
+        let point = surface.at(j, run, self.station + place, self.within.slice);
+        let (point, x, rate) = match &self.course {
+            None => (point, place, T::from(1.0)),
+            Some(course) => {
+                let [along, ..] = course.axes;
+                let rate = along[0] + along[1] * point.first[0] + along[2] * point.first[1];
+                let [x, ..] = course.place([place, point.value[0], point.value[1]]);
+                (course.row_point(place, &point), x, rate)
+            }
         };
-        let at = |place: T| surface.at(j, run, self.station + place, self.within.slice);
-        let missing =
-            |place: T, p: &RowPoint<T>| x - course.place([place, p.value[0], p.value[1]])[0];
-        let [along, ..] = course.axes;
-        let mut place = x;
-        let mut p = at(place);
-        for _ in 0..MAX_STEPS_ALONG {
-            let left = missing(place, &p);
-            let rate = along[0] + along[1] * p.first[0] + along[2] * p.first[1];
-            let is_near = left.value().abs() <= NEAR_ALONG;
-            if is_near && !T::HAS_SLOPES {
-                break;
-            }
-            place += left / rate;
-            p = at(place);
-            // The last step leaves derivatives.
-            if is_near {
-                break;
-            }
-        }
-        course.row_point(place, &p)
+        let across = self.across_and_down([point.value[0], point.value[1]]);
+        OnRow { place, x, point, across, rate }
     }
 
-    /// From where to where row `j` of the `surface` on a `run` of slices is within reach [m].
-    pub fn reach(&self, surface: &Surface, j: usize, run: [usize; 2]) -> Option<[T; 2]> {
+    /// From where to where along the track row `j` of the `surface` on a `run` of slices is within
+    /// reach [m].
+    pub fn reach(&self, surface: &Surface, run: [usize; 2]) -> Option<[T; 2]> {
         let ends = surface.reach(run, self.station)?;
-        let Some(course) = &self.course else { return Some(ends) };
-        let [from, to] = ends.map(|end| {
+        if self.course.is_none() {
+            return Some(ends);
+        }
+        let farther = |end: T| {
             if end.value().abs() >= REACH {
                 return T::from(REACH_ALONG.copysign(end.value()));
             }
-            let p = surface.at(j, run, self.station + end, self.within.slice);
-            course.place([end, p.value[0], p.value[1]])[0].within(-REACH_ALONG, REACH_ALONG)
-        });
-        (from <= to).then_some([from, to])
+            end
+        };
+        Some(ends.map(farther))
     }
 
-    /// Height over the track of the place at `x` of a row at (y, z), down positive, as the rows are
-    /// given [m].
-    pub fn height_of(&self, x: T, p: &RowPoint<T>) -> T {
-        let [y, z] = [p.value[0], p.value[1]];
-        self.course.map_or(z, |course| course.on_rail([x, y, z])[2])
+    /// Height over the track of a place of a row, down positive, as the rows are given [m].
+    pub fn height_of(&self, row: &OnRow<T>) -> T {
+        let [y, z] = [row.point.value[0], row.point.value[1]];
+        self.course.map_or(z, |course| course.on_rail([row.x, y, z])[2])
     }
 
     /// The contact line.
@@ -190,54 +201,66 @@ impl<'a, T: Real> Over<'a, T> {
         [self.right, self.down].map(|axis| dot(to, axis))
     }
 
-    /// The same of a place of a row [m].
-    pub fn in_wheel(&self, p: &RowPoint<T>) -> [T; 2] {
-        self.across_and_down([p.value[0], p.value[1]])
-    }
-
-    /// Row `j` at `x`, where nothing touches it.
-    pub fn under_axle(&self, j: usize, p: &RowPoint<T>, x: T) -> Met<T> {
-        let [_, z] = self.in_wheel(p);
-        let down = x.hypot(z) - z;
+    /// Row `j` at a place where nothing touches it.
+    pub fn under_axle(&self, j: usize, row: &OnRow<T>) -> Met<T> {
+        let OnRow { place, x, point, across: [_, z], .. } = *row;
+        let down = (x * x + z * z).sqrt() - z;
         Met {
             row: j,
-            point: [0, 1].map(|i| p.value[i] + down * self.down[i]),
-            direction: [p.value[2], p.value[3]],
+            point: [0, 1].map(|i| point.value[i] + down * self.down[i]),
+            direction: [point.value[2], point.value[3]],
+            place,
             x,
+            gap: Gap { height: f64::INFINITY, share: 1.0, growth: 0.0 },
             ..Met::default()
         }
-    }
-
-    /// The place of the contact line, its point and its normal into the rail at `across`, which is
-    /// opposite to about the parameter `u` [m].
-    pub fn to_across(&self, u: f64, across: T) -> OnLine<T> {
-        let (at, derivative) = self.line.even_with_derivative(u.into());
-        let missing = across - dot(self.seen_from_marker(at.point), self.right);
-        let u = T::from(u) + missing / dot(derivative, self.right);
-        let (at, derivative) = self.line.even_with_derivative(u);
-        let size = derivative[0].hypot(derivative[1]);
-        let [ty, tz] = derivative.map(|d| d / size);
-        OnLine { x: at.x, point: at.point, normal: [T::from(0.0) - tz, ty] }
     }
 
     /// The point of the contact line at the parameter `u`, and what it still has to go so as to be
     /// at `y` across [m].
     pub fn on_line(&self, u: T, y: T) -> (Opposite<T>, T) {
-        let (at, derivative) = self.line.even_with_derivative(u);
-        let to = self.seen_from_marker(at.point);
-        let rate = dot(derivative, self.right);
-        let size = derivative[0].hypot(derivative[1]);
-        let [ty, tz] = derivative.map(|d| d / size);
+        let line = self.line.followed(u);
+        let [across, radius] = self.across_and_down(line.at.point);
+        (self.met_at(u, &line, [T::from(0.0), radius]), y - across)
+    }
+
+    /// The point of the contact line at `y` across, which the same wheel at rest, `fixed`, has near
+    /// the parameter `u`; nothing where the wheel stands upright.
+    pub fn opposite_to(&self, fixed: &Over, u: f64, y: T) -> Option<Opposite<T>> {
+        let found = fixed.opposite(u, y.value())?;
+        if !T::HAS_SLOPES {
+            return Some(found.fixed());
+        }
+        let (_, missing) = self.on_line(found.u.into(), y);
+        let rate = self.line.followed(T::from(found.u)).derivative;
+        Some(self.on_line(T::moving(found.u, missing / dot(rate, self.right)), y).0)
+    }
+
+    /// The point of the `line` at the parameter `u`, of which the `step` is the last one and which
+    /// is `radius` below the axle before that [m].
+    fn met_at(&self, u: T, line: &Followed<T>, [step, radius]: [T; 2]) -> Opposite<T> {
+        let [dy, dz] = line.derivative;
+        let size = (dy * dy + dz * dz).sqrt();
+        let [ty, tz] = [dy / size, dz / size];
+        let turn = line.curvature * size * step;
+        let tangent = [ty + turn * tz, tz - turn * ty];
+        let [right, down] = [self.right, self.down].map(|axis| dot(tangent, axis));
         let zero = T::from(0.0);
-        let advance = if self.leads { self.line.advance(u) } else { zero };
-        let opposite = Opposite {
-            u,
-            x: if self.leads { at.x } else { zero },
-            advance: advance / rate,
-            normal: [-tz, ty],
-            curvature: self.line.curvature(u),
+        let (x, advance) = if self.leads {
+            (line.at.x + line.advance * step, line.advance / (right * size))
+        } else {
+            (zero, zero)
         };
-        (opposite, y - dot(to, self.right))
+        Opposite {
+            u: u + step,
+            x,
+            advance,
+            normal: [zero - tangent[1], tangent[0]],
+            curvature: line.curvature,
+            radius: radius + dot(line.derivative, self.down) * step,
+            lateral: down / right,
+            section: line.section,
+        }
     }
 }
 
@@ -268,26 +291,17 @@ impl Over<'_> {
     pub fn opposite(&self, mut u: f64, y: f64) -> Option<Opposite> {
         let [start, end] = self.line.range();
         for _ in 0..MAX_STEPS {
-            let (at, derivative) = self.line.even_with_derivative(u);
-            let to = self.seen_from_marker(at.point);
-            let rate = dot(derivative, self.right);
+            let line = self.line.followed(u);
+            let [across, radius] = self.across_and_down(line.at.point);
+            let rate = dot(line.derivative, self.right);
             if rate < MIN_RATE {
                 return None;
             }
-            let step = ((y - dot(to, self.right)) / rate).clamp(-CELL, CELL);
+            let step = ((y - across) / rate).clamp(-CELL, CELL);
             let next = (u + step).clamp(start, end);
             let step = next - u;
             if step.abs() < STRAIGHT || next <= start || next >= end {
-                // Over the last step the line is as good as an arc.
-                let curvature = self.line.curvature(u);
-                let size = derivative[0].hypot(derivative[1]);
-                let [ty, tz] = derivative.map(|d| d / size);
-                let turn = -curvature * size * step;
-                let tangent = [ty - turn * tz, tz + turn * ty];
-                let advance = if self.leads { self.line.advance(u) } else { 0.0 };
-                let x = if self.leads { at.x + advance * step } else { 0.0 };
-                let normal = [-tangent[1], tangent[0]];
-                return Some(Opposite { u: next, x, advance: advance / rate, normal, curvature });
+                return Some(self.met_at(u, &line, [step, radius]));
             }
             u = next;
         }

@@ -13,8 +13,9 @@ pub(super) struct WheelTable {
     start: f64,
     /// Parameter of the lowest point of the profile in each cell, and its z [m].
     cells: Vec<[f64; 2]>,
-    /// Greatest z in each cell of all that the wheel turns to the rail [m].
-    lows: Vec<f64>,
+    /// Greatest z over 1, 2, 4 and so on cells of all that the wheel turns to the rail, by their
+    /// first one [m].
+    lows: Vec<Vec<f64>>,
 }
 
 impl WheelTable {
@@ -28,14 +29,21 @@ impl WheelTable {
         let none = [wheel.start(), f64::NEG_INFINITY];
         let mut table = Self { start: least, cells: vec![none; count], lows: Vec::new() };
         table.follow(wheel);
-        table.lows = table.cells.iter().map(|cell| cell[1]).collect();
+        let mut lows: Vec<f64> = table.cells.iter().map(|cell| cell[1]).collect();
         for [a, b] in sides {
             let [left, right] =
                 [a[0].min(b[0]), a[0].max(b[0])].map(|y| ((y - least) / CELL) as usize);
-            for low in &mut table.lows[left..=right] {
+            for low in &mut lows[left..=right] {
                 *low = low.max(a[1]).max(b[1]);
             }
         }
+        let mut width = 1;
+        while 2 * width <= count {
+            let next = lows.iter().zip(&lows[width..]).map(|(a, b)| a.max(*b)).collect();
+            table.lows.push(std::mem::replace(&mut lows, next));
+            width *= 2;
+        }
+        table.lows.push(lows);
         table
     }
 
@@ -64,9 +72,13 @@ impl WheelTable {
     /// Greatest z of the wheel from one place across to another one [m].
     pub fn lowest(&self, [from, to]: [f64; 2]) -> f64 {
         let cell = |y: f64| ((y - self.start) / CELL).max(0.0) as usize;
-        let lows = &self.lows[cell(from).min(self.lows.len())..];
-        let count = (cell(to) + 1).saturating_sub(cell(from)).min(lows.len());
-        lows[..count].iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        let (first, last) = (cell(from), cell(to).min(self.cells.len() - 1));
+        if to < self.start || first > last {
+            return f64::NEG_INFINITY;
+        }
+        let level = (last - first + 1).ilog2() as usize;
+        let lows = &self.lows[level];
+        lows[first].max(lows[last + 1 - (1 << level)])
     }
 }
 

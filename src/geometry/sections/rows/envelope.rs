@@ -17,20 +17,15 @@ const MIN_ARC: f64 = 1e-6;
 /// The outline, and where the wheel meets the rail along it.
 #[derive(Clone, Debug)]
 pub(in crate::geometry) struct Envelope<T = f64> {
-    /// Rows of the outline, their knots, and what belongs to them with its slope.
+    /// Rows of the outline, and their knots.
     kept: FixedVec<Met<T>>,
     knots: FixedVec<Knot<T>>,
-    along: FixedVec<[Along<T>; 2]>,
 }
 
 impl<T: Real> Envelope<T> {
     /// Room for an outline of `count` rows.
     pub fn new(count: usize) -> Self {
-        Self {
-            kept: FixedVec::new(count),
-            knots: FixedVec::new(count),
-            along: FixedVec::new(count),
-        }
+        Self { kept: FixedVec::new(count), knots: FixedVec::new(count) }
     }
 
     /// The knots of the outline.
@@ -45,18 +40,13 @@ impl<T: Real> Envelope<T> {
 
     /// Becomes the outline of the rows that are `met`; false where there is none.
     pub fn lay(&mut self, surface: &Surface, met: &[Met<T>]) -> bool {
-        self.along.clear();
         self.knots.clear();
         self.kept.clear();
         for m in met {
             self.add(surface, m);
         }
         self.turn_along(surface);
-        if self.knots.len() < 2 {
-            return false;
-        }
-        self.slopes();
-        true
+        self.knots.len() >= 2
     }
 
     /// Adds a row behind those that are there.
@@ -64,7 +54,7 @@ impl<T: Real> Envelope<T> {
         let Self { kept, knots, .. } = self;
         let rows = &surface.rows;
         let speed = surface.pattern_speed(m.row);
-        let size = m.direction[0].hypot(m.direction[1]);
+        let size = dot(m.direction, m.direction).sqrt();
         // Where the rows are met in another place they may turn back: what is covered is no part of
         // the outline.
         let mut is_covered = false;
@@ -120,36 +110,32 @@ impl<T: Real> Envelope<T> {
             let rate = if moved.abs() < TREND { moved / apart } else { T::from(0.0) };
             let [a, b] = [kept[k].direction, kept[k].first];
             let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
-            let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
-            let size = direction[0].hypot(direction[1]);
             if dot(direction, a) > 0.0 {
-                knots[k].tangent = direction.map(|d| d * speed / size);
+                let tangent = knots[k].tangent;
+                let stretch = (dot(tangent, tangent) / dot(direction, direction)).sqrt();
+                knots[k].tangent = direction.map(|d| d * stretch);
             }
         }
     }
 
-    /// Slopes by the neighbours, weighted by their distance.
-    fn slopes(&mut self) {
-        let Self { kept, knots, along } = self;
-        let last = knots.len() - 1;
-        for k in 0..=last {
-            let (a, b) = (k.max(1) - 1, (k + 1).min(last));
-            let [before, behind] = [[a, k], [k, b]].map(|[from, to]| {
-                [knots[to].s - knots[from].s, T::from(1.0) / (knots[to].s - knots[from].s)]
-            });
-            let slope = |of: fn(&Along<T>) -> T| {
-                let rise = |from: usize, to: usize| of(&kept[to].along) - of(&kept[from].along);
-                if a == k {
-                    return rise(k, b) * behind[1];
-                }
-                if b == k {
-                    return rise(a, k) * before[1];
-                }
-                let (one, other) = (rise(a, k) * before[1], rise(k, b) * behind[1]);
-                (one * behind[0] + other * before[0]) / (before[0] + behind[0])
-            };
-            along.push([kept[k].along, Along::each(slope)]);
-        }
+    /// Slopes at knot `k` by the neighbours, weighted by their distance.
+    fn slopes(&self, k: usize) -> Along<T> {
+        let Self { kept, knots } = self;
+        let (a, b) = (k.max(1) - 1, (k + 1).min(knots.len() - 1));
+        let [before, behind] = [[a, k], [k, b]].map(|[from, to]| {
+            [knots[to].s - knots[from].s, T::from(1.0) / (knots[to].s - knots[from].s)]
+        });
+        Along::each(|of| {
+            let rise = |from: usize, to: usize| of(&kept[to].along) - of(&kept[from].along);
+            if a == k {
+                return rise(k, b) * behind[1];
+            }
+            if b == k {
+                return rise(a, k) * before[1];
+            }
+            let (one, other) = (rise(a, k) * before[1], rise(k, b) * behind[1]);
+            (one * behind[0] + other * before[0]) / (before[0] + behind[0])
+        })
     }
 
     /// Point and derivatives of the outline at parameter `s` [m], as of a curve through its knots.
@@ -189,16 +175,16 @@ impl<T: Real> Envelope<T> {
 
     /// Where the wheel meets the rail at parameter `s` of the outline.
     pub fn along(&self, s: T) -> Along<T> {
-        let n = self.along.len();
+        let n = self.knots.len();
         if n < 2 {
             return Along::default();
         }
         let i = self.knots.partition_point(|k| k.s <= s).clamp(1, n - 1) - 1;
-        let [from, to] = [&self.along[i], &self.along[i + 1]];
         let h = self.knots[i + 1].s - self.knots[i].s;
         let t = ((s - self.knots[i].s) / h).within(0.0, 1.0);
+        let [from, to] = [i, i + 1].map(|k| (&self.kept[k].along, self.slopes(k)));
         Along::each(|of| {
-            let [(a, m), (b, q)] = [from, to].map(|[value, slope]| (of(value), h * of(slope)));
+            let [(a, m), (b, q)] = [&from, &to].map(|(value, slope)| (of(value), h * of(slope)));
             let bend = (b - a) * 3.0 - m * 2.0 - q + t * (m + q - (b - a) * 2.0);
             a + t * (m + t * bend)
         })

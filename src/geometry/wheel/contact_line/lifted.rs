@@ -1,6 +1,7 @@
 //! The contact line where wheel and rail are not even along the track.
 
-use super::{ContactLine, LinePoint};
+use super::{ContactLine, LinePoint, OnCircle};
+use crate::geometry::curves::curve::CurvePoint;
 use crate::geometry::uneven::longitudinal::Longitudinal;
 use crate::math::real::Real;
 
@@ -44,7 +45,12 @@ impl<'a, T: Real> ContactLine<'a, T> {
         if self.follows_rim(&p) {
             return self.rim(s, &p, &on).advance();
         }
-        let turning = self.turning(&p, &on);
+        self.advance_at(&p, &on)
+    }
+
+    /// The same where the profile point `p` is on no rim.
+    pub(super) fn advance_at(&self, p: &CurvePoint<T>, on: &OnCircle<T>) -> T {
+        let turning = self.turning(p, on);
         p.first[0] * self.axle[0] + self.cosine * (p.first[1] * on.sine + on.radius * turning)
     }
 }

@@ -88,35 +88,41 @@ impl<T: Real> ContactLine<'_, T> {
     pub fn round_below(&self, x: T, y: T, mut s: f64) -> Option<Below<T>> {
         let (sine, cosine) = (-self.axle[0], self.cosine);
         let (axial, forward) = (y * cosine - x * sine, x * cosine + y * sine);
-        let mut is_found = false;
+        let mut found = None;
         for _ in 0..MAX_STEPS {
             let p = self.profile.at(s);
             let step = (axial.value() - p.point[0]) / p.first[0];
-            s += step;
             // Not a number where the profile stands upright.
-            if !(s > self.profile.start() && s < self.profile.end()) {
+            if !(s + step > self.profile.start() && s + step < self.profile.end()) {
                 return None;
             }
-            is_found = step.abs() <= LAST_STEP;
-            if is_found {
+            if step.abs() <= LAST_STEP {
+                found = Some(self.profile.at(T::from(s)));
                 break;
             }
+            s += step;
         }
-        let p = self.profile.at(T::from(s));
-        let s = T::from(s) + (axial - p.point[0]) / p.first[0];
-        let p = self.profile.at(s);
-        let radius = p.point[1] + self.nominal_radius;
-        let slope = p.first[1] / p.first[0];
+        let p = found?;
+        // What is left is of the order of the last step's cube.
+        let step = (axial - p.point[0]) / p.first[0];
+        let step = step - step * step * p.second[0] / (p.first[0] * 2.0);
+        let [first_y, first_z] = [0, 1].map(|i| p.first[i] + p.second[i] * step);
+        let rise = step * (p.first[1] + p.second[1] * step * 0.5);
+        let radius = p.point[1] + rise + self.nominal_radius;
+        let slope = first_z / first_y;
         let depth = (radius * radius - forward * forward).at_least(0.0).sqrt();
         let facing = depth / (radius * (slope * slope + 1.0).sqrt());
-        if !(is_found && p.first[0].value() > 0.0 && facing.value() > MIN_COSINE) {
+        if !(first_y.value() > 0.0 && facing.value() > MIN_COSINE) {
             return None;
         }
         let turning = radius * slope;
         let by_x = -(turning * sine + forward * cosine) / depth;
         let by_y = (turning * cosine - forward * sine) / depth;
         let bend = (slope * slope * sine * sine - cosine * cosine - by_x * by_x) / depth;
-        Some(Below { depth, slopes: [by_x, by_y], bend })
+        // R'' of the profile as a function of v.
+        let bent = (p.second[1] - slope * p.second[0]) / (first_y * first_y);
+        let across = radius * bent * sine * sine / depth;
+        Some(Below { depth, slopes: [by_x, by_y], bend, across })
     }
 }
 
