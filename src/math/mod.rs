@@ -5,6 +5,7 @@ mod by_slopes;
 pub(crate) mod dual;
 pub mod elliptic;
 pub(crate) mod fixed_vec;
+pub(crate) mod hypotenuse;
 pub(crate) mod linear_system;
 pub(crate) mod logarithm;
 pub mod quadrature;

@@ -7,6 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_traits::{One, Zero};
 
 use super::dual::Dual;
+use super::hypotenuse::hypotenuse;
 use super::logarithm;
 
 /// Number of a constant that derivatives can be taken by, from 1.
@@ -26,7 +27,7 @@ pub trait Function<const K: usize, const M: usize> {
 /// ([`Taped`](super::tape::Taped)).
 ///
 /// Comparisons look at the value alone: where a formula has branches, derivatives are those of the
-/// branch that the value takes. For `f64` every method is the one of the standard library.
+/// branch that the value takes. For `f64` methods are those of the standard library where nothing else is said.
 pub trait Real:
     Copy
     + Debug
@@ -203,9 +204,9 @@ pub trait Real:
     #[must_use]
     fn atan2(self, x: Self) -> Self;
 
-    /// sqrt(self² + other²).
+    /// sqrt(self² + other²); of plain numbers that of [`hypotenuse`], not of the C library.
     #[must_use]
-    fn hypot(self, other: Self) -> Self;
+    fn hypotenuse(self, other: Self) -> Self;
 
     /// Magnitude.
     #[must_use]
@@ -309,8 +310,8 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn hypot(self, other: Self) -> Self {
-        self.hypot(other)
+    fn hypotenuse(self, other: Self) -> Self {
+        hypotenuse(self, other)
     }
 
     #[inline]

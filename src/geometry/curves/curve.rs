@@ -42,7 +42,7 @@ impl<T: Real> CurvePoint<T> {
     /// as a rail head does seen along growing y [1/m].
     #[must_use]
     pub fn curvature(&self) -> T {
-        let speed = self.first[0].hypot(self.first[1]);
+        let speed = self.first[0].hypotenuse(self.first[1]);
         (self.first[0] * self.second[1] - self.first[1] * self.second[0]) / speed.powi(3)
     }
 }
@@ -191,7 +191,7 @@ impl Curve {
     #[must_use]
     pub fn normal(&self, s: f64, side: f64) -> [f64; 2] {
         let [y, z] = self.at(s).first;
-        let scale = side / y.hypot(z);
+        let scale = side / y.hypotenuse(z);
         [-z * scale, y * scale]
     }
 

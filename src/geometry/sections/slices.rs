@@ -323,7 +323,8 @@ fn breaks(rows: &Rows, part: usize, values: &[([usize; 2], Vec<RowValue>)]) -> V
             let apart = rows.places[first + i + 1] - rows.places[first + i];
             let [a, b] = [pair[0], pair[1]];
             all[first + i] += 1;
-            steep[first + i] += usize::from((b[0] - a[0]).hypot(b[1] - a[1]) > STEEPEST * apart);
+            steep[first + i] +=
+                usize::from((b[0] - a[0]).hypotenuse(b[1] - a[1]) > STEEPEST * apart);
         }
     }
     (all.iter().zip(&steep)).map(|(all, steep)| *steep as f64 > STEEP_SHARE * *all as f64).collect()
@@ -358,7 +359,7 @@ fn turn_direction(value: &mut RowValue) {
 /// Length of the arc between two points with the directions of their tangents: that of a circle, to
 /// the fourth order of their distance [m].
 pub(in crate::geometry) fn arc<T: Real>(a: [T; 2], from: [T; 2], b: [T; 2], to: [T; 2]) -> T {
-    let chord = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let chord = (b[0] - a[0]).hypotenuse(b[1] - a[1]);
     let sizes = (from[0] * from[0] + from[1] * from[1]) * (to[0] * to[0] + to[1] * to[1]);
     let turn = from[0] * to[1] - from[1] * to[0];
     chord * (turn * turn / (sizes * 24.0) + 1.0)

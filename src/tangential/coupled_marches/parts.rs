@@ -136,7 +136,7 @@ impl<T: Real> Part<T> {
         }
         let [mut lacks_x, mut lacks_y, moment] = self.lacks;
         let whole = [x + lacks_x, y + lacks_y];
-        let magnitude = whole[0].hypot(whole[1]);
+        let magnitude = whole[0].hypotenuse(whole[1]);
         if magnitude > limit {
             let ratio = limit / magnitude;
             (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);

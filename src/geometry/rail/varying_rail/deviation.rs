@@ -46,7 +46,7 @@ impl<T: Real> Deviation<T> {
     /// line there.
     fn of_surface(below: &Below<T>, [away, radius, lateral]: [T; 3], wheel: &Opposite<T>) -> Self {
         let [by_x, by_y] = below.slopes;
-        let distance = away.hypot(below.depth);
+        let distance = away.hypotenuse(below.depth);
         let along = (away + below.depth * by_x) / distance;
         let across = (below.depth * by_y - away * wheel.advance) / distance;
         let steep = by_x * by_x + 1.0;

@@ -198,7 +198,7 @@ impl<'a, T: Real> Over<'a, T> {
     /// Row `j` at `x`, where nothing touches it.
     pub fn under_axle(&self, j: usize, p: &RowPoint<T>, x: T) -> Met<T> {
         let [_, z] = self.in_wheel(p);
-        let down = x.hypot(z) - z;
+        let down = x.hypotenuse(z) - z;
         Met {
             row: j,
             point: [0, 1].map(|i| p.value[i] + down * self.down[i]),
@@ -215,7 +215,7 @@ impl<'a, T: Real> Over<'a, T> {
         let missing = across - dot(self.seen_from_marker(at.point), self.right);
         let u = T::from(u) + missing / dot(derivative, self.right);
         let (at, derivative) = self.line.even_with_derivative(u);
-        let size = derivative[0].hypot(derivative[1]);
+        let size = derivative[0].hypotenuse(derivative[1]);
         let [ty, tz] = derivative.map(|d| d / size);
         OnLine { x: at.x, point: at.point, normal: [T::from(0.0) - tz, ty] }
     }
@@ -226,7 +226,7 @@ impl<'a, T: Real> Over<'a, T> {
         let (at, derivative) = self.line.even_with_derivative(u);
         let to = self.seen_from_marker(at.point);
         let rate = dot(derivative, self.right);
-        let size = derivative[0].hypot(derivative[1]);
+        let size = derivative[0].hypotenuse(derivative[1]);
         let [ty, tz] = derivative.map(|d| d / size);
         let zero = T::from(0.0);
         let advance = if self.leads { self.line.advance(u) } else { zero };
@@ -280,7 +280,7 @@ impl Over<'_> {
             if step.abs() < STRAIGHT || next <= start || next >= end {
                 // Over the last step the line is as good as an arc.
                 let curvature = self.line.curvature(u);
-                let size = derivative[0].hypot(derivative[1]);
+                let size = derivative[0].hypotenuse(derivative[1]);
                 let [ty, tz] = derivative.map(|d| d / size);
                 let turn = -curvature * size * step;
                 let tangent = [ty - turn * tz, tz + turn * ty];

@@ -52,7 +52,7 @@ impl<T: Real> State<T> {
         let across = [p.value[2], p.value[3]];
         let [_, z] = over.in_wheel(p);
         let away = x - wheel.x;
-        let radius = away.hypot(z);
+        let radius = away.hypotenuse(z);
         let (sine, cosine) = (away / radius, z / radius);
         let down = radius - z - deviation.raised;
         // D along a direction of the surface: by its height, and by the place of the contact line.
@@ -301,7 +301,7 @@ impl Touch<'_> {
             let p = over.row(self.surface, j, run, x);
             let [_, z] = over.in_wheel(&p);
             let raised = over.deviation(x, [across, z], opposite).raised;
-            let down = (x - centre).hypot(z) - z - raised;
+            let down = (x - centre).hypotenuse(z) - z - raised;
             [0, 1].iter().map(|&i| normal[i] * (p.value[i] + down * over.down[i])).sum()
         };
         // Bottom by the parabola through three samples, how far below it may be, and the sample.

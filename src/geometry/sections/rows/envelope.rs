@@ -64,7 +64,7 @@ impl<T: Real> Envelope<T> {
         let Self { kept, knots, .. } = self;
         let rows = &surface.rows;
         let speed = surface.pattern_speed(m.row);
-        let size = m.direction[0].hypot(m.direction[1]);
+        let size = m.direction[0].hypotenuse(m.direction[1]);
         // Where the rows are met in another place they may turn back: what is covered is no part of
         // the outline.
         let mut is_covered = false;
@@ -120,8 +120,8 @@ impl<T: Real> Envelope<T> {
             let rate = if moved.abs() < TREND { moved / apart } else { T::from(0.0) };
             let [a, b] = [kept[k].direction, kept[k].first];
             let direction = [a[0] + rate * b[0], a[1] + rate * b[1]];
-            let speed = knots[k].tangent[0].hypot(knots[k].tangent[1]);
-            let size = direction[0].hypot(direction[1]);
+            let speed = knots[k].tangent[0].hypotenuse(knots[k].tangent[1]);
+            let size = direction[0].hypotenuse(direction[1]);
             if dot(direction, a) > 0.0 {
                 knots[k].tangent = direction.map(|d| d * speed / size);
             }
