@@ -46,7 +46,17 @@ fn slot<'a>(parameters: &'a mut Parameters, name: &str) -> (&'a mut f64, f64) {
 }
 
 /// Compares all of them at a pose; returns the names of those that have an effect.
-pub fn compare(name: &str, parameters: &Parameters, input: &Input) -> Vec<&'static str> {
+fn compare(name: &str, parameters: &Parameters, input: &Input) -> Vec<&'static str> {
+    compare_to(tolerance::BACKWARDS_DIFFERENCES, name, parameters, input)
+}
+
+/// The same to a `tolerance`.
+pub fn compare_to(
+    tolerance: f64,
+    name: &str,
+    parameters: &Parameters,
+    input: &Input,
+) -> Vec<&'static str> {
     let mut own = element(parameters);
     let about = evaluate(&mut own, input);
     assert!(about.patch_count > 0, "{name}");
@@ -78,7 +88,7 @@ pub fn compare(name: &str, parameters: &Parameters, input: &Input) -> Vec<&'stat
             effective.push(other);
         }
     }
-    assert!(worst < tolerance::BACKWARDS_DIFFERENCES, "{name}: {worst:e}");
+    assert!(worst < tolerance, "{name}: {worst:e}");
     effective
 }
 
