@@ -12,13 +12,15 @@ const BEFORE_CONSTANTS: u32 = BEFORE_INPUTS + INPUTS;
 pub const CONTACT_MODULUS: Leaf = Leaf(BEFORE_CONSTANTS);
 /// Its shear modulus.
 pub const SHEAR_MODULUS: Leaf = Leaf(BEFORE_CONSTANTS + 1);
+/// Its Poisson's ratio.
+pub const POISSON_RATIO: Leaf = Leaf(BEFORE_CONSTANTS + 2);
 /// Contact damping.
-pub const DAMPING: Leaf = Leaf(BEFORE_CONSTANTS + 2);
+pub const DAMPING: Leaf = Leaf(BEFORE_CONSTANTS + 3);
 /// Virtual over true penetration.
-pub const VIRTUAL_PENETRATION: Leaf = Leaf(BEFORE_CONSTANTS + 3);
+pub const VIRTUAL_PENETRATION: Leaf = Leaf(BEFORE_CONSTANTS + 4);
 /// Floor of the speed of reference.
-pub const MINIMUM_SPEED: Leaf = Leaf(BEFORE_CONSTANTS + 4);
-const BEFORE_LAWS: u32 = BEFORE_CONSTANTS + 5;
+pub const MINIMUM_SPEED: Leaf = Leaf(BEFORE_CONSTANTS + 5);
+const BEFORE_LAWS: u32 = BEFORE_CONSTANTS + 6;
 /// Numbers of a law of friction.
 pub const LAW_NUMBERS: u32 = 5;
 const BEFORE_RAILS: u32 = BEFORE_LAWS + 2 * LAW_NUMBERS;

@@ -1,6 +1,6 @@
 //! Elastic constants of one body and of a pair of bodies in contact.
 
-use crate::leaves::SHEAR_MODULUS;
+use crate::leaves::{POISSON_RATIO, SHEAR_MODULUS};
 use crate::math::real::Real;
 
 /// An isotropic elastic material.
@@ -28,7 +28,7 @@ pub struct MaterialPair<T = f64> {
     /// Shear modulus G, 2/G = 1/G₁ + 1/G₂ [Pa].
     pub shear_modulus: T,
     /// Poisson's ratio ν, 2 ν/G = ν₁/G₁ + ν₂/G₂ [-].
-    pub poisson_ratio: f64,
+    pub poisson_ratio: T,
 }
 
 impl MaterialPair {
@@ -39,7 +39,7 @@ impl MaterialPair {
         MaterialPair {
             contact_modulus,
             shear_modulus: T::known(shear_modulus, SHEAR_MODULUS),
-            poisson_ratio,
+            poisson_ratio: T::known(poisson_ratio, POISSON_RATIO),
         }
     }
 

@@ -13,6 +13,7 @@
 use super::grid::Grid;
 use super::influence::TangentialInfluence;
 use super::received::{Received, TractionRows};
+use crate::math::real::Real;
 
 /// Tractions on the wheel and slip of the wheel against the rail on all elements of a grid.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,7 +76,7 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
         for (k, p) in start.iter().enumerate().filter(|&(k, _)| bound[k] > 0.0) {
             let at = k / grid.along * stride + k % grid.along;
             [rows.x[at], rows.y[at]] = *p;
-            sticks[at] = p[0].hypot(p[1]) < STICKING * bound[k];
+            sticks[at] = p[0].hypotenuse(p[1]) < STICKING * bound[k];
         }
     }
     let mut received = Received::new(influence, &rows);
@@ -175,11 +176,11 @@ fn slips(
             let (k, at) = (j * grid.along + i, j * rows.stride + i);
             let own = received.at(i, j, rows);
             let s = [rigid[k][0] + own[0], rigid[k][1] + own[1]];
-            let opposite = if sticks[at] { 0.0 } else { s[0].hypot(s[1]) / bound[k] };
+            let opposite = if sticks[at] { 0.0 } else { s[0].hypotenuse(s[1]) / bound[k] };
             let left = [s[0] + opposite * rows.x[at], s[1] + opposite * rows.y[at]];
             slip[k] = s;
-            contradiction = contradiction.max(left[0].hypot(left[1]));
-            largest = largest.max(rigid[k][0].hypot(rigid[k][1]));
+            contradiction = contradiction.max(left[0].hypotenuse(left[1]));
+            largest = largest.max(rigid[k][0].hypotenuse(rigid[k][1]));
         }
     }
     (slip, if largest > 0.0 { contradiction / largest } else { 0.0 })
@@ -209,7 +210,7 @@ fn carried_influence(influence: &TangentialInfluence, along: usize) -> Vec<[f64;
 fn at_the_bound(p: [f64; 2], s: [f64; 2], stiffness: [f64; 2], g: f64) -> [f64; 2] {
     // (D + λ) p_new = D p - s with λ ≥ 0 such that |p_new| = g; 1/|p_new| is almost linear in λ.
     let pull = [stiffness[0] * p[0] - s[0], stiffness[1] * p[1] - s[1]];
-    let mut lambda = (pull[0].hypot(pull[1]) / g - stiffness[0].max(stiffness[1])).max(0.0);
+    let mut lambda = (pull[0].hypotenuse(pull[1]) / g - stiffness[0].max(stiffness[1])).max(0.0);
     let mut new = [0.0; 2];
     let mut size = 0.0;
     for _ in 0..20 {
@@ -273,7 +274,7 @@ mod tests {
     fn the_traction_at_the_bound_is_opposite_to_the_slip_it_leaves() {
         let (p, s, stiffness, g) = ([0.3, 0.1], [2.0, -1.0], [1.5, 1.1], 0.4);
         let new = at_the_bound(p, s, stiffness, g);
-        assert_relative_eq!(new[0].hypot(new[1]), g, max_relative = 1e-12);
+        assert_relative_eq!(new[0].hypotenuse(new[1]), g, max_relative = 1e-12);
         let left = [0, 1].map(|c| s[c] + stiffness[c] * (new[c] - p[c]));
         assert_relative_eq!(left[0] * new[1], left[1] * new[0], epsilon = 1e-9);
         assert!(left[0] * new[0] + left[1] * new[1] < 0.0);

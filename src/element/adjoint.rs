@@ -69,14 +69,12 @@ impl Element {
     ) -> Result<(), ContactError> {
         let input = self.admitted(input)?;
         self.check_models()?;
-        let by_ratio =
-            if self.wanted.has_one_ratio() { 0.0 } else { self.slope_by_ratio(&input, weights) };
         let mirrored = self.side == Side::Left;
         let weights = if mirrored { weights.mirrored() } else { *weights };
         let mut memory = self.backwards.take().unwrap_or_else(|| self.adjoint_memory());
         let found = self.carried_at(&input).and_then(|at| {
             let back = self.go_back(&at, &weights, &mut memory)?;
-            self.look_back(&back, by_ratio, &mut memory, gradient)
+            self.look_back(&back, &mut memory, gradient)
         });
         self.backwards = Some(memory);
         found.map_err(at_this_input)?;
@@ -91,7 +89,6 @@ impl Element {
     fn look_back(
         &self,
         back: &Back,
-        by_ratio: f64,
         memory: &mut AdjointMemory,
         gradient: &mut Gradient,
     ) -> Result<(), Kink> {
@@ -116,7 +113,7 @@ impl Element {
                 }
             }
         }
-        self.fill(back, by_ratio, |leaf| tape.slope_of(leaf), (wheel, rails), gradient)
+        self.fill(back, |leaf| tape.slope_of(leaf), (wheel, rails), gradient)
     }
 
     fn adjoint_memory(&self) -> Box<AdjointMemory> {

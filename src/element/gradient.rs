@@ -1,7 +1,6 @@
 //! Derivatives of a number by inputs, parameters and profiles.
 
 use super::input::{INPUTS, Input};
-use super::output::Output;
 use super::parameters::{Parameters, RAILS, Side, VerticalMode};
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
@@ -51,11 +50,16 @@ pub struct ParameterSlopes {
     pub wheel_young_modulus: f64,
     /// By that of the rails.
     pub rail_young_modulus: f64,
+    /// By Poisson's ratio of the wheel.
+    pub wheel_poisson_ratio: f64,
+    /// By that of the rails.
+    pub rail_poisson_ratio: f64,
     /// By the track gauge, where it says where rails stand.
     pub gauge: f64,
-    /// By the depth at which it is measured.
+    /// By the depth at which it is measured; NaN where there is none, as for the inclination.
     pub gauge_depth: f64,
-    /// By the inclination of each rail.
+    /// By the inclination of each rail; NaN, as there is none, for rollers and rails whose section
+    /// varies along the track.
     pub inclination: [f64; RAILS],
     /// By the position (y, z) of each rail that is placed by it.
     pub position: [[f64; 2]; RAILS],
@@ -90,14 +94,16 @@ pub struct LawSlopes {
 }
 
 impl ParameterSlopes {
-    /// All of them, each with the FMI name of its parameter.
+    /// All of them, each with the FMI name of its parameter; NaN where there is none.
     #[must_use]
-    pub fn named(&self) -> [(&'static str, f64); 26] {
+    pub fn named(&self) -> [(&'static str, f64); 28] {
         let [tread, face] = [&self.friction_law, &self.gauge_face_law];
         [
             ("wheel.nominal_radius", self.nominal_radius),
             ("wheel.young_modulus", self.wheel_young_modulus),
             ("rail.young_modulus", self.rail_young_modulus),
+            ("wheel.poisson_ratio", self.wheel_poisson_ratio),
+            ("rail.poisson_ratio", self.rail_poisson_ratio),
             ("track.gauge", self.gauge),
             ("track.gauge_depth", self.gauge_depth),
             ("rail[1].inclination", self.inclination[0]),
@@ -171,35 +177,11 @@ impl Element {
         if rolls { by_rate } else { 0.0 }
     }
 
-    /// What the sum of outputs with these `weights` is by Poisson's ratio of the pair, with its moduli
-    /// as they are, at an `input` that was admitted: the only number that enters by tables. By central
-    /// differences.
-    pub(super) fn slope_by_ratio(&mut self, input: &Input, weights: &Output) -> f64 {
-        /// Half of the way, at which rounding and curvature leave 1e-8.
-        const STEP: f64 = 1e-4;
-        let own = self.models.material.poisson_ratio;
-        let (work, fallbacks, sunk) = (self.work, self.fallbacks, self.sunk);
-        let mut summed = |ratio: f64| {
-            self.models.material.poisson_ratio = ratio;
-            // Kept from another ratio.
-            (self.rested, self.expected, self.carried) = (None, None, None);
-            let mut output = Output::default();
-            // It was admitted.
-            self.evaluate(input, &mut output).map_or(0.0, |()| output.sum_of(weights))
-        };
-        let slope = (summed(own + STEP) - summed(own - STEP)) / (2.0 * STEP);
-        self.models.material.poisson_ratio = own;
-        (self.rested, self.expected, self.carried) = (None, None, None);
-        (self.work, self.fallbacks, self.sunk) = (work, fallbacks, sunk);
-        slope
-    }
-
     /// Brings derivatives by inputs, constants, the knots of the `wheel` and of the placed `rails`
     /// to those by inputs, parameters and points of a right wheel.
     pub(super) fn fill(
         &self,
         back: &Back,
-        by_ratio: f64,
         by_leaf: impl Fn(Leaf) -> f64,
         (wheel, rails): (&mut KnotSlopes, &mut [KnotSlopes; RAILS]),
         gradient: &mut Gradient,
@@ -219,11 +201,13 @@ impl Element {
         let by_pair = [
             by_leaf(leaves::CONTACT_MODULUS) / pair.contact_modulus,
             by_leaf(leaves::SHEAR_MODULUS),
-            by_ratio,
+            by_leaf(leaves::POISSON_RATIO),
         ];
         let mut found = ParameterSlopes {
             wheel_young_modulus: self.wanted.by_modulus(self.wanted.wheel, pair, by_pair),
             rail_young_modulus: self.wanted.by_modulus(self.wanted.rail, pair, by_pair),
+            wheel_poisson_ratio: self.wanted.by_ratio(self.wanted.wheel, pair, by_pair),
+            rail_poisson_ratio: self.wanted.by_ratio(self.wanted.rail, pair, by_pair),
             foundation_stiffness: back.by_stiffness,
             virtual_penetration: by_leaf(leaves::VIRTUAL_PENETRATION),
             // A given load is that of a wheel at rest.
@@ -272,17 +256,22 @@ impl Element {
         if !all.sum::<f64>().is_finite() {
             return Err("a force grows without bound there");
         }
+        for (contact, inclination) in self.rails.iter().zip(&mut found.inclination) {
+            let Some(contact) = contact.as_ref().filter(|c| c.rail.variation().is_some()) else {
+                continue;
+            };
+            // Rows that vary do not go back to the profiles that they were laid through.
+            *inclination = f64::NAN;
+            if contact.rail.is_placed_by_gauge() {
+                found.gauge_depth = f64::NAN;
+            }
+        }
         (gradient.input, gradient.parameters) = (by_input, found);
         Ok(())
     }
 }
 
 impl Wanted {
-    /// Whether both bodies have the same Poisson's ratio, which then stays that of the pair.
-    pub fn has_one_ratio(&self) -> bool {
-        self.wheel.poisson_ratio.to_bits() == self.rail.poisson_ratio.to_bits()
-    }
-
     /// Derivative by Young's modulus of `body` from those by contact modulus, shear modulus and
     /// Poisson's ratio of the `pair`.
     fn by_modulus(&self, body: Material, pair: &MaterialPair, by: [f64; 3]) -> f64 {
@@ -295,5 +284,15 @@ impl Wanted {
         by[0] * pair.contact_modulus * pair.contact_modulus * plane
             - by[1] * pair.shear_modulus / both * rate
             + by[2] * (body.poisson_ratio - pair.poisson_ratio) / both * rate
+    }
+
+    /// Derivative by Poisson's ratio of `body` from the same.
+    fn by_ratio(&self, body: Material, pair: &MaterialPair, by: [f64; 3]) -> f64 {
+        let compliance = 1.0 / body.shear_modulus();
+        let both = 1.0 / self.wheel.shear_modulus() + 1.0 / self.rail.shear_modulus();
+        let rate = 2.0 / body.young_modulus;
+        by[0] * pair.contact_modulus * pair.contact_modulus * body.poisson_ratio * rate
+            - by[1] * pair.shear_modulus / both * rate
+            + by[2] * (compliance + (body.poisson_ratio - pair.poisson_ratio) * rate) / both
     }
 }

@@ -25,6 +25,7 @@ use super::parameters::{FoundationModel, Side};
 use super::quasi_static_rails::solve;
 use super::wheel_on_rails::Element;
 use crate::error::ContactError;
+use crate::math::real::Real;
 
 /// γ of the method, 1 - 1/√2: the smaller one of the two with which it is L-stable.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
@@ -171,7 +172,7 @@ impl Element {
         let state = TrackState {
             deflection: end.place,
             velocity: end.velocity,
-            step_error: error[0].hypot(error[1]),
+            step_error: error[0].hypotenuse(error[1]),
         };
         let all = end.place.iter().chain(&end.velocity);
         all.into_iter().all(|x| x.is_finite()).then_some(state)

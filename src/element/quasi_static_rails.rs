@@ -25,6 +25,7 @@ use super::parameters::VerticalMode;
 use super::parameters::foundation::TrackState;
 use super::rail::moving_contact::Kink;
 use super::wheel_on_rails::Element;
+use crate::math::real::Real;
 use crate::math::root::outward;
 
 /// Steps of Newton's method after which the equilibrium counts as missed.
@@ -367,7 +368,7 @@ fn corrected(matrix: [[f64; 2]; 2], rest: [f64; 2], step: [f64; 2]) -> [[f64; 2]
 }
 
 fn length([y, z]: [f64; 2]) -> f64 {
-    y.hypot(z)
+    y.hypotenuse(z)
 }
 
 /// Solution of two equations, if there is one.

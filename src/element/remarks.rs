@@ -10,6 +10,7 @@ use super::vertical_load::is_carried;
 use super::wheel_on_rails::Element;
 use crate::geometry::profiles::profile::Profile;
 use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::math::real::Real;
 use crate::normal::NormalModel;
 
 /// Slip from which on a wheel counts as sliding, far beyond where creep forces are full and what a
@@ -221,7 +222,7 @@ fn name_of_distribution(distribution: FrictionDistribution) -> &'static str {
 }
 
 fn is_near(end: [f64; 2], at: [f64; 2], width: f64) -> bool {
-    (end[0] - at[0]).hypot(end[1] - at[1]) < reach(width)
+    (end[0] - at[0]).hypotenuse(end[1] - at[1]) < reach(width)
 }
 
 /// Distance of the end of a profile below which it cuts off a patch of that width [m].

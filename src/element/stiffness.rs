@@ -7,6 +7,7 @@ use super::output::Wrench;
 use super::parameters::{Side, VerticalMode};
 use super::{Element, Input, Output};
 use crate::error::ContactError;
+use crate::math::real::Real;
 
 /// Changes of the force of one wheel with its motion as a part of a wheelset, signs turned: all are
 /// positive as a rule.
@@ -126,7 +127,7 @@ impl Element {
         motions: &Motions,
         rates: &mut [Wrench; MOTIONS],
     ) -> Result<(), ContactError> {
-        let sliding = CREEPAGE_STEP * input.wheel.velocity[0].hypot(self.models.minimum_speed);
+        let sliding = CREEPAGE_STEP * input.wheel.velocity[0].hypotenuse(self.models.minimum_speed);
         let turning = sliding / motions.arm.norm();
         let steps = [HEIGHT_STEP, VELOCITY_STEP, sliding, turning, turning];
         let at = input.to_array();

@@ -36,7 +36,8 @@ impl<S: Subject> Default for BySubject<S> {
 
 impl<S: Subject> BySubject<S> {
     /// The derivative by the parameter with the FMI name `name`, where sweeps know of it: of the
-    /// element whose prefix it has, or of all that have it in common.
+    /// element whose prefix it has, or of all that have it in common. Nothing where one of them has
+    /// none.
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<f64> {
         let of = |sweep: &Sweep, name: &str| {
@@ -50,7 +51,8 @@ impl<S: Subject> BySubject<S> {
             (!prefix.is_empty()).then(|| of(sweep, name))
         });
         let all = || self.sweeps.iter().map(|sweep| of(sweep, name)).sum::<Option<f64>>();
-        own.unwrap_or_else(all).filter(|_| !self.sweeps.is_empty())
+        let found = own.unwrap_or_else(all);
+        found.filter(|slope| !self.sweeps.is_empty() && !slope.is_nan())
     }
 }
 

@@ -25,6 +25,7 @@ use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, Remedi
 use crate::io::point_lines::{PointLines, comment_of, parted};
 use crate::io::stated::Stated;
 use crate::io::table::{Line, lines, number, numbers};
+use crate::math::real::Real;
 
 const REMEDIES: Remedies = Remedies {
     units: "write Units=mm or Units=inch into the header",
@@ -196,7 +197,7 @@ fn unit_from_extent(points: &[FilePoint]) -> f64 {
         let values = points.iter().map(|p| p.point[i]);
         values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
     };
-    if extent(0).hypot(extent(1)) < WIDEST_IN_INCHES { INCH } else { MM }
+    if extent(0).hypotenuse(extent(1)) < WIDEST_IN_INCHES { INCH } else { MM }
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ use crate::geometry::profiles::profile::{ProfileError, ProfileKind};
 use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, Remedies};
 use crate::io::point_lines::PointLines;
 use crate::io::table::{Line, lines, number};
+use crate::math::real::Real;
 
 const REMEDIES: Remedies = Remedies {
     units: "set units.len.f to the number of units in a metre, 1000 for millimetres",
@@ -207,7 +208,8 @@ impl Entries {
             .into_iter()
             .filter(|p| {
                 let [y, z] = p.point;
-                let far = kept.is_none_or(|k| (y - k[0]).hypot(z - k[1]) >= self.point_distance);
+                let far =
+                    kept.is_none_or(|k| (y - k[0]).hypotenuse(z - k[1]) >= self.point_distance);
                 if far {
                     kept = Some(p.point);
                 }

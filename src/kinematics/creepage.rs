@@ -127,7 +127,7 @@ impl<T: Real> ContactAxes<T> {
         if tangent == 0.0 {
             return self;
         }
-        let size = T::from(1.0) / tangent.hypot(1.0.into());
+        let size = T::from(1.0) / tangent.hypotenuse(1.0.into());
         Self {
             longitudinal: (self.longitudinal - self.normal * tangent) * size,
             normal: (self.normal + self.longitudinal * tangent) * size,

@@ -60,8 +60,8 @@ macro_rules! functions_by_slopes {
         }
 
         #[inline]
-        fn hypot(self, other: Self) -> Self {
-            let length = self.value.hypot(other.value);
+        fn hypotenuse(self, other: Self) -> Self {
+            let length = self.value.hypotenuse(other.value);
             if length == 0.0 {
                 return Self::from(0.0);
             }

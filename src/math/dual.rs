@@ -126,7 +126,7 @@ mod tests {
     fn all<T: Real>(x: T, y: T) -> T {
         let (sine, cosine) = (x * y).sin_cos();
         let mut sum = (x + y).sqrt() + (x - y).powi(3) / (y * 2.0 + 1.0) - x.ln() * sine;
-        sum += (x / y).exp() * cosine + (x * 0.3).asin() + y.atan2(x) * 0.5 - x.hypot(y);
+        sum += (x / y).exp() * cosine + (x * 0.3).asin() + y.atan2(x) * 0.5 - x.hypotenuse(y);
         sum -= (y - x).abs() * x.normal_ln() / 3.0 + (-x).copysign(1.0);
         sum *= x.max(y) + x.min(y) * 0.1 + x.at_least(5.0) + y.at_most(0.1) + x.within(0.0, 1.0);
         sum += (x * y).three_halves() + y.chain(y.value() * y.value(), || 2.0 * y.value());
@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn nothing_has_a_root_without_slopes() {
         let zero = Dual::<1>::variable(0.0, 0);
-        for number in [zero.sqrt(), zero.hypot(zero), zero.atan2(zero)] {
+        for number in [zero.sqrt(), zero.hypotenuse(zero), zero.atan2(zero)] {
             assert!(number.slopes[0].abs() <= 0.0);
         }
     }

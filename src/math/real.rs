@@ -26,7 +26,8 @@ pub trait Function<const K: usize, const M: usize> {
 /// ([`Taped`](super::tape::Taped)).
 ///
 /// Comparisons look at the value alone: where a formula has branches, derivatives are those of the
-/// branch that the value takes. For `f64` every method is the one of the standard library.
+/// branch that the value takes. For `f64` methods are those of the standard library where nothing
+/// else is said.
 pub trait Real:
     Copy
     + Debug
@@ -203,9 +204,10 @@ pub trait Real:
     #[must_use]
     fn atan2(self, x: Self) -> Self;
 
-    /// sqrt(self² + other²).
+    /// sqrt(self² + other²); not that of the C library, whose last digit is another one on each
+    /// platform.
     #[must_use]
-    fn hypot(self, other: Self) -> Self;
+    fn hypotenuse(self, other: Self) -> Self;
 
     /// Magnitude.
     #[must_use]
@@ -309,8 +311,8 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn hypot(self, other: Self) -> Self {
-        self.hypot(other)
+    fn hypotenuse(self, other: Self) -> Self {
+        libm::hypot(self, other)
     }
 
     #[inline]

@@ -27,6 +27,7 @@ use crate::geometry::contacts::separation::{Probe, Separation};
 use crate::math::elliptic::first_minus_second_split;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 
 /// Most stretches of a strip.
 const MAX_STRETCHES: usize = 16;
@@ -217,7 +218,7 @@ impl UnevenStrips {
             sums.load += across.width * stretch.load;
             sums.displacement += across.width * influence;
             let furthest = ends.map(|end| (end - first_touch).abs());
-            let furthest = furthest[0].max(furthest[1]).hypot(across.y);
+            let furthest = furthest[0].max(furthest[1]).hypotenuse(across.y);
             sums.least += across.width * stretch.load / furthest;
             stretches.push(stretch);
         });

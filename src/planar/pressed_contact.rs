@@ -103,7 +103,7 @@ impl PressedContact {
         self.tangential.roll(rolling, |_, _, strip| {
             force = [force[0] + strip.longitudinal, force[1] + strip.lateral];
         });
-        let adhesion = force[0].hypot(force[1]) / self.load;
+        let adhesion = force[0].hypotenuse(force[1]) / self.load;
         (adhesion.value, adhesion.slopes)
     }
 }
@@ -148,7 +148,7 @@ mod tests {
             let (adhesion, slopes) = contact.adhesion(creepage, 15.0, 0.35, &law);
             let planar = |friction: f64, law: FrictionLaw| {
                 let result = solve(&found(friction, law)).unwrap();
-                result.fx.hypot(result.fy) / result.normal_force
+                result.fx.hypotenuse(result.fy) / result.normal_force
             };
             assert_relative_eq!(adhesion, planar(0.35, law), max_relative = 1e-12);
             adhesions.push(adhesion);

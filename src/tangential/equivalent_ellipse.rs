@@ -150,7 +150,7 @@ impl<T: Tabulated> EquivalentEllipse<T> {
     pub fn tabulated(
         &self,
         table: &impl ForceTable,
-        poisson_ratio: f64,
+        poisson_ratio: T,
         shear_modulus: T,
         &Creepage { longitudinal, lateral, spin }: &Creepage<T>,
         limit: T,

@@ -183,8 +183,9 @@ struct StripTheory<T> {
 impl<T: Real> StripTheory<T> {
     /// In terms of the zone: `slip_length` over the semi-axis a of the ellipse. `twist` is a C
     /// along rolling, `per_bound` a_j/(μ q).
-    fn new(growth: &Growth<T>, twist: T, per_bound: T, poisson_ratio: f64) -> Self {
-        let k = per_bound * (16.0 * (1.0 - poisson_ratio) / (3.0 * PI * PI));
+    fn new(growth: &Growth<T>, twist: T, per_bound: T, poisson_ratio: T) -> Self {
+        let plane = -poisson_ratio + 1.0;
+        let k = per_bound * (plane * 16.0 / (3.0 * PI * PI));
         let (xi, eta) = (-k * growth.longitudinal, -k * growth.lateral);
         let spin = per_bound * (-3.0 / 8.0) * twist;
         let fading = ((spin.abs() - SPIN_FROM) / (SPIN_TO - SPIN_FROM)).within(0.0, 1.0);
@@ -197,7 +198,7 @@ impl<T: Real> StripTheory<T> {
             kappa: xi / slip,
             lambda: eta / slip + spin,
             spin,
-            slip_length: slip / (1.0 - poisson_ratio),
+            slip_length: slip / plane,
             slip_integral: T::from(0.0),
             fastsim_share: smooth_step(fading),
         }

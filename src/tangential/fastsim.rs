@@ -176,7 +176,7 @@ impl Fastsim {
                 let length = if k == 0 { 0.5 * step } else { step };
                 p[0] -= length * growth.longitudinal;
                 p[1] -= length * (growth.lateral + abscissa * a * growth.twist);
-                let ratio = bound * profile / p[0].hypot(p[1]);
+                let ratio = bound * profile / p[0].hypotenuse(p[1]);
                 if ratio < 1.0 {
                     p = p.map(|p| p * ratio);
                 }

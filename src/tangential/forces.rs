@@ -77,7 +77,7 @@ impl<T: Real> CreepForce<T> {
     /// Changes this correction so that with it the force `marched` is not greater than `limit` [N].
     pub(super) fn keep_within(&mut self, limit: T, marched: &Self) {
         let whole = [marched.longitudinal + self.longitudinal, marched.lateral + self.lateral];
-        let magnitude = whole[0].hypot(whole[1]);
+        let magnitude = whole[0].hypotenuse(whole[1]);
         if magnitude > limit {
             let ratio = limit / magnitude;
             self.longitudinal = ratio * whole[0] - marched.longitudinal;

@@ -152,7 +152,7 @@ impl<P: Real> FrictionLaw<P> {
         if !self.reduces() {
             return T::from(1.0);
         }
-        let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
+        let slip = state.creepage.longitudinal.hypotenuse(state.creepage.lateral);
         let (k0, share, decay): (T, T, T) =
             (self.reduction.into(), self.reduction_share.into(), self.reduction_decay.into());
         let c11 = kalker_coefficients(zone.length / zone.width, material.poisson_ratio).c11;
@@ -169,9 +169,9 @@ impl<P: Real> FrictionLaw<P> {
 
 /// Slip velocity s of the rigid slip of `zone` in `state` [m/s].
 pub(super) fn slip_velocity<T: Real>(zone: &Zone<T>, state: &RollingState<T>) -> T {
-    let slip = state.creepage.longitudinal.hypot(state.creepage.lateral);
-    let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypot(zone.width);
-    state.speed * slip.hypot(spin)
+    let slip = state.creepage.longitudinal.hypotenuse(state.creepage.lateral);
+    let spin = state.creepage.spin * 0.05f64.sqrt() * zone.length.hypotenuse(zone.width);
+    state.speed * slip.hypotenuse(spin)
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@
 
 use std::f64::consts::PI;
 
+use crate::math::dual::Dual;
 use crate::math::real::Real;
 
 /// The coefficients of longitudinal and lateral creepage and of spin.
@@ -38,16 +39,23 @@ pub struct KalkerCoefficients<T = f64> {
 
 /// The coefficients of an ellipse with semi-axis ratio a/b > 0 (a along rolling) and 0 ≤ ν ≤ 0.5.
 #[must_use]
-pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: f64) -> KalkerCoefficients<T> {
-    let t = axis_ratio.ln();
-    let [c11, c22, c23, c33] =
-        logarithms(t.value(), poisson_ratio).map(|[c, by_t]| t.chain(c, || by_t).exp());
+pub fn kalker_coefficients<T: Real>(axis_ratio: T, poisson_ratio: T) -> KalkerCoefficients<T> {
+    let (t, nu) = (axis_ratio.ln(), poisson_ratio.value());
+    let [c11, c22, c23, c33] = if T::IS_BACKWARD {
+        logarithms(t.value(), Dual::<1>::variable(nu, 0)).map(|[c, by_t]| {
+            let by = [(&t, by_t.value), (&poisson_ratio, c.slopes[0])];
+            T::combined(c.value, by.into_iter()).exp()
+        })
+    } else {
+        // Poisson's ratio does not move.
+        logarithms(t.value(), nu).map(|[c, by_t]| t.chain(c, || by_t).exp())
+    };
     KalkerCoefficients { c11, c22, c23, c33 }
 }
 
 /// ln c11, ln c22, ln c23, ln c33 at t = ln(a/b), each with its derivative by t.
 #[must_use]
-pub fn logarithms(t: f64, poisson_ratio: f64) -> [[f64; 2]; 4] {
+pub fn logarithms<N: Real>(t: f64, poisson_ratio: N) -> [[N; 2]; 4] {
     // Logarithms far beyond any contact patch keep the asymptotes finite.
     let inside = t.clamp(-MAX_LOG_RATIO, MAX_LOG_RATIO);
     let x = (inside.abs() - FIT_END) / (BLEND_END - FIT_END);
@@ -59,13 +67,13 @@ pub fn logarithms(t: f64, poisson_ratio: f64) -> [[f64; 2]; 4] {
         if inside < 0.0 { wide(inside, poisson_ratio) } else { slender(inside, poisson_ratio) };
     if share >= 1.0 {
         let slope = if inside.abs() < MAX_LOG_RATIO { 1.0 } else { 0.0 };
-        return limit.map(|[c, by_t]| [c, slope * by_t]);
+        return limit.map(|[c, by_t]| [c, by_t * slope]);
     }
     let share_slope = inside.signum() * smooth_step_slope(x) / (BLEND_END - FIT_END);
     let fit = fitted(inside, poisson_ratio);
     let blend = |k: usize| {
         let ([f, f_slope], [l, l_slope]) = (fit[k], limit[k]);
-        [f + share * (l - f), f_slope + share * (l_slope - f_slope) + share_slope * (l - f)]
+        [(l - f) * share + f, (l_slope - f_slope) * share + f_slope + (l - f) * share_slope]
     };
     [blend(0), blend(1), blend(2), blend(3)]
 }
@@ -78,11 +86,11 @@ const BLEND_END: f64 = 3.806_662_489_770_32;
 const MAX_LOG_RATIO: f64 = 13.815_510_557_964_274;
 
 /// Logarithms of the coefficients by the joint fit, with their derivatives by t.
-fn fitted(t: f64, nu: f64) -> [[f64; 2]; 4] {
+fn fitted<N: Real>(t: f64, nu: N) -> [[N; 2]; 4] {
     [&FIT_C11, &FIT_C22, &FIT_C23, &FIT_C33].map(|p| {
-        let mut value = [0.0; 2];
+        let mut value = [N::from(0.0); 2];
         for i in (0..7).rev() {
-            let c = p[0][i] + nu * (p[1][i] + nu * p[2][i]);
+            let c = nu * (nu * p[2][i] + p[1][i]) + p[0][i];
             value = [value[0] * t + c, value[1] * t + value[0]];
         }
         value
@@ -90,31 +98,34 @@ fn fitted(t: f64, nu: f64) -> [[f64; 2]; 4] {
 }
 
 /// a/b = g → 0: every strip rolls like a cylinder. Logarithms with their derivatives by t = ln g.
-fn wide(t: f64, nu: f64) -> [[f64; 2]; 4] {
-    let spin = 1.0 + nu * (16f64.ln() - t - 5.0);
+fn wide<N: Real>(t: f64, nu: N) -> [[N; 2]; 4] {
+    let spin = nu * (16f64.ln() - t - 5.0) + 1.0;
+    let over = |number: f64, times: f64| (N::from(number) / ((-nu + 1.0) * times)).ln();
     [
-        [(PI * PI / (4.0 * (1.0 - nu))).ln(), 0.0],
-        [(PI * PI / 4.0).ln(), 0.0],
-        [(PI / (3.0 * (1.0 - nu))).ln() + 0.5 * t + spin.ln(), 0.5 - nu / spin],
-        [(PI * PI / (16.0 * (1.0 - nu))).ln() - t, -1.0],
+        [over(PI * PI, 4.0), 0.0.into()],
+        [(PI * PI / 4.0).ln().into(), 0.0.into()],
+        [over(PI, 3.0) + 0.5 * t + spin.ln(), -(nu / spin) + 0.5],
+        [over(PI * PI, 16.0) - t, (-1.0).into()],
     ]
 }
 
 /// b/a = g → 0. Logarithms with their derivatives by t = -ln g. For c33 the value where the fit
 /// ends: it falls by 5 % up to a/b = 33.
-fn slender(t: f64, nu: f64) -> [[f64; 2]; 4] {
+fn slender<N: Real>(t: f64, nu: N) -> [[N; 2]; 4] {
     let log = 16f64.ln() + 2.0 * t;
     let rest = 3.0 - 4f64.ln();
     // ln(2 π e^t/l (1 + r/l)) for l that grows by `rate`
-    let force = |l: f64, r: f64, rate: f64| {
-        [(2.0 * PI / l).ln() + t + (1.0 + r / l).ln(), 1.0 - rate / l - rate * r / (l * (l + r))]
+    let force = |l: N, r: N, rate: N| {
+        let value = (N::from(2.0 * PI) / l).ln() + t + (r / l + 1.0).ln();
+        [value, -(rate / l) + 1.0 - rate * r / (l * (l + r))]
     };
-    let spin = (1.0 - nu) * log - 2.0 + 4.0 * nu;
+    let plane = -nu + 1.0;
+    let spin = plane * log - 2.0 + nu * 4.0;
     [
-        force(log - 2.0 * nu, rest, 2.0),
-        force((1.0 - nu) * log + 2.0 * nu, (1.0 - nu) * rest, 2.0 * (1.0 - nu)),
-        [(2.0 * PI / (3.0 * spin)).ln() + 1.5 * t, 1.5 - 2.0 * (1.0 - nu) / spin],
-        [fitted(FIT_END, nu)[3][0], 0.0],
+        force(-(nu * 2.0) + log, rest.into(), 2.0.into()),
+        force(plane * log + nu * 2.0, plane * rest, plane * 2.0),
+        [(N::from(2.0 * PI) / (spin * 3.0)).ln() + 1.5 * t, -(plane * 2.0 / spin) + 1.5],
+        [fitted(FIT_END, nu)[3][0], 0.0.into()],
     ]
 }
 
@@ -289,6 +300,22 @@ mod tests {
                 for k in 0..4 {
                     let slope = (after[k][0] - before[k][0]) / (2.0 * h);
                     approx::assert_abs_diff_eq!(now[k][1], slope, epsilon = 1e-8);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_by_poisson_s_ratio_are_those_of_differences() {
+        let h = 1e-5;
+        for nu in [1e-4, 0.28, 0.4999] {
+            for t in [-14.5, -6.0, -3.4, -3.1, -2.0, 0.0, 1.3, 3.05, 3.5, 5.0, 14.5] {
+                let now = logarithms(t, Dual::<1>::variable(nu, 0));
+                let [before, plain, after] = [nu - h, nu, nu + h].map(|nu| logarithms(t, nu));
+                for k in 0..4 {
+                    let slope = (after[k][0] - before[k][0]) / (2.0 * h);
+                    approx::assert_abs_diff_eq!(now[k][0].slopes[0], slope, epsilon = 1e-8);
+                    assert_eq!(now[k].map(|c| c.value.to_bits()), plain[k].map(f64::to_bits));
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use crate::geometry::curves::curve::Curve;
 use crate::geometry::profiles::profile::{Profile, ProfileKind};
+use crate::math::real::Real;
 
 /// Distance of the places at which the depth is measured [m].
 const SPACING: f64 = 1e-4;
@@ -41,7 +42,7 @@ pub fn wear_depth(unworn: &Profile, worn: &Profile) -> Vec<DepthPoint> {
     (0..count as usize)
         .filter_map(|i| {
             let at = base.at(base.start() + (i as f64 + 0.5) / count * length);
-            let speed = at.first[0].hypot(at.first[1]);
+            let speed = at.first[0].hypotenuse(at.first[1]);
             let tangent = at.first.map(|t| t / speed);
             let normal = [-inward * tangent[1], inward * tangent[0]];
             let start = guess.unwrap_or_else(|| nearest(other, at.point));
@@ -88,7 +89,7 @@ fn nearest(curve: &Curve, point: [f64; 2]) -> f64 {
     let place = |i: usize| curve.start() + (curve.end() - curve.start()) * i as f64 / count;
     let distance = |s: &f64| {
         let at = curve.at(*s).point;
-        (at[0] - point[0]).hypot(at[1] - point[1])
+        (at[0] - point[0]).hypotenuse(at[1] - point[1])
     };
     let places = (0..=count as usize).map(place);
     places.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(curve.start())

@@ -48,7 +48,7 @@ pub fn surface_fatigue_index<T: Real>(
     if normal_force <= 0.0 {
         return T::from(0.0);
     }
-    let utilised = creep_force[0].hypot(creep_force[1]) / normal_force;
+    let utilised = creep_force[0].hypotenuse(creep_force[1]) / normal_force;
     utilised - area * 2.0 * shear_yield / (normal_force * 3.0)
 }
 

@@ -4,6 +4,7 @@
 use super::body::Body;
 use crate::geometry::curves::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 
 /// Half length over which the curvature of the unworn profile is averaged [m]: profiles jump in
 /// curvature, and the tangent of the worn one must not.
@@ -36,7 +37,7 @@ pub(super) fn stations(base: &Curve, body: Body, knots: &[f64]) -> Vec<Station> 
     let station = |(i, &s): (usize, &f64)| {
         let [before, here] = [knot(knots[i.saturating_sub(1)]), knot(s)];
         let Knot { point, tangent: first, .. } = here;
-        let length = first[0].hypot(first[1]);
+        let length = first[0].hypotenuse(first[1]);
         let normal = [-first[1] / length, first[0] / length];
         let inward = match body {
             Body::Rail { .. } => normal,
@@ -92,7 +93,7 @@ pub(super) fn shrinking(base: &Curve, body: Body, s: f64) -> f64 {
         Body::Rail { .. } => 0.0,
         Body::Wheel { nominal_radius } => {
             let at = base.at(s);
-            at.first[0] / (at.first[0].hypot(at.first[1]) * (nominal_radius + at.point[1]))
+            at.first[0] / (at.first[0].hypotenuse(at.first[1]) * (nominal_radius + at.point[1]))
         }
     }
 }
@@ -110,5 +111,5 @@ pub(super) fn arc_length(points: [[f64; 2]; 2], tangents: [[f64; 2]; 2]) -> f64 
     let [p, q] = points;
     let [a, b] = tangents;
     let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-    (q[0] - p[0]).hypot(q[1] - p[1]) * (1.0 + turn * turn / 24.0)
+    (q[0] - p[0]).hypotenuse(q[1] - p[1]) * (1.0 + turn * turn / 24.0)
 }

@@ -21,6 +21,7 @@ use super::smoothing::smooth;
 use super::worn_arc::WornArc;
 use crate::geometry::curves::curve::{Curve, Knot};
 use crate::math::quadrature::GaussLegendre;
+use crate::math::real::Real;
 use crate::math::spline::{SplineEnd, put_interpolating_slopes};
 
 /// Greatest depth [m]; with it the share of the radius of a bulge that may go. Sums beyond are not
@@ -186,10 +187,10 @@ impl WornArc {
             if depth == 0.0 && slope == 0.0 {
                 return Knot { s, point: *point, tangent: *first };
             }
-            let length = first[0].hypot(first[1]);
+            let length = first[0].hypotenuse(first[1]);
             let along = 1.0 - curvature * depth;
             let turned = [0, 1].map(|i| along * first[i] / length + slope * inward[i]);
-            let scale = length / turned[0].hypot(turned[1]);
+            let scale = length / turned[0].hypotenuse(turned[1]);
             Knot {
                 s,
                 point: [0, 1].map(|i| point[i] + depth * inward[i]),

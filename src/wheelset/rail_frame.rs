@@ -29,9 +29,9 @@ impl<T: Real> RailFrame<T> {
         let zero = T::from(0.0);
         let design = turn.direction(T::from(y));
         let [a, b, c] = [design.x, design.y + line.y_slope, design.z + line.z_slope];
-        let flat = a.hypot(b);
+        let flat = a.hypotenuse(b);
         let (sin_yaw, cos_yaw) = (b / flat, a / flat);
-        let long = flat.hypot(c);
+        let long = flat.hypotenuse(c);
         let (sin_dip, cos_dip) = (c / long, flat / long);
         let axes = Matrix3::from_columns(&[
             Vector3::new(cos_dip * cos_yaw, cos_dip * sin_yaw, sin_dip),

@@ -97,8 +97,9 @@ int main(int argc, char **argv) {
         if (i < input_count)
             break;
         check("fmi2SetReal", set(unit, inputs, input_count, values) == 0);
-        check("fmi2DoStep", step(unit, time, 1e-3, 1) == 0);
-        check("fmi2GetReal", get(unit, outputs, output_count, answers) == 0);
+        /* 1 is a warning, such as of a wheel that slides: the logger has it, answers are there. */
+        check("fmi2DoStep", step(unit, time, 1e-3, 1) <= 1);
+        check("fmi2GetReal", get(unit, outputs, output_count, answers) <= 1);
         for (i = 0; i < output_count; i++) {
             uint64_t bits;
             memcpy(&bits, answers + i, sizeof bits);

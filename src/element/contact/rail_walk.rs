@@ -119,7 +119,7 @@ mod tests {
         for shift in [-0.02, 0.0, 0.012] {
             let rail_s = middle + shift;
             let on = rail.curve().at(rail_s);
-            let size = on.first[0].hypot(on.first[1]);
+            let size = on.first[0].hypotenuse(on.first[1]);
             let contact = Contact {
                 u: 0.0,
                 rail_s,

@@ -18,6 +18,7 @@ use crate::geometry::contacts::contact_search::ContactSearch;
 use crate::geometry::contacts::line_separation::LineSeparation;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::kinematics::creepage::{ContactAxes, Creepage, RelativeMotion};
+use crate::math::real::Real;
 use crate::normal::Zone;
 use crate::normal::rail_elements::{self, RailElements, Row};
 use crate::tangential::boundary_element::rolling_tractions;
@@ -100,7 +101,7 @@ fn take_zone(
         centre = [centre[0] + own * y, centre[1] + own * z];
         penetration = penetration.max(element.overlap);
     });
-    let size = force[0].hypot(force[1]).max(f64::MIN_POSITIVE);
+    let size = force[0].hypotenuse(force[1]).max(f64::MIN_POSITIVE);
     let normal = force.map(|f| f / size);
     let tangent = [normal[1], -normal[0]];
     let centre = centre.map(|c| c / load.max(f64::MIN_POSITIVE));
@@ -108,7 +109,7 @@ fn take_zone(
     let middle = zone.y;
     // An even frame does not lean along the track.
     let forward = if rail.variation().is_some() { forward } else { 0.0 };
-    let share = size.hypot(forward) / load.max(f64::MIN_POSITIVE);
+    let share = size.hypotenuse(forward) / load.max(f64::MIN_POSITIVE);
     for j in range {
         strips.y.push(all.y[j] - middle);
         strips.width.push(all.width[j]);
@@ -228,7 +229,7 @@ fn tractions(
     // across.
     let axes_of = |element: &Loaded| {
         let [_, y, z] = element.growth;
-        let size = y.hypot(z);
+        let size = y.hypotenuse(z);
         let [tangent, normal] =
             [[z, -y], [y, z]].map(|v| forces.frame.direction(v.map(|c| c / size)));
         ContactAxes::along(forces.frame.along(), tangent, normal).leaning(element.row.course.lean)

@@ -63,7 +63,7 @@ impl<'a> LocalLine<'a> {
     fn met(&self, s: f64, x: f64) -> [f64; 2] {
         let Some(varying) = self.rail.variation() else { return [x, 1.0] };
         let Along { ahead, lean, .. } = varying.along(s);
-        [x + ahead, 1.0 / lean.hypot(1.0)]
+        [x + ahead, 1.0 / lean.hypotenuse(1.0)]
     }
 
     /// Radius of the section of wheel and rail together at a `place`, along the rows of a rail that

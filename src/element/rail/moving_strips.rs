@@ -56,7 +56,7 @@ impl<T: Real> MovingLocal<'_, T> {
         let dy = (dot(derivative, on.first) / bending).at_least(MIN_RATE);
         let along = self.rail.along(y);
         let (ahead, cosine) = along.map_or((T::from(0.0), T::from(1.0)), |along| {
-            (along.ahead, T::from(1.0) / along.lean.hypot(1.0.into()))
+            (along.ahead, T::from(1.0) / along.lean.hypotenuse(1.0.into()))
         });
         LinePlace {
             u,

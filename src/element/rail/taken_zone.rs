@@ -100,7 +100,7 @@ pub(in crate::element) fn zone_in_frame<T: Real>(
     strips.summarise(&mut zone);
     let load_factor = if load > 0.0 { zone.load / load } else { T::from(1.0) };
     (zone.area, zone.load) = (area, load);
-    let resultant = tangent[0].hypot(tangent[1]);
+    let resultant = tangent[0].hypotenuse(tangent[1]);
     let center = zone.y;
     // Normals that diverge carry less together.
     let resultant_share = if sum > 0.0 { resultant / sum } else { zero };

@@ -23,6 +23,7 @@ use crate::geometry::curves::curve::Curve;
 use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
 use crate::math::root::{bracketed, interpolated_step};
 use interval::{IntervalProbe, Kind, deepest, last_of_group};
 use sample::{Sample, hidden_turn};
@@ -373,5 +374,5 @@ impl ContactSearch {
 /// steep and curved.
 fn stretch(line: &ContactLine, u: f64) -> f64 {
     let (_, [dy, dz]) = line.even_with_derivative(u);
-    dy.hypot(dz)
+    dy.hypotenuse(dz)
 }

@@ -191,7 +191,7 @@ impl Curve {
     #[must_use]
     pub fn normal(&self, s: f64, side: f64) -> [f64; 2] {
         let [y, z] = self.at(s).first;
-        let scale = side / y.hypot(z);
+        let scale = side / y.hypotenuse(z);
         [-z * scale, y * scale]
     }
 

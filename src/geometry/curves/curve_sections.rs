@@ -4,6 +4,7 @@
 //! curvature jumps there if the sections' curvatures differ, as on every standard profile.
 
 use crate::geometry::curves::curve::{Curve, Knot};
+use crate::math::real::Real;
 use crate::math::spline::{SplineEnd, interpolating_slopes};
 
 /// Largest angle of a cubic piece of an arc [rad]. The radius then errs by 2e-11 and the curvature
@@ -20,7 +21,7 @@ pub(crate) type Section = Vec<Knot>;
 /// A straight line.
 pub(crate) fn line(from: [f64; 2], to: [f64; 2]) -> Section {
     let d = [to[0] - from[0], to[1] - from[1]];
-    let length = d[0].hypot(d[1]);
+    let length = d[0].hypotenuse(d[1]);
     let tangent = d.map(|d| d / length);
     vec![Knot { s: 0.0, point: from, tangent }, Knot { s: length, point: to, tangent }]
 }
@@ -55,13 +56,13 @@ pub(crate) fn graph(y: &[f64], graph: impl Fn(f64) -> [f64; 2]) -> Section {
     let mut s = vec![0.0];
     for pair in y.windows(2) {
         let (middle, h) = (0.5 * (pair[0] + pair[1]), pair[1] - pair[0]);
-        let speed = |at: f64| 1f64.hypot(graph(at)[1]);
+        let speed = |at: f64| 1f64.hypotenuse(graph(at)[1]);
         let length = 0.5 * h * (speed(middle - offset * h) + speed(middle + offset * h));
         s.push(s[s.len() - 1] + length);
     }
     let end_tangent = |y: f64| {
         let slope = graph(y)[1];
-        let length = 1f64.hypot(slope);
+        let length = 1f64.hypotenuse(slope);
         [1.0 / length, slope / length]
     };
     let (first, last) = (end_tangent(y[0]), end_tangent(y[y.len() - 1]));
@@ -123,7 +124,8 @@ mod tests {
 
     fn curvature(curve: &Curve, s: f64) -> f64 {
         let p = curve.at(s);
-        (p.first[0] * p.second[1] - p.first[1] * p.second[0]) / p.first[0].hypot(p.first[1]).powi(3)
+        (p.first[0] * p.second[1] - p.first[1] * p.second[0])
+            / p.first[0].hypotenuse(p.first[1]).powi(3)
     }
 
     #[test]
@@ -134,7 +136,7 @@ mod tests {
             for i in 0..=1000 {
                 let s = curve.start() + (curve.end() - curve.start()) * f64::from(i) / 1000.0;
                 let p = curve.at(s).point;
-                assert_relative_eq!((p[0] - 0.02).hypot(p[1] - 0.3), 0.013, epsilon = 1e-12);
+                assert_relative_eq!((p[0] - 0.02).hypotenuse(p[1] - 0.3), 0.013, epsilon = 1e-12);
                 assert_relative_eq!(curvature(&curve, s) * 0.013, direction, max_relative = 4e-7);
             }
             assert_relative_eq!(curve.end(), 0.013 * 1.5, max_relative = 3e-4);
@@ -168,7 +170,7 @@ mod tests {
             let p = curve.at(curve.end() * f64::from(i) / 1999.0);
             // A spline errs by up to h⁴/384 of a fourth derivative of one: 1.0e-10 at h = 0.014.
             assert_relative_eq!(p.point[1], p.point[0].sin(), epsilon = 2e-10);
-            assert_relative_eq!(p.first[0].hypot(p.first[1]), 1.0, epsilon = 1e-5);
+            assert_relative_eq!(p.first[0].hypotenuse(p.first[1]), 1.0, epsilon = 1e-5);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The point of a rail's curve nearest to a given one.
 
 use crate::geometry::curves::curve::Curve;
+use crate::math::real::Real;
 
 /// Samples for the coarse search of the nearest point.
 const COARSE_POINTS: usize = 32;
@@ -73,7 +74,7 @@ impl CoarsePoints {
     pub fn nearest_of_all(&self, curve: &Curve, point: [f64; 2], tolerance: f64) -> Nearest {
         let away = |s: f64| {
             let [y, z] = curve.at(s).point;
-            (y - point[0]).hypot(z - point[1])
+            (y - point[0]).hypotenuse(z - point[1])
         };
         let step = (curve.end() - curve.start()) / COARSE_POINTS as f64;
         let coarse = self.nearest(curve, point);
@@ -94,13 +95,13 @@ impl CoarsePoints {
 /// The point of `curve` at parameter `s`, as the one nearest to `point`.
 fn standing(curve: &Curve, point: [f64; 2], s: f64) -> Nearest {
     let p = curve.at(s);
-    let speed = p.first[0].hypot(p.first[1]);
+    let speed = p.first[0].hypotenuse(p.first[1]);
     let tangent = p.first.map(|first| first / speed);
     let to = [point[0] - p.point[0], point[1] - p.point[1]];
     let side = (to[0] * tangent[1] - to[1] * tangent[0]).signum();
     Nearest {
         s,
-        distance: side * to[0].hypot(to[1]),
+        distance: side * to[0].hypotenuse(to[1]),
         tangent,
         point: p.point,
         ratio: 1.0 / speed,

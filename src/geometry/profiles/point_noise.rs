@@ -29,6 +29,7 @@
 //! head, hence the bound of 1 1/m. The wavelength is the shortest that keeps it wherever points are
 //! so close that the spline through them does not: none for exact points.
 
+use crate::math::real::Real;
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
@@ -120,7 +121,7 @@ fn differences(points: &[[f64; 2]], stride: usize) -> Vec<f64> {
 /// Divided difference of heights over the chord; nothing where points stand above each other.
 fn difference(points: &[[f64; 2]; ORDER + 1]) -> Option<f64> {
     let chord = [points[ORDER][0] - points[0][0], points[ORDER][1] - points[0][1]];
-    let length = chord[0].hypot(chord[1]);
+    let length = chord[0].hypotenuse(chord[1]);
     // Along the chord in its lengths, and across it in metres.
     let local = points.map(|p| {
         let (y, z) = (p[0] - points[0][0], p[1] - points[0][1]);
@@ -159,7 +160,7 @@ mod tests {
     }
 
     fn found(points: &[[f64; 2]], step: f64) -> (f64, f64) {
-        let spacing = points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]));
+        let spacing = points.windows(2).map(|p| (p[1][0] - p[0][0]).hypotenuse(p[1][1] - p[0][1]));
         let noise = noise(points, step);
         (noise, chosen_wavelength(spacing, noise))
     }

@@ -38,6 +38,7 @@ use crate::geometry::profiles::profile_error::rounded_mm;
 use crate::geometry::profiles::profile_order;
 use crate::geometry::profiles::profile_points::{ProfilePoints, range};
 use crate::geometry::profiles::smoothing::{bounded, smooth};
+use crate::math::real::Real;
 
 /// Points closer than this to the one before are dropped [m]: no measurement resolves them.
 const MERGE_DISTANCE: f64 = 1e-6;
@@ -169,7 +170,7 @@ impl ProfilePoints {
     fn choose_wavelength(&mut self) -> f64 {
         let points = self.places();
         let noise = noise(&points, self.last_digit);
-        let spacing = points.windows(2).map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]));
+        let spacing = points.windows(2).map(|p| (p[1][0] - p[0][0]).hypotenuse(p[1][1] - p[0][1]));
         let needed = chosen_wavelength(spacing, noise);
         let wavelength = needed.min(LONGEST_CHOSEN);
         let (file, is_too_noisy) = (self.file.clone(), needed > wavelength);
@@ -223,7 +224,8 @@ impl ProfilePoints {
     fn merge(&mut self, distance: f64) {
         let mut kept: Option<[f64; 2]> = None;
         self.points.retain(|p| {
-            let far = kept.is_none_or(|k| (p.point[0] - k[0]).hypot(p.point[1] - k[1]) > distance);
+            let far =
+                kept.is_none_or(|k| (p.point[0] - k[0]).hypotenuse(p.point[1] - k[1]) > distance);
             if far {
                 kept = Some(p.point);
             }
@@ -265,7 +267,7 @@ mod tests {
         let distance = |p: &[f64; 2]| {
             let from = |s: f64| {
                 let c = curve.at(s).point;
-                (p[0] - c[0]).hypot(p[1] - c[1])
+                (p[0] - c[0]).hypotenuse(p[1] - c[1])
             };
             let mut s = *samples.iter().min_by(|a, b| from(**a).total_cmp(&from(**b))).unwrap();
             for _ in 0..4 {
@@ -321,7 +323,7 @@ mod tests {
         assert_relative_eq!(profile.curve.end(), exact.curve.end(), max_relative = 5e-3);
         for i in 1..2000 {
             let p = profile.curve.at(profile.curve.end() * f64::from(i) / 2000.0);
-            assert_relative_eq!(p.first[0].hypot(p.first[1]), 1.0, epsilon = 0.02);
+            assert_relative_eq!(p.first[0].hypotenuse(p.first[1]), 1.0, epsilon = 0.02);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::geometry::profiles::profile_error::{ProfileError, rounded_mm};
 use crate::geometry::profiles::profile_points::{FilePoint, ProfilePoints, extent};
+use crate::math::real::Real;
 
 /// The direction reverses where it turns by more than 120°.
 const COSINE_OF_REVERSAL: f64 = -0.5;
@@ -52,7 +53,7 @@ fn reversal_step(wavelength: f64) -> f64 {
 fn reverses(triple: &[FilePoint]) -> bool {
     let [a, b, c] = [0, 1, 2].map(|i| triple[i].point);
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-    let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
+    let lengths = u[0].hypotenuse(u[1]) * v[0].hypotenuse(v[1]);
     u[0] * v[0] + u[1] * v[1] < COSINE_OF_REVERSAL * lengths
 }
 
@@ -87,7 +88,7 @@ fn thin(points: &[FilePoint], distance: f64) -> Vec<FilePoint> {
     let mut kept = vec![points[0]];
     for p in &points[1..] {
         let from = kept[kept.len() - 1].point;
-        if (p.point[0] - from[0]).hypot(p.point[1] - from[1]) >= distance {
+        if (p.point[0] - from[0]).hypotenuse(p.point[1] - from[1]) >= distance {
             kept.push(*p);
         }
     }

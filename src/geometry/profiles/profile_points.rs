@@ -1,6 +1,7 @@
 //! What a reader has found in the file of a profile.
 
 use crate::geometry::profiles::profile_remark::ProfileRemark;
+use crate::math::real::Real;
 
 /// A point of a file and the line it stands on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +64,7 @@ pub(crate) fn range(points: &[FilePoint], axis: usize) -> [f64; 2] {
 /// Diagonal of the smallest rectangle that holds the points [m].
 pub(crate) fn extent(points: &[FilePoint]) -> f64 {
     let [y, z] = [0, 1].map(|i| range(points, i));
-    (y[1] - y[0]).hypot(z[1] - z[0])
+    (y[1] - y[0]).hypotenuse(z[1] - z[0])
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Smoothing splines through the points of a profile, and how far they may move its surface.
 
 use crate::geometry::curves::curve::Knot;
+use crate::math::real::Real;
 use crate::math::spline::{penalty_of_wavelength, smoothing_spline};
 
 /// How far smoothing may move the surface besides taking noise off [m]: a twentieth of the overlap
@@ -34,7 +35,7 @@ fn moves_too_far(points: &[[f64; 2]], wavelength: f64, noise: f64) -> bool {
         .map(|(knot, p)| {
             let [ty, tz] = knot.tangent;
             let across = (p[0] - knot.point[0]) * tz - (p[1] - knot.point[1]) * ty;
-            across / ty.hypot(tz).max(f64::MIN_POSITIVE)
+            across / ty.hypotenuse(tz).max(f64::MIN_POSITIVE)
         })
         .collect();
     let (mut from, mut to) = (0, 0);
@@ -66,7 +67,7 @@ pub(crate) fn smooth(points: &[[f64; 2]], wavelength: f64) -> Vec<Knot> {
         let mut s = vec![0.0];
         for (i, pair) in smoothed.windows(2).enumerate() {
             let least = 0.01 * (rough[i + 1] - rough[i]);
-            s.push(s[i] + (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]).max(least));
+            s.push(s[i] + (pair[1][0] - pair[0][0]).hypotenuse(pair[1][1] - pair[0][1]).max(least));
         }
         fitted = fit(points, &s, penalty);
     }
@@ -90,7 +91,7 @@ fn fit(points: &[[f64; 2]], s: &[f64], penalty: f64) -> Vec<Knot> {
 fn chord_lengths(points: &[[f64; 2]]) -> Vec<f64> {
     let mut s = vec![0.0];
     for pair in points.windows(2) {
-        s.push(s[s.len() - 1] + (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]));
+        s.push(s[s.len() - 1] + (pair[1][0] - pair[0][0]).hypotenuse(pair[1][1] - pair[0][1]));
     }
     s
 }

@@ -57,7 +57,7 @@ impl<T: Real> Course<T> {
         WheelPose {
             marker: [T::from(0.0), marker[1], marker[2]],
             roll: z.atan2(y),
-            yaw: (T::from(0.0) - x).atan2(y.hypot(z)),
+            yaw: (T::from(0.0) - x).atan2(y.hypotenuse(z)),
         }
     }
 

@@ -26,6 +26,12 @@ pub struct ByPlacement {
 }
 
 impl PlacedRail {
+    /// Whether the gauge says where it stands.
+    #[must_use]
+    pub(crate) fn is_placed_by_gauge(&self) -> bool {
+        matches!(self.stands, Stands::Gauge(_))
+    }
+
     /// Derivatives from those by the knots of the placed curve, by the marker and by sine, cosine
     /// and highest point (y, z) of the inclined profile. A rail that `stays` is not placed anew
     /// when its profile changes. Those by normal displacements of the points of the profile go to

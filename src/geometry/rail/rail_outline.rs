@@ -60,7 +60,7 @@ impl<'a, T: Real> RailOutline<'a, T> {
             return Some(climbing);
         }
         let CurvePoint { point, first, .. } = self.at(s);
-        let upward = first[0] / first[0].hypot(first[1]);
+        let upward = first[0] / first[0].hypotenuse(first[1]);
         // Derivatives on corrugated rails are differences.
         let rise = varying.rise([x.value(), point[1].value()]);
         Some(climbing + turning * upward * rise)

@@ -329,7 +329,7 @@ fn divide([from, to]: [f64; 2], at: &impl Fn(f64) -> Vec<RowValue>, rows: &mut V
                     let bend = 3.0 * rise - 2.0 * m - n + t * (m + n - 2.0 * rise);
                     own[c] - (a[c] + t * (m + t * bend))
                 });
-                away[0].hypot(away[1]) <= FOLLOWED
+                away[0].hypotenuse(away[1]) <= FOLLOWED
             })
         })
     };
@@ -353,7 +353,8 @@ fn breaks(rows: &Rows, part: usize, values: &[([usize; 2], Vec<RowValue>)]) -> V
             let apart = rows.places[first + i + 1] - rows.places[first + i];
             let [a, b] = [pair[0], pair[1]];
             all[first + i] += 1;
-            steep[first + i] += usize::from((b[0] - a[0]).hypot(b[1] - a[1]) > STEEPEST * apart);
+            steep[first + i] +=
+                usize::from((b[0] - a[0]).hypotenuse(b[1] - a[1]) > STEEPEST * apart);
         }
     }
     (all.iter().zip(&steep)).map(|(all, steep)| *steep as f64 > STEEP_SHARE * *all as f64).collect()

@@ -116,7 +116,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
         // R_x(roll) R_z(yaw) e_y
         let axle = [-sin_yaw, cos_yaw * cos_roll, cos_yaw * sin_roll];
         // An axle along the track has no such line: kept away from zero, the result stays finite.
-        let cosine = axle[1].hypot(axle[2]).at_least(1e-9);
+        let cosine = axle[1].hypotenuse(axle[2]).at_least(1e-9);
         Self {
             profile,
             nominal_radius,
@@ -291,7 +291,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
         } else {
             let on = self.circle(&p);
             let across = self.cosine * self.lead / slope_cosine;
-            let reach = (across * SECTION_REACH).hypot(T::from(LEAST_REACH));
+            let reach = (across * SECTION_REACH).hypotenuse(T::from(LEAST_REACH));
             let bent = straight * on.cosine * self.cosine * self.cosine
                 + self.mean_curvature_over(s, reach) * across * across / on.cosine;
             bent.max(straight * MIN_SECTION_SHARE)

@@ -40,6 +40,7 @@ use crate::geometry::sections::slices::{RowKnot, Rows, Slices};
 use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::fixed_vec::FixedVec;
+use crate::math::real::Real;
 
 /// Least share of a row's way across the outline: where the wheel stands more upright nothing is
 /// looked for.
@@ -185,7 +186,7 @@ impl VaryingWheel {
         let length = |knots: &[RowKnot]| -> f64 {
             let pairs = knots.windows(2).map(|pair| {
                 let [a, b] = [pair[0].value, pair[1].value];
-                (b[0] - a[0]).hypot(b[1] - a[1])
+                (b[0] - a[0]).hypotenuse(b[1] - a[1])
             });
             pairs.filter(|length| length.is_finite()).sum()
         };
@@ -302,10 +303,10 @@ impl VaryingWheel {
     fn round_wheel(&self, stand: &Stand, j: usize, here: &Place) -> Met {
         let Stand { along_axle: m, across_axle: c, .. } = *stand;
         let [ty, tz] = stand.seen(here.across);
-        let size = ty.hypot(tz);
+        let size = ty.hypotenuse(tz);
         let [out, down] = [-tz / size, ty / size];
         let normal = [c * out, -m * out, down];
-        let radial = normal[1].hypot(normal[2]);
+        let radial = normal[1].hypotenuse(normal[2]);
         let [sine, cosine] = [normal[1] / radial, normal[2] / radial];
         let radius = here.point[2] / cosine;
         let ahead = (here.point[1] - radius * sine) / c;

@@ -7,6 +7,7 @@ use crate::geometry::rail::placed_rail::PlacedRail;
 use crate::geometry::rail::rail_outline::RailOutline;
 use crate::geometry::rail::varying_rail::Along;
 use crate::geometry::wheel::contact_line::ContactLine;
+use crate::math::real::Real;
 
 /// A row of elements at one place of the rail's section.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +69,7 @@ impl Course {
 
     /// Cosine of the lean [-].
     fn cosine(&self) -> f64 {
-        1.0 / self.lean.hypot(1.0)
+        1.0 / self.lean.hypotenuse(1.0)
     }
 }
 
@@ -94,7 +95,7 @@ impl Section<'_> {
     pub(super) fn row(&self, arc: f64, mut u: f64) -> Option<Row> {
         let s = self.arcs.parameter(arc)?;
         let on = self.rail.curve().at(s);
-        let speed = on.first[0].hypot(on.first[1]);
+        let speed = on.first[0].hypotenuse(on.first[1]);
         let tangent = on.first.map(|d| d / speed);
         let [start, end] = self.line.range();
         let along = |v: [f64; 2]| v[0] * tangent[0] + v[1] * tangent[1];

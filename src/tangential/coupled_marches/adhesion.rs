@@ -11,6 +11,7 @@
 use super::band::{band, quadrature, zero};
 use super::functions::Four;
 use crate::math::linear_system;
+use crate::math::real::Real;
 
 /// Ratios κ at which functions are known: zeros of a Chebyshev polynomial on [-1/2, 1], where all
 /// Poisson's ratios have theirs.
@@ -19,10 +20,11 @@ pub(super) fn ratios() -> Four<f64> {
 }
 
 /// Weights with which functions at [`ratios`] make up those at `ratio`: of the cubic through them.
-pub(super) fn weights(ratio: f64) -> Four<f64> {
+pub(super) fn weights<T: Real>(ratio: T) -> Four<T> {
     let at = ratios();
     std::array::from_fn(|i| {
-        (0..4).filter(|&k| k != i).map(|k| (ratio - at[k]) / (at[i] - at[k])).product()
+        let factors = (0..4).filter(|&k| k != i).map(|k| (ratio - at[k]) / (at[i] - at[k]));
+        factors.fold(T::from(1.0), |product, factor| product * factor)
     })
 }
 

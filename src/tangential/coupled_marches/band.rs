@@ -15,6 +15,7 @@
 //! 1 - t² that have the moments ∫ f t^k dt of the strip, k = 0, 1, 2, and of the gradient the first
 //! three Chebyshev coefficients are kept, as the polynomial Σ g_m t^m.
 
+use crate::math::real::Real;
 use std::f64::consts::PI;
 
 /// Moments of the tractions that are felt, and coefficients of the gradient that are kept.
@@ -32,13 +33,13 @@ pub(super) type Projected = [[[f64; MOMENTS]; MOMENTS]; 3];
 
 /// Gradients P, R and S of a band that ends at `s`.
 pub(super) fn band(x: f64, s: f64) -> [f64; 3] {
-    let r = x.hypot(s);
+    let r = x.hypotenuse(s);
     [-s / (x * r), -x * s / r.powi(3), x * x / r.powi(3) - 1.0 / r]
 }
 
 /// Their derivatives by `s`.
 pub(super) fn narrow(x: f64, s: f64) -> [f64; 3] {
-    let r = x.hypot(s);
+    let r = x.hypotenuse(s);
     let inverse = r.powi(-3);
     let turned = 3.0 * s * inverse / (r * r);
     [-x * inverse, -x * inverse + x * s * turned, s * inverse - x * x * turned]

@@ -49,15 +49,15 @@ pub(super) struct Pair<T = f64> {
 
 /// Numbers of a material that enter.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ratio {
-    poisson: f64,
+pub(super) struct Ratio<T> {
+    poisson: T,
     /// Weights of the functions at four ratios for flexibilities along and across.
-    weights: [Four<f64>; 2],
+    weights: [Four<T>; 2],
 }
 
-impl Ratio {
-    pub fn of(poisson: f64) -> Self {
-        Self { poisson, weights: [poisson / (1.0 - poisson), -poisson].map(weights) }
+impl<T: Real> Ratio<T> {
+    pub fn of(poisson: T) -> Self {
+        Self { poisson, weights: [poisson / (-poisson + 1.0), -poisson].map(weights) }
     }
 }
 
@@ -107,7 +107,12 @@ impl Influence {
     /// direction what is crossed has the other sign.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    pub fn narrow<const F: bool, T: Real>(&self, distance: T, square: T, ratio: &Ratio) -> Pair<T> {
+    pub fn narrow<const F: bool, T: Real>(
+        &self,
+        distance: T,
+        square: T,
+        ratio: &Ratio<T>,
+    ) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
         // A to the power of -2 - m - k, of which one is left for the width.
@@ -123,7 +128,7 @@ impl Influence {
         distance: T,
         width: T,
         square: T,
-        ratio: &Ratio,
+        ratio: &Ratio<T>,
     ) -> Pair<T> {
         let inverse = T::from(1.0) / square;
         let root = inverse.sqrt();
@@ -146,7 +151,7 @@ impl Influence {
         a: T,
         width: T,
         reach: [T; 2],
-        ratio: &Ratio,
+        ratio: &Ratio<T>,
     ) -> Own<T> {
         let inverse = T::from(1.0) / a;
         let [left, right] = [reach[0] * inverse, reach[1] * inverse];
@@ -162,11 +167,11 @@ impl Influence {
             for n in 0..4 {
                 for lane in 0..4 {
                     let both = left[n][lane] + right[n][lane];
-                    sum[lane] = sum[lane].add_product::<F>(both, T::from(weights[n] * 0.5));
+                    sum[lane] = sum[lane].add_product::<F>(both, weights[n] * 0.5);
                 }
             }
         }
-        found.flexibility[0][0] *= a * (1.0 - ratio.poisson);
+        found.flexibility[0][0] *= a * (-ratio.poisson + 1.0);
         found.flexibility[1][0] *= a;
         let nu = ratio.poisson;
         let second = inverse * inverse;
@@ -190,9 +195,9 @@ fn scaled<const F: bool, T: Real>(
     [p, r, first, second]: &[Four<T>; 4],
     factor: T,
     root: T,
-    ratio: &Ratio,
+    ratio: &Ratio<T>,
 ) -> Pair<T> {
-    let nu = T::from(ratio.poisson);
+    let nu = ratio.poisson;
     let square = root * root;
     let once = factor * root;
     let thrice = once * square;

@@ -69,7 +69,7 @@ pub trait MarchNumber: Real {
     fn march_strips(
         memory: &mut Memory,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         differences: &Differences,
         each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     );
@@ -92,7 +92,7 @@ impl<const N: usize> MarchNumber for Dual<N> {
     fn march_strips(
         memory: &mut Memory,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {
@@ -111,7 +111,7 @@ impl<const N: usize> MarchNumber for Dual<N> {
             let of_few = zones
                 .clone()
                 .map(|(parts, strips)| (parts.map(few), strips.map(move |strip| strip.map(few))));
-            memory.moving.solve_zones(of_few, poisson_ratio, differences);
+            memory.moving.solve_zones(of_few, few(poisson_ratio), differences);
             each(&mut memory.moving.resultants().map(|resultant| Resultant {
                 moments: resultant.moments.map(|moments| moments.map(back)),
                 slip_share: if start == 0 { resultant.slip_share } else { 0.0 },
@@ -124,7 +124,7 @@ impl MarchNumber for Taped {
     fn march_strips(
         memory: &mut Memory,
         zones: impl Iterator<Item = (ZoneParts<Self>, impl Iterator<Item = Strip<Self>>)> + Clone,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         differences: &Differences,
         mut each: impl FnMut(&mut dyn Iterator<Item = Resultant<Self>>),
     ) {

@@ -108,7 +108,7 @@ impl<T: Real> Part<T> {
         gradients: &mut [Four<T>; 2],
         other: &Self,
         moments: &[Moments<T>; 2],
-        ratio: &Ratio,
+        ratio: &Ratio<T>,
     ) {
         let distance = (self.y - other.y).abs();
         if distance <= 0.0 || self.load <= 0.0 || other.load <= 0.0 {
@@ -136,7 +136,7 @@ impl<T: Real> Part<T> {
         }
         let [mut lacks_x, mut lacks_y, moment] = self.lacks;
         let whole = [x + lacks_x, y + lacks_y];
-        let magnitude = whole[0].hypot(whole[1]);
+        let magnitude = whole[0].hypotenuse(whole[1]);
         if magnitude > limit {
             let ratio = limit / magnitude;
             (lacks_x, lacks_y) = (ratio * whole[0] - x, ratio * whole[1] - y);
@@ -201,7 +201,7 @@ impl<T: Real> Zones<T> {
 
     /// Gives the strips, which are `states`, the gradients that what the marches of other parts lack
     /// causes: in all of a zone that of other zones, in a lobe that of the other one.
-    pub fn hand_on(&self, states: &mut [State<T>], ratio: &Ratio) {
+    pub fn hand_on(&self, states: &mut [State<T>], ratio: &Ratio<T>) {
         let mut further = states;
         for (z, zone) in self.zones.iter().enumerate() {
             let (own, others) = further.split_at_mut(zone.count);
@@ -251,7 +251,7 @@ impl<T: Real> Zones<T> {
 
 impl<T: Tabulated> Zones<T> {
     /// Finds what the marches lack in the creepages that are felt, by the `table`.
-    pub fn look_up(&mut self, ratio: &Ratio, poisson_ratio: f64, table: &impl ForceTable) {
+    pub fn look_up(&mut self, ratio: &Ratio<T>, poisson_ratio: T, table: &impl ForceTable) {
         for z in 0..self.zones.len() {
             let zone = &self.zones[z];
             let mut lacks = [None; PARTS];

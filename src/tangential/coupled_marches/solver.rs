@@ -72,7 +72,7 @@ impl<T: Real> Solver<T> {
     /// Lays out flexibilities and pairs for bodies of this `ratio`, and marches as often as `rounds`.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn begin<const F: bool>(&mut self, ratio: &Ratio, rounds: usize) {
+    fn begin<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
         for i in 0..self.states.len() {
             let Strip { half_length, width, .. } = self.states[i].strip;
@@ -99,7 +99,7 @@ impl<T: Real> Solver<T> {
     /// Marches on for some rounds.
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn go_on<const F: bool>(&mut self, ratio: &Ratio, rounds: usize) {
+    fn go_on<const F: bool>(&mut self, ratio: &Ratio<T>, rounds: usize) {
         let influence = Influence::shared();
         for _ in 0..rounds {
             self.couple::<F>(influence, ratio);
@@ -111,7 +111,7 @@ impl<T: Real> Solver<T> {
     /// factor that goes with a [`Pair`].
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio) {
+    fn couple<const F: bool>(&mut self, influence: &Influence, ratio: &Ratio<T>) {
         for state in self.states.iter_mut() {
             state.begin_gradients();
         }
@@ -212,7 +212,7 @@ fn pair<const F: bool, T: Real>(
     below: &State<T>,
     above: &State<T>,
     between: usize,
-    ratio: &Ratio,
+    ratio: &Ratio<T>,
 ) -> Pair<T> {
     let distance = above.strip.y - below.strip.y;
     if distance <= 0.0 {
@@ -264,7 +264,7 @@ impl<T: Tabulated> Solver<T> {
     pub fn solve_zones(
         &mut self,
         zones: impl Iterator<Item = (ZoneParts<T>, impl Iterator<Item = Strip<T>>)>,
-        poisson_ratio: f64,
+        poisson_ratio: T,
         table: &impl ForceTable,
     ) {
         self.zones.clear();
@@ -299,7 +299,7 @@ enum Stage {
 
 impl<T: Real> Solver<T> {
     /// Marches with the instructions that the processor has, found out at run time.
-    fn by_any(&mut self, ratio: &Ratio, stage: Stage) {
+    fn by_any(&mut self, ratio: &Ratio<T>, stage: Stage) {
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = V3::try_new() {
             return simd.vectorize(Rounds { solver: self, ratio, stage });
@@ -309,7 +309,7 @@ impl<T: Real> Solver<T> {
 
     #[allow(clippy::inline_always)]
     #[inline(always)]
-    fn rounds<const F: bool>(&mut self, ratio: &Ratio, stage: Stage) {
+    fn rounds<const F: bool>(&mut self, ratio: &Ratio<T>, stage: Stage) {
         match stage {
             Stage::Begin(rounds) => self.begin::<F>(ratio, rounds),
             Stage::GoOn(rounds) => self.go_on::<F>(ratio, rounds),
@@ -321,7 +321,7 @@ impl<T: Real> Solver<T> {
 #[cfg(target_arch = "x86_64")]
 struct Rounds<'a, T> {
     solver: &'a mut Solver<T>,
-    ratio: &'a Ratio,
+    ratio: &'a Ratio<T>,
     stage: Stage,
 }
 

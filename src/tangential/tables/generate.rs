@@ -7,6 +7,7 @@ use super::nodes::{
 };
 use super::scales::Scales;
 use super::sliding;
+use crate::math::real::Real;
 
 /// Poisson's ratio of the table.
 pub const POISSON_RATIO: f64 = 0.28;
@@ -102,7 +103,7 @@ impl EllipseNodes {
         Some(Extrapolated {
             force: [0, 1, 2].map(|k| limit(fine.force[k], coarse.force[k])),
             slip_share: limit(fine.slip_share, coarse.slip_share).clamp(0.0, 1.0),
-            error: 0.5 * step[0].hypot(step[1]),
+            error: 0.5 * step[0].hypotenuse(step[1]),
         })
     }
 

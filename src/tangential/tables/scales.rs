@@ -2,6 +2,7 @@
 
 use super::super::kalker_coefficients;
 use super::nodes::SPIN_BY_WIDTH;
+use crate::math::dual::Dual;
 
 /// Kalker's coefficients of an ellipse and the scale of spin, with their derivatives by ln(a/b).
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +34,21 @@ impl Scales {
             kalker_slopes,
             spin: kalker[2] + narrow * kalker[0],
             spin_slope: kalker_slopes[2] + narrow * (kalker_slopes[0] - 0.5 * kalker[0]),
+        }
+    }
+
+    /// The same scales with derivatives by ln(a/b) to which those by Poisson's ratio are added, as
+    /// if the ratio, `poisson_ratio` here, grew with ln(a/b).
+    #[must_use]
+    pub fn with_ratio_along(&self, poisson_ratio: f64) -> Self {
+        let logarithms =
+            kalker_coefficients::logarithms(self.log_ratio, Dual::<1>::variable(poisson_ratio, 0));
+        let by_ratio = [0, 1, 2, 3].map(|k| self.kalker[k] * logarithms[k][0].slopes[0]);
+        let narrow = SPIN_BY_WIDTH * (-0.5 * self.log_ratio).exp();
+        Self {
+            kalker_slopes: [0, 1, 2, 3].map(|k| self.kalker_slopes[k] + by_ratio[k]),
+            spin_slope: self.spin_slope + by_ratio[2] + narrow * by_ratio[0],
+            ..*self
         }
     }
 

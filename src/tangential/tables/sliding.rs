@@ -6,12 +6,13 @@
 //!
 //! Units as in [`super`]: lengths over c = sqrt(a b), forces over μ N.
 
+use crate::math::real::Real;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Force and moment on the body whose creepage (ξ, η, c φ) is given; any scale of it will do.
 #[must_use]
 pub fn sliding_force(log_axis_ratio: f64, [xi, eta, phi]: [f64; 3]) -> [f64; 3] {
-    let slip = xi.hypot(eta);
+    let slip = xi.hypotenuse(eta);
     if phi.abs() < 1e-9 * slip {
         return [-xi / slip, -eta / slip, 0.0];
     }
@@ -44,7 +45,7 @@ impl Ellipse {
         if outside > 0.0 {
             // The angles at which rays leave a unit circle, where the ellipse is stretched to one.
             let (u, v) = (x / a, y / b);
-            let (middle, half) = ((-v).atan2(-u), (1.0 / u.hypot(v)).min(1.0).asin());
+            let (middle, half) = ((-v).atan2(-u), (1.0 / u.hypotenuse(v)).min(1.0).asin());
             for k in 0..POINTS {
                 // Chords vanish at the ends as the square root of the distance: in τ they are
                 // smooth and flat there.

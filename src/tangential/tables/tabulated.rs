@@ -21,7 +21,7 @@ pub trait Tabulated: Real {
     fn tabulated(
         table: &impl ForceTable,
         log_ratio: Self,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         v: [Self; 3],
     ) -> EllipseForce<Self>;
 }
@@ -42,10 +42,11 @@ impl<const N: usize> Tabulated for Dual<N> {
     fn tabulated(
         table: &impl ForceTable,
         log_ratio: Self,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         v: [Self; 3],
     ) -> EllipseForce<Self> {
-        with_slopes(table, log_ratio, poisson_ratio, v)
+        // Poisson's ratio does not move.
+        with_slopes(table, log_ratio, poisson_ratio.value, v)
     }
 }
 
@@ -53,10 +54,27 @@ impl Tabulated for Taped {
     fn tabulated(
         table: &impl ForceTable,
         log_ratio: Self,
-        poisson_ratio: f64,
+        poisson_ratio: Self,
         v: [Self; 3],
     ) -> EllipseForce<Self> {
-        with_slopes(table, log_ratio, poisson_ratio, v)
+        let scales = Scales::of(log_ratio.value(), poisson_ratio.value());
+        let at = v.map(Self::value);
+        let (found, slopes) = table.force_and_slopes(&scales, at);
+        // The ratio enters by the scales alone, along which the force moves in proportion.
+        let along = scales.with_ratio_along(poisson_ratio.value());
+        let (_, with_ratio) = table.force_and_slopes(&along, at);
+        let with_slopes = |value: f64, k: usize| {
+            let [by_x, by_y, by_spin, by_t] = slopes[k];
+            let by_ratio = with_ratio[k][3] - by_t;
+            let numbers = [&v[0], &v[1], &v[2], &log_ratio, &poisson_ratio];
+            let all = numbers.into_iter().zip([by_x, by_y, by_spin, by_t, by_ratio]);
+            Self::combined(value, all)
+        };
+        let [x, y, moment] = found.force;
+        EllipseForce {
+            force: [with_slopes(x, 0), with_slopes(y, 1), with_slopes(moment, 2)],
+            slip_share: with_slopes(found.slip_share, 3),
+        }
     }
 }
 

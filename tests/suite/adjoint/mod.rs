@@ -3,6 +3,7 @@
 
 mod parameters;
 mod points;
+mod varying_rails;
 mod wheelset;
 
 use crate::common::random::Random;

@@ -83,6 +83,37 @@ pub fn crown(stretch: f64, [y, z]: [f64; 2]) -> String {
     })
 }
 
+/// A head of arcs of radius 300, 80 and 13 mm with steep sides, moved by (`y`, `z`) [mm].
+pub fn head([y, z]: [f64; 2]) -> String {
+    let arcs = [(300.0, 0.05), (80.0, 0.3), (13.0, 1.4)];
+    let (mut side, mut from) = (vec![[0.0, 0.0]], 0.0);
+    for (radius, to) in arcs {
+        let [start_y, start_z] = side[side.len() - 1];
+        let count = (radius * (to - from) / 0.3_f64).ceil();
+        side.extend((1..=count as usize).map(|i| {
+            let angle: f64 = from + (to - from) * i as f64 / count;
+            let across = angle.sin() - from.sin();
+            [start_y + radius * across, start_z + radius * (from.cos() - angle.cos())]
+        }));
+        from = to;
+    }
+    let [end_y, end_z] = side[side.len() - 1];
+    side.extend((1..=60).map(|i| {
+        let along = 0.3 * f64::from(i);
+        [end_y + along * from.cos(), end_z + along * from.sin()]
+    }));
+    let other: Vec<_> = side[1..].iter().rev().map(|[y, z]| [-y, *z]).collect();
+    let points = other.iter().chain(&side);
+    points
+        .fold(String::new(), |text, own| text + &format!("{:.12} {:.12}\n", own[0] + y, own[1] + z))
+}
+
+/// A rail that bends to the side and up and down along the track [mm].
+pub fn bent(place: f64) -> [f64; 2] {
+    let wave = place / 80.0;
+    [0.8 * wave.sin(), 0.5 * (1.3 * wave).cos()]
+}
+
 /// A folder with slices `section(place)` at the `places` [mm], and their file `rail.slcs`.
 pub fn slices(places: impl Iterator<Item = f64>, section: impl Fn(f64) -> String) -> TempDir {
     let folder = TempDir::new().unwrap();

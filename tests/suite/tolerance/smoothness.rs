@@ -77,6 +77,10 @@ super::entry::tolerances! {
     /// differences, over the greatest that any of them does: rounding of the differences.
     BACKWARDS_DIFFERENCES: f64 = 1e-6;
 
+    /// The same by the nominal radius on rails of slices, which are laid for a wheel of the radius that
+    /// it has: what bridges their troughs does not count as moving.
+    BACKWARDS_ON_SLICES: f64 = 3e-6, target 1e-6;
+
     /// Work around a frictionless closed loop as wide as a patch is long over the energy stored,
     /// median and worst: the nodes of strips stand otherwise in every place.
     LOOP_WORK: [f64; 2] = [1e-4, 1.5e-2], target [1e-4, 1e-4];

@@ -21,6 +21,10 @@ super::entry::tolerances! {
     /// equations; where that last digit decides on one more step, answers differ by that much.
     OTHER_BUILD: f64 = 1e-9;
 
+    /// The same on another processor with the same C library, whose sines, exponentials and logarithms
+    /// are the same bits there: what is left is the order of sums.
+    OTHER_PROCESSOR: f64 = 1e-12;
+
     /// Wheel markers of a wheelset against products of rotation matrices, position [m], velocity
     /// over 60 m/s: rounding.
     WHEELSET_MARKER: f64 = 1e-15;

@@ -3,6 +3,7 @@
 use crate::geometry::sections::rows::surface::{REACH, Surface};
 use crate::geometry::sections::slices::Rows;
 use crate::geometry::uneven::waviness::Waviness;
+use crate::math::real::Real;
 
 /// Radius of the lowest points of any wheel over its nominal one [-].
 pub(super) const LARGEST: f64 = 1.1;
@@ -117,9 +118,9 @@ fn hollows(rows: &Rows, radius: f64, waves: f64) -> Vec<u32> {
             // up.
             let is_hollow = [from, to].into_iter().any(|knot| {
                 let [_, _, dy, dz] = knot.value;
-                let limit = most * dy.hypot(dz);
+                let limit = most * dy.hypotenuse(dz);
                 [0, 1].into_iter().any(|end| {
-                    (y[end] * dz).abs() - (z[end].min(0.0) - waves) * dy.hypot(dz) > limit
+                    (y[end] * dz).abs() - (z[end].min(0.0) - waves) * dy.hypotenuse(dz) > limit
                 })
             });
             hollows[i * count + j] = hollows[(i - 1) * count + j] + u32::from(is_hollow);

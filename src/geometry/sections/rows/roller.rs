@@ -122,7 +122,7 @@ impl Roller {
     pub fn rise(&self, corrugation: &Waviness, x: f64, z: f64) -> f64 {
         let (sine, cosine) = x.atan2(self.radius - z).sin_cos();
         let [_, slope, _] = corrugation.at(self.arc(x, z));
-        let r = x.hypot(self.radius - z);
+        let r = x.hypotenuse(self.radius - z);
         slope / (cosine + self.radius / r * slope * sine).max(MIN_ROW)
     }
 }
@@ -153,7 +153,7 @@ mod tests {
                 let row = |x: f64, depth: f64| roller.row(depth, &waves, x);
                 let here = row(x, depth);
                 let angle = x.atan2(roller.radius - here.z);
-                let distance = x.hypot(roller.radius - here.z);
+                let distance = x.hypotenuse(roller.radius - here.z);
                 let expected = roller.radius - depth + waves.at(0.37 + roller.radius * angle)[0];
                 assert_relative_eq!(distance, expected, epsilon = 1e-13);
                 let h = 1e-6;

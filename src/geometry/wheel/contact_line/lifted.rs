@@ -27,7 +27,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
             return wheel.rolling_radius;
         }
         let tangent = self.even_at(s).tangent;
-        let length = tangent[0].hypot(tangent[1]);
+        let length = tangent[0].hypotenuse(tangent[1]);
         let normal = [-tangent[1] / length, tangent[0] / length];
         wheel.section_radius * self.lifting_share(normal)
     }

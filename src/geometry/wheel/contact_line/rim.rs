@@ -83,7 +83,7 @@ impl<'a, T: Real> ContactLine<'a, T> {
         let edge = self.profile.at(edge_s);
         let radius = radius_of(&edge);
         let half_chord = (radius * radius - height * height).at_least(0.0).sqrt();
-        let share = self.lead.abs() / self.lead.hypot(TURNING_YAW.into());
+        let share = self.lead.abs() / self.lead.hypotenuse(TURNING_YAW.into());
         let regular = on.radius * on.sine;
         let side = self.lead.signum() * p.first[1].signum();
         let ahead = regular + share * (half_chord * side - regular);
@@ -149,7 +149,7 @@ impl<T: Real> Rim<'_, T> {
     pub(super) fn point(&self) -> LinePoint<T> {
         let ContactLine { marker, axle, ahead, down, cosine, .. } = *self.line;
         let [tangent_y, tangent_z] = self.along_height();
-        let length = tangent_y.hypot(tangent_z).copysign(self.height_rate.value());
+        let length = tangent_y.hypotenuse(tangent_z).copysign(self.height_rate.value());
         let place = |i: usize| {
             marker[i + 1]
                 + self.edge.point[0] * axle[i + 1]
@@ -182,7 +182,7 @@ impl<T: Real> Rim<'_, T> {
         let rounding = self.line.mean_curvature(self.edge_s + middle).at_least(0.0);
         WheelPoint {
             y: self.edge.point[0],
-            rolling_radius: self.ahead.hypot(self.height),
+            rolling_radius: self.ahead.hypotenuse(self.height),
             section_radius: T::from(1.0)
                 / (T::from(MIN_SLOPE_COSINE) / radius + rounding * sine * sine),
         }

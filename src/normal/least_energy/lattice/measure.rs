@@ -160,7 +160,7 @@ impl<T: Real> Lattice<T> {
             if k > 0 && self.stations[k].interval == self.stations[k - 1].interval {
                 let [a, b] = [&self.stations[k - 1], &self.stations[k]];
                 let across = (b.y - a.y) * (before[0] + here[0]) * 0.5;
-                measure += across.hypot((here[1] - before[1]) * 0.5) * scale;
+                measure += across.hypotenuse((here[1] - before[1]) * 0.5) * scale;
             }
             self.stations[k].measure = measure;
             before = here;

@@ -4,6 +4,7 @@ use super::super::kernel::Table;
 use super::super::lanes::{Four, LANES, Simd, stride};
 use super::super::problem::Problem;
 use super::{System, add_product};
+use crate::math::real::Real;
 
 /// Times that each load is brought to rest in one step.
 const SWEEPS: usize = 4;
@@ -47,7 +48,7 @@ impl System {
                 sum = sum + flatter;
             }
             let step = sum.sum() / weight.sum();
-            *shape += step / step.hypot(1.0);
+            *shape += step / step.hypotenuse(1.0);
         }
     }
 
