@@ -149,9 +149,9 @@ impl<T: Real> Sums<T> {
             // Weights count from the nearest row.
             let fade = ((gap - self.least) / FADES).exp();
             self.least = gap;
-            self.total = self.total * fade;
+            self.total *= fade;
             self.rates = self.rates.map(|sum| sum * fade);
-            self.squares = self.squares * fade;
+            self.squares *= fade;
         }
         let beyond = (row.gap - self.least) / FADES;
         if beyond.value() > FARTHEST {

@@ -165,6 +165,11 @@ impl<'a, T: Real> Over<'a, T> {
         self.course.map_or(z, |course| course.on_rail([row.x, y, z])[2])
     }
 
+    /// Whether it is seen in axes along rows that drift or rise.
+    pub fn is_along_rows(&self) -> bool {
+        self.course.is_some()
+    }
+
     /// The contact line.
     pub fn line(&self) -> &'a ContactLine<'a, T> {
         self.line

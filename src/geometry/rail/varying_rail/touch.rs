@@ -167,8 +167,8 @@ impl Touch<'_> {
         let [from, to] = over.reach(self.surface, run)?;
         let at = |place: f64| over.row(self.surface, j, run, place.clamp(from, to));
         let row = at(0.0);
-        // The axes along the rows may lead beside the axle.
-        let row = if row.x == row.place { row } else { at(row.place - row.x / row.rate) };
+        // Along the rows the axle is elsewhere than along the track.
+        let row = if over.is_along_rows() { at(row.place - row.x / row.rate) } else { row };
         Some(over.under_axle(j, &row))
     }
 
