@@ -33,6 +33,7 @@ mod bounds;
 mod deviation;
 mod few;
 mod mean_course;
+mod meeting;
 mod moving_outline;
 mod over;
 mod touch;
@@ -42,13 +43,13 @@ mod wheel_above;
 mod wheel_table;
 
 use self::bounds::{Bound, Bounds};
-use self::few::{Few, NEAR};
+use self::few::Few;
 use self::mean_course::Courses;
+use self::meeting::Meeting;
 pub use self::moving_outline::MovingOutline;
 use self::over::{Over, REACH_ALONG};
-use self::touch::{Start, Touch};
-use self::trend::Trend;
-use self::waves::Waves;
+use self::touch::Touch;
+use self::waves::{Waves, bulge_over};
 pub use self::wheel_above::WheelAbove;
 use self::wheel_table::WheelTable;
 use crate::geometry::curves::arc_length::ArcLength;
@@ -56,20 +57,15 @@ use crate::geometry::curves::curve::{Curve, Knot};
 use crate::geometry::rail::course::Course;
 pub use crate::geometry::sections::rows::along::Along;
 use crate::geometry::sections::rows::envelope::Envelope;
-use crate::geometry::sections::rows::met::Met;
 use crate::geometry::sections::rows::roller::Roller;
 use crate::geometry::sections::rows::surface::{MAX_SHARE_OF_ROLLER, REACH, Surface};
 use crate::geometry::sections::slices::Slices;
-use crate::geometry::uneven::longitudinal::MIN_REACH;
 use crate::geometry::uneven::waviness::Waviness;
 use crate::geometry::wheel::contact_line::ContactLine;
 use crate::geometry::wheel::wheel_pose::WheelPose;
 use crate::math::dual::Dual;
 use crate::math::fixed_vec::FixedVec;
 use crate::math::real::Real;
-
-/// How far below the wheel a row surely stays where its place is no longer looked for [m].
-const FAR_BELOW: f64 = 0.02;
 
 /// A rail whose section varies.
 #[derive(Clone, Debug)]
@@ -90,13 +86,9 @@ pub struct VaryingRail {
     waves: Waviness,
     nominal_radius: f64,
     envelope: Envelope,
-    /// How far the few rows surely are below the wheel that comes next, along the track and along
-    /// the axes in which it is seen [m].
+    /// How far the few rows surely are below the wheel that comes next, seen along the track [m].
     lows: FixedVec<f64>,
-    lows_along: FixedVec<f64>,
-    /// The few rows about where they are met, and all that are met.
-    about: FixedVec<Met>,
-    met: FixedVec<Met>,
+    meeting: Meeting,
     /// Arc of the pattern at each row, from the first one [m], and the row at which it is highest.
     arcs: Vec<f64>,
     top: usize,
@@ -146,9 +138,7 @@ impl VaryingRail {
             nominal_radius: wheel.nominal_radius,
             envelope: Envelope::new(surface.count()),
             lows: FixedVec::new(surface.count()),
-            lows_along: FixedVec::new(surface.count()),
-            about: FixedVec::new(surface.count()),
-            met: FixedVec::new(surface.count()),
+            meeting: Meeting::new(surface.count()),
             surface,
             station: 0.0,
             pitch: 0.0,
@@ -216,8 +206,8 @@ impl VaryingRail {
 
     /// Lays the envelope for the wheel of `line`, which stands at `pose` in the axes along the rows,
     /// `x` from the origin of a track that is at the station `origin` [m], turned by `pitch` [rad],
-    /// into `curve`; allocates nothing within the room that it has. False where there is no rail
-    /// within reach.
+    /// into `curve`, after [`approach`](Self::approach); allocates nothing within the room that it
+    /// has. False where there is no rail within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
@@ -237,7 +227,7 @@ impl VaryingRail {
             self.wheel.follow(line.profile());
         }
         self.meet_rows(line, pose);
-        let is_there = self.envelope.lay(&self.surface, &self.met);
+        let is_there = self.envelope.lay(&self.surface, self.meeting.met());
         if is_there {
             curve.put_through(self.envelope.knots());
         }
@@ -253,7 +243,7 @@ impl VaryingRail {
         station: T,
         outline: &mut MovingOutline<T>,
     ) {
-        let Self { surface, bounds, wheel, met, .. } = self;
+        let Self { surface, bounds, wheel, meeting, .. } = self;
         let touch = Touch { surface, bounds, wheel };
         let within = surface.within(station.value());
         let fixed_line = line.value().fixed::<Dual<2>>();
@@ -266,85 +256,29 @@ impl VaryingRail {
         let fixed = fixed.along(self.course().map(Course::fixed));
         let over = Over::new(line, pose, station, within).along(outline.course);
         outline.met.clear();
-        outline.met.extend(met.iter().map(|found| touch.moving(&over, &fixed, found)));
+        outline.met.extend(meeting.met().iter().map(|found| touch.moving(&over, &fixed, found)));
         outline.envelope.lay(surface, &outline.met);
         outline.station = station;
     }
 
-    /// Fills `met` with all rows that may touch, and with a few of the others.
+    /// Meets all rows that may touch, and a few of the others.
     fn meet_rows(&mut self, line: &ContactLine, pose: &WheelPose) {
-        let Self {
-            surface, bounds, few, wheel, lows, lows_along, about, met, waves, level, ..
-        } = self;
+        let Self { surface, bounds, few, wheel, lows, meeting, waves, level, .. } = self;
         let within = surface.within(self.station);
         let turn = [self.pitch, pose.yaw];
         let waves = (!waves.is_empty()).then(|| Waves::new(waves, self.nominal_radius, turn));
         let course = level.map(|(_, course)| course);
         let over = &Over::new(line, pose, self.station, within).with_waves(waves).along(course);
-        let lows: &[f64] = match level {
-            None => lows,
-            Some((level, course)) => {
-                let above = &Over::new(line, level, self.station, within);
-                let [along, ..] = course.axes;
-                let aside = (REACH_ALONG - REACH) * (along[1] / along[0]).abs();
-                let low = |&j: &usize| below(bounds.of(j, within.slice), wheel, above, aside);
-                lows_along.clear();
-                lows_along.extend(few.rows.iter().map(low));
-                lows_along
-            }
-        };
         let touch = Touch { surface, bounds, wheel };
-        let parameter = &surface.rows.parameter;
-        // A few rows tell how near the wheel they are, where they may be nearer than the one that
-        // may be nearest.
-        let rows = few.rows.iter().copied().zip(lows.iter().copied());
-        let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
-        let nearest = first.and_then(|(j, _)| touch.about(over, j, None));
-        let nearest = nearest.filter(|met| met.opposite.is_some());
-        let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
-        about.clear();
-        let mut trend = Trend::default();
-        for (j, low) in rows {
-            let found = if low > far {
-                touch.aside(over, j)
-            } else if touch.is_hollow(over, j) {
-                touch.meet(over, j, Start::of(trend.beside()), true)
-            } else {
-                touch.about(over, j, trend.beside())
-            };
-            if let Some(mut found) = found {
-                if found.opposite.is_none() {
-                    found.gap.height = low;
-                }
-                about.push(found);
-                trend.follow(&found);
-            }
-        }
-        met.clear();
-        let opposite = about.iter().filter(|m| m.opposite.is_some());
-        let least = opposite.map(|m| m.gap.height).reduce(f64::min).unwrap_or(0.0).max(0.0);
-        let is_wavy =
-            !surface.corrugation.is_empty() || over.waves().is_some_and(|waves| waves.is_hollow());
-        let mut trend = Trend::default();
-        for (k, here) in about.iter().enumerate() {
-            let next = about.get(k + 1);
-            let behind = k > 0 && few.is_near(&surface.rows, [&about[k - 1], here], least);
-            let ahead = next.filter(|next| few.is_near(&surface.rows, [here, next], least));
-            if !behind && ahead.is_none() {
-                met.push(*here);
-                trend = Trend::default();
-                continue;
-            }
-            let end = ahead.map_or(here.row + 1, |next| next.row);
-            for j in here.row..end {
-                let looks = is_wavy || j == here.row;
-                let start = trend.start(parameter, j, here);
-                if let Some(found) = touch.meet(over, j, start, looks) {
-                    met.push(found);
-                    trend.follow(&found);
-                }
-            }
-        }
+        let Some((level, course)) = level else {
+            meeting.meet(&touch, few, over, lows.iter().copied());
+            return;
+        };
+        let above = &Over::new(line, level, self.station, within);
+        let [along, ..] = course.axes;
+        let aside = (REACH_ALONG - REACH) * (along[1] / along[0]).abs();
+        let low = |&j: &usize| below(bounds.of(j, within.slice), wheel, above, aside);
+        meeting.meet(&touch, few, over, few.rows.iter().map(low));
     }
 
     /// Parameter of the outline that was laid last near the highest place of the pattern, and the
@@ -372,7 +306,7 @@ impl VaryingRail {
     /// Whether all rows are higher by a corrugation.
     #[must_use]
     pub fn is_corrugated(&self) -> bool {
-        !self.surface.corrugation.is_empty()
+        self.surface.is_corrugated()
     }
 
     /// By how much a corrugation is more curved over the distance `reach` to either side of the
@@ -458,16 +392,6 @@ fn arcs_of_pattern(surface: &Surface) -> (Vec<f64>, usize) {
     let heights = rows.pattern.iter().enumerate();
     let top = heights.min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1])).map_or(0, |(j, _)| j);
     (arcs, top)
-}
-
-/// Curvature of `waves` over the distance `reach` to either side of the place `at` [m], positive
-/// where they bulge [1/m]; nothing where that of the place is as good.
-fn bulge_over(waves: &Waviness, at: f64, reach: f64) -> Option<f64> {
-    if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
-        return None;
-    }
-    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.at(place)[0]);
-    Some((2.0 * here - ahead - behind) / (reach * reach))
 }
 
 /// How far a row is surely below the `wheel` by its `bound`, but for the margin within which it

@@ -39,6 +39,7 @@ fn the_rim_of_a_flange_far_above_the_side_of_a_rail_does_not_touch_it() {
     ] {
         let pose = WheelPose { marker: [0.0, across - y, down - z], roll, yaw };
         let line = ContactLine::new(&wheel.curve, 0.46, &pose);
+        rail.approach(&pose, [0.0; 2]);
         assert!(rail.pass(&line, &pose, [0.0; 2], 0.0));
         search.search(&line, &rail, &[line.range()]);
         assert!(search.contacts.is_empty(), "{:?}", search.contacts[0]);

@@ -277,7 +277,12 @@ impl Over<'_> {
 
     /// Whether the wheel may be hollow for a rail.
     pub fn is_hollow(&self) -> bool {
-        self.varies_around() || self.waves.is_some_and(|waves| waves.is_hollow())
+        self.varies_around() || self.has_hollow_waves()
+    }
+
+    /// Whether waves over its angle may make it so.
+    pub fn has_hollow_waves(&self) -> bool {
+        self.waves.is_some_and(|waves| waves.is_hollow())
     }
 
     /// How far ahead of its contact line or behind a wheel whose section varies around may be met

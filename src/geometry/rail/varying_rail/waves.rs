@@ -1,6 +1,7 @@
 //! Deviations of a wheel by its angle, as it stands above a rail that varies.
 
 use crate::geometry::sections::rows::surface::REACH;
+use crate::geometry::uneven::longitudinal::MIN_REACH;
 use crate::geometry::uneven::waviness::Waviness;
 
 /// Deviations of a wheel over the arc of its nominal rolling circle, and how it stands.
@@ -48,4 +49,14 @@ impl<'a> Waves<'a> {
     pub fn spacing(&self) -> f64 {
         self.surface.bounds().spacing.max(SHORTEST)
     }
+}
+
+/// Curvature of `waves` over the distance `reach` to either side of the place `at` [m], positive
+/// where they bulge [1/m]; nothing where that of the place is as good.
+pub(super) fn bulge_over(waves: &Waviness, at: f64, reach: f64) -> Option<f64> {
+    if waves.is_empty() || reach <= waves.bounds().spacing * MIN_REACH {
+        return None;
+    }
+    let [here, ahead, behind] = [at, at + reach, at - reach].map(|place| waves.at(place)[0]);
+    Some((2.0 * here - ahead - behind) / (reach * reach))
 }

@@ -52,6 +52,11 @@ impl Surface {
         self.rows.parameter.len()
     }
 
+    /// Whether all rows are higher by a corrugation.
+    pub fn is_corrugated(&self) -> bool {
+        !self.corrugation.is_empty()
+    }
+
     /// The slices around `station` [m].
     pub fn within(&self, station: f64) -> Within {
         let places = &self.rows.places;

@@ -1,0 +1,97 @@
+//! Which rows of a rail the wheel above it is to meet, and where it does.
+
+use super::few::{Few, NEAR};
+use super::over::Over;
+use super::touch::{Start, Touch};
+use super::trend::Trend;
+use crate::geometry::sections::rows::met::Met;
+use crate::math::fixed_vec::FixedVec;
+
+/// How far below the wheel the few rows surely are of which nothing is asked where none is known to
+/// be nearer [m].
+const FAR_BELOW: f64 = 0.02;
+
+/// The rows that a wheel meets.
+#[derive(Clone, Debug)]
+pub(super) struct Meeting {
+    /// How far the few rows surely are below the wheel [m].
+    lows: FixedVec<f64>,
+    /// The few rows about where they are met.
+    about: FixedVec<Met>,
+    met: FixedVec<Met>,
+}
+
+impl Meeting {
+    /// Room for `count` rows.
+    pub fn new(count: usize) -> Self {
+        let about = FixedVec::new(count);
+        Self { lows: FixedVec::new(count), met: about.clone(), about }
+    }
+
+    /// All rows that were met last, in their order, and a few of the others.
+    pub fn met(&self) -> &[Met] {
+        &self.met
+    }
+
+    /// Meets all rows that may touch the wheel `over` them, and `few` of the others, which surely
+    /// are by `lows` below it [m].
+    pub fn meet(&mut self, touch: &Touch, few: &Few, over: &Over, lows: impl Iterator<Item = f64>) {
+        self.lows.clear();
+        self.lows.extend(lows);
+        self.ask_few(touch, few, over);
+        let Self { about, met, .. } = self;
+        met.clear();
+        let rows = &touch.surface.rows;
+        let opposite = about.iter().filter(|met| met.opposite.is_some());
+        let least = opposite.map(|met| met.gap.height).reduce(f64::min).unwrap_or(0.0).max(0.0);
+        let is_wavy = touch.surface.is_corrugated() || over.has_hollow_waves();
+        let mut trend = Trend::default();
+        for (k, here) in about.iter().enumerate() {
+            let next = about.get(k + 1);
+            let behind = k > 0 && few.is_near(rows, [&about[k - 1], here], least);
+            let ahead = next.filter(|next| few.is_near(rows, [here, next], least));
+            if !behind && ahead.is_none() {
+                met.push(*here);
+                trend = Trend::default();
+                continue;
+            }
+            let end = ahead.map_or(here.row + 1, |next| next.row);
+            for j in here.row..end {
+                let looks_through = is_wavy || j == here.row;
+                let start = trend.start(&rows.parameter, j, here);
+                if let Some(found) = touch.meet(over, j, start, looks_through) {
+                    met.push(found);
+                    trend.follow(&found);
+                }
+            }
+        }
+    }
+
+    /// Asks the `few` rows about where they are met, but for those that are farther below the wheel
+    /// than the one that may be nearest.
+    fn ask_few(&mut self, touch: &Touch, few: &Few, over: &Over) {
+        let Self { lows, about, .. } = self;
+        let rows = few.rows.iter().copied().zip(lows.iter().copied());
+        let first = rows.clone().min_by(|a, b| a.1.total_cmp(&b.1));
+        let nearest = first.and_then(|(j, _)| touch.about(over, j, None));
+        let nearest = nearest.filter(|met| met.opposite.is_some());
+        let far = nearest.map_or(FAR_BELOW, |met| met.gap.height.max(0.0) + NEAR);
+        about.clear();
+        let mut trend = Trend::default();
+        for (j, low) in rows {
+            let found = if low > far {
+                touch.aside(over, j)
+            } else if touch.is_hollow(over, j) {
+                touch.meet(over, j, Start::of(trend.beside()), true)
+            } else {
+                touch.about(over, j, trend.beside())
+            };
+            let Some(mut found) = found else { continue };
+            if found.opposite.is_none() {
+                found.gap.height = low;
+            }
+            about.push(found);
+            trend.follow(&found);
+        }
+    }
+}
