@@ -303,8 +303,9 @@ impl PlacedRail {
     }
 
     /// Takes the outline of a rail that varies as the wheel of `line` meets it, after
-    /// [`approach`](Self::approach): it stands at `pose` in the axes along the rows, `x` from the origin of a track that is at the station `origin` [m], turned by `pitch`
-    /// [rad]; nothing for others. False where there is no rail within reach.
+    /// [`approach`](Self::approach): it stands at `pose` in the axes along the rows, `x` from the
+    /// origin of a track that is at the station `origin` [m], turned by `pitch` [rad]; nothing for
+    /// others. False where there is no rail within reach.
     pub fn pass(
         &mut self,
         line: &ContactLine,
