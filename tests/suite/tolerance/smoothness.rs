@@ -78,7 +78,7 @@ super::entry::tolerances! {
     BACKWARDS_DIFFERENCES: f64 = 1e-6;
 
     /// The same by the nominal radius on rails of slices, which are laid for a wheel of the radius that
-    /// it has: what bridges their troughs does not count as moving.
+    /// it has: the cause is not known.
     BACKWARDS_ON_SLICES: f64 = 3e-6, target 1e-6;
 
     /// Work around a frictionless closed loop as wide as a patch is long over the energy stored,

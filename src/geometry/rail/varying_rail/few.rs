@@ -8,13 +8,15 @@ use crate::geometry::curves::curve::{Curve, Knot};
 use crate::geometry::sections::rows::envelope::TREND;
 use crate::geometry::sections::rows::met::Met;
 use crate::geometry::sections::slices::Rows;
+use crate::math::real::Real;
 
 /// Distance of these rows [m].
 const WIDE: f64 = 3e-3;
-/// How much farther than what touches rows may be from the wheel that are met each, so that the
-/// outline goes on as it is beside a contact; and those of which neighbours are met in other places
-/// [m].
+/// Rows are met each up to this distance from a wheel that touches, so that the outline beside a
+/// contact is that of neighbouring rows: on a crown of 300 mm one or two of them [m].
 const BESIDE: f64 = 2e-5;
+/// The same where two of the few rows are met in other places, so that nothing is known of those
+/// between: what a corner of 13 mm and the tip of a flange stand out between two rows, with room [m].
 pub(super) const NEAR: f64 = 3e-4;
 /// Distance of the samples of a profile [m].
 const SAMPLE: f64 = 2e-4;
@@ -24,8 +26,8 @@ const SAMPLE: f64 = 2e-4;
 pub(super) struct Few {
     /// Their numbers.
     pub rows: Vec<usize>,
-    /// By rows: how far those up to the next one of the few stand above the cubic between both, at
-    /// most, on any slice [m].
+    /// By rows: how far those up to the next one of the few, on any slice, and the profile of the
+    /// wheel over as long a way go beside the cubics between both ends, at most [m].
     ripples: Vec<f64>,
 }
 
@@ -117,7 +119,7 @@ fn beside(curve: &Curve, knots: impl Iterator<Item = Knot>) -> f64 {
         let p = curve.at(knot.s);
         let [dy, dz] = p.first;
         let to = [knot.point[0] - p.point[0], knot.point[1] - p.point[1]];
-        (to[1] * dy - to[0] * dz).abs() / dy.hypot(dz)
+        (to[1] * dy - to[0] * dz).abs() / dy.hypotenuse(dz)
     });
     // Not a number where the row is not there.
     away.fold(0.0, f64::max)

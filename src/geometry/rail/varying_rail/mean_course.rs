@@ -115,13 +115,13 @@ impl Courses {
         };
         let fixed = Over::new(&fixed_line, &fixed_pose, station.value(), within);
         // The row that may be nearest tells which ones need not be looked at.
-        let own = |j: usize, beside| own(surface, &self.wheel, &fixed, &over, (j, beside));
+        let course_of = |j: usize, beside| own(surface, &self.wheel, &fixed, &over, (j, beside));
         let rows = rows.iter().copied().zip(lows);
         let (first, _) = rows.clone().min_by(|a, b| a.1.total_cmp(b.1))?;
-        let near = own(first, None).map_or(f64::INFINITY, |row| row.gap.value());
+        let near = course_of(first, None).map_or(f64::INFINITY, |row| row.gap.value());
         let (mut sums, mut beside) = (Sums { least: f64::INFINITY, ..Sums::default() }, None);
         for (j, _) in rows.filter(|(_, low)| **low < near + FARTHEST * FADES) {
-            if let Some(row) = own(j, beside) {
+            if let Some(row) = course_of(j, beside) {
                 beside = Some(row.met);
                 sums.add(&row);
             }
@@ -204,16 +204,15 @@ fn own<T: Real>(
     let mut p = at(x);
     let [y, _] = across(&p);
     let near = beside.filter(|b| (b.across - y.value()).abs() < CLOSE);
-    let mut u = match near {
+    let u = match near {
         Some(near) => near.u + y.value() - near.across,
         None => table.parameter(y.value())?,
     };
     let mut wheel = over.opposite_to(fixed, u, y)?;
     for _ in 0..STEPS {
-        u = wheel.u.value();
         x = clamped(wheel.x);
         p = at(x);
-        wheel = over.opposite_to(fixed, u, across(&p)[0])?;
+        wheel = over.opposite_to(fixed, wheel.u.value(), across(&p)[0])?;
     }
     let [y, z] = across(&p);
     let [a, b] = [x - CHORD, x + CHORD].map(clamped);

@@ -114,9 +114,10 @@ impl<T: Real> State<T> {
 pub(super) struct Start {
     /// Along the track [m].
     pub place: f64,
-    /// Parameter of the wheel opposite to about the place across behind it, if it is known [m].
+    /// Parameter of the wheel about opposite, and the coordinate to the right that it belongs to; if
+    /// known [m].
     pub opposite: Option<[f64; 2]>,
-    /// Whether that is where the rows before lead.
+    /// Whether the rows before lead there; else the contact line is gone to first.
     pub goes_on: bool,
 }
 
