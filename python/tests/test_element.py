@@ -260,11 +260,12 @@ def test_profiles_vary_along_the_track_and_around_the_wheel(tmp_path):
     assert (np.abs(found[1] - found[0]) > 1e-3 * np.abs(found[0])).any()
     with pytest.raises(wheelrail.NoDerivativeError, match=r"wheel\.profile"):
         turned.jacobian(y=y, load=8e4)
-    # Both together: before its first section the rail is that of one profile.
+    # Both together: before its first section the rail is that of one profile. Sections of rails are followed
+    # to 10 nm, which is 1e-4 of the penetration.
     both = wheelrail.Element(wheel_profile=around, rail1_profile=rail, **under_load)
     pitch = np.array([[0.0], [-np.pi]])
     beside = both.evaluate(y=y, pitch=pitch, track_s=-1.0, load=8e4)["wheel.force.y"]
-    np.testing.assert_allclose(beside, found[:2], rtol=0, atol=1e-6 * 8e4)
+    np.testing.assert_allclose(beside, found[:2], rtol=0, atol=1e-4 * 8e4)
     section_table(rail, "station_m,profile", [(0, "60E1"), (1, "nowhere.txt")])
     with pytest.raises(wheelrail.ProfileError, match=r"rail\.csv:3: .*nowhere\.txt") as caught:
         wheelrail.Element(rail1_profile=rail)
