@@ -7,8 +7,9 @@
 //! Δ = (1 - s)² Δ_linear(v, t) + s² (Δ_sliding(v, t) + (1 - s) K(s, X/ρ, t))
 //! ```
 //!
-//! Δ_linear is Kalker's linear law less that of the marches, for Poisson's ratio 0.28, Δ_sliding comes
-//! from the table alone. The exact forces at the nodes are those of the table of creep forces, which
+//! Δ_linear is Kalker's linear law less that of the marches: shares of the linear coefficients, which
+//! are parabolas over Poisson's ratio. Δ_sliding comes from the table alone, for the ratio 0.28. The
+//! exact forces at the nodes are those of the table of creep forces, which
 //! boundary elements have made; the marches there are made by `wheelrail tables --marches`.
 
 use super::ellipse::MarchedEllipse;
@@ -35,25 +36,43 @@ const FILE: &[u8] = include_bytes!("differences.table");
 const SMALL: f64 = 1e-9;
 const GREAT: f64 = 1e6;
 
-/// Coefficients of a linear law: longitudinal force by longitudinal creepage, lateral force and
-/// moment by lateral creepage and spin.
-type Linear = [f64; 5];
+/// Shares of Kalker's coefficients that marches lack: of c11, of c22, of c23 in the lateral force of
+/// spin, of c23 in the moment of lateral creepage, of c33.
+type Lacks = [f64; 5];
 
-fn linear_force([x, y, y_spin, m, m_spin]: Linear, v: [f64; 3]) -> [f64; 3] {
-    [x * v[0], y * v[1] + y_spin * v[2], m * v[1] + m_spin * v[2]]
+/// Poisson's ratios at which they are found.
+const POISSON_RATIOS: [f64; 3] = [0.0, POISSON_RATIO, 0.5];
+
+/// Linear force and moment of the parts `lacks` of the coefficients `kalker`.
+fn linear_force(lacks: Lacks, [c11, c22, c23, c33]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
+    let [x, y, y_spin, m, m_spin] = lacks;
+    [-x * c11 * v[0], -y * c22 * v[1] - y_spin * c23 * v[2], m * c23 * v[1] - m_spin * c33 * v[2]]
 }
 
-/// What the linear law of ellipse number `i` of the table has over that of its marches.
-fn linear_difference(i: usize) -> Linear {
+/// What the marches on ellipse number `i` of the table lack of the linear law for each of
+/// [`POISSON_RATIOS`].
+fn lacks_of(i: usize) -> [Lacks; 3] {
     let mut marched = MarchedEllipse::new(log_ratio(i), POISSON_RATIO);
-    let [x, y, spin] = [0, 1, 2].map(|k| {
-        let mut v = [0.0; 3];
-        v[k] = SMALL;
-        let exact = Scales::of(log_ratio(i), POISSON_RATIO).linear(v);
-        let own = marched.force(v);
-        [0, 1, 2].map(|k| (exact[k] - own[k]) / SMALL)
-    });
-    [x[0], y[1], spin[1], y[2], spin[2]]
+    POISSON_RATIOS.map(|poisson_ratio| {
+        marched.poisson_ratio = poisson_ratio;
+        let scales = Scales::of(log_ratio(i), poisson_ratio);
+        let [x, y, spin] = [0, 1, 2].map(|k| {
+            let mut v = [0.0; 3];
+            v[k] = SMALL;
+            let (exact, own) = (scales.linear(v), marched.force(v));
+            [0, 1, 2].map(|k| 1.0 - own[k] / exact[k])
+        });
+        [x[0], y[1], spin[1], y[2], spin[2]]
+    })
+}
+
+/// The parabola through `values` at [`POISSON_RATIOS`] and its slope, at `ratio`.
+fn parabola(values: [f64; 3], ratio: f64) -> [f64; 2] {
+    let [a, b, c] = POISSON_RATIOS;
+    let first = (values[1] - values[0]) / (b - a);
+    let second = ((values[2] - values[1]) / (c - b) - first) / (c - a);
+    let slope = first + second * (2.0 * ratio - a - b);
+    [values[0] + (ratio - a) * (first + second * (ratio - b)), slope]
 }
 
 /// The numbers of the table, from those of the exact one.
@@ -64,7 +83,7 @@ pub fn nodes(exact: &Nodes) -> Nodes {
         let t = log_ratio(i);
         let mut marched = MarchedEllipse::new(t, POISSON_RATIO);
         let ellipse = ScaledEllipse::new(t, POISSON_RATIO);
-        let linear = linear_difference(i);
+        let ([_, lacks, _], scales) = (lacks_of(i), Scales::of(t, POISSON_RATIO));
         let slides = |marched: &mut MarchedEllipse, v: [f64; 3]| {
             let size = v.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
             let (exact, own) =
@@ -91,7 +110,7 @@ pub fn nodes(exact: &Nodes) -> Nodes {
                 let slides = slides(&mut marched, v);
                 let exact = ellipse.force(v, saturation, correction);
                 let own = marched.force(v);
-                let linear = linear_force(linear, v);
+                let linear = linear_force(lacks, scales.kalker, v);
                 let (squared, left) = (saturation * saturation, 1.0 - saturation);
                 let mut rest = [0, 1, 2].map(|n| {
                     let limits = left * left * linear[n] + squared * slides[n];
@@ -114,8 +133,8 @@ pub fn nodes(exact: &Nodes) -> Nodes {
 #[derive(Clone, Debug)]
 pub struct Differences {
     splines: Splines,
-    /// Coefficients of splines over ln(a/b).
-    linear: Vec<Linear>,
+    /// Coefficients of splines over ln(a/b), for each of [`POISSON_RATIOS`].
+    linear: [Vec<Lacks>; 3],
 }
 
 impl Differences {
@@ -141,54 +160,80 @@ impl Differences {
     /// A table of these numbers.
     #[must_use]
     pub fn new(nodes: &Nodes) -> Self {
-        let laws: Vec<Linear> = (0..RATIOS).map(linear_difference).collect();
-        let mut linear = vec![[0.0; 5]; RATIOS + 2];
-        for n in 0..5 {
-            let column: Vec<f64> = laws.iter().map(|law| law[n]).collect();
-            for (k, c) in b_spline::coefficients(&column).into_iter().enumerate() {
-                linear[k][n] = c;
+        let found: Vec<[Lacks; 3]> = (0..RATIOS).map(lacks_of).collect();
+        let linear = [0, 1, 2].map(|nu| {
+            let mut coefficients = vec![[0.0; 5]; RATIOS + 2];
+            for n in 0..5 {
+                let column: Vec<f64> = found.iter().map(|lacks| lacks[nu][n]).collect();
+                for (own, c) in coefficients.iter_mut().zip(b_spline::coefficients(&column)) {
+                    own[n] = c;
+                }
             }
-        }
+            coefficients
+        });
         Self { splines: Splines::new(nodes), linear }
     }
 
-    /// Linear law at ln(a/b), and its derivative by it.
-    fn linear(&self, log_ratio: f64) -> [Linear; 2] {
+    /// What the linear law lacks at ln(a/b), which is brought to rest, and its derivatives by that and
+    /// by Poisson's ratio.
+    fn lacks(&self, log_ratio: f64, poisson_ratio: f64) -> [Lacks; 3] {
         let place = ratio_place(log_ratio);
-        let sum = |weights: [f64; 4]| -> Linear {
-            std::array::from_fn(|n| {
-                (0..4).map(|k| weights[k] * self.linear[place.first + k][n]).sum()
+        let sum = |weights: [f64; 4], n: usize| {
+            [0, 1, 2].map(|nu| {
+                (0..4).map(|k| weights[k] * self.linear[nu][place.first + k][n]).sum::<f64>()
             })
         };
-        [sum(place.weights), sum(place.slopes.map(|slope| slope * PER_RATIO))]
+        let mut lacks = [[0.0; 5]; 3];
+        for n in 0..5 {
+            let slopes = place.slopes.map(|slope| slope * PER_RATIO);
+            let [value, by_poisson] = parabola(sum(place.weights, n), poisson_ratio);
+            let [by_ratio, _] = parabola(sum(slopes, n), poisson_ratio);
+            for (lacks, found) in lacks.iter_mut().zip([value, by_ratio, by_poisson]) {
+                lacks[n] = found;
+            }
+        }
+        lacks
     }
 }
 
 impl ForceTable for Differences {
     fn force(&self, scales: &Scales, v: [f64; 3]) -> EllipseForce {
         let Some(query) = Query::of(scales, v) else { return EllipseForce::default() };
-        let [law, _] = self.linear(query.log_ratio[0]);
-        let limits = Limits { linear: linear_force(law, query.v), sliding: [0.0; 3] };
+        let [lacks, ..] = self.lacks(query.log_ratio[0], scales.poisson_ratio);
+        let limits =
+            Limits { linear: linear_force(lacks, scales.kalker, query.v), sliding: [0.0; 3] };
         let Interpolated { found, .. } = self.splines.between(&query, &limits);
         EllipseForce { slip_share: 0.0, ..found }
     }
 
     fn force_and_slopes(&self, scales: &Scales, v: [f64; 3]) -> (EllipseForce, ForceSlopes) {
-        let slopes_of = |[law, by_ratio]: [Linear; 2], v: [f64; 3], ratio_slope: f64| {
-            let [x, y, y_spin, m, m_spin] = law;
-            let by_t = linear_force(by_ratio, v).map(|slope| slope * ratio_slope);
-            [[x, 0.0, 0.0, by_t[0]], [0.0, y, y_spin, by_t[1]], [0.0, m, m_spin, by_t[2]]]
+        let slopes_of = |[lacks, by_ratio, by_poisson]: [Lacks; 3], v, ratio_slope: f64| {
+            let [x, y, y_spin, m, m_spin] = lacks;
+            let [c11, c22, c23, c33] = scales.kalker;
+            let moved: Lacks = std::array::from_fn(|n| {
+                by_ratio[n] * ratio_slope + by_poisson[n] * scales.poisson_slope
+            });
+            let of_lacks = linear_force(moved, scales.kalker, v);
+            let of_kalker = linear_force(lacks, scales.kalker_slopes, v);
+            let by_t = [0, 1, 2].map(|k| of_lacks[k] + of_kalker[k]);
+            [
+                [-x * c11, 0.0, 0.0, by_t[0]],
+                [0.0, -y * c22, -y_spin * c23, by_t[1]],
+                [0.0, m * c23, -m_spin * c33, by_t[2]],
+            ]
         };
         let Some(query) = Query::of(scales, v) else {
             let [inside, _] = Query::at_rest(scales.log_ratio);
-            let [x, y, m] = slopes_of(self.linear(inside), [0.0; 3], 0.0);
+            let lacks = self.lacks(inside, scales.poisson_ratio);
+            let [x, y, m] = slopes_of(lacks, [0.0; 3], 0.0);
             return (EllipseForce::default(), [x, y, m, [0.0; 4]]);
         };
         let [inside, ratio_slope] = query.log_ratio;
-        let laws = self.linear(inside);
-        let limits = Limits { linear: linear_force(laws[0], query.v), sliding: [0.0; 3] };
+        let lacks = self.lacks(inside, scales.poisson_ratio);
+        let limits =
+            Limits { linear: linear_force(lacks[0], scales.kalker, query.v), sliding: [0.0; 3] };
         let limit_slopes =
-            LimitSlopes { linear: slopes_of(laws, query.v, ratio_slope), sliding: [[0.0; 4]; 3] };
+            LimitSlopes { linear: slopes_of(lacks, query.v, ratio_slope), sliding: [[0.0; 4]; 3] };
         let (Interpolated { found, .. }, mut slopes, _) =
             self.splines.between_with_slopes(scales, &query, &limits, &limit_slopes);
         slopes[3] = [0.0; 4];

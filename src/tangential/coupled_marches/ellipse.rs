@@ -28,7 +28,8 @@ pub struct MarchedEllipse {
     solver: Solver,
     /// Strips of each normal problem.
     problems: Vec<Vec<Strip>>,
-    poisson_ratio: f64,
+    /// Poisson's ratio of both bodies.
+    pub poisson_ratio: f64,
 }
 
 impl MarchedEllipse {

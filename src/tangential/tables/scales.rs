@@ -9,6 +9,10 @@ use crate::math::dual::Dual;
 pub struct Scales {
     /// ln(a/b).
     pub log_ratio: f64,
+    /// Poisson's ratio, and how it grows with ln(a/b) where derivatives are taken: 0, or 1 by
+    /// [`with_ratio_along`](Self::with_ratio_along).
+    pub poisson_ratio: f64,
+    pub poisson_slope: f64,
     /// c11, c22, c23, c33.
     pub kalker: [f64; 4],
     /// Their derivatives.
@@ -30,6 +34,8 @@ impl Scales {
         let narrow = SPIN_BY_WIDTH * (-0.5 * log_ratio).exp();
         Self {
             log_ratio,
+            poisson_ratio,
+            poisson_slope: 0.0,
             kalker,
             kalker_slopes,
             spin: kalker[2] + narrow * kalker[0],
@@ -46,6 +52,7 @@ impl Scales {
         let by_ratio = [0, 1, 2, 3].map(|k| self.kalker[k] * logarithms[k][0].slopes[0]);
         let narrow = SPIN_BY_WIDTH * (-0.5 * self.log_ratio).exp();
         Self {
+            poisson_slope: 1.0,
             kalker_slopes: [0, 1, 2, 3].map(|k| self.kalker_slopes[k] + by_ratio[k]),
             spin_slope: self.spin_slope + by_ratio[2] + narrow * by_ratio[0],
             ..*self

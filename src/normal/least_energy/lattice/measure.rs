@@ -112,7 +112,7 @@ impl<T: Real> Lattice<T> {
             };
             for (k, station) in stations.iter_mut().enumerate() {
                 station.lobe = [0, 1, 2].map(|power| sums[power][k] * h);
-                let [_, square, cube, place, place_square] = sums.map(|sums| sums[k]);
+                let [_, square, cube, place, place_square] = sums.each_ref().map(|sums| sums[k]);
                 if is_skewed && square.value() > 0.0 {
                     let height = cube / square * DEPTH_OVER_MEAN;
                     let half_width = square * h / (height * height) * HALF_WIDTH_OVER_INTEGRAL;
