@@ -9,7 +9,7 @@
 //! | Archard, KTH map (Jendel) | strip | volume = k N s/H where the surfaces slip; k by pressure and slip velocity |
 //!
 //! All are experimental: neither equations nor coefficients are checked against the papers they are
-//! ascribed to (docs/theory.md, section 14). What is checked: their dimension, and whether their
+//! ascribed to (docs/wear.md). What is checked: their dimension, and whether their
 //! branches meet. USFD: 5.3 · 10.4 = 55.1, and 55.0 at both ends of the plateau, up to 0.2 %.
 //! British Rail: 25 at 100 N, but a jump from 25 to 84 at 200 N. Zobory and the KTH map jump by
 //! construction. Jumps concern the wear rate alone; no force follows from it at once. Every

@@ -1,7 +1,7 @@
 //! Numbers for rolling contact fatigue of a patch.
 //!
 //! Both are experimental: equations and numbers are not checked against the papers they are
-//! ascribed to (docs/theory.md, section 14); dimension and continuity are.
+//! ascribed to (docs/wear.md); dimension and continuity are.
 
 use crate::math::real::Real;
 

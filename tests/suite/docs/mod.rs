@@ -166,6 +166,8 @@ fn every_variable_that_a_document_names_exists() {
         "docs/rust.md",
         "docs/fmi.md",
         "docs/theory.md",
+        "docs/profiles.md",
+        "docs/wear.md",
         "docs/validation.md",
         "docs/benchmarks.md",
         "CHANGELOG.md",
