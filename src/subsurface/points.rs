@@ -26,10 +26,23 @@ mod tests {
 
     #[test]
     fn depth_is_the_innermost() {
-        let line = lattice(&[1.0], &[2.0], &evenly(0.0, 3.0, 4));
-        assert_eq!(line, [[1.0, 2.0, 0.0], [1.0, 2.0, 1.0], [1.0, 2.0, 2.0], [1.0, 2.0, 3.0]]);
-        assert_eq!(lattice(&[0.0, 1.0], &[5.0, 6.0], &[7.0])[1], [0.0, 6.0, 7.0]);
-        assert_eq!(evenly(4.0, 9.0, 1), [4.0]);
+        let found = lattice(&[1.0, 2.0], &[5.0, 6.0], &evenly(0.0, 3.0, 2));
+        let expected = [
+            [1.0, 5.0, 0.0],
+            [1.0, 5.0, 3.0],
+            [1.0, 6.0, 0.0],
+            [1.0, 6.0, 3.0],
+            [2.0, 5.0, 0.0],
+            [2.0, 5.0, 3.0],
+            [2.0, 6.0, 0.0],
+            [2.0, 6.0, 3.0],
+        ];
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+            approx::assert_relative_eq!(found, expected);
+        }
+        assert_eq!(evenly(4.0, 9.0, 1).len(), 1);
+        approx::assert_relative_eq!(evenly(4.0, 9.0, 1)[0], 4.0);
         assert!(evenly(4.0, 9.0, 0).is_empty());
     }
 }

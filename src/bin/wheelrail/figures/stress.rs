@@ -85,13 +85,9 @@ impl<'a> Figure<'a> {
             let [low, high] = [x, y][axis];
             let middle = 0.5 * (low + high);
             let along = evenly(middle - reach, middle + reach, POINTS[0]);
-            let points = depths.iter().flat_map(|z| {
-                let row = if axis == 0 {
-                    lattice(&along, &[py], &[*z])
-                } else {
-                    lattice(&[px], &along, &[*z])
-                };
-                row
+            let points = depths.iter().flat_map(|z| match axis {
+                0 => lattice(&along, &[py], &[*z]),
+                _ => lattice(&[px], &along, &[*z]),
             });
             let points: Vec<[f64; 3]> = points.collect();
             Ok(Section { states: states(load, &points)?, points, axes: [along, depths.clone()] })
@@ -111,8 +107,8 @@ impl<'a> Figure<'a> {
         let sections = (drawn * deep / width).round() as u32 + FRAME[2] + FRAME[3];
         let greatest = self.greatest[0].value / self.load.max_pressure();
         let step = step(greatest);
-        let levels: Vec<f64> =
-            (1..).map(|k| f64::from(k) * step).take_while(|l| *l < greatest).collect();
+        let count = (greatest / step) as u32;
+        let levels: Vec<f64> = (1..=count).map(|k| f64::from(k) * step).collect();
         save(path, (WIDTH, TITLE + sections + LINES), |area| {
             let area = area.titled(&self.title, heading(21))?;
             let (above, below) = area.split_vertically(px(sections));
