@@ -92,6 +92,7 @@
 //! normal      hertz, piotrowski_kik, least_energy, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
 //! planar      contact problems given by a separation instead of two profiles
+//! subsurface  displacements and stresses below the surface of a contact
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers
 //! element     one wheel: parameters, input, evaluation, output
 //! wheelset    two of them on one axle
@@ -120,6 +121,7 @@ mod open;
 #[cfg(feature = "pack")]
 pub mod pack;
 pub mod planar;
+pub mod subsurface;
 pub mod variables;
 pub mod wear;
 pub mod wheelset;

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wheelrail::element::{Element, FlatContact};
 use wheelrail::error::ContactError;
-use wheelrail::planar::{Adherence, ContactField, Indentation, PlanarCase, fields};
+use wheelrail::planar::{Adherence, ContactField, fields};
 use wheelrail::variables::Values;
 
 use crate::profile::pairs;
@@ -16,7 +16,23 @@ pub struct ContactWithFields {
     fields: Vec<ContactField>,
 }
 
-/// The contacts of a wheel, deepest first, and the height at which they were found.
+/// The contacts of a wheel, deepest first, and its speed over the rail.
+///
+/// # Errors
+/// The input at fault, by its name.
+pub fn flat_contacts(
+    element: &mut Element,
+    values: &mut Values,
+) -> Result<(Vec<FlatContact>, f64), ContactError> {
+    let Values { input, output, .. } = values;
+    element.evaluate(input, output)?;
+    input.wheel.position[2] = output.wheel_z;
+    let mut contacts = element.flat_contacts(input)?;
+    contacts.sort_by(|a, b| b.penetration.total_cmp(&a.penetration));
+    Ok((contacts, input.wheel.velocity[0].abs()))
+}
+
+/// The same with pressures and tractions.
 ///
 /// # Errors
 /// The input at fault, by its name.
@@ -24,25 +40,11 @@ pub fn contacts(
     element: &mut Element,
     values: &mut Values,
 ) -> Result<Vec<ContactWithFields>, ContactError> {
-    let Values { parameters, input, output, .. } = values;
-    element.evaluate(input, output)?;
-    input.wheel.position[2] = output.wheel_z;
-    let mut contacts = element.flat_contacts(input)?;
-    contacts.sort_by(|a, b| b.penetration.total_cmp(&a.penetration));
-    let speed = input.wheel.velocity[0].abs();
+    let (contacts, speed) = flat_contacts(element, values)?;
     contacts
         .into_iter()
         .map(|contact| {
-            let approach = Indentation::Approach(contact.penetration);
-            let case = parameters.planar_case(
-                &contact.separation,
-                contact.radius,
-                approach,
-                contact.creepage,
-                contact.friction,
-            );
-            let friction_across = &contact.friction_across;
-            let fields = fields(&PlanarCase { speed, friction_across, ..case })?;
+            let fields = fields(&values.parameters.flat_case(&contact, speed))?;
             Ok(ContactWithFields { contact, fields })
         })
         .collect()

@@ -13,6 +13,7 @@ mod planar;
 mod profile;
 mod rows;
 mod subjects;
+mod subsurface;
 mod tables;
 mod units;
 mod worker;
@@ -36,6 +37,9 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_solve, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_fields, module)?)?;
+    module.add_class::<subsurface::SurfaceLoad>()?;
+    module.add_function(wrap_pyfunction!(subsurface::loads_of, module)?)?;
+    module.add_function(wrap_pyfunction!(subsurface::planar_load, module)?)?;
     module.add_function(wrap_pyfunction!(pack::pack, module)?)?;
     module.add_function(wrap_pyfunction!(conicity::rolling_radii, module)?)?;
     module.add_function(wrap_pyfunction!(conicity::equivalent_conicity, module)?)?;

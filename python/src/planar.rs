@@ -21,7 +21,8 @@ const GIVEN: usize = 7;
 /// Numbers of a result.
 const FOUND: usize = 10;
 
-fn case<'a>(
+/// A planar problem with the models and materials of a wheel and the numbers `given`.
+pub fn case<'a>(
     wheel: &Wheel,
     separation: &'a [[f64; 2]],
     given: &[f64],

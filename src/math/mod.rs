@@ -1,5 +1,6 @@
 //! Mathematics without railway words.
 
+pub(crate) mod arctangent;
 pub(crate) mod b_spline;
 mod by_slopes;
 pub(crate) mod dual;

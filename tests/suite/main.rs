@@ -75,6 +75,7 @@ mod static_library;
 mod strips;
 mod strips_reliability;
 mod strips_sweeps;
+mod subsurface;
 mod symmetry;
 mod tables;
 mod tolerance;

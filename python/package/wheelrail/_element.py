@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         WheelSetParameters,
         WheelSetResult,
     )
+    from .subsurface import Load
 
 __all__ = ["Element", "WheelSet"]
 
@@ -578,12 +579,35 @@ class Element(_Unit):
         **inputs : float
             As in `evaluate`, one number each.
         """
+        one = self._one_position("contacts", inputs)
+        return [contact_of(found) for found in _native.contacts_of(self._native, one)]
+
+    def loads(
+        self, *, body: Literal["rail", "wheel"] = "rail", **inputs: Unpack[ElementInputs]
+    ) -> list[Load]:
+        """What the contacts of one position load the rail or the wheel with, deepest first: see `wheelrail.subsurface`.
+
+        Each contact is laid flat, as by `contacts`; the material is that of the body.
+
+        Parameters
+        ----------
+        body : {"rail", "wheel"}
+            The body below whose surface stresses are asked for.
+        **inputs : float
+            As in `evaluate`, one number each.
+        """
+        from .subsurface import Load, is_wheel
+
+        one = self._one_position("loads", inputs)
+        return [Load._of(own) for own in _native.loads_of(self._native, one, is_wheel(body))]
+
+    def _one_position(self, caller: str, inputs: Mapping[str, Any]) -> list[tuple[int, float]]:
+        """References and values of inputs that are one number each."""
         names, values = named(None, inputs)
         given = Given(self._inputs(names), values)
         if given.rows != 1:
-            raise BadValueError(f"contacts takes one position, not {given.rows}: see evaluate")
-        one = [(reference, float(column[0])) for reference, column in given.columns(slice(0, 1))]
-        return [contact_of(found) for found in _native.contacts_of(self._native, one)]
+            raise BadValueError(f"{caller} takes one position, not {given.rows}: see evaluate")
+        return [(reference, float(column[0])) for reference, column in given.columns(slice(0, 1))]
 
 
 def _displaced(settings: Mapping[str, Any], ways: list[list[float]]) -> Element:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 __all__ = [
     "Places",
+    "SurfaceLoad",
     "Wheel",
     "WearingWheel",
     "Wheelset",
@@ -18,8 +19,10 @@ __all__ = [
     "contacts_of",
     "displaced",
     "equivalent_conicity",
+    "loads_of",
     "pack",
     "planar_fields",
+    "planar_load",
     "planar_solve",
     "points_of",
     "profile_points",
@@ -160,6 +163,29 @@ def planar_solve(
 def planar_fields(
     wheel: Wheel, separation: _Floats, given: _Floats, by_load: bool
 ) -> list[dict[str, Any]]: ...
+@final
+class SurfaceLoad:
+    def __new__(
+        cls,
+        fields: Sequence[tuple[tuple[float, float, float, float], _Floats, _Floats, _Floats]],
+        is_wheel: bool,
+        young_modulus: float,
+        poisson_ratio: float,
+        blunt: bool,
+    ) -> SurfaceLoad: ...
+    @property
+    def constants(self) -> list[float]: ...
+    @property
+    def extent(self) -> list[list[float]] | None: ...
+    def states(self, points: _Floats, out: _Floats, states: _States, threads: int) -> None: ...
+    def greatest(self, measure: int) -> tuple[float, list[float], list[float]] | None: ...
+
+def loads_of(
+    wheel: Wheel, inputs: Sequence[tuple[int, float]], is_wheel: bool
+) -> list[SurfaceLoad]: ...
+def planar_load(
+    wheel: Wheel, separation: _Floats, given: _Floats, by_load: bool, is_wheel: bool
+) -> SurfaceLoad: ...
 def rolling_radii(
     wheel: Wheel, running_circles: float, range: float, step: float, folders: Sequence[str]
 ) -> _Floats: ...

@@ -131,13 +131,28 @@ def fields(
     y, f, radius, approach, load, creepage_longitudinal, creepage_lateral, spin, friction, speed, **parameters
         As in `solve`, one number each.
     """
-    separation, cases, _, by_load, _, wheel = _cases(
-        y, f, radius, approach, load,
+    separation, case, by_load, wheel = one_case(
+        "fields", y, f, radius, approach, load,
         (creepage_longitudinal, creepage_lateral, spin, friction, speed), parameters,
     )  # fmt: skip
+    return [Field(**one) for one in _native.planar_fields(wheel._native, separation, case, by_load)]
+
+
+def one_case(
+    caller: str,
+    y: npt.ArrayLike,
+    f: npt.ArrayLike,
+    radius: npt.ArrayLike,
+    approach: npt.ArrayLike | None,
+    load: npt.ArrayLike | None,
+    others: tuple[npt.ArrayLike, ...],
+    parameters: dict[str, Any],
+) -> tuple[Any, npt.NDArray[np.float64], bool, Element]:
+    """Separation, numbers, whether the load is given, and element of the one case of a function."""
+    separation, cases, _, by_load, _, wheel = _cases(y, f, radius, approach, load, others, parameters)
     if len(cases) != 1:
-        raise BadValueError(f"fields takes one case, not {len(cases)}: see solve")
-    return [Field(**one) for one in _native.planar_fields(wheel._native, separation, cases[0], by_load)]
+        raise BadValueError(f"{caller} takes one case, not {len(cases)}: see solve")
+    return separation, cases[0], by_load, wheel
 
 
 def _cases(

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand};
 
 use crate::{
-    compare, conicity, evaluate, fit, linearize, pack, patch, plot, simulate, sweep, tables,
+    compare, conicity, evaluate, fit, linearize, pack, patch, plot, simulate, stress, sweep, tables,
 };
 
 /// Wheel-rail contact: forces, patches and a running wheelset
@@ -28,6 +28,7 @@ pub enum Command {
     Linearize(linearize::Arguments),
     Compare(compare::Arguments),
     Plot(plot::Arguments),
+    Stress(stress::Arguments),
     Tables(tables::Arguments),
     Sweep(sweep::Arguments),
     Fit(fit::Arguments),

@@ -21,6 +21,7 @@ mod planar_cases;
 mod plot;
 mod remarks;
 mod simulate;
+mod stress;
 mod sweep;
 mod tables;
 mod wheelset;
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         Command::Linearize(arguments) => linearize::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
+        Command::Stress(arguments) => stress::run(&arguments),
         Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),

@@ -115,8 +115,16 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-/// The contacts of a wheel and the index of the one asked for.
-fn contacts(values: &Values, folder: &Path, number: usize) -> Result<(Vec<FlatContact>, usize)> {
+/// The contacts of a wheel and the index of the one asked for, 1 for the most loaded one; its files
+/// lie in `folder`.
+///
+/// # Errors
+/// A value that is refused, or that there is no such contact.
+pub fn contacts(
+    values: &Values,
+    folder: &Path,
+    number: usize,
+) -> Result<(Vec<FlatContact>, usize)> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
     let mut output = Output::default();
@@ -160,18 +168,8 @@ fn wheel_figure(
         values.parameters.rails[contact.rail as usize - 1].profile,
         contact.contact_angle.to_degrees()
     );
-    let case = values.parameters.planar_case(
-        &contact.separation,
-        contact.radius,
-        Indentation::Approach(contact.penetration),
-        contact.creepage,
-        contact.friction,
-    );
-    let case = PlanarCase {
-        speed: values.input.wheel.velocity[0].abs(),
-        friction_across: &contact.friction_across,
-        ..case
-    };
+    let speed = values.input.wheel.velocity[0].abs();
+    let case = values.parameters.flat_case(contact, speed);
     figure(&case, title, contacts.to_vec(), index, load_given)
 }
 

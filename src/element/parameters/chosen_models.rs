@@ -1,6 +1,7 @@
 //! The models and materials of an element's parameters, for a planar problem.
 
 use crate::element::parameters::Parameters;
+use crate::element::rail::flattened::FlatContact;
 use crate::material::Material;
 use crate::planar::{Indentation, PlanarCase};
 
@@ -54,5 +55,14 @@ impl Parameters {
             flash_temperature: self.flash_temperature,
             speed: 0.0,
         }
+    }
+
+    /// The planar problem of a `contact` of this element, where it rolls at `speed`, ≥ 0 [m/s].
+    #[must_use]
+    pub fn flat_case<'a>(&self, contact: &'a FlatContact, speed: f64) -> PlanarCase<'a> {
+        let approach = Indentation::Approach(contact.penetration);
+        let FlatContact { separation, radius, creepage, friction, .. } = contact;
+        let case = self.planar_case(separation, *radius, approach, *creepage, *friction);
+        PlanarCase { speed, friction_across: &contact.friction_across, ..case }
     }
 }

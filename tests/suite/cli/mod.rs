@@ -8,6 +8,7 @@ mod pack;
 mod patch;
 mod plot;
 mod remarks;
+mod stress;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -11,6 +11,7 @@ mod entry;
 mod normal;
 mod search;
 mod smoothness;
+mod subsurface;
 mod tangential;
 mod vehicle;
 mod wheel;
@@ -20,6 +21,7 @@ pub use entry::{Target, Tolerance};
 pub use normal::*;
 pub use search::*;
 pub use smoothness::*;
+pub use subsurface::*;
 pub use tangential::*;
 pub use vehicle::*;
 pub use wheel::*;
@@ -34,6 +36,7 @@ pub fn all() -> impl Iterator<Item = &'static Tolerance> {
         tangential::TABLE,
         boundary_element::TABLE,
         smoothness::TABLE,
+        subsurface::TABLE,
         wheel::TABLE,
         vehicle::TABLE,
     ];

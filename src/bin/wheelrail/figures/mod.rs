@@ -5,6 +5,7 @@ mod axes;
 mod canvas;
 pub mod conicity;
 pub mod contact;
+mod contours;
 pub mod errors;
 pub mod fit;
 pub mod icon;
@@ -12,6 +13,7 @@ pub mod motion;
 mod patch_panel;
 pub mod patches;
 pub mod roots;
+pub mod stress;
 pub mod sweep;
 pub mod wear;
 
