@@ -66,13 +66,17 @@ fn lacks_of(i: usize) -> [Lacks; 3] {
     })
 }
 
-/// The parabola through `values` at [`POISSON_RATIOS`] and its slope, at `ratio`.
-fn parabola(values: [f64; 3], ratio: f64) -> [f64; 2] {
-    let [a, b, c] = POISSON_RATIOS;
-    let first = (values[1] - values[0]) / (b - a);
-    let second = ((values[2] - values[1]) / (c - b) - first) / (c - a);
-    let slope = first + second * (2.0 * ratio - a - b);
-    [values[0] + (ratio - a) * (first + second * (ratio - b)), slope]
+/// Weights at `ratio` of the values at [`POISSON_RATIOS`], of the parabola through them, and their
+/// slopes.
+fn weights_at(ratio: f64) -> [[f64; 3]; 2] {
+    let (mut weights, mut slopes) = ([0.0; 3], [0.0; 3]);
+    for (k, own) in POISSON_RATIOS.into_iter().enumerate() {
+        let [a, b] = [1, 2].map(|step| POISSON_RATIOS[(k + step) % 3]);
+        let per_way = 1.0 / ((own - a) * (own - b));
+        weights[k] = (ratio - a) * (ratio - b) * per_way;
+        slopes[k] = (2.0 * ratio - a - b) * per_way;
+    }
+    [weights, slopes]
 }
 
 /// The numbers of the table, from those of the exact one.
@@ -174,32 +178,42 @@ impl Differences {
         Self { splines: Splines::new(nodes), linear }
     }
 
-    /// What the linear law lacks at ln(a/b), which is brought to rest, and its derivatives by that and
-    /// by Poisson's ratio.
-    fn lacks(&self, log_ratio: f64, poisson_ratio: f64) -> [Lacks; 3] {
-        let place = ratio_place(log_ratio);
-        let sum = |weights: [f64; 4], n: usize| {
-            [0, 1, 2].map(|nu| {
-                (0..4).map(|k| weights[k] * self.linear[nu][place.first + k][n]).sum::<f64>()
-            })
-        };
-        let mut lacks = [[0.0; 5]; 3];
-        for n in 0..5 {
-            let slopes = place.slopes.map(|slope| slope * PER_RATIO);
-            let [value, by_poisson] = parabola(sum(place.weights, n), poisson_ratio);
-            let [by_ratio, _] = parabola(sum(slopes, n), poisson_ratio);
-            for (lacks, found) in lacks.iter_mut().zip([value, by_ratio, by_poisson]) {
-                lacks[n] = found;
+    /// What the linear law lacks by these weights of the coefficients from number `first` on, and of
+    /// [`POISSON_RATIOS`].
+    fn sum(&self, first: usize, weights: [f64; 4], by_poisson: [f64; 3]) -> Lacks {
+        let mut sum = [0.0; 5];
+        for (linear, own) in self.linear.iter().zip(by_poisson) {
+            for (lacks, weight) in linear[first..first + 4].iter().zip(weights) {
+                for (sum, lacks) in sum.iter_mut().zip(lacks) {
+                    *sum += own * weight * lacks;
+                }
             }
         }
-        lacks
+        sum
+    }
+
+    /// What it lacks at ln(a/b), which is brought to rest.
+    fn lacks(&self, log_ratio: f64, poisson_ratio: f64) -> Lacks {
+        let (place, [weights, _]) = (ratio_place(log_ratio), weights_at(poisson_ratio));
+        self.sum(place.first, place.weights, weights)
+    }
+
+    /// The same with its derivatives by ln(a/b) and by Poisson's ratio.
+    fn lacks_and_slopes(&self, log_ratio: f64, poisson_ratio: f64) -> [Lacks; 3] {
+        let (place, [weights, slopes]) = (ratio_place(log_ratio), weights_at(poisson_ratio));
+        let by_ratio = place.slopes.map(|slope| slope * PER_RATIO);
+        [
+            self.sum(place.first, place.weights, weights),
+            self.sum(place.first, by_ratio, weights),
+            self.sum(place.first, place.weights, slopes),
+        ]
     }
 }
 
 impl ForceTable for Differences {
     fn force(&self, scales: &Scales, v: [f64; 3]) -> EllipseForce {
         let Some(query) = Query::of(scales, v) else { return EllipseForce::default() };
-        let [lacks, ..] = self.lacks(query.log_ratio[0], scales.poisson_ratio);
+        let lacks = self.lacks(query.log_ratio[0], scales.poisson_ratio);
         let limits =
             Limits { linear: linear_force(lacks, scales.kalker, query.v), sliding: [0.0; 3] };
         let Interpolated { found, .. } = self.splines.between(&query, &limits);
@@ -224,12 +238,12 @@ impl ForceTable for Differences {
         };
         let Some(query) = Query::of(scales, v) else {
             let [inside, _] = Query::at_rest(scales.log_ratio);
-            let lacks = self.lacks(inside, scales.poisson_ratio);
+            let lacks = self.lacks_and_slopes(inside, scales.poisson_ratio);
             let [x, y, m] = slopes_of(lacks, [0.0; 3], 0.0);
             return (EllipseForce::default(), [x, y, m, [0.0; 4]]);
         };
         let [inside, ratio_slope] = query.log_ratio;
-        let lacks = self.lacks(inside, scales.poisson_ratio);
+        let lacks = self.lacks_and_slopes(inside, scales.poisson_ratio);
         let limits =
             Limits { linear: linear_force(lacks[0], scales.kalker, query.v), sliding: [0.0; 3] };
         let limit_slopes =
