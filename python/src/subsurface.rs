@@ -18,12 +18,8 @@ use crate::worker::FINE;
 const NUMBERS: usize = 13;
 
 /// One field: x and y of its first element, sizes, pressure and tractions of shape (across, along).
-type GivenField<'py> = (
-    [f64; 4],
-    PyReadonlyArray2<'py, f64>,
-    PyReadonlyArray2<'py, f64>,
-    PyReadonlyArray2<'py, f64>,
-);
+type GivenField<'py> =
+    ([f64; 4], PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>);
 
 /// Pressure and tractions on the surface of one body.
 #[pyclass(module = "wheelrail._native", frozen)]
@@ -59,7 +55,14 @@ impl SurfaceLoad {
         let mut load = Load::none(Material { young_modulus, poisson_ratio });
         for ([leading_x, left_y, dx, dy], pressure, along, across) in &fields {
             let shape = pressure.as_array().dim();
-            let grid = Grid { along: shape.1, across: shape.0, dx: *dx, dy: *dy, leading_x: *leading_x, left_y: *left_y };
+            let grid = Grid {
+                along: shape.1,
+                across: shape.0,
+                dx: *dx,
+                dy: *dy,
+                leading_x: *leading_x,
+                left_y: *left_y,
+            };
             let (p, x, y) = (pressure.as_slice()?, along.as_slice()?, across.as_slice()?);
             load.add(grid, |k| [sign * x[k], sign * y[k], p[k]]);
         }
@@ -144,8 +147,7 @@ pub fn planar_load(
 ) -> PyResult<SurfaceLoad> {
     let (separation, _) = separation.as_slice()?.as_chunks::<2>();
     let given = given.as_slice()?;
-    let load = py.detach(|| {
-        Load::below(&case(wheel, separation, given, by_load), body_of(is_wheel))
-    });
+    let load =
+        py.detach(|| Load::below(&case(wheel, separation, given, by_load), body_of(is_wheel)));
     Ok(SurfaceLoad { load: load.map_err(|error| refused(py, &error, None))? })
 }
