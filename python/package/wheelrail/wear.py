@@ -37,7 +37,7 @@ class WearRun:
 
     Notes
     -----
-    Wear laws and their coefficients are experimental: see the theory of wheelrail, section 14.
+    Wear laws and their coefficients are experimental: see docs/wear.md.
     """
 
     def __init__(
