@@ -79,17 +79,35 @@ pub(super) fn axis_ratio<T: Real>(curvature_ratio: T) -> (T, Complete<T>) {
     (log_kappa.exp(), complete((log_kappa * -2.0).exp()))
 }
 
+/// Curvatures `along` and `across` of bodies that touch in the ellipse of ln(a/b) = `log_ratio` with
+/// a b = 1 m² at an approach of 1 m: [`ellipse`] the other way round [1/m].
+#[must_use]
+pub fn curvatures(log_ratio: f64) -> [f64; 2] {
+    let log_kappa = log_ratio.abs();
+    let integrals = complete((-2.0 * log_kappa).exp());
+    let sum = log_kappa.exp() * integrals.second / integrals.first;
+    // A circle has equal ones.
+    let ratio = if log_kappa > 0.0 { curvature_ratio(log_kappa, &integrals) } else { 1.0 };
+    let (greater, less) = (sum * ratio / (1.0 + ratio), sum / (1.0 + ratio));
+    if log_ratio > 0.0 { [less, greater] } else { [greater, less] }
+}
+
+/// λ for ln κ > 0.
+fn curvature_ratio(log_kappa: f64, c: &Complete) -> f64 {
+    // λ = (E - (1 - m) K) / ((1 - m) (K - E))
+    c.second_minus_reduced_first / ((-2.0 * log_kappa).exp() * c.first_minus_second)
+}
+
 /// ln λ as a function of ln κ, and its derivative.
 fn log_curvature_ratio(log_kappa: f64, c: &Complete) -> (f64, f64) {
     let complement = (-2.0 * log_kappa).exp();
     let m = 1.0 - complement;
-    // λ = (E - (1 - m) K) / ((1 - m) (K - E))
     let (upper, lower) = (c.second_minus_reduced_first, c.first_minus_second);
     // d upper/dm = K/2, d lower/dm = E/(2 (1 - m)); dm/d ln κ = 2 (1 - m).
     let slope =
         2.0 * complement * (0.5 * c.first / upper - 0.5 * c.second / (complement * lower)) + 2.0;
     debug_assert!(m > 0.0);
-    ((upper / (complement * lower)).ln(), slope)
+    (curvature_ratio(log_kappa, c).ln(), slope)
 }
 
 /// Least curvature across over that along which is taken as it stands: flatter or conformal pairs
@@ -162,6 +180,18 @@ mod tests {
             } else {
                 assert_relative_eq!(kappa, 1.0, max_relative = 1e-14);
             }
+        }
+    }
+
+    #[test]
+    fn curvatures_are_those_of_the_ellipse_that_they_give() {
+        for i in -30..=30 {
+            let log_ratio = 0.1 * f64::from(i);
+            let [along, across] = curvatures(log_ratio);
+            let e = ellipse(along, across, 1.0, 1.0);
+            let (a, b) = (e.semi_axis_along, e.semi_axis_across);
+            assert_relative_eq!(a * b, 1.0, max_relative = 1e-9);
+            assert_relative_eq!((a / b).ln(), log_ratio, epsilon = 1e-9);
         }
     }
 

@@ -15,8 +15,8 @@ use super::solver::Solver;
 use super::state::Strip;
 use crate::geometry::contacts::separation::Probe;
 use crate::kinematics::creepage::Creepage;
-use crate::math::elliptic::{Complete, complete};
 use crate::normal::Strips;
+use crate::normal::hertz;
 use crate::normal::least_energy::{LinePlace, OverlapLine, StripSolver};
 
 /// Nodes of the normal problems: about those of an element as it starts.
@@ -70,18 +70,9 @@ struct Bodies {
 }
 
 impl Bodies {
-    /// Those that touch in an ellipse of ln(a/b) = `log_ratio` with a b = 1 (Johnson 1985, section
-    /// 4.2; the formulas of `normal::hertz`, solved for the curvatures).
+    /// Those that touch in an ellipse of ln(a/b) = `log_ratio` with a b = 1.
     fn of(log_ratio: f64) -> Self {
-        let squared = (2.0 * log_ratio.abs()).exp();
-        let integrals = complete(1.0 / squared);
-        let Complete { first_minus_second: less, second_minus_reduced_first: more, .. } = integrals;
-        // The sum of the curvatures, and their ratio: the greater one is that along the minor axis.
-        let sum = squared.sqrt() * integrals.second / integrals.first;
-        let ratio = if less > 0.0 { squared * more / less } else { 1.0 };
-        let steep = sum * ratio / (1.0 + ratio);
-        let [along, across] =
-            if log_ratio > 0.0 { [sum - steep, steep] } else { [steep, sum - steep] };
+        let [along, across] = hertz::curvatures(log_ratio);
         Self { radius: 0.5 / along, across }
     }
 

@@ -10,6 +10,7 @@ pub mod errors;
 pub mod fit;
 pub mod icon;
 pub mod motion;
+mod panel;
 mod patch_panel;
 pub mod patches;
 pub mod roots;

@@ -8,12 +8,11 @@ use plotters::prelude::*;
 use wheelrail::planar::{Adherence, ContactField};
 
 use super::axes::Axes;
-use super::canvas::{Area, INK, heading, px, text};
+use super::canvas::{Area, INK, px, text};
 use super::contact::Side;
+use super::panel::{FRAME, captioned};
 use super::patches::{color, draw_colours};
 
-/// What the axes take of a panel, in pixels: left, right, above and below, the caption included.
-const FRAME: [u32; 4] = [66, 14, 36, 48];
 /// Height of the drawing itself: patches that are flatter or higher get wider margins.
 const HEIGHTS: [f64; 2] = [150.0, 480.0];
 /// Margin around the loaded area, over its greater extent.
@@ -99,17 +98,8 @@ impl Panels {
             }
             Quantity::State => "Adhesion and slip".into(),
         };
-        let corner = (px(FRAME[0]) as i32, px(12) as i32);
-        area.draw(&Text::new(caption, corner, heading(14)))?;
         let [y, x] = self.ranges.clone();
-        let mut chart = ChartBuilder::on(area)
-            .margin_top(px(FRAME[2]))
-            .margin_bottom(px(6))
-            .margin_left(px(6))
-            .margin_right(px(FRAME[1]))
-            .x_label_area_size(px(FRAME[3] - 6))
-            .y_label_area_size(px(FRAME[0] - 6))
-            .build_cartesian_2d(y, x)?;
+        let mut chart = captioned(area, caption)?.build_cartesian_2d(y, x)?;
         let labels = [8, (self.height / 40) as usize];
         Axes { titles: ["y, to the right [mm]", "x, rolling up [mm]"], labels, size: 14 }
             .draw(&mut chart)?;

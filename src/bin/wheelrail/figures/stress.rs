@@ -12,6 +12,7 @@ use wheelrail::subsurface::{Greatest, Measure, State, SurfaceLoad, evenly, latti
 use super::axes::Axes;
 use super::canvas::{Area, VERMILION, heading, px};
 use super::contours::Lattice;
+use super::panel::{FRAME, captioned};
 use super::patches::{color, draw_colours};
 use super::save;
 use lines::draw_lines;
@@ -22,8 +23,6 @@ const TITLE: u32 = 56;
 const LINES: u32 = 330;
 /// Width of the scale of colours.
 const SCALE: u32 = 110;
-/// What the axes take of a section: left, right, above and below.
-const FRAME: [u32; 4] = [66, 14, 36, 48];
 /// Height of a section without its axes: flat ones are shown to a greater depth.
 const HEIGHTS: [f64; 2] = [200.0, 480.0];
 /// Points of a section along the surface and down.
@@ -131,18 +130,10 @@ impl<'a> Figure<'a> {
             format!("Along rolling, at y = {:.2} mm", 1e3 * place[1]),
             format!("Across, at x = {:.2} mm", 1e3 * place[0]),
         ];
-        let corner = (px(FRAME[0]) as i32, px(12) as i32);
-        area.draw(&Text::new(words[axis].clone(), corner, heading(14)))?;
         let mm = section.axes.each_ref().map(|own| own.iter().map(|x| 1e3 * x).collect::<Vec<_>>());
         let [x, z] = mm.each_ref().map(|own| own[0]..own[own.len() - 1]);
-        let mut chart = ChartBuilder::on(area)
-            .margin_top(px(FRAME[2]))
-            .margin_bottom(px(6))
-            .margin_left(px(6))
-            .margin_right(px(FRAME[1]))
-            .x_label_area_size(px(FRAME[3] - 6))
-            .y_label_area_size(px(FRAME[0] - 6))
-            .build_cartesian_2d(x.clone(), z.end..z.start)?;
+        let mut chart =
+            captioned(area, words[axis].clone())?.build_cartesian_2d(x.clone(), z.end..z.start)?;
         let titles = [["x, rolling to the right [mm]", "y, to the right [mm]"][axis], "depth [mm]"];
         Axes { titles, labels: [8, 7], size: 14 }.draw(&mut chart)?;
         let p0 = self.load.max_pressure();
