@@ -94,6 +94,7 @@
 //! planar      contact problems given by a separation instead of two profiles
 //! subsurface  displacements and stresses below the surface of a contact
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers
+//! fatigue     rolling contact fatigue from the stresses of a passage
 //! element     one wheel: parameters, input, evaluation, output
 //! wheelset    two of them on one axle
 //! conicity    rolling radius difference and equivalent conicity of a wheelset
@@ -111,6 +112,7 @@
 pub mod conicity;
 pub mod element;
 pub mod error;
+pub mod fatigue;
 pub mod fmi;
 mod friction;
 pub mod geometry;

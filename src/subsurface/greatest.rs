@@ -16,11 +16,11 @@ pub struct Greatest {
 }
 
 /// Columns that a search looks down along a part of the surface, and across, at most.
-const COLUMNS: usize = 14;
+pub(crate) const COLUMNS: usize = 14;
 /// Depths in each, from the size of an element to that of the part.
-const DEPTHS: usize = 12;
+pub(crate) const DEPTHS: usize = 12;
 /// A place is found when steps are smaller than this, over the size of an element.
-const FOUND: f64 = 1e-3;
+pub(crate) const FOUND: f64 = 1e-3;
 
 impl SurfaceLoad {
     /// The greatest value of `measure` in the body, and its place; none without load.
@@ -43,7 +43,37 @@ impl SurfaceLoad {
 }
 
 /// A place and the size of the value there.
-type Found = ([f64; 3], f64);
+pub(crate) type Found = ([f64; 3], f64);
+
+/// From `best` in `step`s along the axes to places where the value that `at` finds is greater, and in
+/// halves of them where there are none, until all are shorter than `found`.
+pub(crate) fn climb(
+    mut best: Found,
+    mut step: [f64; 3],
+    depths: &std::ops::RangeInclusive<f64>,
+    found: f64,
+    at: impl Fn([f64; 3]) -> Found,
+) -> Found {
+    while step.iter().any(|step| *step > found) {
+        let before = best.1;
+        for axis in (0..3).filter(|&axis| step[axis] > 0.0) {
+            for sign in [1.0, -1.0] {
+                let mut point = best.0;
+                point[axis] += sign * step[axis];
+                point[2] = point[2].clamp(*depths.start(), *depths.end());
+                let other = at(point);
+                if other.1 > best.1 {
+                    best = other;
+                    break;
+                }
+            }
+        }
+        if best.1 <= before {
+            step = step.map(|step| 0.5 * step);
+        }
+    }
+    best
+}
 
 struct Search<'a> {
     load: &'a SurfaceLoad,
@@ -74,7 +104,7 @@ impl Search<'_> {
         });
         let best = surface.max_by(|a, b| a.1.total_cmp(&b.1))?;
         let deepest = self.element();
-        Some(self.climb(best, [0.0, 0.0, 0.25 * deepest], 0.0..=deepest))
+        Some(self.climb(best, [0.0, 0.0, 0.25 * deepest], &(0.0..=deepest)))
     }
 
     /// From one element's size downwards.
@@ -96,38 +126,12 @@ impl Search<'_> {
             });
             let best = columns.max_by(|a, b| a.1.total_cmp(&b.1))?;
             let step = [0.5 * steps[0], 0.5 * steps[1], 0.5 * depth * (factor - 1.0)];
-            Some(self.climb(best, step, least..=2.0 * size))
+            Some(self.climb(best, step, &(least..=2.0 * size)))
         });
         layers.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// From `best` in steps along the axes to places where the value is greater, and in halves of
-    /// them where there are none.
-    fn climb(
-        &self,
-        mut best: Found,
-        mut step: [f64; 3],
-        depths: std::ops::RangeInclusive<f64>,
-    ) -> Found {
-        let found = FOUND * self.element();
-        while step.iter().any(|step| *step > found) {
-            let before = best.1;
-            for axis in (0..3).filter(|&axis| step[axis] > 0.0) {
-                for sign in [1.0, -1.0] {
-                    let mut point = best.0;
-                    point[axis] += sign * step[axis];
-                    point[2] = point[2].clamp(*depths.start(), *depths.end());
-                    let other = self.at(point);
-                    if other.1 > best.1 {
-                        best = other;
-                        break;
-                    }
-                }
-            }
-            if best.1 <= before {
-                step = step.map(|step| 0.5 * step);
-            }
-        }
-        best
+    fn climb(&self, best: Found, step: [f64; 3], depths: &std::ops::RangeInclusive<f64>) -> Found {
+        climb(best, step, depths, FOUND * self.element(), |point| self.at(point))
     }
 }

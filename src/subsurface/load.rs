@@ -76,8 +76,7 @@ impl SurfaceLoad {
     /// that stresses have bounds there. What is below an element's size is hardly changed.
     #[must_use]
     pub fn with_blunt_edges(mut self) -> Self {
-        let sides = self.parts.iter().map(|part| part.grid.dx.min(part.grid.dy));
-        self.blunt = BLUNT * sides.reduce(f64::min).unwrap_or(0.0);
+        self.blunt = if self.parts.is_empty() { 0.0 } else { BLUNT * self.element() };
         self
     }
 
@@ -164,6 +163,12 @@ impl SurfaceLoad {
         self.max_pressure
     }
 
+    /// The smaller side of an element; infinite without any [m].
+    pub(crate) fn element(&self) -> f64 {
+        let sides = self.parts.iter().map(|part| part.grid.dx.min(part.grid.dy));
+        sides.fold(f64::INFINITY, f64::min)
+    }
+
     /// Least and greatest x and y of the loaded elements; none without load [m].
     #[must_use]
     pub fn extent(&self) -> Option<[[f64; 2]; 2]> {
@@ -209,7 +214,7 @@ impl SurfaceLoad {
     }
 
     /// The same for a point of the body.
-    pub(super) fn state(&self, [x, y, z]: [f64; 3]) -> State {
+    pub(crate) fn state(&self, [x, y, z]: [f64; 3]) -> State {
         if self.corners.is_empty() {
             return State::default();
         }

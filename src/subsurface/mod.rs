@@ -7,7 +7,7 @@
 //! a rail's gauge corner, that is an approximation.
 
 mod corner;
-mod greatest;
+pub(crate) mod greatest;
 mod load;
 mod points;
 mod state;

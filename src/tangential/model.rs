@@ -25,6 +25,15 @@ pub enum TangentialModel {
     Marches,
 }
 
+impl TangentialModel {
+    /// Whether tractions are known that belong to its creep force, if it has one: those of its own, or
+    /// of FASTSIM.
+    #[must_use]
+    pub fn has_tractions(self) -> bool {
+        !matches!(self, Self::Linear | Self::Fastrip)
+    }
+}
+
 /// How the three flexibilities of the simplified theory enter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]

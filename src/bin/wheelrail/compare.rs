@@ -114,7 +114,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             &mut done,
         )
     } else {
-        let all = read_values(&cases, &outputs)?;
+        let all = read_values(&cases, &[], &outputs)?;
         let parameters = all.iter().map(|(_, values)| &values.parameters);
         own_models =
             parameters.map(|p| models::names(p.normal_model, p.tangential_model)).collect();

@@ -9,15 +9,17 @@ use wheelrail::variables::{Causality, UnknownVariable, Values, Variable, find};
 use crate::cases::{Cases, Header, Row};
 use crate::named_files::NamedFiles;
 
-/// The rows of a table with the variables they set; none names a file that is one of `results`.
+/// The rows of a table with the variables they set; none names a file that is one of `results`. The
+/// columns `others` are none of variables.
 ///
 /// # Errors
 /// With row and column: an unknown name, a value that is refused.
 pub fn read_values<'a>(
     cases: &'a Cases,
+    others: &[&str],
     results: &[Option<&Path>],
 ) -> Result<Vec<(&'a Row, Values)>> {
-    let columns = variables(cases.header())?;
+    let columns = variables(cases.header(), others)?;
     let mut files = NamedFiles::new(cases.header().folder(), results);
     let rows = cases.rows().iter().map(|row| {
         let mut values = Values::default();
@@ -28,14 +30,18 @@ pub fn read_values<'a>(
     rows.collect()
 }
 
-/// The variables that the columns of a table set; none is that of a column of labels.
+/// The variables that the columns of a table set; none is that of a column of labels, and of those
+/// called as one of `others`.
 ///
 /// # Errors
 /// The column that names none, or one that is computed.
-pub fn variables(header: &Header) -> Result<Vec<Option<&'static Variable>>> {
+pub fn variables(header: &Header, others: &[&str]) -> Result<Vec<Option<&'static Variable>>> {
     let all: Vec<Option<&Variable>> = header
         .columns()
-        .map(|name| if is_label(name) { Ok(None) } else { settable(header, name).map(Some) })
+        .map(|name| {
+            let is_none = is_label(name) || others.contains(&name);
+            if is_none { Ok(None) } else { settable(header, name).map(Some) }
+        })
         .collect::<Result<_>>()?;
     for (k, variable) in all.iter().enumerate() {
         if let Some(variable) = variable.filter(|own| all[..k].contains(&Some(*own))) {

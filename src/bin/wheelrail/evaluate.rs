@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     // A wrong cell is told at once; what is no file on disk can be read only once.
     let count = if cases.is_file() { Some(check(cases, path)?) } else { None };
     let reader = CaseReader::open(cases)?;
-    let columns = variables(reader.header())?;
+    let columns = variables(reader.header(), &[])?;
     let computed = selected(&arguments.outputs)?;
     let delimiter = reader.header().delimiter();
     let given: Vec<String> =
@@ -106,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Reads the whole table for what is unknown or refused; gives the number of its rows.
 fn check(path: &Path, result: Option<&Path>) -> Result<usize> {
     let reader = CaseReader::open(path)?;
-    let columns = variables(reader.header())?;
+    let columns = variables(reader.header(), &[])?;
     let mut files = NamedFiles::new(reader.header().folder(), &[result]);
     // What a row leaves out was looked at with the row that gave it.
     let mut values = Values::default();

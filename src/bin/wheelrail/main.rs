@@ -7,6 +7,7 @@ mod compare;
 mod conicity;
 mod element_rows;
 mod evaluate;
+mod fatigue;
 mod figures;
 mod fit;
 mod importer;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Stress(arguments) => stress::run(&arguments),
+        Command::Fatigue(arguments) => fatigue::run(&arguments),
         Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),

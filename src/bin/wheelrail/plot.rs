@@ -106,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let title = format!("{}, row {}", name.display(), arguments.row);
         draw(arguments, &figure(&planar.planar(case), title, Vec::new(), 0, false)?)
     } else {
-        let all = read_values(&cases, &outputs)?;
+        let all = read_values(&cases, &[], &outputs)?;
         let (row, values) = &all[arguments.row - 1];
         let (contacts, index) = contacts(values, &cases.header().folder(), arguments.contact)
             .with_context(|| row.place())?;

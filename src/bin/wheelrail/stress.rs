@@ -84,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let name = case.separation.file_name().unwrap_or(case.separation.as_os_str());
         stresses(arguments, &planar.planar(case), &format!("{}, row {row}", name.display()))
     } else {
-        let all = read_values(&cases, &outputs)?;
+        let all = read_values(&cases, &[], &outputs)?;
         let (place, values) = &all[row - 1];
         let folder = cases.header().folder();
         let (contacts, index) =

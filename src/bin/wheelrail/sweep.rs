@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::check_names([path.as_path()], outputs)?;
     let cases = Cases::read(path)?;
     let corners: Vec<Values> =
-        read_values(&cases, &outputs)?.into_iter().map(|(_, values)| values).collect();
+        read_values(&cases, &[], &outputs)?.into_iter().map(|(_, values)| values).collect();
     if corners.len() < 2 {
         bail!("{}: a path has at least two rows", arguments.files.cases.display());
     }

@@ -34,6 +34,10 @@ pub struct FlatContact {
     /// Friction at places y of the separation, where it is not the same all over the rail; else
     /// empty.
     pub friction_across: Vec<(f64, StripFriction)>,
+    /// Place of the contact point along the profiles of wheel and rail, the parameter of their curves
+    /// ([`Element::worn_wheel`](crate::element::Element::worn_wheel), `worn_rail`); it grows with y of
+    /// the contact frame, arc by arc [m].
+    pub profile_arcs: [f64; 2],
     /// Outline of the wheel near the contact in the track frame, points (y, z) [m].
     pub wheel: Vec<[f64; 2]>,
     /// Outline of the rail near the contact in the track frame, points (y, z) [m].
@@ -105,6 +109,7 @@ impl ContactSetup<'_> {
                 .strip_friction(&RailPlace::at(&self.rail, self.contact.rail_s), place.x)
                 .map_or(self.input.friction, |own| own.under(&[1.0; 2])),
             friction_across,
+            profile_arcs: [self.contact.u, self.contact.rail_s],
             wheel: outline,
             rail_head: rail_head.collect(),
         }

@@ -2,6 +2,7 @@
 //! wrong.
 
 mod evaluate;
+mod fatigue;
 mod fit;
 mod linearize;
 mod pack;

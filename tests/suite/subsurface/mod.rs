@@ -1,6 +1,7 @@
 //! Stresses below the surface: CONTACT's square, Hertz, equilibrium, what strips are worth.
 
 mod balance;
+mod fatigue;
 mod hertz;
 mod results;
 mod square;

@@ -59,4 +59,14 @@ super::entry::tolerances! {
     /// Stresses of sliding patches against those of friction times Hertz's pressure, over the
     /// greatest pressure: the target for strips.
     SUBSURFACE_TRACTIONS: f64 = 0.02;
+
+    /// Limits of yield and shakedown of lines against closed forms, 40 elements: the target.
+    FATIGUE_LIMIT: f64 = 0.005;
+
+    /// Limits of lines and circles against figures that are known to two digits.
+    FATIGUE_KNOWN: f64 = 0.02;
+
+    /// Equivalent stress of Dang Van against the estimate of Ekberg, Kabo and Andersson, over it:
+    /// theirs is one formula for all ellipses.
+    FATIGUE_ESTIMATE: f64 = 0.1;
 }

@@ -7,6 +7,7 @@ pub mod conicity;
 pub mod contact;
 mod contours;
 pub mod errors;
+pub mod fatigue;
 pub mod fit;
 pub mod icon;
 pub mod motion;

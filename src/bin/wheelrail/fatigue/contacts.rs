@@ -1,0 +1,130 @@
+//! The contacts of a row and what they do to a body.
+
+use std::path::Path;
+
+use anyhow::Result;
+use wheelrail::element::{Element, Output};
+use wheelrail::fatigue::{ContactFatigue, Strength};
+use wheelrail::planar::PlanarCase;
+use wheelrail::subsurface::{Body, SurfaceLoad};
+use wheelrail::variables::Values;
+
+use crate::output;
+use crate::remarks::{Found as FoundRemarks, Remarks};
+
+/// One contact.
+pub struct Found {
+    /// Row of the table and number of the contact in it, from 1.
+    pub row: usize,
+    contact: usize,
+    /// Number of the rail, from 1; 0 for a planar problem.
+    pub rail: i32,
+    /// Places along the profiles of wheel and rail [m].
+    arcs: [f64; 2],
+    pub fatigue: ContactFatigue,
+    pub load: SurfaceLoad,
+}
+
+impl Found {
+    /// Where the contact lies along the profile of `body` [m].
+    pub fn arc(&self, body: Body) -> f64 {
+        match body {
+            Body::Wheel => self.arcs[0],
+            Body::Rail => self.arcs[1],
+        }
+    }
+}
+
+/// What the contact of a planar problem does.
+///
+/// # Errors
+/// A value that is refused.
+pub fn of_planar(
+    row: usize,
+    case: &PlanarCase<'_>,
+    body: Body,
+    strength: &Strength,
+) -> Result<Option<Found>> {
+    let found = ContactFatigue::of(case, body, strength)?;
+    Ok(found.map(|(fatigue, load)| {
+        let (contact, rail, arcs) = (1, 0, [0.0; 2]);
+        Found { row, contact, rail, arcs, fatigue, load }
+    }))
+}
+
+/// What the contacts of a wheel on rails do, the deepest first; files lie in `folder`.
+///
+/// # Errors
+/// A value that is refused.
+pub fn at_wheel(
+    row: usize,
+    values: &Values,
+    body: Body,
+    strength: &Strength,
+    folder: &Path,
+) -> Result<Vec<Found>> {
+    let Values { parameters, input, .. } = values;
+    let mut element = Element::new(parameters, input, &[folder.into()])?;
+    let mut output = Output::default();
+    element.evaluate(input, &mut output)?;
+    let told = FoundRemarks::evaluated(&element, parameters, input, &output).with_start(&element);
+    Remarks::default().tell(&told.with_profiles(element.profile_remarks().to_vec()));
+    let mut at = *input;
+    at.wheel.position[2] = output.wheel_z;
+    let mut contacts = element.flat_contacts(&at)?;
+    contacts.sort_by(|a, b| b.penetration.total_cmp(&a.penetration));
+    let speed = input.wheel.velocity[0].abs();
+    let mut all = Vec::new();
+    for (index, flat) in contacts.iter().enumerate() {
+        let case = parameters.flat_case(flat, speed);
+        let Some((fatigue, load)) = ContactFatigue::of(&case, body, strength)? else { continue };
+        let (contact, rail, arcs) = (index + 1, flat.rail, flat.profile_arcs);
+        all.push(Found { row, contact, rail, arcs, fatigue, load });
+    }
+    Ok(all)
+}
+
+/// Writes a row for each contact to standard output.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write(all: &[Found]) -> Result<()> {
+    let table = output::table(None)?;
+    table.write_record([
+        "row",
+        "rail",
+        "contact",
+        "p0_mpa",
+        "p0_over_k",
+        "used_friction",
+        "elastic_limit",
+        "shakedown_limit",
+        "response",
+        "surface_index",
+        "subsurface_index_mpa",
+        "dang_van_mpa",
+        "dang_van_y_mm",
+        "dang_van_depth_mm",
+    ])?;
+    for Found { row, contact, rail, fatigue, .. } in all {
+        let number = |value: f64| format!("{value:.5}");
+        let [y, depth] = fatigue.dang_van.place;
+        table.write_record([
+            row.to_string(),
+            rail.to_string(),
+            contact.to_string(),
+            format!("{:.3}", 1e-6 * fatigue.max_pressure),
+            number(fatigue.load_factor),
+            number(fatigue.used_friction),
+            number(fatigue.elastic_limit),
+            number(fatigue.shakedown_limit),
+            fatigue.response.name().to_owned(),
+            number(fatigue.surface_index),
+            format!("{:.3}", 1e-6 * fatigue.subsurface_index),
+            format!("{:.3}", 1e-6 * fatigue.dang_van.value),
+            format!("{:.4}", 1e3 * y),
+            format!("{:.4}", 1e3 * depth),
+        ])?;
+    }
+    table.finish()
+}

@@ -1,0 +1,148 @@
+//! The shakedown map with the contacts of a table, and what their passages do below a profile.
+
+use std::path::Path;
+
+use anyhow::Result;
+use plotters::prelude::*;
+use wheelrail::fatigue::{FatigueMap, Response};
+
+use super::axes::{Axes, Chart};
+use super::canvas::{Area, BLUE, GREEN, GRID, INK, VERMILION, px, text};
+use super::contours::Lattice;
+use super::panel::{FRAME, captioned};
+use super::patches::{color, draw_colours};
+use super::save;
+use crate::fatigue::contacts::Found;
+
+const WIDTH: u32 = 1180;
+/// Heights of the shakedown map and of that of the body.
+const HEIGHTS: [u32; 2] = [460, 360];
+/// Width of the scale of colours.
+const SCALE: u32 = 110;
+/// Bands of colour.
+const BANDS: usize = 14;
+/// Limits of line contact: p0/k at first yield by von Mises, and of shakedown below the surface
+/// (Johnson 1985, sections 6.1 and 9.2).
+const LINE: [f64; 2] = [3.1, 4.0];
+
+/// What is drawn.
+pub struct Figure<'a> {
+    pub contacts: &'a [Found],
+    pub mapped: Option<Mapped<'a>>,
+}
+
+/// What passages do below a profile.
+pub struct Mapped<'a> {
+    pub map: &'a FatigueMap,
+    /// Where its arc is shown as 0 [m].
+    pub origin: f64,
+    /// Whose profile it is.
+    pub of: String,
+}
+
+impl Figure<'_> {
+    /// Draws the figure into the file `path`.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn draw(&self, path: &Path) -> Result<()> {
+        let height = HEIGHTS[0] + if self.mapped.is_some() { HEIGHTS[1] } else { 0 };
+        save(path, (WIDTH, height), |area| {
+            let (above, below) = area.split_vertically(px(HEIGHTS[0]));
+            self.draw_shakedown(&above)?;
+            self.mapped.as_ref().map_or(Ok(()), |mapped| mapped.draw(&below))
+        })
+    }
+
+    fn draw_shakedown(&self, area: &Area<'_>) -> Result<()> {
+        let all = || self.contacts.iter().map(|found| &found.fatigue);
+        let most = |values: &mut dyn Iterator<Item = f64>, least: f64| values.fold(least, f64::max);
+        let right = most(&mut all().map(|own| 1.1 * own.used_friction), 0.6);
+        let top = most(&mut all().map(|own| 1.1 * own.load_factor), 1.5 * LINE[1]);
+        let caption =
+            "Shakedown map: each contact by its own limits; lines are those of line contact";
+        let mut chart =
+            captioned(area, caption.into())?.build_cartesian_2d(0.0..right, 0.0..top)?;
+        let titles = ["used friction", "p0/k"];
+        Axes { titles, labels: [8, 8], size: 14 }.draw(&mut chart)?;
+        let line = |chart: &mut Chart<'_, '_>, points: Vec<(f64, f64)>, ink: RGBColor| {
+            chart.draw_series(LineSeries::new(points, ink.stroke_width(px(2)))).map(|_| ())
+        };
+        let bend = 1.0 / LINE[1];
+        let steps = (0..=100).map(|k| bend + (right - bend) * f64::from(k) / 100.0);
+        let limit: Vec<_> =
+            std::iter::once((0.0, LINE[1])).chain(steps.map(|f| (f, 1.0 / f))).collect();
+        line(&mut chart, limit, INK)?;
+        line(&mut chart, vec![(0.0, LINE[0]), (bend, LINE[0])], GRID)?;
+        let words = [("shakedown limit", LINE[1]), ("first yield, rolling freely", LINE[0])];
+        for (words, at) in words {
+            let place = (0.01 * right, at + 0.045 * top);
+            chart.draw_series([Text::new(words, place, text(14))])?;
+        }
+        let kinds = [
+            (Response::Elastic, BLUE, "elastic"),
+            (Response::Shakedown, GREEN, "shakes down"),
+            (Response::Plastic, VERMILION, "yields in every passage"),
+        ];
+        for (response, ink, name) in kinds {
+            let own = all().filter(|own| own.response == response);
+            let points = own.map(|own| {
+                Circle::new((own.used_friction, own.load_factor), px(5), ink.mix(0.7).filled())
+            });
+            chart
+                .draw_series(points)?
+                .label(name)
+                .legend(move |(x, y)| Circle::new((x + px(9) as i32, y), px(5), ink.filled()));
+        }
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperRight)
+            .legend_area_size(px(26))
+            .margin(px(6))
+            .background_style(WHITE.mix(0.85))
+            .border_style(GRID)
+            .label_font(text(14))
+            .draw()?;
+        Ok(())
+    }
+}
+
+impl Mapped<'_> {
+    fn draw(&self, area: &Area<'_>) -> Result<()> {
+        let (map, depths) = (self.map, self.map.depths());
+        let mpa = |k: usize| 1e-6 * map.cells()[k].dang_van;
+        let greatest = (0..map.cells().len()).map(mpa).fold(0.0, f64::max).max(1e-6);
+        // Where passages came near.
+        let touched: Vec<usize> = (0..map.arcs().len())
+            .filter(|i| (0..depths.len()).any(|j| mpa(i * depths.len() + j) > 0.01 * greatest))
+            .collect();
+        let [Some(&first), Some(&last)] = [touched.first(), touched.last()] else { return Ok(()) };
+        let [first, last] = [first.saturating_sub(1), (last + 1).min(map.arcs().len() - 1)];
+        let arcs: Vec<f64> =
+            map.arcs()[first..=last].iter().map(|s| 1e3 * (s - self.origin)).collect();
+        let down: Vec<f64> = depths.iter().map(|z| 1e3 * z).collect();
+        if arcs.len() < 2 || down.len() < 2 {
+            return Ok(());
+        }
+        let values: Vec<f64> = (0..down.len())
+            .flat_map(|j| (first..=last).map(move |i| i * depths.len() + j))
+            .map(mpa)
+            .collect();
+        let (drawn, scale) = area.split_horizontally(px(WIDTH - SCALE));
+        let caption = format!("Greatest equivalent stress of Dang Van below the {}", self.of);
+        let (x, z) = (arcs[0]..arcs[arcs.len() - 1], down[down.len() - 1]..0.0);
+        let mut chart = captioned(&drawn, caption)?.build_cartesian_2d(x.clone(), z.clone())?;
+        let titles = ["arc of the profile from its y = 0 [mm]", "depth [mm]"];
+        Axes { titles, labels: [10, 7], size: 14 }.draw(&mut chart)?;
+        let levels: Vec<f64> = (1..BANDS).map(|k| greatest * k as f64 / BANDS as f64).collect();
+        let shade = |band: usize| color(band as f64 / levels.len() as f64);
+        let whole = Rectangle::new([(x.start, down[0]), (x.end, z.start)], shade(0).filled());
+        chart.draw_series([whole])?;
+        let lattice = Lattice { axes: [&arcs, &down], values: &values };
+        for own in lattice.loops(&levels) {
+            chart.draw_series([Polygon::new(own.points, shade(own.band).filled())])?;
+        }
+        draw_colours(&scale, &(0.0..greatest), "MPa", [FRAME[2], FRAME[3]])?;
+        Ok(())
+    }
+}
