@@ -3,6 +3,7 @@
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use wheelrail::error::ContactError;
+use wheelrail::fatigue::{DangVan, Strength};
 use wheelrail::material::Material;
 use wheelrail::subsurface::{Body, Grid, Measure, State, SurfaceLoad as Load};
 
@@ -98,6 +99,38 @@ impl SurfaceLoad {
             let target = Target { numbers, width: NUMBERS, states };
             fill(target, &mut workers, |(), row, numbers, state| {
                 numbers.copy_from_slice(&numbers_of(&self.load.state_at(points[row])?));
+                *state = FINE;
+                Ok(())
+            })
+        });
+        done.map_err(|(row, error): (usize, ContactError)| refused(py, &error, Some(row)))
+    }
+
+    /// Fills `out` with the equivalent stress of Dang Van over a passage, a number for each of
+    /// `points` (y, depth), with this weight of the hydrostatic stress and this residual one.
+    fn dang_van(
+        &self,
+        py: Python<'_>,
+        points: PyReadonlyArray2<'_, f64>,
+        mut out: PyReadwriteArray1<'_, f64>,
+        mut states: PyReadwriteArray1<'_, u8>,
+        strength: [f64; 2],
+        threads: usize,
+    ) -> PyResult<()> {
+        let (points, _) = points.as_slice()?.as_chunks::<2>();
+        let (numbers, states) = (out.as_slice_mut()?, states.as_slice_mut()?);
+        let mut of_material = Strength::default();
+        [of_material.dang_van, of_material.residual] = strength;
+        of_material.check().map_err(|error| refused(py, &error, None))?;
+        let done = py.detach(|| {
+            let passage = DangVan::new(&self.load, &of_material);
+            let mut workers = vec![(); threads_for(points.len(), threads)];
+            let target = Target { numbers, width: 1, states };
+            fill(target, &mut workers, |(), row, numbers, state| {
+                let [y, depth] = points[row];
+                // The same points as for stresses.
+                self.load.state_at([0.0, y, depth])?;
+                numbers[0] = passage.as_ref().map_or(0.0, |passage| passage.at([y, depth]));
                 *state = FINE;
                 Ok(())
             })

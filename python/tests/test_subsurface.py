@@ -48,6 +48,23 @@ def test_a_grid_has_the_names_of_its_axes():
     assert data.von_mises.sel(x=x[3], depth=1e-3).shape == (5,)
 
 
+def test_a_passage_has_the_stress_of_dang_van():
+    points, given = hertz(tangential_model="none")
+    load = subsurface.below(*points, **given)
+    p0, depth = load.max_pressure, np.linspace(0.2e-3, 3e-3, 15)
+    found = load.dang_van(0.0, depth)
+    assert found.shape == (15,)
+    # A sixth of p0 is the estimate for ellipses.
+    assert found.max() / p0 == pytest.approx(1 / 6, rel=0.15)
+    assert isinstance(load.dang_van(0.0, 1e-3), float)
+    pressed = load.dang_van(0.0, depth, residual=-3e8)
+    assert np.allclose(found - pressed, 1e8)
+    with pytest.raises(wheelrail.BadValueError, match="dang_van = -1"):
+        load.dang_van(0.0, 1e-3, weight=-1.0)
+    with pytest.raises(wheelrail.BadValueError, match="depth = -0.001"):
+        load.dang_van(0.0, -1e-3)
+
+
 def test_the_bodies_have_opposite_tractions():
     points, given = hertz(creepage_longitudinal=0.02)
     rail, wheel = (subsurface.below(*points, **given, body=body) for body in ("rail", "wheel"))

@@ -59,7 +59,7 @@ pub struct ContactFatigue {
     /// Index of what is below, N (1 + f²)/(4 A) + c σ_h,res [Pa]: their estimate of the equivalent
     /// stress of Dang Van below an ellipse.
     pub subsurface_index: f64,
-    /// The greatest equivalent stress of Dang Van from one element's size downwards.
+    /// The greatest equivalent stress of Dang Van below the surface layer ([`DangVan::greatest`]).
     pub dang_van: Equivalent,
 }
 

@@ -33,6 +33,8 @@ pub struct Equivalent {
     pub place: [f64; 2],
 }
 
+/// Thickness of the surface layer over the patch's shorter side.
+const LAYER: f64 = 0.1;
 /// Stresses along a line.
 const STEPS: usize = 64;
 
@@ -59,13 +61,17 @@ impl<'a> DangVan<'a> {
         self.undergone(place).equivalent
     }
 
-    /// Where it is greatest from one element's size downwards, by steps along both axes from the best
-    /// of a lattice of places; nothing without load.
+    /// Where it is greatest below the surface layer, by steps along both axes from the best of a lattice
+    /// of places; nothing without load.
+    ///
+    /// The surface layer is a tenth of the patch's shorter side, or an element where that is more:
+    /// there tractions rule, roughness and the surface index.
     #[must_use]
     pub fn greatest(&self) -> Option<Equivalent> {
         let [_, [left, right]] = self.load.extent()?;
-        let least = self.load.element();
-        let size = (self.x[1] - self.x[0]).max(right - left).max(2.0 * least);
+        let sides = [self.x[1] - self.x[0], right - left];
+        let least = (LAYER * sides[0].min(sides[1])).max(self.load.element());
+        let size = sides[0].max(sides[1]).max(2.0 * least);
         let factor = (size / least).powf(1.0 / (DEPTHS - 1) as f64);
         let depths: Vec<f64> = (0..DEPTHS).map(|k| least * factor.powi(k as i32)).collect();
         let at = |point: [f64; 3]| (point, self.at([point[1], point[2]]));

@@ -218,6 +218,48 @@ class Load:
         layout = Layout(found.shape, found.inputs, ("x", "y", "depth"), dict(zip(("x", "y", "depth"), axes)))
         return States(_COLUMNS, found._data, found._states, {}, layout)
 
+    def dang_van(
+        self,
+        y: npt.ArrayLike,
+        depth: npt.ArrayLike,
+        *,
+        weight: float = 1 / 3,
+        residual: float = 0.0,
+        threads: int | None = None,
+    ) -> Any:
+        """Equivalent stress of Dang Van over a passage of the contact, at places whose coordinates broadcast [Pa].
+
+        The greatest shear stress of what varies, with `weight` times the hydrostatic stress, at the worst
+        instant (docs/fatigue.md). Where the orthogonal shear stress is beyond the yield stress in shear the
+        material does not shake down, and this is no measure of its life.
+
+        Parameters
+        ----------
+        y : array_like
+            Places to the right [m].
+        depth : array_like
+            Depths below the surface, at least 0 [m].
+        weight : float
+            Of the hydrostatic stress, at least 0 [-].
+        residual : float
+            Residual hydrostatic stress, tension positive [Pa].
+        threads : int, optional
+            As in `wheelrail.Element.evaluate`.
+        """
+        columns = np.broadcast_arrays(numbers("y", y), numbers("depth", depth))
+        points = np.ascontiguousarray(np.stack([c.ravel() for c in columns], axis=1))
+        data = np.empty(len(points))
+        states = np.zeros(len(points), dtype=np.uint8)
+        count = _threads(threads)
+        strength = (float(weight), float(residual))
+
+        def work(rows: slice) -> None:
+            self._native.dang_van(points[rows], data[rows], states[rows], strength, count)
+
+        in_slices(len(points), work, count)
+        found = data.reshape(columns[0].shape)
+        return float(found) if found.ndim == 0 else found
+
     def greatest(self, measure: Measure = "von_mises") -> Greatest | None:
         """The greatest value in the body and its place, searched in the volume; None without load.
 

@@ -152,7 +152,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mapped = map.as_ref().map(|(map, profile)| Mapped {
         map,
         origin: profile.origin,
-        of: format!("{} {}", profile.body, profile.name),
+        of: format!("{}, {}", profile.body, profile.name),
     });
     if let (Some(path), Some((map, profile))) = (&arguments.map, &map) {
         write_map(path, map, profile)?;

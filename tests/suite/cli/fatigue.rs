@@ -12,7 +12,7 @@ fn fatigue_judges_contacts_and_maps_them_below_the_profile() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
     let (figure, map) = (file("fatigue.svg"), file("map.csv"));
     let arguments =
-        ["fatigue", &path, "-o", &figure, "--map", &map, "--endurance", "150", "--step", "2"];
+        ["fatigue", &path, "-o", &figure, "--map", &map, "--endurance", "100", "--step", "2"];
     let rows = success(&arguments);
     assert!(rows.len() >= 2 && rows[0]["row"] == "1" && rows.last().unwrap()["row"] == "2");
     for row in &rows {
@@ -26,12 +26,9 @@ fn fatigue_judges_contacts_and_maps_them_below_the_profile() {
     let greatest = rows.iter().map(|row| number(row, "dang_van_mpa")).fold(0.0, f64::max);
     // The map has a place every two millimetres.
     assert!((0.7..=1.01).contains(&(most("dang_van_mpa") / greatest)), "{greatest}");
-    assert!(
-        (most("passages_beyond_endurance") - 12.0).abs() < 1e-9
-            || most("passages_beyond_endurance") >= 10.0
-    );
+    assert!(most("passages_beyond_endurance") >= 10.0);
     let drawn = std::fs::read_to_string(&figure).unwrap();
-    for text in ["Shakedown map", "Dang Van below the rail 1 60E1", "used friction", "depth [mm]"] {
+    for text in ["Shakedown map", "Dang Van below rail 1, 60E1", "used friction", "depth [mm]"] {
         assert!(drawn.contains(text), "{text}");
     }
     // Residual compression helps.

@@ -168,6 +168,8 @@ fn every_variable_that_a_document_names_exists() {
         "docs/theory.md",
         "docs/profiles.md",
         "docs/wear.md",
+        "docs/wheel.md",
+        "docs/fatigue.md",
         "docs/validation.md",
         "docs/benchmarks.md",
         "CHANGELOG.md",

@@ -63,7 +63,7 @@ super::entry::tolerances! {
     /// Limits of yield and shakedown of lines against closed forms, 40 elements: the target.
     FATIGUE_LIMIT: f64 = 0.005;
 
-    /// Limits of lines and circles against figures that are known to two digits.
+    /// Limits of lines and circles against figures of text books: these are known to two digits.
     FATIGUE_KNOWN: f64 = 0.02;
 
     /// Equivalent stress of Dang Van against the estimate of Ekberg, Kabo and Andersson, over it:

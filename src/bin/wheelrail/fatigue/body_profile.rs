@@ -31,7 +31,7 @@ impl BodyProfile {
         let folders = [PathBuf::from(folder)];
         let element = Element::new(&values.parameters, &values.input, &folders)?;
         let (body, profile) = match rail {
-            None => ("wheel".to_owned(), element.worn_wheel()),
+            None => ("the wheel".to_owned(), element.worn_wheel()),
             Some(rail) => {
                 let index = usize::try_from(rail - 1).ok();
                 (format!("rail {rail}"), index.and_then(|k| element.worn_rail(k)))

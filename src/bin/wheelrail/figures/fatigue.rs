@@ -114,7 +114,7 @@ impl Mapped<'_> {
         let greatest = (0..map.cells().len()).map(mpa).fold(0.0, f64::max).max(1e-6);
         // Where passages came near.
         let touched: Vec<usize> = (0..map.arcs().len())
-            .filter(|i| (0..depths.len()).any(|j| mpa(i * depths.len() + j) > 0.01 * greatest))
+            .filter(|i| (0..depths.len()).any(|j| mpa(i * depths.len() + j) > 0.1 * greatest))
             .collect();
         let [Some(&first), Some(&last)] = [touched.first(), touched.last()] else { return Ok(()) };
         let [first, last] = [first.saturating_sub(1), (last + 1).min(map.arcs().len() - 1)];
@@ -129,7 +129,7 @@ impl Mapped<'_> {
             .map(mpa)
             .collect();
         let (drawn, scale) = area.split_horizontally(px(WIDTH - SCALE));
-        let caption = format!("Greatest equivalent stress of Dang Van below the {}", self.of);
+        let caption = format!("Greatest equivalent stress of Dang Van below {}", self.of);
         let (x, z) = (arcs[0]..arcs[arcs.len() - 1], down[down.len() - 1]..0.0);
         let mut chart = captioned(&drawn, caption)?.build_cartesian_2d(x.clone(), z.clone())?;
         let titles = ["arc of the profile from its y = 0 [mm]", "depth [mm]"];
