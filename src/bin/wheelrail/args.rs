@@ -3,7 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::{
-    compare, conicity, evaluate, fit, linearize, pack, patch, plot, simulate, stress, sweep, tables,
+    compare, conicity, evaluate, fit, linearize, pack, patch, plot, simulate, stress, sweep,
+    tables, transient,
 };
 
 /// Wheel-rail contact: forces, patches and a running wheelset
@@ -29,6 +30,7 @@ pub enum Command {
     Compare(compare::Arguments),
     Plot(plot::Arguments),
     Stress(stress::Arguments),
+    Transient(transient::Arguments),
     Tables(tables::Arguments),
     Sweep(sweep::Arguments),
     Fit(fit::Arguments),

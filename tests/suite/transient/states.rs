@@ -85,7 +85,6 @@ fn a_new_contact_has_no_history() {
         let expected = fresh.step(&case, &rolled(4e-4)).unwrap();
         let limit = 0.3 * expected.contact.normal_force;
         let error = force / (0.3 * load) - expected.contact.fx / limit;
-        println!("{n} {error} {}", expected.contact.fx / limit);
         assert!(error.abs() < 0.06, "state {n}: {error}");
         assert!(n > 0 || expected.contact.fx.abs() < 0.3 * limit);
     }

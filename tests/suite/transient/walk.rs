@@ -16,10 +16,10 @@ fn lobes() -> Vec<[f64; 2]> {
 fn walks_with_steps_of_any_size_stay_within_the_law() {
     let separation = lobes();
     let mut random = Random::new(54);
-    let mut contact = TransientContact::with_element_size([4e-4, 4e-4]).unwrap();
+    let mut contact = TransientContact::with_element_size([5e-4, 5e-4]).unwrap();
     let (mut patches, mut most_sweeps, mut ended) = ([0; 3], 0, 0);
     let mut before: Option<TransientResult> = None;
-    for step in 0..150 {
+    for step in 0..100 {
         let approach = random.within(-2e-5, 1.2e-4);
         let scale = 10f64.powf(random.within(-5.0, -2.0));
         let creepage = [random.about(scale), random.about(scale), 50.0 * random.about(scale)];
@@ -77,7 +77,7 @@ fn walks_with_steps_of_any_size_stay_within_the_law() {
         assert!(moved <= tolerance * limit, "step {step}: {}", moved / limit);
         before = Some(found);
     }
-    assert!(before.is_some() && patches.iter().all(|&n| n > 10) && ended > 10, "{patches:?}");
+    assert!(before.is_some() && patches.iter().all(|&n| n >= 5) && ended >= 5, "{patches:?}");
     // Ninety substeps at most.
     assert!(most_sweeps < 8000, "{most_sweeps}");
 }
@@ -85,7 +85,7 @@ fn walks_with_steps_of_any_size_stay_within_the_law() {
 #[test]
 fn where_the_way_of_solving_changes_forces_do_not() {
     let separation = sphere(0.3, 0.02);
-    let size = 4e-4;
+    let size = 6e-4;
     let case = PlanarCase {
         creepage: [0.002, -0.001, 0.3],
         ..case(&separation, 0.46, Indentation::Approach(8e-5), 0.3, STEEL)
