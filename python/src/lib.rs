@@ -15,6 +15,7 @@ mod rows;
 mod subjects;
 mod subsurface;
 mod tables;
+mod transient;
 mod units;
 mod worker;
 
@@ -37,6 +38,7 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(profile::profile_points, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_solve, module)?)?;
     module.add_function(wrap_pyfunction!(planar::planar_fields, module)?)?;
+    module.add_class::<transient::TransientContact>()?;
     module.add_class::<subsurface::SurfaceLoad>()?;
     module.add_function(wrap_pyfunction!(subsurface::loads_of, module)?)?;
     module.add_function(wrap_pyfunction!(subsurface::planar_load, module)?)?;

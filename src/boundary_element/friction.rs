@@ -42,8 +42,8 @@ pub struct Tractions {
 /// Change in a sweep, over the sum of the tractions, at which they are accepted [-].
 pub const TOLERANCE: f64 = 1e-4;
 
-/// Sweeps after which the search ends: 10 to 30 are usual.
-const MAX_SWEEPS: usize = 400;
+/// Sweeps after which the search ends in steady rolling: 10 to 30 are usual.
+pub const MAX_SWEEPS: usize = 400;
 
 /// Sweeps without a new least change after which the damping grows, and by how much.
 const PATIENCE: usize = 8;
@@ -63,6 +63,8 @@ pub struct FrictionProblem<'a> {
     pub rolling: bool,
     /// Change in a sweep, over the sum of the tractions, at which to stop [-].
     pub tolerance: f64,
+    /// Sweeps after which to stop in any case.
+    pub max_sweeps: usize,
 }
 
 /// Solves `problem` from the tractions `start` (x, y) of each element.
@@ -81,11 +83,11 @@ pub fn solve(problem: &FrictionProblem<'_>, start: Option<&[[f64; 2]]>) -> Tract
     }
     let mut received = Received::new(influence, &rows);
     let carried = carried_influence(influence, grid.along);
-    let mut damping = if problem.rolling { ROLLING_DAMPING } else { 1.0 };
+    let mut damping = if problem.rolling { ROLLING_DAMPING } else { LOCAL_DAMPING };
     let loaded = bound.iter().any(|&g| g > 0.0);
     let loaded_rows: Vec<bool> = (0..grid.across).map(|j| rows.is_loaded(j)).collect();
     let (mut sweeps, mut change, mut least, mut stale) = (0, f64::INFINITY, f64::INFINITY, 0);
-    while loaded && change > problem.tolerance && sweeps < MAX_SWEEPS {
+    while loaded && change > problem.tolerance && sweeps < problem.max_sweeps {
         sweeps += 1;
         let (mut moved, mut total) = (0.0, 0.0);
         for j in (0..grid.across).filter(|&j| loaded_rows[j]) {
@@ -193,6 +195,9 @@ const STICKING: f64 = 0.999;
 /// area.
 const ROLLING_DAMPING: f64 = 2.0;
 
+/// The same where elements change alone [-].
+const LOCAL_DAMPING: f64 = 1.6;
+
 /// What an element receives when it and the m elements behind it change by a unit, for m from 0.
 fn carried_influence(influence: &TangentialInfluence, along: usize) -> Vec<[f64; 2]> {
     let mut sum = [0.0; 2];
@@ -246,6 +251,7 @@ mod tests {
             rigid: &vec![rigid; grid.len()],
             rolling: true,
             tolerance,
+            max_sweeps: MAX_SWEEPS,
         };
         (grid, solve(&problem, None))
     }

@@ -100,6 +100,16 @@ impl TangentialInfluence {
         Self::combination(grid, material, &weights)
     }
 
+    /// Displacement and, over the distance `rolled`, slip of steady rolling [m/Pa]: what tractions
+    /// add to the slip distance of a step at whose end, or with a negative distance at whose
+    /// beginning, they act.
+    #[must_use]
+    pub fn displacement_and_slip(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
+        let per_step = 2.0 * rolled / grid.dx;
+        let weights = [(0, 1.0 + 1.5 * per_step), (1, -2.0 * per_step), (2, 0.5 * per_step)];
+        Self::combination(grid, material, &weights)
+    }
+
     /// Sum of displacements at points a number of half elements ahead of the centres, each with its
     /// weight.
     fn combination(grid: &Grid, material: &MaterialPair, weights: &[(isize, f64)]) -> Self {

@@ -13,3 +13,4 @@ pub mod pressure;
 pub(crate) mod received;
 pub mod rolling;
 pub mod shift;
+pub mod transient;

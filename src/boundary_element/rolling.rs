@@ -16,7 +16,7 @@
 //!
 //! The tractions come from [`super::friction`]; starts come from grids of half the resolution.
 
-use super::friction::{self, FrictionProblem, TOLERANCE, Tractions};
+use super::friction::{self, FrictionProblem, MAX_SWEEPS, TOLERANCE, Tractions};
 use super::grid::Grid;
 use super::influence::TangentialInfluence;
 use crate::material::MaterialPair;
@@ -35,6 +35,18 @@ pub fn steady_rolling(
     bound: &[f64],
     rigid: &[[f64; 2]],
 ) -> Tractions {
+    steady_rolling_within(TOLERANCE, grid, material, bound, rigid)
+}
+
+/// The same within another change of the last sweep, over the sum of the tractions [-].
+#[must_use]
+pub fn steady_rolling_within(
+    tolerance: f64,
+    grid: &Grid,
+    material: &MaterialPair,
+    bound: &[f64],
+    rigid: &[[f64; 2]],
+) -> Tractions {
     let start = (grid.along >= MIN_NESTED_ELEMENTS && grid.across >= MIN_NESTED_ELEMENTS)
         .then(|| Coarse::of(grid, bound, rigid))
         .map(|coarse| {
@@ -48,7 +60,8 @@ pub fn steady_rolling(
         bound,
         rigid,
         rolling: true,
-        tolerance: TOLERANCE,
+        tolerance,
+        max_sweeps: MAX_SWEEPS,
     };
     friction::solve(&problem, start.as_deref())
 }

@@ -2,11 +2,11 @@
 //!
 //! The bodies are shifted against each other by w; particles slip by s = w + A (p - p_before), and
 //! the same friction law holds as in rolling (Kalker 1990, section 4.2.1). A is symmetric and
-//! positive definite.
+//! positive definite. It is a [`super::transient`] step over no distance.
 
-use super::friction::{self, FrictionProblem, TOLERANCE, Tractions};
+use super::friction::Tractions;
 use super::grid::Grid;
-use super::influence::TangentialInfluence;
+use super::transient::{Memory, TransientStep};
 use crate::material::MaterialPair;
 
 /// Tractions of bodies of `material` after a shift from `before` (traction x, y of each element
@@ -22,33 +22,11 @@ pub fn shift(
     shift: [f64; 2],
     before: Option<&[[f64; 2]]>,
 ) -> Tractions {
-    let influence = TangentialInfluence::displacement(grid, material);
+    let none = vec![[0.0; 2]; grid.len()];
+    let before = before.unwrap_or(&none);
     let mut rigid = vec![shift; grid.len()];
-    if let Some(before) = before {
-        let column = |c: usize| before.iter().map(|p| p[c]).collect::<Vec<f64>>();
-        let (x, y) = (column(0), column(1));
-        let mut convolution = super::convolution::Convolution::new(grid.along, grid.across);
-        let [xx, xy, yy] = [&influence.xx, &influence.xy, &influence.yy]
-            .map(|influence| convolution.spectrum_of(influence));
-        let mut displaced = vec![0.0; grid.len()];
-        for (spectrum, tractions, c) in [(&xx, &x, 0), (&xy, &y, 0), (&xy, &x, 1), (&yy, &y, 1)] {
-            convolution.apply(spectrum, tractions, &mut displaced);
-            for (w, u) in rigid.iter_mut().zip(&displaced) {
-                w[c] -= u;
-            }
-        }
+    for (w, carried) in rigid.iter_mut().zip(Memory::new(grid, material, 0.0).carried(before)) {
+        *w = [w[0] - carried[0], w[1] - carried[1]];
     }
-    let problem = FrictionProblem {
-        grid,
-        influence: &influence,
-        bound,
-        rigid: &rigid,
-        rolling: false,
-        tolerance: SETTLED * TOLERANCE,
-    };
-    friction::solve(&problem, before)
+    TransientStep::new(grid, material, 0.0).solve(bound, &rigid, before)
 }
-
-/// Without particles that carry news along, changes are passed on from element to element and
-/// shrink slowly: a finer tolerance.
-const SETTLED: f64 = 1e-2;

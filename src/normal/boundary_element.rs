@@ -36,16 +36,45 @@ pub fn solve(
     probes: &[Probe],
     strips: &mut Strips,
 ) -> Option<usize> {
-    let Some(box_of_overlap) = overlap(problem, separation, probes) else { return Some(0) };
-    let across = elements[1].max(COARSE);
+    let grid = |[x, y]: [[f64; 2]; 2]| Some(with_margin(x, y, elements));
+    match solve_on_grid(problem, elements[1], separation, probes, grid) {
+        GridPressure::None => Some(0),
+        GridPressure::Lost => None,
+        GridPressure::Found(field, u) => Some(fill_rows(strips, field, &u)),
+    }
+}
+
+/// What [`solve_on_grid`] ends with.
+pub enum GridPressure {
+    /// The bodies do not overlap.
+    None,
+    /// The iteration did not converge, or there is no grid for the extent.
+    Lost,
+    /// Pressure on the elements, and the parameter of the contact line at each row.
+    Found(ElementPressure, Vec<f64>),
+}
+
+/// The pressure of `problem` on the elements that `grid` puts over the extent [x], [y] of all zones
+/// together, with a margin; `across` is about their number across, to find the extent with.
+pub fn solve_on_grid(
+    problem: &NormalProblem,
+    across: usize,
+    separation: &mut impl Separation,
+    probes: &[Probe],
+    mut grid: impl FnMut([[f64; 2]; 2]) -> Option<Grid>,
+) -> GridPressure {
+    let Some(box_of_overlap) = overlap(problem, separation, probes) else {
+        return GridPressure::None;
+    };
     let [x, y] = box_of_overlap;
-    let coarse = Grid::over(x, y, COARSE, across);
-    let (solution, _) = solve_on(coarse, problem, separation)?;
+    let coarse = Grid::over(x, y, COARSE, across.max(COARSE));
+    let Some((solution, _)) = solve_on(coarse, problem, separation) else {
+        return GridPressure::Lost;
+    };
     let mut extent = extent(&coarse, &solution.pressure).unwrap_or(box_of_overlap);
     for _ in 0..MAX_GROWTHS {
-        let [x, y] = extent;
-        let grid = with_margin(x, y, elements);
-        let (solution, rows) = solve_on(grid, problem, separation)?;
+        let Some(grid) = grid(extent) else { break };
+        let Some((solution, rows)) = solve_on(grid, problem, separation) else { break };
         let grown = touched_borders(&grid, &solution.pressure, extent, box_of_overlap);
         if let Some(grown) = grown {
             extent = grown;
@@ -57,10 +86,9 @@ pub fn solve(
             strip_of_row: vec![None; grid.across],
             iterations: solution.iterations,
         };
-        let u: Vec<f64> = rows.iter().map(|row| row.0).collect();
-        return Some(fill_rows(strips, field, &u));
+        return GridPressure::Found(field, rows.iter().map(|row| row.0).collect());
     }
-    None
+    GridPressure::Lost
 }
 
 /// The rectangle [x], [y] in which the undeformed bodies overlap.
@@ -250,7 +278,7 @@ const GROWTH: f64 = 0.1;
 
 /// Turns the rows of `field`, with the parameters `u` of the contact line, into strips and zones;
 /// returns the number of zones that found no room.
-pub(super) fn fill_rows(strips: &mut Strips, field: ElementPressure, u: &[f64]) -> usize {
+pub fn fill_rows(strips: &mut Strips, field: ElementPressure, u: &[f64]) -> usize {
     let ElementPressure { grid, pressure, mut strip_of_row, iterations } = field;
     let loads = row_loads(&grid, &pressure);
     let mut left_out = 0;

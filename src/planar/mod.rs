@@ -7,9 +7,11 @@
 mod case;
 mod line;
 mod pressed_contact;
+mod transient;
 
 pub use case::{Indentation, PlanarCase};
 pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
+pub use transient::{History, StepMotion, TransientContact, TransientField, TransientResult};
 
 pub use crate::friction::StripFriction;
 pub use crate::normal::{NormalModel, ShapeFit};

@@ -32,7 +32,7 @@ pub struct ContactField {
 
 impl ContactField {
     /// A field with this `pressure` on `grid` and no tractions.
-    pub(super) fn of_pressure(grid: Grid, pressure: Vec<f64>) -> Self {
+    pub(crate) fn of_pressure(grid: Grid, pressure: Vec<f64>) -> Self {
         let count = grid.len();
         Self {
             grid,

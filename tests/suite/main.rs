@@ -79,6 +79,7 @@ mod subsurface;
 mod symmetry;
 mod tables;
 mod tolerance;
+mod transient;
 mod uneven;
 mod varying_both;
 mod varying_rail;

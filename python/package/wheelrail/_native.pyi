@@ -10,6 +10,7 @@ import numpy.typing as npt
 __all__ = [
     "Places",
     "SurfaceLoad",
+    "TransientContact",
     "Wheel",
     "WearingWheel",
     "Wheelset",
@@ -163,6 +164,24 @@ def planar_solve(
 def planar_fields(
     wheel: Wheel, separation: _Floats, given: _Floats, by_load: bool
 ) -> list[dict[str, Any]]: ...
+@final
+class TransientContact:
+    def __new__(cls, size: tuple[float, float] | None) -> TransientContact: ...
+    def step(
+        self,
+        wheel: Wheel,
+        separation: _Floats,
+        given: _Floats,
+        by_load: bool,
+        rolled: float,
+        shift: tuple[float, float, float],
+        force: tuple[float | None, float | None],
+    ) -> list[float]: ...
+    def field(self) -> dict[str, Any] | None: ...
+    @property
+    def history(self) -> _Floats: ...
+    def set_history(self, numbers: _Floats) -> None: ...
+
 @final
 class SurfaceLoad:
     def __new__(

@@ -6,6 +6,7 @@ the right; creepages are those at the origin of the separation.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -18,7 +19,7 @@ from ._given import numbers
 from ._result import Column, Columns, Layout, Result
 from .errors import BadValueError
 
-__all__ = ["fields", "solve"]
+__all__ = ["Transient", "TransientField", "TransientResult", "fields", "solve"]
 
 _COLUMNS = Columns(
     Column("normal_force", "N", "Normal force"),
@@ -138,6 +139,155 @@ def fields(
     return [Field(**one) for one in _native.planar_fields(wheel._native, separation, case, by_load)]
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class TransientField(Field):
+    """Pressure and tractions at the end of a step of `Transient`, and what happened in it.
+
+    Attributes
+    ----------
+    slip_x, slip_y : ndarray, shape (across, along), or None
+        Mean slip over the distance rolled [-]; None in a shift.
+    slip_distance_x, slip_distance_y : ndarray, shape (across, along)
+        Slip of wheel against rail in the step [m].
+    friction_work : ndarray, shape (across, along)
+        Work that friction took up in the step [J].
+    """
+
+    slip_distance_x: npt.NDArray[np.float64]
+    slip_distance_y: npt.NDArray[np.float64]
+    friction_work: npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class TransientResult:
+    """What a step of `Transient` leads to; forces on the wheel.
+
+    Attributes
+    ----------
+    normal_force, max_pressure, area, length, width, fx, fy, mz, patches
+        As those of `solve`.
+    displacement_x, displacement_y, turn : float
+        Rigid displacement of the wheel against the rail in the step [m] and turn [rad]: as given,
+        or as found for given forces.
+    friction_work : float
+        Work that friction took up [J].
+    substeps, sweeps : int
+        Steps that it was divided into, 0 where it was solved as steady rolling, and sweeps of the
+        solver.
+    converged : bool
+        Whether the tractions of all of them settled.
+    """
+
+    normal_force: float
+    max_pressure: float
+    area: float
+    length: float
+    width: float
+    fx: float
+    fy: float
+    mz: float
+    patches: int
+    displacement_x: float
+    displacement_y: float
+    turn: float
+    friction_work: float
+    substeps: int
+    sweeps: int
+    converged: bool
+
+
+class Transient:
+    """A planar contact problem with memory, by boundary elements.
+
+    Each step has a state, as for `solve`, the distance rolled since the state before, and a shift.
+    Tractions follow from those of the step before: shifts, rolling from rest, oscillating creepage or
+    load, contacts that split, merge, begin and end. A step of any length is allowed; one of many
+    lengths of the contact ends in steady rolling.
+
+    Parameters
+    ----------
+    element_size : (float, float), optional
+        Length and width of an element [m]; otherwise those of the first state with contact, of which
+        ``normal_elements_along`` by ``normal_elements_across`` cover the contact.
+    **parameters
+        Materials and numbers of elements as for `wheelrail.Element`. The models are boundary elements.
+    """
+
+    def __init__(self, *, element_size: tuple[float, float] | None = None, **parameters: Any) -> None:
+        models = {"normal_model": "boundary_element", "tangential_model": "boundary_element"}
+        self._parameters = {**models, **parameters}
+        self._wheel = Element(**self._parameters)
+        size = None if element_size is None else (float(element_size[0]), float(element_size[1]))
+        self._native = _native.TransientContact(size)
+
+    def step(
+        self,
+        y: npt.ArrayLike,
+        f: npt.ArrayLike,
+        *,
+        radius: float,
+        approach: float | None = None,
+        load: float | None = None,
+        creepage_longitudinal: float = 0.0,
+        creepage_lateral: float = 0.0,
+        spin: float = 0.0,
+        friction: float = 0.3,
+        rolled: float = 0.0,
+        shift_x: float = 0.0,
+        shift_y: float = 0.0,
+        turn: float = 0.0,
+        force_longitudinal: float | None = None,
+        force_lateral: float | None = None,
+    ) -> TransientResult:
+        """Goes one step on. A step that is refused leaves the history as it was.
+
+        Parameters
+        ----------
+        y, f, radius, approach, load, creepage_longitudinal, creepage_lateral, spin, friction
+            The state, as for `solve`, one number each.
+        rolled : float
+            Distance rolled in the step, 0 or more [m].
+        shift_x, shift_y, turn : float
+            Displacement of the wheel against the rail [m] and turn about the normal through the
+            origin [rad], on top of creepage times the distance rolled.
+        force_longitudinal, force_lateral : float, optional
+            Creep force on the wheel [N]: that component of the displacement is found.
+        """
+        separation, case, by_load = _one_state(
+            y, f, radius, approach, load, (creepage_longitudinal, creepage_lateral, spin, friction, 0.0)
+        )
+        found = self._native.step(
+            self._wheel._native,
+            separation,
+            case,
+            by_load,
+            float(rolled),
+            (float(shift_x), float(shift_y), float(turn)),
+            (
+                None if force_longitudinal is None else float(force_longitudinal),
+                None if force_lateral is None else float(force_lateral),
+            ),
+        )
+        *contact, patches, x, y_, turned, work, substeps, sweeps, converged = found
+        return TransientResult(
+            *contact, int(patches), x, y_, turned, work, int(substeps), int(sweeps), converged > 0.0
+        )
+
+    def field(self) -> TransientField | None:
+        """Pressure, tractions and slip of the last step; None before it and without contact."""
+        found = self._native.field()
+        return None if found is None else TransientField(**found)
+
+    @property
+    def history(self) -> npt.NDArray[np.float64]:
+        """All that the next step depends on; set it to go back, or on from another place."""
+        return self._native.history
+
+    @history.setter
+    def history(self, numbers_: npt.ArrayLike) -> None:
+        self._native.set_history(np.ascontiguousarray(numbers_, dtype=np.float64).ravel())
+
+
 def one_case(
     caller: str,
     y: npt.ArrayLike,
@@ -155,6 +305,20 @@ def one_case(
     return separation, cases[0], by_load, wheel
 
 
+def _one_state(
+    y: npt.ArrayLike,
+    f: npt.ArrayLike,
+    radius: npt.ArrayLike,
+    approach: npt.ArrayLike | None,
+    load: npt.ArrayLike | None,
+    others: tuple[npt.ArrayLike, ...],
+) -> tuple[Any, npt.NDArray[np.float64], bool]:
+    separation, cases, _, by_load, _ = _given(y, f, radius, approach, load, others)
+    if len(cases) != 1:
+        raise BadValueError(f"a step takes one state, not {len(cases)}")
+    return separation, cases[0], by_load
+
+
 def _cases(
     y: npt.ArrayLike,
     f: npt.ArrayLike,
@@ -164,6 +328,17 @@ def _cases(
     others: tuple[npt.ArrayLike, ...],
     parameters: dict[str, Any],
 ) -> tuple[Any, npt.NDArray[np.float64], tuple[int, ...], bool, dict[str, Any], Element]:
+    return (*_given(y, f, radius, approach, load, others), Element(**parameters))
+
+
+def _given(
+    y: npt.ArrayLike,
+    f: npt.ArrayLike,
+    radius: npt.ArrayLike,
+    approach: npt.ArrayLike | None,
+    load: npt.ArrayLike | None,
+    others: tuple[npt.ArrayLike, ...],
+) -> tuple[Any, npt.NDArray[np.float64], tuple[int, ...], bool, dict[str, Any]]:
     if (approach is None) == (load is None):
         raise BadValueError("give either approach or load", variable="approach")
     by_load = approach is None
@@ -179,4 +354,4 @@ def _cases(
             f"y has {points[0].size} points and f {points[1].size}: one f for each y", variable="f"
         )
     separation = np.ascontiguousarray(np.stack(points, axis=1))
-    return separation, cases, columns[0].shape, by_load, given, Element(**parameters)
+    return separation, cases, columns[0].shape, by_load, given

@@ -4,7 +4,7 @@ use clap::{Parser, Subcommand};
 
 use crate::{
     compare, conicity, evaluate, fatigue, fit, linearize, pack, patch, plot, simulate, stress,
-    sweep, tables,
+    sweep, tables, transient,
 };
 
 /// Wheel-rail contact: forces, patches and a running wheelset
@@ -31,6 +31,7 @@ pub enum Command {
     Plot(plot::Arguments),
     Stress(stress::Arguments),
     Fatigue(fatigue::Arguments),
+    Transient(transient::Arguments),
     Tables(tables::Arguments),
     Sweep(sweep::Arguments),
     Fit(fit::Arguments),

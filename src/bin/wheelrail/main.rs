@@ -25,6 +25,7 @@ mod simulate;
 mod stress;
 mod sweep;
 mod tables;
+mod transient;
 mod wheelset;
 
 use std::io::ErrorKind;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Command::Tables(arguments) => tables::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
+        Command::Transient(arguments) => transient::run(&arguments),
         Command::Pack(arguments) => pack::run(&arguments),
     };
     match result {

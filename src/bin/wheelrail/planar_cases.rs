@@ -11,6 +11,7 @@ use anyhow::{Context, Result};
 use wheelrail::planar::PlanarCase;
 
 pub use columns::Case;
+pub use separation::number;
 pub use timed::timed;
 
 use crate::cases::Cases;
@@ -28,7 +29,27 @@ impl PlanarCases {
     /// # Errors
     /// With row and column: an unknown column, a missing file, a value that is refused.
     pub fn read(cases: &Cases) -> Result<Self> {
-        columns::check(cases)?;
+        Self::read_with(cases, &[])
+    }
+
+    /// The same, with boundary elements where the table names no models, of a table with `others`
+    /// among its columns.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn of_boundary_elements(cases: &Cases, others: &[&str]) -> Result<Self> {
+        let mut all = Self::read_with(cases, others)?;
+        let [normal, tangential] =
+            ["normal_model", "tangential_model"].map(|name| cases.column(name));
+        for (case, row) in all.cases.iter_mut().zip(cases.rows()) {
+            let open = |column: Option<usize>| column.and_then(|column| row.cell(column)).is_none();
+            case.solve_by_boundary_elements(open(normal), open(tangential));
+        }
+        Ok(all)
+    }
+
+    fn read_with(cases: &Cases, others: &[&str]) -> Result<Self> {
+        columns::check(cases, others)?;
         let mut all = Self { cases: Vec::new(), separations: HashMap::new() };
         for row in cases.rows() {
             let case = Case::read(cases, row)?;

@@ -10,6 +10,7 @@ mod patch;
 mod plot;
 mod remarks;
 mod stress;
+mod transient;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

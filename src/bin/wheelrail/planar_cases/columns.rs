@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use wheelrail::element::Parameters;
+use wheelrail::element::parameters::{NormalModel, TangentialModel};
 use wheelrail::planar::{Indentation, PlanarCase};
 use wheelrail::variables::{Values, find};
 
@@ -62,13 +63,14 @@ pub struct Case {
     parameters: Parameters,
 }
 
-/// Checks that all columns are known and those needed are there.
+/// Checks that all columns are known, `others` among them, and those needed are there.
 ///
 /// # Errors
 /// The column at fault.
-pub fn check(cases: &Cases) -> Result<()> {
+pub fn check(cases: &Cases, others: &[&str]) -> Result<()> {
+    let variables = VARIABLE_COLUMNS.iter().map(|c| c.0);
     let known: Vec<&str> =
-        OTHER_COLUMNS.into_iter().chain(VARIABLE_COLUMNS.iter().map(|c| c.0)).collect();
+        OTHER_COLUMNS.into_iter().chain(variables).chain(others.iter().copied()).collect();
     if let Some(name) = cases.header().columns().find(|name| !known.contains(name)) {
         if find(name).is_ok() && cases.column("separation").is_none() {
             bail!(
@@ -137,6 +139,16 @@ impl Case {
             speed: value("speed_m_s")?.unwrap_or(0.0),
             parameters: values.parameters,
         })
+    }
+
+    /// Takes boundary elements as normal and as tangential model.
+    pub fn solve_by_boundary_elements(&mut self, normal: bool, tangential: bool) {
+        if normal {
+            self.parameters.normal_model = NormalModel::BoundaryElement;
+        }
+        if tangential {
+            self.parameters.tangential_model = TangentialModel::BoundaryElement;
+        }
     }
 
     /// Whether it takes milliseconds.

@@ -1,0 +1,62 @@
+"""Planar contact with memory."""
+
+import numpy as np
+import pytest
+
+import wheelrail
+from wheelrail import planar
+
+Y = np.linspace(-0.02, 0.02, 201)
+SPHERE = 0.3 - np.sqrt(0.09 - Y**2)
+STATE = {"radius": 0.46, "approach": 1e-4, "friction": 0.3}
+CREEPAGE = {"creepage_longitudinal": 0.001, "spin": 0.1}
+
+
+def test_a_metre_is_steady_rolling_and_small_steps_go_there():
+    models = {"normal_model": "boundary_element", "tangential_model": "boundary_element"}
+    size = {"normal_elements_along": 20, "normal_elements_across": 20}
+    steady = planar.solve(Y, SPHERE, **STATE, **CREEPAGE, **models, **size)
+    limit = 0.3 * steady.normal_force
+    at_once = planar.Transient(**size).step(Y, SPHERE, **STATE, **CREEPAGE, rolled=1.0)
+    assert at_once.substeps == 0 and at_once.converged
+    assert abs(at_once.fx - steady.fx) < 1e-6 * limit and abs(at_once.fy - steady.fy) < 1e-6 * limit
+    contact = planar.Transient(**size)
+    forces = [contact.step(Y, SPHERE, **STATE, **CREEPAGE, rolled=0.5 * steady.length).fx for _ in range(12)]
+    assert all(np.diff(forces) < 1e-6 * limit)
+    assert abs(forces[-1] - steady.fx) < 1e-3 * limit < abs(forces[0] - steady.fx)
+
+
+def test_shift_force_history_and_field():
+    contact = planar.Transient(element_size=(4e-4, 4e-4))
+    assert contact.field() is None
+    shifted = contact.step(Y, SPHERE, **STATE, shift_x=-4e-6)
+    assert shifted.fx > 0.0 and shifted.displacement_x == -4e-6
+    history = contact.history
+    field = contact.field()
+    assert field is not None and field.slip_x is None and repr(field)
+    area = field.dx * field.dy
+    assert field.traction_x.sum() * area == pytest.approx(shifted.fx)
+    assert (field.friction_work >= 0.0).all()
+    power = field.slip_distance_x * field.traction_x + field.slip_distance_y * field.traction_y
+    assert (power <= 0.0).all() and field.friction_work.sum() == pytest.approx(shifted.friction_work)
+    pulled = contact.step(Y, SPHERE, **STATE, rolled=2e-4, force_longitudinal=-5e3)
+    assert pulled.fx == pytest.approx(-5e3, abs=0.1) and pulled.displacement_x > 0.0
+    after = contact.history
+    contact.history = history
+    assert contact.step(Y, SPHERE, **STATE, rolled=2e-4, force_longitudinal=-5e3) == pulled
+    assert (contact.history == after).all()
+
+
+def test_refusals_name_what_is_wrong():
+    contact = planar.Transient()
+    with pytest.raises(wheelrail.errors.BadValueError, match="rolled = -1") as refusal:
+        contact.step(Y, SPHERE, **STATE, rolled=-1.0)
+    assert refusal.value.variable == "rolled"
+    with pytest.raises(wheelrail.errors.BadValueError, match="one state"):
+        contact.step(Y, SPHERE, radius=[0.4, 0.5], load=1e4)
+    with pytest.raises(wheelrail.errors.BadValueError, match="either approach or load"):
+        contact.step(Y, SPHERE, radius=0.4)
+    with pytest.raises(wheelrail.errors.BadValueError, match="element_width"):
+        planar.Transient(element_size=(1e-3, 0.0))
+    with pytest.raises(wheelrail.errors.BadValueError, match="history"):
+        contact.history = [1.0, 2.0]

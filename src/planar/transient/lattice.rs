@@ -1,0 +1,141 @@
+//! Elements of all steps: one endless lattice, so that tractions of one step have elements in the
+//! next.
+
+use crate::boundary_element::grid::Grid;
+
+/// Elements of one size that cover the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lattice {
+    /// Length and width of an element [m].
+    pub size: [f64; 2],
+    /// (x, y) of the centre of element (0, 0); y from the origin of the separation [m].
+    pub origin: [f64; 2],
+}
+
+/// A rectangle of elements. Columns are counted along x, rows along y.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Window {
+    /// First column (the trailing one) and first row (the leftmost).
+    pub first: [i64; 2],
+    /// Columns and rows.
+    pub count: [usize; 2],
+}
+
+/// Elements beyond the extent of a contact on each side.
+const MARGIN: i64 = 1;
+
+/// Part of an element by which an extent may be missed.
+const ROUNDING: f64 = 1e-6;
+
+impl Lattice {
+    /// That of which `grid` is a part, its y counted from `contact_y`.
+    pub fn through(grid: &Grid, contact_y: f64) -> Self {
+        let origin = [grid.x(grid.along - 1), grid.left_y + contact_y];
+        Self { size: [grid.dx, grid.dy], origin }
+    }
+
+    /// The elements over an extent (least and greatest x, then y) and one more on each side.
+    pub fn over(&self, extent: [[f64; 2]; 2]) -> Window {
+        let mut window = Window::default();
+        for axis in 0..2 {
+            let [from, to] =
+                extent[axis].map(|value| (value - self.origin[axis]) / self.size[axis]);
+            let first = (from + 0.5 + ROUNDING).floor() as i64 - MARGIN;
+            let last = (to - 0.5 - ROUNDING).ceil() as i64 + MARGIN;
+            window.first[axis] = first;
+            window.count[axis] = usize::try_from(last - first + 1).unwrap_or(1);
+        }
+        window
+    }
+
+    /// The elements of `window` as a grid, y counted from `contact_y`.
+    pub fn grid(&self, window: &Window, contact_y: f64) -> Grid {
+        let Window { first, count } = *window;
+        let leading = first[0] + count[0] as i64 - 1;
+        Grid {
+            along: count[0],
+            across: count[1],
+            dx: self.size[0],
+            dy: self.size[1],
+            leading_x: self.origin[0] + leading as f64 * self.size[0],
+            left_y: self.origin[1] + first[1] as f64 * self.size[1] - contact_y,
+        }
+    }
+}
+
+impl Window {
+    /// The least window with the elements of both.
+    pub fn with(&self, other: &Self) -> Self {
+        let mut both = *self;
+        for axis in 0..2 {
+            let end = |window: &Self| window.first[axis] + window.count[axis] as i64;
+            both.first[axis] = self.first[axis].min(other.first[axis]);
+            let last = end(self).max(end(other));
+            both.count[axis] = usize::try_from(last - both.first[axis]).unwrap_or(0);
+        }
+        both
+    }
+
+    /// Values of the elements of `from` on those of this window, in the order of grids: the default
+    /// where `from` has none.
+    pub fn values_of<T: Copy + Default>(&self, from: &Self, values: &[T]) -> Vec<T> {
+        let mut own = vec![T::default(); self.count[0] * self.count[1]];
+        for j in 0..self.count[1] {
+            let row = self.first[1] + j as i64 - from.first[1];
+            let Ok(row) = usize::try_from(row) else { continue };
+            if row >= from.count[1] {
+                continue;
+            }
+            for i in 0..self.count[0] {
+                // Grids begin with the leading column.
+                let behind = from.first[0] + from.count[0] as i64
+                    - (self.first[0] + self.count[0] as i64)
+                    + i as i64;
+                if let Ok(column) = usize::try_from(behind)
+                    && column < from.count[0]
+                {
+                    own[j * self.count[0] + i] = values[row * from.count[0] + column];
+                }
+            }
+        }
+        own
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_grid_is_found_again_on_its_own_lattice() {
+        let grid = Grid::over([-3.1e-3, 4.7e-3], [1e-3, 9e-3], 22, 12);
+        let lattice = Lattice::through(&grid, 0.02);
+        // One element of the grid on each side is margin.
+        let extent = [[-3.1e-3 + grid.dx, 4.7e-3 - grid.dx], [0.021 + grid.dy, 0.029 - grid.dy]];
+        let window = lattice.over(extent);
+        let found = lattice.grid(&window, 0.02);
+        assert_eq!((found.along, found.across), (22, 12));
+        assert!((found.leading_x - grid.leading_x).abs() < 1e-15);
+        assert!((found.left_y - grid.left_y).abs() < 1e-15);
+    }
+
+    #[test]
+    fn values_stay_with_their_elements() {
+        let all = Window { first: [-2, 5], count: [5, 4] };
+        let grid = Lattice { size: [1.0; 2], origin: [0.0; 2] }.grid(&all, 0.0);
+        let values = grid.sample(|x, y| 100.0 * x + y);
+        for part in [
+            Window { first: [-1, 6], count: [3, 2] },
+            Window { first: [-4, 3], count: [9, 4] },
+            Window { first: [10, 5], count: [3, 4] },
+        ] {
+            let grid = Lattice { size: [1.0; 2], origin: [0.0; 2] }.grid(&part, 0.0);
+            let expected = grid.sample(|x, y| {
+                let inside = (-2.0..=2.0).contains(&x) && (5.0..=8.0).contains(&y);
+                if inside { 100.0 * x + y } else { 0.0 }
+            });
+            assert_eq!(part.values_of(&all, &values), expected);
+            assert_eq!(all.with(&part).with(&all), all.with(&part));
+        }
+    }
+}
