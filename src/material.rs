@@ -29,17 +29,21 @@ pub struct MaterialPair<T = f64> {
     pub shear_modulus: T,
     /// Poisson's ratio ν, 2 ν/G = ν₁/G₁ + ν₂/G₂ [-].
     pub poisson_ratio: T,
+    /// What pressure and tractions do to each other, K, 4 K/G = (1 - 2 ν₁)/G₁ - (1 - 2 ν₂)/G₂, the
+    /// wheel's first; 0 for like bodies [-].
+    pub coupling: f64,
 }
 
 impl MaterialPair {
     /// The same constants in other numbers, which do not move.
     #[must_use]
     pub fn fixed<T: Real>(&self) -> MaterialPair<T> {
-        let Self { contact_modulus, shear_modulus, poisson_ratio } = *self;
+        let Self { contact_modulus, shear_modulus, poisson_ratio, coupling } = *self;
         MaterialPair {
             contact_modulus,
             shear_modulus: T::known(shear_modulus, SHEAR_MODULUS),
             poisson_ratio: T::known(poisson_ratio, POISSON_RATIO),
+            coupling,
         }
     }
 
@@ -55,6 +59,9 @@ impl MaterialPair {
             poisson_ratio: 0.5
                 * shear_modulus
                 * (wheel.poisson_ratio / g1 + rail.poisson_ratio / g2),
+            coupling: 0.25
+                * shear_modulus
+                * ((1.0 - 2.0 * wheel.poisson_ratio) / g1 - (1.0 - 2.0 * rail.poisson_ratio) / g2),
         }
     }
 }

@@ -10,8 +10,7 @@
 //! ```
 //!
 //! with the combined constants of the two bodies. What normal pressure does to u_x and u_y (and
-//! tractions to u_n) where the bodies are of different materials is left out; it vanishes for like
-//! ones.
+//! tractions to u_n) where the bodies are of unlike materials is in [`super::unlike`].
 //!
 //! Antiderivatives in x and y: x²/ρ³ from y asinh(x/|y|), y²/ρ³ from x asinh(y/|x|), 1/ρ from their
 //! sum, x y/ρ³ from -ρ.
@@ -32,7 +31,7 @@ pub struct Influence {
 
 impl Influence {
     /// Builds the table from `value(along, across)`.
-    fn new(grid: &Grid, value: impl Fn(isize, isize) -> f64) -> Self {
+    pub(super) fn new(grid: &Grid, value: impl Fn(isize, isize) -> f64) -> Self {
         let (along, across) = (grid.along as isize, grid.across as isize);
         let mut values = Vec::with_capacity(((2 * along - 1) * (2 * across - 1)) as usize);
         for j in 1 - across..across {

@@ -14,3 +14,4 @@ pub(crate) mod received;
 pub mod rolling;
 pub mod shift;
 pub mod transient;
+pub mod unlike;

@@ -50,6 +50,12 @@ pub enum Remark {
         /// Whether boundary elements were asked, which are no reference there.
         is_reference: bool,
     },
+    /// Wheel and rail are of materials so unlike that the pressure makes creep forces, which the models
+    /// of an element leave out.
+    UnlikeMaterials {
+        /// K, see [`MaterialPair`](crate::material::MaterialPair) [-].
+        coupling: f64,
+    },
     /// An input that was given has no effect with the parameters as they are.
     NoEffect {
         /// Its name without that of the wheel.
@@ -65,7 +71,7 @@ pub enum Remark {
 
 impl Remark {
     /// How many kinds there are.
-    pub const KINDS: usize = 12;
+    pub const KINDS: usize = 13;
 
     /// The kind, as a number below [`KINDS`](Self::KINDS): each is told once.
     #[must_use]
@@ -82,6 +88,7 @@ impl Remark {
             Self::ProfileEnd { of_rail, .. } => 8 + usize::from(*of_rail),
             Self::NoEffect { .. } => 10,
             Self::Place(StartWarning::BeginsAtOnce { .. }) => 11,
+            Self::UnlikeMaterials { .. } => 12,
         }
     }
 
@@ -106,6 +113,7 @@ impl Remark {
             Self::Slides { .. } => "sliding, not rolling",
             Self::ProfileEnd { of_rail: false, .. } => "contact at the end of the wheel's profile",
             Self::ProfileEnd { of_rail: true, .. } => "contact at the end of a rail's profile",
+            Self::UnlikeMaterials { .. } => "unlike materials",
             Self::NoEffect { .. } => "input without effect",
         }
     }
@@ -181,6 +189,11 @@ impl fmt::Display for Message<'_> {
                 }
                 Ok(())
             }
+            Remark::UnlikeMaterials { coupling } => write!(
+                f,
+                "{prefix}wheel and rails are of unlike materials, K = {coupling:.4}: the pressure alone shifts the creepage of free rolling by \
+                 some K a/R, a half the length of a patch and R the radius; that is left out here, planar problems on boundary elements have it"
+            ),
             Remark::NoEffect { input, parameter, chosen, with } => {
                 let of_side = if input.starts_with("wheelset.") { "" } else { prefix };
                 write!(

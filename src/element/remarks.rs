@@ -3,7 +3,9 @@
 
 use super::input::Input;
 use super::output::{Output, Patch};
-use super::parameters::{FrictionDistribution, Motion, Parameters, Side, VerticalMode};
+use super::parameters::{
+    FrictionDistribution, Motion, Parameters, Side, TangentialModel, VerticalMode,
+};
 use super::remark::Remark;
 use super::subject::Subject;
 use super::vertical_load::is_carried;
@@ -16,6 +18,9 @@ use crate::normal::NormalModel;
 /// Slip from which on a wheel counts as sliding, far beyond where creep forces are full and what a
 /// driven or braked wheel is led at [-].
 const SLIDING: f64 = 0.25;
+/// K beyond which materials count as unlike: it shifts the creepage of free rolling by a hundredth of
+/// that at which a wheel slides all over, or more [-].
+const UNLIKE: f64 = 2e-3;
 /// Distance of the centroid of a patch from the end of a profile, over the width of the patch, below
 /// which the patch counts as cut off [-].
 const AT_THE_END: f64 = 0.6;
@@ -53,6 +58,9 @@ pub fn remarks<S: Subject>(
             continue;
         }
         let at = || subject.input_of_element(k, input, whole);
+        if let Some(unlike) = element.unlike_materials(own, &output.patches[0]) {
+            tell(k, unlike);
+        }
         if let Some(slides) = element.slides(output, || at().wheel.velocity[0]) {
             tell(k, slides);
         }
@@ -135,6 +143,14 @@ impl Element {
     fn is_far_from_rails(&self, input: &Input) -> bool {
         let input = if self.side == Side::Left { input.mirrored() } else { *input };
         self.height_near_touch(&input) - input.wheel.position[2] > super::start::FAR_ABOVE
+    }
+
+    /// Whether the materials of wheel and rails are so unlike that creep forces are off.
+    fn unlike_materials(&self, parameters: &Parameters, patch: &Patch) -> Option<Remark> {
+        let coupling = self.models.material.coupling;
+        let has_friction = parameters.tangential_model != TangentialModel::None
+            && patch.friction_coefficient > 0.0;
+        (has_friction && coupling.abs() > UNLIKE).then_some(Remark::UnlikeMaterials { coupling })
     }
 
     /// Whether the heaviest patch slides all over with a slip that no rolling wheel has.

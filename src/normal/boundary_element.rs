@@ -147,6 +147,19 @@ fn solve_on(
     problem: &NormalProblem,
     separation: &mut impl Separation,
 ) -> Option<(PressureSolution, Vec<(f64, SeparationPoint)>)> {
+    let (distance, rows) = distances(&grid, problem, separation);
+    let mut solver = PressureSolver::new(grid, problem.contact_modulus);
+    let solution = solver.at_approach(&distance, problem.approach, None);
+    solution.converged.then_some((solution, rows))
+}
+
+/// Undeformed distance at the centres of the elements of `grid` [m], and the places of its rows, by
+/// the parameter of the contact line.
+pub fn distances(
+    grid: &Grid,
+    problem: &NormalProblem,
+    separation: &mut impl Separation,
+) -> (Vec<f64>, Vec<(f64, SeparationPoint)>) {
     let mut u = problem.contact_u;
     let rows: Vec<(f64, SeparationPoint)> = (0..grid.across)
         .map(|j| {
@@ -164,9 +177,7 @@ fn solve_on(
             f + x * x / (2.0 * problem.radius)
         }));
     }
-    let mut solver = PressureSolver::new(grid, problem.contact_modulus);
-    let solution = solver.at_approach(&distance, problem.approach, None);
-    solution.converged.then_some((solution, rows))
+    (distance, rows)
 }
 
 /// A distance, over the approach, that never closes.

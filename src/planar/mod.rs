@@ -8,6 +8,7 @@ mod case;
 mod line;
 mod pressed_contact;
 mod transient;
+mod unlike;
 
 pub use case::{Indentation, PlanarCase};
 pub use pressed_contact::{LAW_PARAMETERS, PressedContact};
@@ -21,6 +22,8 @@ pub use crate::tangential::flash_temperature::FlashTemperature;
 pub use crate::tangential::friction_law::FrictionLaw;
 pub use crate::tangential::{Flexibilities, TangentialModel};
 
+use crate::boundary_element::grid::Grid;
+use crate::boundary_element::unlike::UnlikeSolution;
 use crate::error::ContactError;
 use crate::kinematics::creepage::bounded;
 use crate::material::MaterialPair;
@@ -67,7 +70,7 @@ const MAX_ZONES: usize = 64;
 /// A value of the case that is not admitted, or a load that no approach up to 20 mm carries.
 pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
     let pressed = press_together(case)?;
-    let mut result = summarise(case, &pressed.material, &pressed.strips, pressed.contact_y);
+    let mut result = summarise(case, &pressed);
     result.fallback |= pressed.left_out > 0;
     Ok(result)
 }
@@ -79,7 +82,11 @@ pub fn solve(case: &PlanarCase) -> Result<PlanarResult, ContactError> {
 /// # Errors
 /// As [`solve`].
 pub fn fields(case: &PlanarCase) -> Result<Vec<ContactField>, ContactError> {
-    let Pressed { strips, material, contact_y, .. } = press_together(case)?;
+    let Pressed { strips, material, contact_y, coupled, .. } = press_together(case)?;
+    if let Some((grid, solution)) = coupled {
+        let grid = Grid { left_y: grid.left_y + contact_y, ..grid };
+        return Ok(vec![unlike::field(&grid, solution)]);
+    }
     let tangential = tangential_of(case);
     let zones = if strips.elements.is_some() { 1 } else { strips.zones.len() };
     let fields = strips.zones.iter().take(zones).map(|zone| {
@@ -99,6 +106,8 @@ struct Pressed {
     contact_y: f64,
     /// Zones that found no room, or solutions that fell back.
     left_out: usize,
+    /// Elements, pressure and tractions of bodies of unlike materials, where these are found together.
+    coupled: Option<(Grid, UnlikeSolution)>,
 }
 
 fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
@@ -111,18 +120,20 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
         (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);
     // `approach` counts from first touch.
+    let (contact_u, curvature) = (line.contact, line.curve.at(line.contact).second[1]);
+    let problem_at = |approach: f64| NormalProblem {
+        approach,
+        radius: case.radius,
+        contact_modulus: material.contact_modulus,
+        contact_u,
+        lateral_curvature: curvature,
+        rule: &rule,
+        elements: case.elements,
+    };
     let mut press = |approach: f64| {
         strips.clear();
         if approach > 0.0 {
-            let problem = NormalProblem {
-                approach,
-                radius: case.radius,
-                contact_modulus: material.contact_modulus,
-                contact_u: line.contact,
-                lateral_curvature: line.curve.at(line.contact).second[1],
-                rule: &rule,
-                elements: case.elements,
-            };
+            let problem = problem_at(approach);
             let probes = std::mem::take(&mut line.probes);
             let (model, epsilon) = (case.normal_model, case.virtual_penetration);
             let fit = case.shape_fit;
@@ -136,22 +147,30 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
         }
         strips.load()
     };
-    match case.indentation {
-        Indentation::Approach(approach) => {
-            press(approach - least);
-        }
+    let approach = match case.indentation {
+        Indentation::Approach(approach) => approach - least,
         Indentation::Load(load) if load > 0.0 => {
             // Between elements the load is not smooth to rounding.
             let boundary = case.normal_model == NormalModel::BoundaryElement;
             let found = if boundary { ELEMENT_APPROACH } else { 1e-16 };
-            let approach = approach_for(load, found, &mut press)?;
-            press(approach);
+            approach_for(load, found, &mut press)?
         }
-        Indentation::Load(_) => {}
+        Indentation::Load(_) => 0.0,
+    };
+    press(approach);
+    let give_friction = |strips: &mut Strips| {
+        let Strips { y, friction, .. } = strips;
+        friction.extend(y.iter().map_while(|y| friction_at(case, contact_u + y)));
+    };
+    give_friction(&mut strips);
+    let mut coupled = None;
+    if unlike::is_coupled(case, &material) {
+        let problem = problem_at(approach);
+        coupled = unlike::couple(case, &problem, &mut line, &material, &mut strips);
+        give_friction(&mut strips);
+        left_out += coupled.iter().filter(|(_, own)| !own.converged).count();
     }
-    let Strips { y, friction, .. } = &mut strips;
-    friction.extend(y.iter().map_while(|y| friction_at(case, line.contact + y)));
-    Ok(Pressed { contact_y: line.contact, strips, material, left_out })
+    Ok(Pressed { contact_y: contact_u, strips, material, left_out, coupled })
 }
 
 /// Friction of a strip at `y` [m], where strips have their own.
@@ -190,12 +209,8 @@ fn approach_for(
     Ok(bracketed((low, low_load - load), (high, high_load - load), found, |a| press(a) - load))
 }
 
-fn summarise(
-    case: &PlanarCase,
-    material: &MaterialPair,
-    strips: &Strips,
-    contact_y: f64,
-) -> PlanarResult {
+fn summarise(case: &PlanarCase, pressed: &Pressed) -> PlanarResult {
+    let &Pressed { ref strips, ref material, contact_y, ref coupled, .. } = pressed;
     let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
     let tangential = tangential_of(case);
     let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -207,6 +222,11 @@ fn summarise(
         let edges = zone_edges(strips, zone.first, zone.count);
         left = left.min(edges[0]);
         right = right.max(edges[1]);
+    }
+    result.width = (right - left).max(0.0);
+    if let Some((grid, solution)) = coupled {
+        [result.fx, result.fy, result.mz] = unlike::forces(grid, solution, contact_y);
+        return result;
     }
     let laws = strips.zones.iter().map(|zone| {
         let state = rolling_state(case, contact_y + zone.y);
@@ -227,7 +247,6 @@ fn summarise(
             result.mz += force.spin_moment - (contact_y + zone.y) * force.longitudinal;
         }
     }
-    result.width = (right - left).max(0.0);
     result
 }
 

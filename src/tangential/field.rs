@@ -54,7 +54,7 @@ impl ContactField {
     }
 
     /// Enters whether element `k` slips, if there is pressure on it.
-    pub(super) fn set_adherence(&mut self, k: usize, slips: bool) {
+    pub(crate) fn set_adherence(&mut self, k: usize, slips: bool) {
         if self.pressure[k] > 0.0 {
             self.adherence[k] = if slips { Adherence::Slip } else { Adherence::Adhesion };
         }

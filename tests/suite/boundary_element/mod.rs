@@ -5,6 +5,7 @@
 
 mod drifting_patch;
 mod limits;
+mod unlike;
 mod wheel;
 
 use crate::common;

@@ -85,4 +85,8 @@ super::entry::tolerances! {
 
     /// Two contacts of one rail by boundary elements and by strips: the target for loads.
     BOUNDARY_TWO_ZONES: f64 = 0.01;
+
+    /// Forces of bodies whose moduli differ by a millionth against those of like ones, over the limit:
+    /// another grid, and sweeps that end earlier.
+    UNLIKE_NEARLY: f64 = 2e-3;
 }
