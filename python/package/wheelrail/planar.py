@@ -6,6 +6,7 @@ the right; creepages are those at the origin of the separation.
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -196,6 +197,10 @@ class TransientResult:
     converged: bool
 
 
+# The numbers of a step, in the order of the native part.
+_STEP = tuple(field.name for field in dataclasses.fields(TransientResult))
+
+
 class Transient:
     """A planar contact problem with memory, by boundary elements.
 
@@ -268,10 +273,9 @@ class Transient:
                 None if force_lateral is None else float(force_lateral),
             ),
         )
-        *contact, patches, x, y_, turned, work, substeps, sweeps, converged = found
-        return TransientResult(
-            *contact, int(patches), x, y_, turned, work, int(substeps), int(sweeps), converged > 0.0
-        )
+        given: dict[str, Any] = dict(zip(_STEP, found))
+        counts = {name: int(given.pop(name)) for name in ("patches", "substeps", "sweeps")}
+        return TransientResult(converged=given.pop("converged") > 0.0, **counts, **given)
 
     def field(self) -> TransientField | None:
         """Pressure, tractions and slip of the last step; None before it and without contact."""
