@@ -251,10 +251,11 @@ class Transient:
         y, f, radius, approach, load, creepage_longitudinal, creepage_lateral, spin, friction
             The state, as for `solve`, one number each.
         rolled : float
-            Distance rolled in the step, 0 or more [m].
+            Distance rolled in the step, negative backward [m].
         shift_x, shift_y, turn : float
             Displacement of the wheel against the rail [m] and turn about the normal through the
-            origin [rad], on top of creepage times the distance rolled.
+            origin [rad], on top of creepage times the distance rolled, which counts
+            positive there.
         force_longitudinal, force_lateral : float, optional
             Creep force on the wheel [N]: that component of the displacement is found.
         """

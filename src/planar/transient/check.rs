@@ -53,8 +53,8 @@ pub fn check(
         }
     };
     let rolled = motion.rolled;
-    let fits = (0.0..=MAX_ROLLED).contains(&rolled);
-    require("rolled", rolled, fits, "a distance in metres, 0 to 1e6")?;
+    let fits = rolled.abs() <= MAX_ROLLED;
+    require("rolled", rolled, fits, "a distance in metres, -1e6 to 1e6")?;
     for (name, value) in ["shift_x", "shift_y", "turn"].into_iter().zip(motion.shift) {
         require(name, value, value.abs() <= MAX_ROLLED, "a finite number, -1e6 to 1e6")?;
     }

@@ -33,10 +33,11 @@ use walk::Walk;
 /// How the bodies move in a step, besides the creepage of its state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepMotion {
-    /// Distance rolled towards +x, 0 to 1e6 [m].
+    /// Distance rolled towards +x, -1e6 to 1e6; backward rolling has a negative one [m].
     pub rolled: f64,
     /// Displacement of the wheel against the rail along x and y [m] and turn about the normal
-    /// through the origin of the separation [rad], on top of creepage times the distance rolled.
+    /// through the origin of the separation [rad], on top of creepage times the distance rolled, either
+    /// way positive.
     pub shift: [f64; 3],
     /// Longitudinal and lateral creep force on the wheel at the end of the step, where it is given
     /// [N]: that component of the displacement is found, and what creepage and shift say of it is
@@ -178,7 +179,7 @@ impl TransientContact {
 fn displacement(case: &PlanarCase, motion: &StepMotion) -> [f64; 3] {
     let mut whole = motion.shift;
     for (whole, creepage) in whole.iter_mut().zip(case.creepage) {
-        *whole += motion.rolled * bounded(creepage);
+        *whole += motion.rolled.abs() * bounded(creepage);
     }
     whole
 }

@@ -33,7 +33,9 @@ pub struct Walk {
     bound: Vec<f64>,
     /// Friction limit [N].
     limit: f64,
+    /// Distance rolled, either way [m].
     rolled: f64,
+    backward: bool,
     force: [Option<f64>; 2],
     displacement: [f64; 3],
     // What has been found on the way.
@@ -79,7 +81,8 @@ impl Walk {
             material: MaterialPair::new(case.wheel_material, case.rail_material),
             bound,
             limit,
-            rolled: motion.rolled,
+            rolled: motion.rolled.abs(),
+            backward: motion.rolled < 0.0,
             force: motion.force,
             displacement: displacement(case, motion),
             tractions: vec![[0.0; 2]; count],
@@ -129,16 +132,17 @@ impl Walk {
             let rolled = if parts > 2.0 { longest } else { rest / parts.max(1.0) };
             let share = if self.rolled > 0.0 { rolled / self.rolled } else { 1.0 };
             let (grid, material) = (&self.grid, &self.material);
+            let forward = if self.backward { -rolled } else { rolled };
             let carried = if behind > 0.0 {
                 memory = memory.filter(|(of, _)| same(*of, rolled));
-                let new = || (rolled, Memory::new(grid, material, rolled));
+                let new = || (rolled, Memory::new(grid, material, forward));
                 memory.get_or_insert_with(new).1.carried(&self.tractions)
             } else {
-                let carried = Memory::new(&both_grid, material, rolled).carried(&before);
+                let carried = Memory::new(&both_grid, material, forward).carried(&before);
                 self.window.values_of(&both, &carried)
             };
             operator = operator.filter(|(of, _)| same(*of, rolled));
-            let new = || (rolled, TransientStep::new(grid, material, rolled));
+            let new = || (rolled, TransientStep::new(grid, material, forward));
             let step = &operator.get_or_insert_with(new).1;
             let mut solve = |rigid: &[[f64; 2]], start: &[[f64; 2]], _: bool| {
                 step.solve(&self.bound, rigid, start)
@@ -165,13 +169,21 @@ impl Walk {
     fn steady(&mut self) -> Result<(), ContactError> {
         let carried = vec![[0.0; 2]; self.grid.len()];
         let (grid, material, bound) = (&self.grid, &self.material, &self.bound);
-        // Slopes of forces need tractions that have settled well.
-        let mut solve = |rigid: &[[f64; 2]], _: &[[f64; 2]], slopes: bool| {
+        let forward = |bound: &[f64], rigid: &[[f64; 2]], slopes: bool| {
+            // Slopes of forces need tractions that have settled well.
             if slopes {
                 steady_rolling_within(TOLERANCE, grid, material, bound, rigid)
             } else {
                 steady_rolling(grid, material, bound, rigid)
             }
+        };
+        let backward = self.backward;
+        let mut solve = |rigid: &[[f64; 2]], _: &[[f64; 2]], slopes: bool| {
+            if !backward {
+                return forward(bound, rigid, slopes);
+            }
+            let (bound, rigid) = (grid.mirrored(bound), grid.mirrored_vectors(rigid));
+            forward(&bound, &rigid, slopes).mirrored(grid)
         };
         let length = self.grid.along as f64 * self.grid.dx;
         let compliance = 1.0 / (self.stiffness() * length);
