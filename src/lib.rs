@@ -91,7 +91,8 @@
 //! kinematics  motion of wheel and rail to creepage
 //! normal      hertz, piotrowski_kik, least_energy, damping: separation to loaded strips
 //! tangential  Kalker's coefficients, flexibilities, fastsim, tables: strips and creepage to creep force
-//! planar      contact problems given by a separation instead of two profiles
+//! planar      contact problems given by a separation instead of two profiles, with and without
+//!             memory
 //! subsurface  displacements and stresses below the surface of a contact
 //! wear        wear laws, sums along profiles, new profiles, fatigue numbers
 //! fatigue     rolling contact fatigue from the stresses of a passage

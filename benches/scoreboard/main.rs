@@ -19,6 +19,7 @@ mod planar;
 mod random;
 mod setting;
 mod times;
+mod transient;
 mod wheel_rail;
 
 use std::env;
@@ -39,12 +40,13 @@ fn main() -> ExitCode {
     let seed = seed();
     println!("seed {seed}");
     let word = env::args().skip(1).find(|argument| !argument.starts_with("--"));
-    let families: Vec<&Family> = (planar::FAMILIES.iter().chain([&linear::FAMILY]))
-        .chain(&wheel_rail::FAMILIES)
-        .chain(&measured::FAMILIES)
-        .chain(&random::FAMILIES)
-        .filter(|family| word.as_ref().is_none_or(|word| family.title.contains(word)))
-        .collect();
+    let families: Vec<&Family> =
+        (planar::FAMILIES.iter().chain([&linear::FAMILY, &transient::FAMILY]))
+            .chain(&wheel_rail::FAMILIES)
+            .chain(&measured::FAMILIES)
+            .chain(&random::FAMILIES)
+            .filter(|family| word.as_ref().is_none_or(|word| family.title.contains(word)))
+            .collect();
     let wish = env::var("WHEELRAIL_SCOREBOARD").unwrap_or_default();
     if wish == "page" {
         page::write_families(&families);

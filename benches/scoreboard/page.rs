@@ -27,9 +27,9 @@ const LEFT_OUT: [(&str, &str); 15] = [
         "the same two wheels as in the family of wheels with flats, on coarser grids and to four digits",
     ),
     (
-        "Tangential results of transient cases: trans_*",
-        "the element has no history: steady rolling alone. Their normal results are those of steady cases and in the tables, but for trans_m1_*, where a cylinder on a crown is one ellipse of \
-         Hertz over and over",
+        "Tangential results of transient cases of wheel and rail: trans_t1_*, trans_t3_*, site_b",
+        "the element has no history: steady rolling alone. Their normal results are those of steady cases and in the tables. trans_m1_* are a family of planar problems, but for their normal \
+         results, one ellipse of Hertz over and over",
     ),
     (
         "Roller rig with measured profiles: dry_10mph_13750lbs",

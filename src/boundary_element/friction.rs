@@ -39,6 +39,24 @@ pub struct Tractions {
     pub residual: f64,
 }
 
+impl Tractions {
+    /// The same seen in a mirror across x.
+    #[must_use]
+    pub fn mirrored(&self, grid: &Grid) -> Self {
+        let seen = |field: &[f64], sign: f64| {
+            grid.mirrored(field).iter().map(|value| sign * value).collect()
+        };
+        Self {
+            x: seen(&self.x, -1.0),
+            y: seen(&self.y, 1.0),
+            slip_x: seen(&self.slip_x, -1.0),
+            slip_y: seen(&self.slip_y, 1.0),
+            slips: grid.mirrored(&self.slips),
+            ..*self
+        }
+    }
+}
+
 /// Change in a sweep, over the sum of the tractions, at which they are accepted [-].
 pub const TOLERANCE: f64 = 1e-4;
 

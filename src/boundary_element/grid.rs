@@ -57,6 +57,21 @@ impl Grid {
         self.dx * self.dy
     }
 
+    /// A field of the elements seen in a mirror across x.
+    pub fn mirrored<T: Copy>(&self, field: &[T]) -> Vec<T> {
+        field.chunks_exact(self.along).flat_map(|row| row.iter().rev().copied()).collect()
+    }
+
+    /// A field of vectors (x, y) seen in that mirror.
+    #[must_use]
+    pub fn mirrored_vectors(&self, field: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let mut seen = self.mirrored(field);
+        for vector in &mut seen {
+            vector[0] = -vector[0];
+        }
+        seen
+    }
+
     /// The value of `field(x, y)` at the centres of all elements.
     pub fn sample(&self, mut field: impl FnMut(f64, f64) -> f64) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.len());

@@ -23,6 +23,8 @@
 //! - Up to an element a step, θ is ½ and the error of second order in q, as D is in dx. Smaller
 //!   steps need no rule for what enters: D always reaches half an element and an element ahead.
 //!
+//! Backward rolling, q < 0, is the mirror image along x of rolling forward over -q.
+//!
 //! u' is that of all surface, so that particles that come into contact bring with them what the
 //! tractions beside them did before.
 
@@ -47,17 +49,19 @@ const CARRIED: f64 = 2.0;
 pub struct TransientStep {
     grid: Grid,
     rolled: f64,
+    backward: bool,
     /// What tractions at the end add to the slip distance.
     own: TangentialInfluence,
 }
 
 impl TransientStep {
-    /// Over the distance `rolled` ≥ 0 [m] towards +x.
+    /// Over the distance `rolled` [m] towards +x.
     #[must_use]
     pub fn new(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
+        let (backward, rolled) = (rolled < 0.0, rolled.abs());
         let own =
             TangentialInfluence::displacement_and_slip(grid, material, late(grid, rolled) * rolled);
-        Self { grid: *grid, rolled, own }
+        Self { grid: *grid, rolled, backward, own }
     }
 
     /// Tractions at the end, and the slip distance of the step [m].
@@ -66,6 +70,15 @@ impl TransientStep {
     /// against rail, less what [`Memory::carried`] says [m]; `start` are tractions to begin with.
     #[must_use]
     pub fn solve(&self, bound: &[f64], rigid: &[[f64; 2]], start: &[[f64; 2]]) -> Tractions {
+        if !self.backward {
+            return self.solve_forward(bound, rigid, start);
+        }
+        let grid = &self.grid;
+        let (rigid, start) = (grid.mirrored_vectors(rigid), grid.mirrored_vectors(start));
+        self.solve_forward(&grid.mirrored(bound), &rigid, &start).mirrored(grid)
+    }
+
+    fn solve_forward(&self, bound: &[f64], rigid: &[[f64; 2]], start: &[[f64; 2]]) -> Tractions {
         let problem = FrictionProblem {
             grid: &self.grid,
             influence: &self.own,
@@ -81,6 +94,8 @@ impl TransientStep {
 
 /// What the tractions before a step take off its slip.
 pub struct Memory {
+    grid: Grid,
+    backward: bool,
     convolution: Convolution,
     /// Of xx, xy and yy.
     spectra: [Spectrum; 3],
@@ -90,15 +105,24 @@ impl Memory {
     /// For steps over the distance `rolled` [m] on `grid`.
     #[must_use]
     pub fn new(grid: &Grid, material: &MaterialPair, rolled: f64) -> Self {
+        let (backward, rolled) = (rolled < 0.0, rolled.abs());
         let early = late(grid, rolled) - 1.0;
         let old = TangentialInfluence::displacement_and_slip(grid, material, early * rolled);
         let mut convolution = Convolution::new(grid.along, grid.across);
         let spectra = [&old.xx, &old.xy, &old.yy].map(|part| convolution.spectrum_of(part));
-        Self { convolution, spectra }
+        Self { grid: *grid, backward, convolution, spectra }
     }
 
     /// u' - q (1 - θ) D u' of each element under its tractions `before` [m].
     pub fn carried(&mut self, before: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        if !self.backward {
+            return self.carried_forward(before);
+        }
+        let seen = self.carried_forward(&self.grid.mirrored_vectors(before));
+        self.grid.mirrored_vectors(&seen)
+    }
+
+    fn carried_forward(&mut self, before: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut sum = vec![[0.0; 2]; before.len()];
         if before.iter().flatten().all(|&p| p == 0.0) {
             return sum;

@@ -2,7 +2,8 @@
 //! and rail.
 //!
 //! The undeformed distance is f(y) + x²/(2R). Forces are those on the wheel, creepages those of the
-//! wheel against the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x.
+//! wheel against the rail at the origin of the separation: w_x = ξ - φ y, w_y = η + φ x. Each problem
+//! is one of steady rolling; a [`TransientContact`] is followed through a series of them.
 
 mod case;
 mod line;

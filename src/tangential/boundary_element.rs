@@ -198,20 +198,8 @@ pub fn rolling_tractions(
     match rolling {
         Rolling::Forward => steady_rolling(grid, material, bound, rigid),
         Rolling::Backward => {
-            let bound = mirrored(grid, bound);
-            let rigid = mirrored(grid, rigid).iter().map(|[x, y]| [-x, *y]).collect::<Vec<_>>();
-            let found = steady_rolling(grid, material, &bound, &rigid);
-            let back = |field: &[f64], sign: f64| {
-                mirrored(grid, field).iter().map(|value| sign * value).collect()
-            };
-            Tractions {
-                x: back(&found.x, -1.0),
-                y: back(&found.y, 1.0),
-                slip_x: back(&found.slip_x, -1.0),
-                slip_y: back(&found.slip_y, 1.0),
-                slips: mirrored(grid, &found.slips),
-                ..found
-            }
+            let (bound, rigid) = (grid.mirrored(bound), grid.mirrored_vectors(rigid));
+            steady_rolling(grid, material, &bound, &rigid).mirrored(grid)
         }
     }
 }
@@ -234,9 +222,4 @@ impl Row {
             spin: mix(a.spin, b.spin),
         }
     }
-}
-
-/// A field seen in a mirror across x.
-fn mirrored<T: Copy>(grid: &Grid, field: &[T]) -> Vec<T> {
-    field.chunks_exact(grid.along).flat_map(|row| row.iter().rev().copied()).collect()
 }

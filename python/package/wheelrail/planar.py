@@ -6,6 +6,7 @@ the right; creepages are those at the origin of the separation.
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -196,6 +197,10 @@ class TransientResult:
     converged: bool
 
 
+# The numbers of a step, in the order of the native part.
+_STEP = tuple(field.name for field in dataclasses.fields(TransientResult))
+
+
 class Transient:
     """A planar contact problem with memory, by boundary elements.
 
@@ -246,10 +251,11 @@ class Transient:
         y, f, radius, approach, load, creepage_longitudinal, creepage_lateral, spin, friction
             The state, as for `solve`, one number each.
         rolled : float
-            Distance rolled in the step, 0 or more [m].
+            Distance rolled in the step, negative backward [m].
         shift_x, shift_y, turn : float
             Displacement of the wheel against the rail [m] and turn about the normal through the
-            origin [rad], on top of creepage times the distance rolled.
+            origin [rad], on top of creepage times the distance rolled, which counts
+            positive there.
         force_longitudinal, force_lateral : float, optional
             Creep force on the wheel [N]: that component of the displacement is found.
         """
@@ -268,10 +274,9 @@ class Transient:
                 None if force_lateral is None else float(force_lateral),
             ),
         )
-        *contact, patches, x, y_, turned, work, substeps, sweeps, converged = found
-        return TransientResult(
-            *contact, int(patches), x, y_, turned, work, int(substeps), int(sweeps), converged > 0.0
-        )
+        given: dict[str, Any] = dict(zip(_STEP, found))
+        counts = {name: int(given.pop(name)) for name in ("patches", "substeps", "sweeps")}
+        return TransientResult(converged=given.pop("converged") > 0.0, **counts, **given)
 
     def field(self) -> TransientField | None:
         """Pressure, tractions and slip of the last step; None before it and without contact."""

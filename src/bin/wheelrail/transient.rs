@@ -53,7 +53,7 @@ const MAX_STEPS: f64 = 1e6;
 /// x is forward, y to the right; the moment is about the origin of the separation file.
 ///
 /// Columns of STATES: those of `wheelrail patch` (models are boundary elements), and
-///   rolled_mm                 distance rolled since the state before (0: a shift)
+///   rolled_mm                 distance rolled since the state before (0: a shift; negative: backward)
 ///   shift_x_mm, shift_y_mm, turn_rad    displacement of the wheel against the rail and turn about
 ///                             the normal, on top of creepage times the distance rolled (0)
 ///   force_longitudinal_n, force_lateral_n   creep force on the wheel, where it is given: that

@@ -37,9 +37,8 @@ impl Lattice {
     /// The elements over an extent (least and greatest x, then y) and one more on each side.
     pub fn over(&self, extent: [[f64; 2]; 2]) -> Window {
         let mut window = Window::default();
-        for axis in 0..2 {
-            let [from, to] =
-                extent[axis].map(|value| (value - self.origin[axis]) / self.size[axis]);
+        for (axis, extent) in extent.into_iter().enumerate() {
+            let [from, to] = extent.map(|value| (value - self.origin[axis]) / self.size[axis]);
             let first = (from + 0.5 + ROUNDING).floor() as i64 - MARGIN;
             let last = (to - 0.5 - ROUNDING).ceil() as i64 + MARGIN;
             window.first[axis] = first;

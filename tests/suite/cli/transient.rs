@@ -51,8 +51,8 @@ fn transient_complains_with_row_and_variable() {
     };
     let unknown = message("separation,radius_mm,load_n,roled_mm\nf.csv,460,1e4,1\n");
     assert!(unknown.contains("column \"roled_mm\": unknown"), "{unknown}");
-    let back = message("separation,radius_mm,load_n,rolled_mm\nf.csv,460,1e4,-1\n");
-    assert!(back.contains("row 1 (line 2)") && back.contains("rolled = -0.001"), "{back}");
+    let far = message("separation,radius_mm,load_n,rolled_mm\nf.csv,460,1e4,-1e12\n");
+    assert!(far.contains("row 1 (line 2)") && far.contains("rolled = -1000000000"), "{far}");
     let force = message("separation,radius_mm,load_n,force_lateral_n\nf.csv,460,1e4,4e3\n");
     assert!(force.contains("force_lateral = 4000"), "{force}");
     let steps = message("separation,radius_mm,load_n,steps\nf.csv,460,1e4,0.5\n");

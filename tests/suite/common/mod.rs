@@ -9,6 +9,7 @@ pub mod planar;
 pub mod random;
 pub mod roller;
 pub mod summary;
+pub mod transient;
 pub mod varying;
 pub mod vectors;
 pub mod walk;

@@ -168,6 +168,35 @@ fn given_forces_are_carried_and_their_creepage_becomes_the_steady_one() {
 }
 
 #[test]
+fn backward_rolling_is_the_mirror_image_of_forward_rolling() {
+    let separation = sphere(0.3, 0.02);
+    let state = |creepage: [f64; 3]| PlanarCase {
+        creepage,
+        ..case(&separation, 0.45, Indentation::Approach(6e-5), 0.3, STEEL)
+    };
+    let mut ahead = TransientContact::with_element_size(SIZE).unwrap();
+    let mut back = TransientContact::with_element_size(SIZE).unwrap();
+    // A turn of direction, substeps, and steady rolling.
+    for distance in [3e-4, 1.1e-3, -2e-4, -9e-3, 0.0, 2.0] {
+        let [x, y, spin] = [0.0015, -0.001, 0.3];
+        let found = ahead.step(&state([x, y, spin]), &rolled(distance)).unwrap();
+        let seen = back.step(&state([-x, y, -spin]), &rolled(-distance)).unwrap();
+        let limit = 0.3 * found.contact.normal_force;
+        let expected = [-found.contact.fx, found.contact.fy, -found.contact.mz];
+        let seen_forces = [seen.contact.fx, seen.contact.fy, seen.contact.mz];
+        for (k, (a, b)) in seen_forces.into_iter().zip(expected).enumerate() {
+            assert!((a - b).abs() < 1e-7 * limit, "{distance}, {k}: {a} {b}");
+        }
+        assert!((seen.work - found.work).abs() <= 1e-4 * found.work + 1e-8);
+        assert_eq!(seen.substeps, found.substeps);
+        assert!(distance == 0.0 || found.contact.fx.abs() > 0.01 * limit);
+    }
+    let steady = solve(&state([0.0015, -0.001, 0.3])).unwrap();
+    let found = ahead.step(&state([0.0015, -0.001, 0.3]), &rolled(2.0)).unwrap();
+    assert!((steady.fx - found.contact.fx).abs() < 0.01 * 0.3 * steady.normal_force);
+}
+
+#[test]
 fn histories_are_numbers_and_come_back_to_the_bit() {
     let separation = sphere(0.3, 0.02);
     let state = PlanarCase {
@@ -236,7 +265,7 @@ fn refusals_name_the_variable_and_leave_the_history() {
     let falling = FrictionLaw { falling_share: 0.4, falling_decay: 0.6, ..FrictionLaw::default() };
     let force = |force| StepMotion { rolled: 1e-3, force, ..StepMotion::default() };
     for (case, motion, expected) in [
-        (good, rolled(-1.0), "rolled = -1 is not admitted"),
+        (good, rolled(-1e7), "rolled = -10000000 is not admitted"),
         (good, rolled(f64::NAN), "rolled = NaN"),
         (good, shifted(f64::INFINITY, 0.0), "shift_x = inf"),
         (good, force([Some(7e3), None]), "force_longitudinal = 7000"),

@@ -30,6 +30,7 @@ fn walks_with_steps_of_any_size_stay_within_the_law() {
             3 => random.within(4e-4, 1e-2),
             _ => 10f64.powf(random.within(-2.0, 1.0)),
         };
+        let distance = if step % 7 < 3 { -distance } else { distance };
         let shift = if step % 3 == 0 { random.about(1e-5) } else { 0.0 };
         let case = PlanarCase {
             creepage,
@@ -107,7 +108,7 @@ fn where_the_way_of_solving_changes_forces_do_not() {
         assert!(n > 1 && n < 5 || below.substeps != above.substeps, "{n}");
         let jump = (above.contact.fx - below.contact.fx).hypot(above.contact.fy - below.contact.fy);
         // Two substeps of half an element are more exact than one; the steady model stops earlier.
-        let most = [3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 1e-4][n];
+        let most = [5e-4, 5e-4, 1e-4, 1e-4, 1e-5, 1e-4][n];
         assert!(jump < most * limit, "{n}: {:e}", jump / limit);
     }
 }
