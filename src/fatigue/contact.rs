@@ -33,11 +33,11 @@ impl Response {
 /// Fatigue of one body by the passage of one contact.
 ///
 /// Both limits come from the stresses of this contact with its own tractions. First yield:
-/// σ_vM = √3 k somewhere. Shakedown: residual stresses that a passage leaves along its whole way have
-/// no shear on planes parallel to the surface, so that the shear there must stay below k (Melan's
-/// theorem; Johnson 1985, section 9.2: exact for line contact, where it gives p0/k = 4 and, in full
-/// slip, 1/f; for circles without friction it gives the known 4.7). Across, residual shear σ_yz may
-/// help, and is left out: the limit is on the safe side.
+/// σ_vM = √3 k somewhere. Shakedown: below line contact the residual stresses of a passage have no
+/// shear on planes parallel to the surface, so that the shear there must stay below k (Melan's
+/// theorem; Johnson 1985, section 9.2: p0/k = 4 without friction, 1/f in full slip from f = 0.367 on).
+/// For other contacts that is an estimate: residual shear σ_yz may help, and is left out. Circles
+/// without friction have the known 4.7.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ContactFatigue {

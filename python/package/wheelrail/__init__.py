@@ -1,7 +1,8 @@
 """Wheel-rail contact: arrays in, arrays out, on every core.
 
 `Element` is one wheel with the rails under it, `WheelSet` two on an axle; :mod:`wheelrail.planar` contact
-problems given by a separation, :mod:`wheelrail.subsurface` stresses below the surface,
+problems given by a separation, :mod:`wheelrail.frequency` how creep forces follow oscillations,
+:mod:`wheelrail.subsurface` stresses below the surface,
 :mod:`wheelrail.conicity` the contact geometry of a wheelset, `WearRun` profiles that wear. :mod:`wheelrail.bulk`
 evaluates tables larger than memory, :mod:`wheelrail.dask` on several machines, :mod:`wheelrail.plot`
 draws. `fmu` gives the path of the FMUs that come with it, `pack` one with your profiles inside.
@@ -12,7 +13,7 @@ Track frame: x forward, y to the right, z down; SI and radians.
 from importlib import import_module
 from types import ModuleType
 
-from . import conicity, planar, subsurface
+from . import conicity, frequency, planar, subsurface
 from ._adjoint import Adjoint
 from ._contact import Contact, Field
 from ._element import Element, WheelSet
@@ -68,6 +69,7 @@ __all__ = [
     "conicity",
     "evaluate",
     "fmu",
+    "frequency",
     "pack",
     "planar",
     "profile",

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+import itertools
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from ._contact import Contact, Field
 from ._result import Result
 from ._variables import variables
+from .frequency import FrequencyResponse
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["conicity", "contacts", "patch", "sweep"]
+__all__ = ["conicity", "contacts", "frequency_response", "patch", "sweep"]
 
 #: Blue, orange and purple that colour-blind readers tell apart.
 _RIGHT, _LEFT, _OVERLAP = "#0b6e99", "#c2571a", "#6a3d9a"
@@ -211,4 +213,42 @@ def conicity(table: Result, axes: Sequence[Axes] | None = None) -> Sequence[Axes
     axes[1].set_ylim(bottom=0.0)
     for one in axes:
         one.grid(alpha=0.3)
+    return axes
+
+
+def frequency_response(
+    found: FrequencyResponse | Mapping[str, FrequencyResponse],
+    force: Literal["fx", "fy"] = "fx",
+    axes: Sequence[Axes] | None = None,
+) -> Sequence[Axes]:
+    """Amplitude and lag of a creep force over those of slow oscillation.
+
+    Parameters
+    ----------
+    found : FrequencyResponse or mapping of str to FrequencyResponse
+        As `wheelrail.frequency.response` gives it; several by their names.
+    force : {"fx", "fy"}
+        Which force.
+    axes : two of matplotlib.axes.Axes, optional
+        Where to draw amplitude and phase; without them a new figure.
+    """
+    if axes is None:
+        import matplotlib.pyplot as plt
+
+        axes = list(plt.subplots(2, 1, sharex=True, layout="constrained", figsize=(6.4, 5.2))[1])
+    amplitude, phase = axes
+    lines = {"": found} if isinstance(found, FrequencyResponse) else dict(found)
+    for (name, own), mark in zip(lines.items(), itertools.cycle("osd^v")):
+        ratio = own.ratio(force)
+        style: dict[str, Any] = {"marker": mark, "markersize": 4, "label": name or None}
+        amplitude.plot(own.length_over_wave, np.abs(ratio), **style)
+        phase.plot(own.length_over_wave, np.degrees(np.unwrap(np.angle(ratio))), **style)
+    name = {"fx": "longitudinal", "fy": "lateral"}[force]
+    amplitude.set(ylabel=f"{name} force\nover that of slow oscillation", ylim=(0, None))
+    phase.set(ylabel="phase [deg]", xlabel="length of the contact over the way of a period")
+    for own_axes in axes:
+        own_axes.grid(alpha=0.3)
+        own_axes.set_xscale("log")
+    if any(lines):
+        amplitude.legend()
     return axes

@@ -1,0 +1,54 @@
+"""How creep forces follow oscillations."""
+
+import numpy as np
+import pytest
+import wheelrail
+from wheelrail import frequency
+
+Y = np.linspace(-0.012, 0.012, 161)
+STATE = {"radius": 0.46, "load": 6e4}
+COARSE = {"normal_elements_along": 20, "normal_elements_across": 16}
+
+
+def test_slow_oscillation_is_steady_and_fast_one_falls_and_lags():
+    ratios = [0.005, 0.05, 0.1, 0.3, 1.0]
+    found = frequency.response(Y, Y**2, ratios, **STATE, **COARSE)
+    ratio = found.ratio("fx")
+    assert found.steady_fx < 0.0 and found.length == pytest.approx(0.011, rel=0.2)
+    assert abs(ratio[0] - 1.0) < 0.02
+    assert (np.diff(np.abs(ratio)) < 0.0).all()
+    lag = np.degrees(np.angle(ratio))
+    assert (lag < 0.0).all() and (np.diff(lag) < 0.0).all()
+    # The force builds up over about half a contact: a lag of first order.
+    assert -40.0 < lag[2] < -5.0
+
+
+def test_finer_elements_and_steps_change_little():
+    ratios = np.geomspace(0.05, 2.0, 4)
+    coarse = frequency.response(Y, Y**2, ratios, oscillating="lateral", **STATE)
+    fine = frequency.response(
+        Y, Y**2, ratios, oscillating="lateral", samples=64, **STATE,
+        normal_elements_along=60, normal_elements_across=40,
+    )  # fmt: skip
+    apart = coarse.ratio("fy") / fine.ratio("fy")
+    assert (np.abs(np.abs(apart) - 1.0) < 0.03).all()
+    assert (np.abs(np.degrees(np.angle(apart))) < 3.0).all()
+
+
+def test_with_slip_a_load_makes_the_force_oscillate():
+    found = frequency.response(
+        Y, Y**2, [0.05, 0.5], oscillating="load", creepage_longitudinal=2e-3, **STATE, **COARSE
+    )
+    assert found.steady_fx < 0.0 and abs(found.ratio("fx")[1]) < abs(found.ratio("fx")[0]) < 1.1
+
+
+def test_refusals_name_what_is_wrong():
+    for given, message in [
+        ({"length_over_wave": [0.1, 20.0]}, "length_over_wave = 20.0"),
+        ({"length_over_wave": 0.1, "oscillating": "vertical"}, 'oscillating = "vertical"'),
+        ({"length_over_wave": 0.1, "samples": 4}, "samples = 4"),
+        ({"length_over_wave": 0.1, "amplitude": -1.0}, "amplitude = -1.0"),
+    ]:
+        ratios = given.pop("length_over_wave")
+        with pytest.raises(wheelrail.BadValueError, match=message):
+            frequency.response(Y, Y**2, ratios, **given, **STATE)
