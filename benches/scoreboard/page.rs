@@ -219,7 +219,7 @@ fn summary(families: &[&Family], rows: &[Row]) -> String {
                     row.family == family.title && row.quantity == *quantity && row.by == by
                 })
             };
-            let Some(first) = of(SHOWN[0].0) else { continue };
+            let Some(first) = SHOWN.iter().find_map(|(by, _)| of(by)) else { continue };
             write!(page, "| {title} | {quantity} | {} |", first.cases).expect("a text");
             title = "";
             for (by, _) in SHOWN {
