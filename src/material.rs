@@ -35,6 +35,10 @@ pub struct MaterialPair<T = f64> {
 }
 
 impl MaterialPair {
+    /// K from which on materials count as unlike: it shifts the creepage of free rolling by a hundredth
+    /// of that at which a wheel slides all over [-].
+    pub const UNLIKE: f64 = 2e-3;
+
     /// The same constants in other numbers, which do not move.
     #[must_use]
     pub fn fixed<T: Real>(&self) -> MaterialPair<T> {

@@ -12,15 +12,13 @@ use super::vertical_load::is_carried;
 use super::wheel_on_rails::Element;
 use crate::geometry::profiles::profile::Profile;
 use crate::geometry::rail::placed_rail::PlacedRail;
+use crate::material::MaterialPair;
 use crate::math::real::Real;
 use crate::normal::NormalModel;
 
 /// Slip from which on a wheel counts as sliding, far beyond where creep forces are full and what a
 /// driven or braked wheel is led at [-].
 const SLIDING: f64 = 0.25;
-/// K beyond which materials count as unlike: it shifts the creepage of free rolling by a hundredth of
-/// that at which a wheel slides all over, or more [-].
-const UNLIKE: f64 = 2e-3;
 /// Distance of the centroid of a patch from the end of a profile, over the width of the patch, below
 /// which the patch counts as cut off [-].
 const AT_THE_END: f64 = 0.6;
@@ -150,7 +148,8 @@ impl Element {
         let coupling = self.models.material.coupling;
         let has_friction = parameters.tangential_model != TangentialModel::None
             && patch.friction_coefficient > 0.0;
-        (has_friction && coupling.abs() > UNLIKE).then_some(Remark::UnlikeMaterials { coupling })
+        let is_unlike = coupling.abs() > MaterialPair::<f64>::UNLIKE;
+        (has_friction && is_unlike).then_some(Remark::UnlikeMaterials { coupling })
     }
 
     /// Whether the heaviest patch slides all over with a slip that no rolling wheel has.

@@ -28,14 +28,14 @@ pub fn centre(points: &[Point]) -> Point {
             left_out.extend(on_ball.pop());
             continue;
         };
-        let touched = &points[on_ball[0]] - &centre;
+        let touched = points[on_ball[0]] - centre;
         let (radius, along) = (touched.norm(), step.dot(&touched));
         let mut first = (1.0, None);
         if step.norm() > ROUNDING * radius {
             let others =
                 (0..points.len()).filter(|k| !on_ball.contains(k) && !left_out.contains(k));
             for k in others {
-                let own = &points[k] - &centre;
+                let own = points[k] - centre;
                 let nears = along - step.dot(&own);
                 let share = 0.5 * (radius * radius - own.norm_squared()) / nears;
                 if nears > 0.0 && share < first.0 {

@@ -2,6 +2,7 @@
 
 use super::{History, StepMotion};
 use crate::error::ContactError;
+use crate::material::MaterialPair;
 use crate::normal::NormalModel;
 use crate::planar::PlanarCase;
 use crate::tangential::TangentialModel;
@@ -52,6 +53,10 @@ pub fn check(
             Err(ContactError::bad_value(name, value, allowed))
         }
     };
+    let coupling = MaterialPair::new(case.wheel_material, case.rail_material).coupling;
+    let are_like = coupling.abs() <= MaterialPair::<f64>::UNLIKE;
+    let allowed = "at most 0.002 either way in contact with memory: bodies of like materials";
+    require("K of the materials", coupling, are_like, allowed)?;
     let rolled = motion.rolled;
     let fits = rolled.abs() <= MAX_ROLLED;
     require("rolled", rolled, fits, "a distance in metres, -1e6 to 1e6")?;

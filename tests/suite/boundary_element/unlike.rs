@@ -1,16 +1,16 @@
 //! Bodies of unlike materials: pressure and tractions act on each other.
 
 use super::*;
-use wheelrail::planar::{Indentation, PlanarResult};
+use wheelrail::planar::{Indentation, PlanarResult, StepMotion, TransientContact};
 
 const ALUMINIUM: Material = Material { young_modulus: 6.026e10, poisson_ratio: 0.31 };
 
 /// A wheel on a rail, 60 kN, of these materials, at a creepage.
-fn case<'a>(
-    separation: &'a [[f64; 2]],
+fn case(
+    separation: &[[f64; 2]],
     [wheel_material, rail_material]: [Material; 2],
     creepage: [f64; 3],
-) -> PlanarCase<'a> {
+) -> PlanarCase<'_> {
     PlanarCase {
         wheel_material,
         rail_material,
@@ -94,6 +94,14 @@ fn materials_that_are_almost_alike_have_almost_the_forces_of_like_ones() {
     assert!((like.fx - other.fx).abs() < tolerance::UNLIKE_NEARLY * limit, "{like:?} {other:?}");
     assert!((like.fy - other.fy).abs() < tolerance::UNLIKE_NEARLY * limit, "{like:?} {other:?}");
     assert!((like.mz - other.mz).abs() < 1e-5 * limit, "{like:?} {other:?}");
+}
+
+#[test]
+fn contact_with_memory_refuses_unlike_materials_by_their_figure() {
+    let separation = parabola();
+    let case = case(&separation, [ALUMINIUM, STEEL], [1e-3, 0.0, 0.0]);
+    let refused = TransientContact::new().step(&case, &StepMotion::default()).unwrap_err();
+    assert!(refused.to_string().contains("K of the materials = 0.1"), "{refused}");
 }
 
 #[test]
