@@ -11,24 +11,25 @@ COARSE = {"normal_elements_along": 20, "normal_elements_across": 16}
 
 
 def test_slow_oscillation_is_steady_and_fast_one_falls_and_lags():
-    ratios = [0.005, 0.05, 0.1, 0.3, 1.0]
+    ratios = [0.02, 0.1, 0.3, 1.0]
     found = frequency.response(Y, Y**2, ratios, **STATE, **COARSE)
     ratio = found.ratio("fx")
     assert found.steady_fx < 0.0 and found.length == pytest.approx(0.011, rel=0.2)
-    assert abs(ratio[0] - 1.0) < 0.02
+    # It lags by the way over which it builds up, less than a length.
+    assert abs(ratio[0] - 1.0) < 2.0 * np.pi * 0.02
     assert (np.diff(np.abs(ratio)) < 0.0).all()
     lag = np.degrees(np.angle(ratio))
     assert (lag < 0.0).all() and (np.diff(lag) < 0.0).all()
     # The force builds up over about half a contact: a lag of first order.
-    assert -40.0 < lag[2] < -5.0
+    assert -40.0 < lag[1] < -5.0
 
 
 def test_finer_elements_and_steps_change_little():
-    ratios = np.geomspace(0.05, 2.0, 4)
-    coarse = frequency.response(Y, Y**2, ratios, oscillating="lateral", **STATE)
+    ratios = [0.1, 0.5, 1.5]
+    coarse = frequency.response(Y, Y**2, ratios, oscillating="lateral", **STATE, **COARSE)
     fine = frequency.response(
-        Y, Y**2, ratios, oscillating="lateral", samples=64, **STATE,
-        normal_elements_along=60, normal_elements_across=40,
+        Y, Y**2, ratios, oscillating="lateral", samples=48, **STATE,
+        normal_elements_along=36, normal_elements_across=20,
     )  # fmt: skip
     apart = coarse.ratio("fy") / fine.ratio("fy")
     assert (np.abs(np.abs(apart) - 1.0) < 0.03).all()

@@ -18,9 +18,9 @@ from ._given import numbers
 from .errors import BadValueError
 from .planar import Transient
 
-__all__ = ["FrequencyResponse", "Oscillating", "response"]
+__all__ = ["FrequencyResponse", "response"]
 
-Oscillating = Literal["longitudinal", "lateral", "spin", "load"]
+_Oscillating = Literal["longitudinal", "lateral", "spin", "load"]
 
 _CREEPAGES = {
     "longitudinal": "creepage_longitudinal",
@@ -31,6 +31,9 @@ _CREEPAGES = {
 _SETTLED, _FAR = 3.0, 1e3
 #: Least number of periods before the one that is looked at.
 _PERIODS = 1
+#: Least number of steps in a length of the contact: a step's input is its mean and the force that at its end, so
+#: that a force that follows at once lags by half a step.
+_STEPS_IN_LENGTH = 16
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,7 @@ def response(
     f: npt.ArrayLike,
     length_over_wave: npt.ArrayLike,
     *,
-    oscillating: Oscillating = "longitudinal",
+    oscillating: _Oscillating = "longitudinal",
     amplitude: float | None = None,
     radius: float,
     load: float,
@@ -95,14 +98,14 @@ def response(
     y, f, radius, load, creepage_longitudinal, creepage_lateral, spin, friction
         The mean state, as for `wheelrail.planar.solve`.
     length_over_wave : array_like
-        L/lambda of each oscillation, 1e-3 to 10 [-].
+        L/lambda of each oscillation, 0.01 to 10 [-].
     oscillating : {"longitudinal", "lateral", "spin", "load"}
         What oscillates.
     amplitude : float, optional
         Of a creepage [-], of spin [1/m] or of the load over the load [-]; otherwise small: 1e-5, 1e-5 over
         the contact's length, and 0.01.
     samples : int
-        Steps in a period, 8 or more.
+        Least number of steps in a period, 8 or more; a length of the contact has 16.
     **parameters
         Materials and numbers of elements, as for `wheelrail.planar.Transient`.
     """
@@ -112,10 +115,10 @@ def response(
     if not 8 <= samples <= 4096:
         raise BadValueError(f"samples = {samples} is not admitted: 8 to 4096", variable="samples")
     ratios = np.atleast_1d(numbers("length_over_wave", length_over_wave)).ravel()
-    if not ((ratios >= 1e-3) & (ratios <= 10.0)).all():
-        worst = ratios[~((ratios >= 1e-3) & (ratios <= 10.0))][0]
+    if not ((ratios >= 0.01) & (ratios <= 10.0)).all():
+        worst = ratios[~((ratios >= 0.01) & (ratios <= 10.0))][0]
         raise BadValueError(
-            f"length_over_wave = {worst} is not admitted: 1e-3 to 10", variable="length_over_wave"
+            f"length_over_wave = {worst} is not admitted: 0.01 to 10", variable="length_over_wave"
         )
     state = {
         "radius": float(radius),
@@ -153,17 +156,18 @@ def response(
         contact.history = rested
         way = length / ratio
         before = max(_PERIODS, math.ceil(_SETTLED * ratio))
-        phases = 2.0 * np.pi * np.arange(1, samples + 1) / samples
-        forces = np.empty((samples, 2))
+        count = max(samples, math.ceil(_STEPS_IN_LENGTH / ratio))
+        phases = 2.0 * np.pi * np.arange(1, count + 1) / count
+        forces = np.empty((count, 2))
         # A creepage acts over a step by its mean, a load is that at the end.
-        step = 2.0 * np.pi / samples
+        step = 2.0 * np.pi / count
         means = (np.sin(phases) - np.sin(phases - step)) / step
         inputs = np.cos(phases) if oscillating == "load" else means
         for _ in range(before + 1):
             for k, by in enumerate(inputs):
-                found = contact.step(y, f, **moved(amplitude * float(by)), rolled=way / samples)
+                found = contact.step(y, f, **moved(amplitude * float(by)), rolled=way / count)
                 forces[k] = found.fx, found.fy
-        amplitudes[n] = 2.0 / samples * (np.exp(-1j * phases) @ forces) / amplitude
+        amplitudes[n] = 2.0 / count * (np.exp(-1j * phases) @ forces) / amplitude
     return FrequencyResponse(
         oscillating=oscillating,
         length_over_wave=ratios,

@@ -21,9 +21,12 @@ const HEIGHTS: [u32; 2] = [460, 360];
 const SCALE: u32 = 110;
 /// Bands of colour.
 const BANDS: usize = 14;
-/// Limits of line contact: p0/k at first yield by von Mises, and of shakedown below the surface
-/// (Johnson 1985, sections 6.1 and 9.2).
+/// Limits p0/k of line contact that rolls freely: first yield by von Mises, and shakedown (Johnson
+/// 1985, sections 6.1 and 9.2).
 const LINE: [f64; 2] = [3.1, 4.0];
+/// Places along and down, within one and a half half widths, at which stresses of line contact are
+/// looked at.
+const PLACES: [i32; 2] = [120, 60];
 
 /// What is drawn.
 pub struct Figure<'a> {
@@ -59,8 +62,7 @@ impl Figure<'_> {
         let most = |values: &mut dyn Iterator<Item = f64>, least: f64| values.fold(least, f64::max);
         let right = most(&mut all().map(|own| 1.1 * own.used_friction), 0.6);
         let top = most(&mut all().map(|own| 1.1 * own.load_factor), 1.5 * LINE[1]);
-        let caption =
-            "Shakedown map: each contact by its own limits; lines are those of line contact";
+        let caption = "Shakedown map: each contact by its own limits; lines are those of line contact in full slip";
         let mut chart =
             captioned(area, caption.into())?.build_cartesian_2d(0.0..right, 0.0..top)?;
         let titles = ["used friction", "p0/k"];
@@ -68,12 +70,9 @@ impl Figure<'_> {
         let line = |chart: &mut Chart<'_, '_>, points: Vec<(f64, f64)>, ink: RGBColor| {
             chart.draw_series(LineSeries::new(points, ink.stroke_width(px(2)))).map(|_| ())
         };
-        let bend = 1.0 / LINE[1];
-        let steps = (0..=100).map(|k| bend + (right - bend) * f64::from(k) / 100.0);
-        let limit: Vec<_> =
-            std::iter::once((0.0, LINE[1])).chain(steps.map(|f| (f, 1.0 / f))).collect();
-        line(&mut chart, limit, INK)?;
-        line(&mut chart, vec![(0.0, LINE[0]), (bend, LINE[0])], GRID)?;
+        let steps = (0..=100).map(|k| right * f64::from(k) / 100.0);
+        line(&mut chart, steps.map(|f| (f, line_limit(f))).collect(), INK)?;
+        line(&mut chart, vec![(0.0, LINE[0]), (0.25 * right, LINE[0])], GRID)?;
         let words = [("shakedown limit", LINE[1]), ("first yield, rolling freely", LINE[0])];
         for (words, at) in words {
             let place = (0.01 * right, at + 0.045 * top);
@@ -105,6 +104,26 @@ impl Figure<'_> {
             .draw()?;
         Ok(())
     }
+}
+
+/// p0/k up to which line contact in full slip with this friction shakes down: 1 over the greatest shear
+/// stress on planes parallel to the surface, by McEwen's formulas (Johnson 1985, eqs 4.49 and 7.8).
+fn line_limit(friction: f64) -> f64 {
+    let mut greatest = friction;
+    for i in -PLACES[0]..=PLACES[0] {
+        for j in 1..=PLACES[1] {
+            let x = 1.5 * f64::from(i) / f64::from(PLACES[0]);
+            let z = 1.5 * f64::from(j) / f64::from(PLACES[1]);
+            let sum = 1.0 - x * x + z * z;
+            let root = (sum * sum + 4.0 * x * x * z * z).sqrt();
+            let (m, n) = ((0.5 * (root + sum)).sqrt(), (0.5 * (root - sum)).sqrt() * x.signum());
+            let square = m * m + n * n;
+            let pressed = -n * (m * m - z * z) / square;
+            let drawn = -(m * (1.0 + (z * z + n * n) / square) - 2.0 * z);
+            greatest = greatest.max((pressed + friction * drawn).abs());
+        }
+    }
+    1.0 / greatest
 }
 
 impl Mapped<'_> {
@@ -144,5 +163,18 @@ impl Mapped<'_> {
         }
         draw_colours(&scale, &(0.0..greatest), "MPa", [FRAME[2], FRAME[3]])?;
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn line_contact_has_its_known_limits() {
+        for (friction, limit) in [(0.0, 4.0), (0.25, 3.04), (0.3, 2.90), (0.4, 2.5)] {
+            let found = line_limit(friction);
+            assert!((found / limit - 1.0).abs() < 0.005, "{friction}: {found}");
+        }
     }
 }
