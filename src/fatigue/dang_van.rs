@@ -140,7 +140,11 @@ mod tests {
         let stress = Stress::from([3.0, -1.0, 7.0, 2.0, -4.0, 0.5]);
         let point = deviator(&stress);
         // s:s = 2 J₂ = 2 σ_vM²/3.
-        assert_relative_eq!(point.norm_squared(), 2.0 / 3.0 * stress.von_mises().powi(2));
+        assert_relative_eq!(
+            point.norm_squared(),
+            2.0 / 3.0 * stress.von_mises().powi(2),
+            max_relative = 1e-12
+        );
         let back = stress_of(&point);
         let mean = stress.hydrostatic();
         assert_relative_eq!(back.xx, stress.xx - mean, epsilon = 1e-12);
@@ -155,15 +159,27 @@ mod tests {
         let pull = |s: f64| Stress { xx: s, ..Stress::default() };
         let twist = |s: f64| Stress { xz: s, ..Stress::default() };
         // Tension and compression: half the amplitude, and the hydrostatic stress of the peak.
-        assert_relative_eq!(found(&[pull(2.0), pull(-2.0)]), 1.0 + WEIGHT * 2.0 / 3.0);
+        assert_relative_eq!(
+            found(&[pull(2.0), pull(-2.0)]),
+            1.0 + WEIGHT * 2.0 / 3.0,
+            max_relative = 1e-12
+        );
         // Pulsating: half of that amplitude.
-        assert_relative_eq!(found(&[pull(2.0), pull(0.0)]), 0.5 + WEIGHT * 2.0 / 3.0);
+        assert_relative_eq!(
+            found(&[pull(2.0), pull(0.0)]),
+            0.5 + WEIGHT * 2.0 / 3.0,
+            max_relative = 1e-12
+        );
         // Shear has no hydrostatic part; what does not vary of it does not count.
         let wanted = 1.5;
-        assert_relative_eq!(found(&[twist(wanted), twist(-wanted)]), wanted);
-        assert_relative_eq!(found(&[twist(10.0 + wanted), twist(10.0 - wanted)]), wanted);
+        assert_relative_eq!(found(&[twist(wanted), twist(-wanted)]), wanted, max_relative = 1e-12);
+        assert_relative_eq!(
+            found(&[twist(10.0 + wanted), twist(10.0 - wanted)]),
+            wanted,
+            max_relative = 1e-12
+        );
         // Residual stress adds with its weight.
         let pressed = equivalent(&[twist(1.0), twist(-1.0)], WEIGHT, -2.0);
-        assert_relative_eq!(pressed, 1.0 - 2.0 * WEIGHT);
+        assert_relative_eq!(pressed, 1.0 - 2.0 * WEIGHT, max_relative = 1e-12);
     }
 }
