@@ -53,10 +53,6 @@ pub fn check(
             Err(ContactError::bad_value(name, value, allowed))
         }
     };
-    let coupling = MaterialPair::new(case.wheel_material, case.rail_material).coupling;
-    let are_like = coupling.abs() <= MaterialPair::<f64>::UNLIKE;
-    let allowed = "at most 0.002 either way in contact with memory: bodies of like materials";
-    require("K of the materials", coupling, are_like, allowed)?;
     let rolled = motion.rolled;
     let fits = rolled.abs() <= MAX_ROLLED;
     require("rolled", rolled, fits, "a distance in metres, -1e6 to 1e6")?;
@@ -78,7 +74,10 @@ pub fn check(
             require(&format!("{body} {name}"), value, same, "what it was in the first state")?;
         }
     }
-    Ok(())
+    let coupling = MaterialPair::new(case.wheel_material, case.rail_material).coupling;
+    let are_like = coupling.abs() <= MaterialPair::<f64>::UNLIKE;
+    let allowed = "at most 0.002 either way in contact with memory: bodies of like materials";
+    require("K of the materials", coupling, are_like, allowed)
 }
 
 /// Names of given forces.
