@@ -19,7 +19,8 @@
 //! - q = 0 is a shift: S = w + u - u'.
 //! - The state that a step of any length leaves as it is, u = u', meets w/q + D u = S/q, which is
 //!   steady rolling with the operator that it has everywhere else.
-//! - For q ≫ dx, S/q = w/q + D u: steady rolling at once. What is left of the history vanishes.
+//! - For q far beyond the length of the contact, S/q = w/q + D u: steady rolling at once. Nothing is
+//!   left of the history.
 //! - Up to an element a step, θ is ½ and the error of second order in q, as D is in dx. Smaller
 //!   steps need no rule for what enters: D always reaches half an element and an element ahead.
 //!

@@ -63,7 +63,7 @@ pub struct UnlikeSolution {
     pub converged: bool,
 }
 
-/// Most turns: three to ten are the rule, more where friction is great.
+/// Most turns.
 const MAX_TURNS: usize = 40;
 /// Change of the distance between the bodies in a turn, over the approach, that ends them: that which
 /// pressures of like bodies leave.
@@ -85,7 +85,9 @@ pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
     let mut distance = separation.to_vec();
     let mut pressure = pressed(&mut solver, grid, &distance, press, None);
     let mut tractions = None::<Tractions>;
-    for turn in 1.. {
+    let mut turns = 0;
+    loop {
+        turns += 1;
         let bound: Vec<f64> = pressure.pressure.iter().zip(friction).map(|(p, f)| p * f).collect();
         let mut slip = coupling.slip(&pressure.pressure);
         for (slip, rigid) in slip.iter_mut().zip(rigid) {
@@ -115,15 +117,14 @@ pub fn steady_rolling_unlike(problem: &UnlikeProblem<'_>) -> UnlikeSolution {
         let change = changes.fold(0.0, f64::max);
         distance = wanted;
         let is_settled = change <= SETTLED * pressure.approach.abs();
-        if is_settled || turn == MAX_TURNS {
+        if is_settled || turns == MAX_TURNS {
             let are_found = pressure.converged && own.change <= friction::TOLERANCE;
             let converged = is_settled && are_found;
-            return UnlikeSolution { pressure, tractions: own, turns: turn, converged };
+            return UnlikeSolution { pressure, tractions: own, turns, converged };
         }
         tractions = Some(own);
         pressure = pressed(&mut solver, grid, &distance, press, Some(&pressure));
     }
-    unreachable!("the last turn returns")
 }
 
 /// The pressure at the given approach or load, sought from the `last` one.

@@ -19,7 +19,7 @@ pub enum Response {
 }
 
 impl Response {
-    /// Its name in tables and in Python.
+    /// Its name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

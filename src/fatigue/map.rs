@@ -35,8 +35,8 @@ pub struct Passage {
     places: Vec<(usize, Undergone)>,
 }
 
-/// How far beyond a patch places count as near, over its greatest extent: the stresses there are a
-/// twentieth of those below it.
+/// How far beyond a patch places count as near, over its greatest extent: stresses fall with the square
+/// of the distance.
 const REACH: f64 = 1.0;
 
 impl FatigueMap {

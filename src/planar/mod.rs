@@ -212,19 +212,8 @@ fn approach_for(
 
 fn summarise(case: &PlanarCase, pressed: &Pressed) -> PlanarResult {
     let &Pressed { ref strips, ref material, contact_y, ref coupled, .. } = pressed;
-    let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
+    let mut result = without_creep_forces(strips);
     let tangential = tangential_of(case);
-    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-    for zone in strips.zones.iter() {
-        result.normal_force += zone.load;
-        result.max_pressure = result.max_pressure.max(zone.max_pressure);
-        result.area += zone.area;
-        result.length = result.length.max(zone.length);
-        let edges = zone_edges(strips, zone.first, zone.count);
-        left = left.min(edges[0]);
-        right = right.max(edges[1]);
-    }
-    result.width = (right - left).max(0.0);
     if let Some((grid, solution)) = coupled {
         [result.fx, result.fy, result.mz] = unlike::forces(grid, solution, contact_y);
         return result;
@@ -248,6 +237,23 @@ fn summarise(case: &PlanarCase, pressed: &Pressed) -> PlanarResult {
             result.mz += force.spin_moment - (contact_y + zone.y) * force.longitudinal;
         }
     }
+    result
+}
+
+/// What the zones of `strips` add up to, without creep forces.
+fn without_creep_forces(strips: &Strips) -> PlanarResult {
+    let mut result = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
+    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+    for zone in strips.zones.iter() {
+        result.normal_force += zone.load;
+        result.max_pressure = result.max_pressure.max(zone.max_pressure);
+        result.area += zone.area;
+        result.length = result.length.max(zone.length);
+        let edges = zone_edges(strips, zone.first, zone.count);
+        left = left.min(edges[0]);
+        right = right.max(edges[1]);
+    }
+    result.width = (right - left).max(0.0);
     result
 }
 

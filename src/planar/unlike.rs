@@ -105,13 +105,7 @@ pub(super) fn forces(grid: &Grid, solution: &UnlikeSolution, contact_y: f64) -> 
 
 /// Pressure and tractions element by element.
 pub(super) fn field(grid: &Grid, solution: UnlikeSolution) -> ContactField {
-    let UnlikeSolution { pressure, tractions: found, .. } = solution;
-    let mut field = ContactField::of_pressure(*grid, pressure.pressure);
-    let pairs = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
-    field.traction = pairs(&found.x, &found.y);
-    field.slip = Some(pairs(&found.slip_x, &found.slip_y));
-    for (k, slips) in found.slips.into_iter().enumerate() {
-        field.set_adherence(k, slips);
-    }
+    let mut field = ContactField::of_pressure(*grid, solution.pressure.pressure);
+    field.take(&solution.tractions);
     field
 }

@@ -1,5 +1,6 @@
 //! Tractions of a zone element by element, for figures and tables.
 
+use crate::boundary_element::friction::Tractions;
 use crate::boundary_element::grid::Grid;
 
 /// Whether the surfaces of an element adhere.
@@ -49,6 +50,16 @@ impl ContactField {
         let k = row * self.grid.along + i;
         if self.pressure[k] > 0.0 {
             self.traction[k] = traction;
+            self.set_adherence(k, slips);
+        }
+    }
+
+    /// Enters the tractions and the slip that boundary elements have.
+    pub(crate) fn take(&mut self, found: &Tractions) {
+        let pairs = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
+        self.traction = pairs(&found.x, &found.y);
+        self.slip = Some(pairs(&found.slip_x, &found.slip_y));
+        for (k, &slips) in found.slips.iter().enumerate() {
             self.set_adherence(k, slips);
         }
     }

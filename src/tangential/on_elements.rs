@@ -53,12 +53,6 @@ impl OnElements {
         elements: &LoadedElements,
         field: &mut ContactField,
     ) {
-        let found = elements.tractions(loaded, Rolling::Forward);
-        let pairs = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| [*x, *y]).collect();
-        field.traction = pairs(&found.x, &found.y);
-        field.slip = Some(pairs(&found.slip_x, &found.slip_y));
-        for (k, slips) in found.slips.into_iter().enumerate() {
-            field.set_adherence(k, slips);
-        }
+        field.take(&elements.tractions(loaded, Rolling::Forward));
     }
 }

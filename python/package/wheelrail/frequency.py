@@ -27,8 +27,10 @@ _CREEPAGES = {
     "lateral": "creepage_lateral",
     "spin": "spin",
 }
-#: Lengths of the contact after which nothing of the beginning is left, and rolled at once to begin with [-].
-_SETTLED, _FAR = 3.0, 1e3
+#: Lengths of the contact in which the beginning of an oscillation is forgotten [-].
+_SETTLED = 3.0
+#: A way after which any contact rolls steadily [m].
+_FAR = 1e3
 #: Least number of periods before the one that is looked at.
 _PERIODS = 1
 #: Least number of steps in a length of the contact: a step's input is its mean and the force that at its end, so

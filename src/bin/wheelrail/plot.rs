@@ -125,6 +125,21 @@ pub fn contacts(
     folder: &Path,
     number: usize,
 ) -> Result<(Vec<FlatContact>, usize)> {
+    let contacts = all_contacts(values, folder)?;
+    let mut order: Vec<usize> = (0..contacts.len()).collect();
+    order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));
+    match order.get(number.wrapping_sub(1)) {
+        Some(&index) => Ok((contacts, index)),
+        None if contacts.is_empty() => bail!("the wheel touches no rail: nothing to draw"),
+        None => bail!("--contact {number}: the wheel has contacts 1 to {}", contacts.len()),
+    }
+}
+
+/// The contacts of a wheel, after its remarks are told; its files lie in `folder`.
+///
+/// # Errors
+/// A value that is refused.
+pub fn all_contacts(values: &Values, folder: &Path) -> Result<Vec<FlatContact>> {
     let Values { parameters, input, .. } = values;
     let mut element = Element::new(parameters, input, &[folder.into()])?;
     let mut output = Output::default();
@@ -133,14 +148,7 @@ pub fn contacts(
     Remarks::default().tell(&found.with_profiles(element.profile_remarks().to_vec()));
     let mut at = *input;
     at.wheel.position[2] = output.wheel_z;
-    let contacts = element.flat_contacts(&at)?;
-    let mut order: Vec<usize> = (0..contacts.len()).collect();
-    order.sort_by(|&a, &b| contacts[b].penetration.total_cmp(&contacts[a].penetration));
-    match order.get(number.wrapping_sub(1)) {
-        Some(&index) => Ok((contacts, index)),
-        None if contacts.is_empty() => bail!("the wheel touches no rail: nothing to draw"),
-        None => bail!("--contact {number}: the wheel has contacts 1 to {}", contacts.len()),
-    }
+    Ok(element.flat_contacts(&at)?)
 }
 
 /// The heaviest contact of a wheel as a figure; its files lie in `folder`.

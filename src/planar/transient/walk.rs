@@ -10,8 +10,8 @@ use crate::boundary_element::transient::{Memory, TOLERANCE, TransientStep};
 use crate::error::ContactError;
 use crate::material::MaterialPair;
 use crate::normal::{ElementPressure, Strips};
-use crate::planar::{PlanarCase, PlanarResult, friction_at, zone_edges};
-use crate::tangential::field::{Adherence, ContactField};
+use crate::planar::{PlanarCase, friction_at, without_creep_forces};
+use crate::tangential::field::ContactField;
 
 /// Lengths of the contact, as wide as long, after which nothing is left of its history: it falls to
 /// 1/e in about 0.6 of them. In wider ones it takes longer, as the logarithm of the width.
@@ -234,18 +234,7 @@ impl Walk {
     }
 
     pub fn result(&self, strips: &Strips) -> TransientResult {
-        let mut contact = PlanarResult { patches: strips.zones.len(), ..PlanarResult::default() };
-        let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-        for zone in strips.zones.iter() {
-            contact.normal_force += zone.load;
-            contact.max_pressure = contact.max_pressure.max(zone.max_pressure);
-            contact.area += zone.area;
-            contact.length = contact.length.max(zone.length);
-            let edges = zone_edges(strips, zone.first, zone.count);
-            left = left.min(edges[0]);
-            right = right.max(edges[1]);
-        }
-        contact.width = (right - left).max(0.0);
+        let mut contact = without_creep_forces(strips);
         let [fx, fy] = force_of(&self.grid, &self.tractions);
         (contact.fx, contact.fy) = (fx, fy);
         let area = self.grid.element_area();
@@ -266,10 +255,8 @@ impl Walk {
     pub fn field(self, pressure: Vec<f64>) -> TransientField {
         let mut contact = ContactField::of_pressure(self.grid, pressure);
         contact.traction = self.tractions;
-        for (k, adherence) in contact.adherence.iter_mut().enumerate() {
-            if contact.pressure[k] > 0.0 {
-                *adherence = if self.slips[k] { Adherence::Slip } else { Adherence::Adhesion };
-            }
+        for (k, &slips) in self.slips.iter().enumerate() {
+            contact.set_adherence(k, slips);
         }
         if self.rolled > 0.0 {
             let over = self.slip.iter().map(|s| s.map(|s| s / self.rolled));

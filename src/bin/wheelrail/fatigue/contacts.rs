@@ -3,14 +3,12 @@
 use std::path::Path;
 
 use anyhow::Result;
-use wheelrail::element::{Element, Output};
 use wheelrail::fatigue::{ContactFatigue, Strength};
 use wheelrail::planar::PlanarCase;
 use wheelrail::subsurface::{Body, SurfaceLoad};
 use wheelrail::variables::Values;
 
-use crate::output;
-use crate::remarks::{Found as FoundRemarks, Remarks};
+use crate::{output, plot};
 
 /// One contact.
 pub struct Found {
@@ -64,14 +62,7 @@ pub fn at_wheel(
     folder: &Path,
 ) -> Result<Vec<Found>> {
     let Values { parameters, input, .. } = values;
-    let mut element = Element::new(parameters, input, &[folder.into()])?;
-    let mut output = Output::default();
-    element.evaluate(input, &mut output)?;
-    let told = FoundRemarks::evaluated(&element, parameters, input, &output).with_start(&element);
-    Remarks::default().tell(&told.with_profiles(element.profile_remarks().to_vec()));
-    let mut at = *input;
-    at.wheel.position[2] = output.wheel_z;
-    let mut contacts = element.flat_contacts(&at)?;
+    let mut contacts = plot::all_contacts(values, folder)?;
     contacts.sort_by(|a, b| b.penetration.total_cmp(&a.penetration));
     let speed = input.wheel.velocity[0].abs();
     let mut all = Vec::new();
