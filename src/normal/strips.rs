@@ -64,10 +64,10 @@ pub struct Strips<T = f64> {
 }
 
 impl<T: Real> Strips<T> {
-    /// Room for `zones` zones of `strips` strips each; nothing is allocated later.
+    /// Room for `zones` zones of `strips` strips together; nothing is allocated later.
     #[must_use]
     pub fn with_capacity(zones: usize, strips: usize) -> Self {
-        let column = || FixedVec::new(zones * strips);
+        let column = || FixedVec::new(strips);
         Self {
             zones: FixedVec::new(zones),
             y: column(),
@@ -76,7 +76,7 @@ impl<T: Real> Strips<T> {
             half_length: column(),
             pressure: column(),
             u: column(),
-            friction: FixedVec::new(zones * strips),
+            friction: FixedVec::new(strips),
             elements: None,
         }
     }

@@ -116,7 +116,7 @@ fn press_together(case: &PlanarCase) -> Result<Pressed, ContactError> {
     let mut line = PlanarLine::new(case.separation);
     let rule = GaussLegendre::new(case.strips);
     let material = MaterialPair::new(case.wheel_material, case.rail_material);
-    let mut strips = Strips::with_capacity(MAX_ZONES, case.strips.max(MIN_STRIPS));
+    let mut strips = Strips::with_capacity(MAX_ZONES, MAX_ZONES * case.strips.max(MIN_STRIPS));
     let mut solver =
         (case.normal_model == NormalModel::Strips).then(|| StripSolver::new(case.strips));
     let (least, mut left_out) = (line.least, 0);

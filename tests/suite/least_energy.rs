@@ -55,7 +55,7 @@ impl Separation for Planar {
 
 /// The zones of `line` under an `approach` counted from f = 0.
 fn press(solver: &mut StripSolver, line: &mut Planar, radius: f64, approach: f64) -> Strips {
-    let mut strips = Strips::with_capacity(8, 250);
+    let mut strips = Strips::with_capacity(8, 2000);
     let rule = GaussLegendre::new(8);
     let problem = NormalProblem {
         approach,

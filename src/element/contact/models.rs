@@ -16,8 +16,10 @@ use crate::normal::uneven::UnevenStrips;
 use crate::normal::{Descent, NormalModel, ShapeFit, Strips};
 use crate::tangential::Tangential;
 
-/// Most loaded zones of one contact frame.
+/// Most loaded zones of one contact frame, and of a rail where it has no contact frames: as many as
+/// it may have overlaps.
 const MAX_ZONES: usize = 8;
+const MAX_RAIL_ZONES: usize = 32;
 
 /// The chosen models and their scratch memory, shared by the rails of an element; with derivatives
 /// where the numbers have them.
@@ -87,10 +89,8 @@ impl Models {
     /// track has, if there is one.
     #[must_use]
     pub fn in_other_numbers<T: Real>(&self, rows: Option<usize>) -> Models<T> {
-        let strips = |like: &Strips| {
-            let zones = like.zones.capacity();
-            Strips::with_capacity(zones, like.y.capacity() / zones.max(1))
-        };
+        let strips =
+            |like: &Strips| Strips::with_capacity(like.zones.capacity(), like.y.capacity());
         Models {
             normal: self.normal,
             virtual_penetration: self.virtual_penetration,
@@ -126,12 +126,21 @@ impl Models {
     #[must_use]
     pub fn new(parameters: &Parameters) -> Self {
         let [wheel, rail] = parameters.materials();
-        // Patches of uneven bodies split along the track too.
-        let zones = if parameters.is_uneven() { 2 * MAX_ZONES } else { MAX_ZONES };
         let is_strips = parameters.normal_model == NormalModel::Strips;
-        let strips = if is_strips { parameters.strips.max(MIN_STRIPS) } else { parameters.strips };
+        let is_boundary = parameters.normal_model == NormalModel::BoundaryElement;
+        let of_rail = is_strips || is_boundary && !parameters.is_uneven();
+        let (frames, zones) = match (of_rail, parameters.is_uneven()) {
+            (true, _) => (1, MAX_RAIL_ZONES),
+            // Patches of uneven bodies split along the track too.
+            (false, true) => (MAX_CONTACTS, 2 * MAX_ZONES),
+            (false, false) => (MAX_CONTACTS, MAX_ZONES),
+        };
         // Zones roll together, and strips and stretches of uneven bodies may all be in one zone.
-        let most_strips = zones * strips;
+        let most_strips = if is_strips {
+            StripSolver::most_nodes(parameters.strips)
+        } else {
+            zones * parameters.strips
+        };
         Self {
             normal: parameters.normal_model,
             virtual_penetration: parameters.virtual_penetration,
@@ -160,21 +169,18 @@ impl Models {
             rule: GaussLegendre::new(parameters.strips),
             coarse: GaussLegendre::new(MIN_STRIPS),
             uneven: parameters.is_uneven().then(|| UnevenStrips::new(parameters.strips)),
-            strips: Strips::with_capacity(zones, strips),
-            strip_solver: is_strips.then(|| StripSolver::new(strips)),
-            rail_strips: Strips::with_capacity(
-                if is_strips || parameters.normal_model == NormalModel::BoundaryElement {
-                    MAX_ZONES
-                } else {
-                    0
-                },
-                strips,
-            ),
+            strips: Strips::with_capacity(zones, most_strips),
+            strip_solver: is_strips.then(|| StripSolver::new(parameters.strips)),
+            rail_strips: if of_rail {
+                Strips::with_capacity(zones, most_strips)
+            } else {
+                Strips::with_capacity(0, 0)
+            },
             strip_follower: None,
             outline: None,
             given: None,
             turn_of_normals: 0.0,
-            patches: FixedVec::new(parameters.rails.len() * MAX_CONTACTS * zones),
+            patches: FixedVec::new(parameters.rails.len() * frames * zones),
             shear_yield: parameters.shear_yield,
             wear: None,
         }

@@ -315,7 +315,7 @@ mod tests {
             .map(|i| 1e-4 * f64::from(i))
             .map(|u| Probe { u, f: -line.place(u).overlap })
             .collect();
-        let mut strips = Strips::with_capacity(8, 60);
+        let mut strips = Strips::with_capacity(8, 480);
         solver.solve(&mut line, &probes, 0.0, 1.0, None, &mut strips);
         strips
     }
@@ -341,7 +341,7 @@ mod tests {
             let differences = [[1.0, 0.0], [0.0, 1.0]].map(|way| difference(&mut solver, way));
             let found = solve(&mut solver, depth, tilt);
             let mut line = Humps { depth: Dual::variable(depth, 0), tilt: Dual::variable(tilt, 1) };
-            let mut strips = Strips::with_capacity(8, 60);
+            let mut strips = Strips::with_capacity(8, 480);
             let mut follower = StripFollower::new(&solver);
             assert!(follower.follow(&mut solver, &mut line, 1.0, &mut strips));
             assert_relative_eq!(strips.load().value, found.load(), max_relative = 1e-12);

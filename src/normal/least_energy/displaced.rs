@@ -222,7 +222,7 @@ mod tests {
                         Probe { u, f: -line.place(u).overlap }
                     })
                     .collect();
-                let mut strips = Strips::with_capacity(4, 80);
+                let mut strips = Strips::with_capacity(4, 320);
                 let left =
                     StripSolver::new(20).solve(&mut line, &probes, 0.0, 1.0, None, &mut strips);
                 let load = exact.load;

@@ -54,8 +54,9 @@ use zones::Zones;
 
 /// Least nodes of an overlap.
 pub const MIN_STRIPS: usize = 8;
-/// Nodes of all overlaps of a rail over those of one, and how many more at most.
-const MORE: [f64; 2] = [1.5, 40.0];
+/// Most nodes of a rail over those of one overlap that is a parabola: ground rails touch in five or six
+/// narrow zones. And how many at most, as work grows with their cube: 2 ms.
+const MOST: [usize; 2] = [6, 240];
 
 /// Work of one solver since it was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -89,8 +90,7 @@ impl StripSolver {
     /// overlaps get them by their lobes.
     #[must_use]
     pub fn new(strips: usize) -> Self {
-        let strips = strips.max(MIN_STRIPS);
-        let most = strips + (strips as f64 * MORE[0]).min(MORE[1]) as usize;
+        let (strips, most) = (strips.max(MIN_STRIPS), Self::most_nodes(strips));
         Self {
             overlaps: Overlaps::new(),
             lattice: Lattice::new(strips, most),
@@ -99,6 +99,12 @@ impl StripSolver {
             cosines: FixedVec::new(most),
             work: Work::default(),
         }
+    }
+
+    /// Most nodes of all overlaps of a rail, of which `strips` are for a parabola.
+    #[must_use]
+    pub fn most_nodes(strips: usize) -> usize {
+        (MOST[0] * strips.max(MIN_STRIPS)).min(MOST[1])
     }
 
     /// Greatest displacement left of the overlap at a node that carries load, over the depth, before

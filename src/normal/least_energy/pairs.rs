@@ -52,9 +52,8 @@ pub(super) struct Hat<T = f64> {
     /// Squares of the spacings of the hat and itself, and of the one before it [m²].
     own: T,
     beside: T,
-    /// Place along the track [m], and tangent across.
+    /// Place along the track [m].
     x: T,
-    tangent: [T; 2],
 }
 
 impl<T: Real> Hat<T> {
@@ -76,7 +75,6 @@ impl<T: Real> Hat<T> {
             own: own_square(node.reach),
             beside,
             x: node.x,
-            tangent: node.tangent,
         }
     }
 
@@ -99,29 +97,28 @@ impl<T: Real> Hat<T> {
             -1.0 => self.beside,
             _ => T::from(0.0),
         };
-        let cosine = other.tangent[0] * self.tangent[0] + other.tangent[1] * self.tangent[1];
-        let numbers = [away, shift, variances, near, cosine, squares[0], squares[1]];
+        let numbers = [away, shift, variances, near, squares[0], squares[1]];
         T::as_whole_again(numbers, &PairOf { kernel, place }, kept)
     }
 }
 
 /// What was found of a pair of strips, for derivatives backwards.
-pub(super) type KeptPair = Option<[Dual<7>; 3]>;
+pub(super) type KeptPair = Option<[Dual<6>; 3]>;
 
 /// The potential of a pair of strips and its derivatives by the squares of their half lengths, as
 /// functions of the distance of their centroids, of how far one is ahead of the other, of the sum of
-/// their variances, of the square of the spacing where they are beside each other, of the cosine
-/// of the angle between their normals and of the squares of their half lengths.
+/// their variances, of the square of the spacing where they are beside each other and of the squares of
+/// their half lengths.
 struct PairOf<'a> {
     kernel: &'a Kernel,
     /// How many places they are apart.
     place: f64,
 }
 
-impl Function<7, 3> for PairOf<'_> {
-    fn at<T: Real>(&self, numbers: [T; 7]) -> [T; 3] {
+impl Function<6, 3> for PairOf<'_> {
+    fn at<T: Real>(&self, numbers: [T; 6]) -> [T; 3] {
         let &Self { kernel, place } = self;
-        let [away, shift, variances, near, cosine, p, q] = numbers;
+        let [away, shift, variances, near, p, q] = numbers;
         let distance = (away * away).max(variances * CLOSEST);
         let far = distance - variances;
         let mut square = if place.abs() < 1.5 {
@@ -139,7 +136,7 @@ impl Function<7, 3> for PairOf<'_> {
         }
         let inverse = T::from(1.0) / square;
         let row = FAR.min(place.abs() as usize);
-        let [value, by_p, by_q] = kernel.value(row, [p, q], inverse * 0.5, inverse.sqrt() * cosine);
+        let [value, by_p, by_q] = kernel.value(row, [p, q], inverse * 0.5, inverse.sqrt());
         let Some(Growth { rate, .. }) = growth else { return [value, by_p, by_q] };
         // K goes with the inverse of all lengths.
         let by_distance = -(value * 0.5) - p * by_p - q * by_q;
@@ -194,18 +191,17 @@ pub(super) struct Hats {
     fours: FixedVec<Hat<Lanes>>,
     /// Whether strips are displaced along x.
     pub is_skewed: bool,
-    is_turned: bool,
 }
 
 impl Hats {
     pub fn new(most: usize) -> Self {
         let fours = FixedVec::new(most.div_ceil(LANES));
-        Self { fours, is_skewed: false, is_turned: false }
+        Self { fours, is_skewed: false }
     }
 
     /// Takes the hats of `nodes`.
     pub fn take(&mut self, problem: &Problem, nodes: &[usize]) {
-        (self.is_skewed, self.is_turned) = (problem.is_skewed, problem.is_turned);
+        self.is_skewed = problem.is_skewed;
         self.fours.clear();
         for nodes in nodes.chunks(LANES) {
             // Somewhere else, where there are less than four.
@@ -219,7 +215,6 @@ impl Hats {
                 own: hats.map(|hat| hat.own),
                 beside: hats.map(|hat| hat.beside),
                 x: hats.map(|hat| hat.x),
-                tangent: [0, 1].map(|axis| hats.map(|hat| hat.tangent[axis])),
             });
         }
     }
@@ -265,18 +260,13 @@ impl Hats {
             pairs.half_inverse_square = (inverse * 0.5).lanes();
             pairs.soft_rate = (softness[0] * inverse * 0.5).lanes();
             pairs.soft_base = softness[1].lanes();
-            let mut inverse = inverse.sqrt();
-            if self.is_turned {
-                let [y, z] = [0, 1].map(|axis| simd.four(&hats.tangent[axis]) * one.tangent[axis]);
-                inverse = inverse * (y + z);
-            }
-            pairs.inverse = inverse.lanes();
+            pairs.inverse = inverse.sqrt().lanes();
         }
     }
 
     /// Less than the potentials of the hats of four number `block` with the hat `one`, for these sums
     /// of the squares of the half lengths: those of points as far apart as the loads are in the mean
-    /// of squares, and nothing where normals are turned.
+    /// of squares.
     #[allow(clippy::inline_always)]
     #[inline(always)]
     pub fn least_potential<S: Simd>(
@@ -289,8 +279,7 @@ impl Hats {
         let hats = &self.fours[block];
         let (away, shift) = (simd.four(&hats.centre) - one.centre, simd.four(&hats.x) - one.x);
         let distance = (squares * 0.25).add_product(away, away).add_product(shift, shift);
-        let share = if self.is_turned { 0.0 } else { LEAST_SHARE };
-        simd.splat(share) / distance.sqrt()
+        simd.splat(LEAST_SHARE) / distance.sqrt()
     }
 }
 

@@ -29,9 +29,8 @@ pub(super) struct Problem {
     pub points: FixedVec<Point>,
     pub knots: Knots,
     pub scales: Scales,
-    /// Whether strips are displaced along x, and whether their normals are turned.
+    /// Whether strips are displaced along x.
     pub is_skewed: bool,
-    pub is_turned: bool,
 }
 
 /// Most load per width of the start over that of the ellipse.
@@ -44,7 +43,6 @@ impl Problem {
             knots: Knots::new(most),
             scales: Scales::default(),
             is_skewed: false,
-            is_turned: false,
         }
     }
 
@@ -73,7 +71,6 @@ impl Problem {
         let first = &lattice.nodes[0];
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
         self.is_skewed = lattice.nodes.iter().any(|node| !same(node.x, first.x));
-        self.is_turned = lattice.nodes.iter().any(|node| !same(node.tangent[1], first.tangent[1]));
     }
 
     /// Puts the loads to start with into `loads`: those of the ellipse, cut to the overlap [m].

@@ -45,10 +45,11 @@ super::entry::tolerances! {
     /// Strips under a wheel at given load against CONTACT, normal force, greatest pressure, area [-]
     /// and place along the profile [mm], median and worst: targets are those of planar problems. Up
     /// to contact angles of 60 degrees: steeper, N at a given load is decided by an angle that one
-    /// plane does not have. Small patches are five elements of the reference wide; place is worst on
-    /// two zones that the reference takes as one.
+    /// plane does not have. Small patches are five elements of the reference wide; its areas are
+    /// counts of elements, from which boundary elements differ by 1.0 % in the median, and strips
+    /// by 0.5 % from these. Place is worst on two zones that the reference takes as one.
     ELEMENT_NORMAL_STRIPS: [[f64; 2]; 4] =
-        [[1.2e-4, 0.02], [5e-3, 0.07], [0.012, 0.04], [0.14, 1.65]],
+        [[1.2e-4, 0.02], [5e-3, 0.07], [0.015, 0.04], [0.14, 1.65]],
         target [[1.2e-4, 0.008], [5e-3, 0.07], [5e-3, 0.04], [0.14, 1.65]];
 
     /// The same of piotrowski_kik, piotrowski_kik_corrected and hertz: the errors of these models.

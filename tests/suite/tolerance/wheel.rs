@@ -8,8 +8,9 @@ super::entry::tolerances! {
     /// of the height times the stiffness.
     CARRIED_LOAD: [f64; 2] = [1e-10, 1e-6];
 
-    /// Forces at a given load against those at the height found for it, as a share of the load and
-    /// [N]: the accuracy that heights are asked for.
+    /// Forces at a given load against those at the height found for it, as a share of the load times
+    /// the square of the force over the load, and [N]: the accuracy that heights are asked for; a
+    /// lateral force, the load times the tangent of the contact angle, grows with the angle so.
     LOAD_AND_HEIGHT: [f64; 2] = [1e-9, 1e-6];
 
     /// Difference from the given load that counts as not carried, as the element tells it: share of
