@@ -3,6 +3,11 @@
 //! What is another lobe is not decided: all places of an interval count, but those behind a valley
 //! the less the deeper it is, by the eighth power of the least share on the way over the lower one
 //! of both ends. Behind a valley of three quarters it is a tenth.
+//!
+//! Lobes that rise from a common overlap press each other down: of each only the top carries load. A
+//! place lies on a pedestal p, the greatest m (1 - (m/s)⁴)⁸ on all ways to other places, with m the
+//! least share on the way and s that of the lower end: nothing on a single lobe, and about the
+//! depth of the valley on lobes with a deep one between them.
 
 use std::ops::Range;
 
@@ -14,10 +19,12 @@ use crate::math::real::Real;
 pub(super) const STEPS: usize = 32;
 /// Places of an interval: where steps begin and end.
 pub(super) const PLACES: usize = STEPS + 1;
+/// What is found for each place: five sums and the pedestal.
+const SUMS: usize = 6;
 
 /// Sums over the lobe of each of some places that are equally far apart: of the share of the depth
 /// there, its square and its cube, and with `SKEWED` of the square times what else is known of the
-/// places and times the square of that; for shares that are not negative.
+/// places and times the square of that; and the pedestal; for shares that are not negative.
 ///
 /// Compiled for several instruction sets; no operation is fused or reordered, so that all of them
 /// give the same bits.
@@ -25,9 +32,9 @@ pub(super) const PLACES: usize = STEPS + 1;
 pub(super) fn sums<T: Real, const SKEWED: bool>(
     shares: &[T; PLACES],
     others: &[T; PLACES],
-) -> [[T; PLACES]; 5] {
+) -> [[T; PLACES]; SUMS] {
     let zero = [T::from(0.0); PLACES];
-    let mut sums = [zero; 5];
+    let mut sums = [zero; SUMS];
     // Least share on the way from each place to the one that is added.
     let mut least = zero;
     for (place, (&share, &other)) in shares.iter().zip(others).enumerate() {
@@ -41,14 +48,15 @@ pub(super) fn sums<T: Real, const SKEWED: bool>(
     sums
 }
 
-/// Adds what a place with such a share and something else gives to the lobes of the `places`.
+/// Adds what a place with such a share and something else gives to the lobes of the `places`, and
+/// raises their pedestals to what the way to it tells.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 fn add<T: Real, const SKEWED: bool>(
     [share, other]: [T; 2],
     shares: &[T; PLACES],
     least: &mut [T; PLACES],
-    [first, second, third, fourth, fifth]: &mut [[T; PLACES]; 5],
+    [first, second, third, fourth, fifth, pedestal]: &mut [[T; PLACES]; SUMS],
     places: Range<usize>,
 ) {
     let (square, cube) = (share * share, share * share * share);
@@ -60,7 +68,8 @@ fn add<T: Real, const SKEWED: bool>(
     let (shares, least) = (&shares[places.clone()][..count], &mut least[places.clone()][..count]);
     let [first, second, third] =
         [first, second, third].map(|sums| &mut sums[places.clone()][..count]);
-    let [fourth, fifth] = [fourth, fifth].map(|sums| &mut sums[places.clone()][..count]);
+    let [fourth, fifth, pedestal] =
+        [fourth, fifth, pedestal].map(|sums| &mut sums[places.clone()][..count]);
     for place in 0..count {
         least[place] = least[place].min(share);
         // A place without a share belongs to what a place with hardly any belongs to.
@@ -68,6 +77,9 @@ fn add<T: Real, const SKEWED: bool>(
         let dip = (least[place] + none) / (shares[place].min(share) + none);
         let power = (dip * dip) * (dip * dip);
         let weight = power * power;
+        let valley = T::from(1.0) - power;
+        let valley = (valley * valley) * (valley * valley);
+        pedestal[place] = pedestal[place].max(least[place] * (valley * valley));
         first[place] += weight * share;
         second[place] += weight * square;
         third[place] += weight * cube;
@@ -82,16 +94,17 @@ fn add<T: Real, const SKEWED: bool>(
 pub(super) fn sums_backward<T: Real>(
     shares: &[T; PLACES],
     others: &[T; PLACES],
-) -> [[T; PLACES]; 5] {
+) -> [[T; PLACES]; SUMS] {
     let values = shares.map(T::value);
     let own_others = others.map(T::value);
     let sums = sums::<f64, true>(&values, &own_others);
-    let mut moving = [[T::from(0.0); PLACES]; 5];
+    let mut moving = [[T::from(0.0); PLACES]; SUMS];
     for place in 0..PLACES {
         let (by_share, by_other) = slopes_at(place, &values, &own_others);
         for (sum, moving) in moving.iter_mut().enumerate() {
             let operands = shares.iter().zip(by_share[sum]);
-            let more = sum.checked_sub(3).map(|n| others.iter().zip(by_other[n]));
+            let by_other = sum.checked_sub(3).and_then(|n| by_other.get(n));
+            let more = by_other.map(|&by_other| others.iter().zip(by_other));
             moving[place] =
                 T::combined(sums[sum][place], operands.chain(more.into_iter().flatten()));
         }
@@ -99,13 +112,17 @@ pub(super) fn sums_backward<T: Real>(
     moving
 }
 
-/// Derivatives of the five sums of a `place` by all shares, and of the last two by all others.
+/// Derivatives of the five sums and the pedestal of a `place` by all shares, and of the last two
+/// sums by all others.
 fn slopes_at(
     place: usize,
     shares: &[f64; PLACES],
     others: &[f64; PLACES],
-) -> ([[f64; PLACES]; 5], [[f64; PLACES]; 2]) {
-    let (mut by_share, mut by_other) = ([[0.0; PLACES]; 5], [[0.0; PLACES]; 2]);
+) -> ([[f64; PLACES]; SUMS], [[f64; PLACES]; 2]) {
+    let (mut by_share, mut by_other) = ([[0.0; PLACES]; SUMS], [[0.0; PLACES]; 2]);
+    // The pedestal, the place of the valley and that of the lower end that it comes from, and its
+    // derivatives by these.
+    let mut pedestal = (0.0, [place; 2], [0.0; 2]);
     let mut add = |least: usize, k: usize| {
         let (share, other) = (shares[k], others[k]);
         let none = f64::MIN_POSITIVE;
@@ -113,6 +130,12 @@ fn slopes_at(
         let dip = (shares[least] + none) / (shares[lower] + none);
         let power = (dip * dip) * (dip * dip);
         let weight = power * power;
+        let valley = 1.0 - power;
+        let height = shares[least] * valley.powi(8);
+        if height > pedestal.0 {
+            let turn = 32.0 * valley.powi(7) * power;
+            pedestal = (height, [least, lower], [valley.powi(8) - turn, turn * dip]);
+        }
         let square = share * share;
         let terms = [share, square, square * share, square * other, square * other * other];
         let rates =
@@ -138,6 +161,10 @@ fn slopes_at(
     for k in (0..place).rev() {
         least = if shares[least] <= shares[k] { least } else { k };
         add(least, k);
+    }
+    let (_, places, rates) = pedestal;
+    for (place, rate) in places.into_iter().zip(rates) {
+        by_share[SUMS - 1][place] += rate;
     }
     (by_share, by_other)
 }

@@ -189,6 +189,7 @@ impl<T: Real> Lattice<T> {
                 overlap,
                 share: zero,
                 lobe: [zero; 3],
+                pedestal: zero,
                 x: a.at.x + (b.at.x - a.at.x) * t,
                 centre: zero,
                 spread: zero,
