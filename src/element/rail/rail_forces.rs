@@ -219,7 +219,10 @@ impl RailContact {
             let added = boundary_contact::add(&self.rail, search, &forces, models, output, work);
             match added {
                 Some(fallbacks) => return left_out + fallbacks,
-                None => left_out += 1,
+                None => {
+                    left_out += 1;
+                    models.is_uncoupled |= models.is_coupled();
+                }
             }
         }
         for index in 0..self.search.contacts.len() {
