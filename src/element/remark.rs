@@ -199,7 +199,7 @@ impl fmt::Display for Message<'_> {
                      by some K a/R, a half the length of a patch and R the radius; "
                 )?;
                 f.write_str(if did_not_settle {
-                    "pressure and tractions did not settle together, and that is left out here; take fewer elements"
+                    "pressure and tractions did not settle together, and that is left out here; fewer elements may settle"
                 } else {
                     "that is left out here, boundary elements for both models have it on bodies even along the track"
                 })

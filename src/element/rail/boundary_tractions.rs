@@ -196,10 +196,8 @@ impl<'a> RailRolling<'a> {
     ) -> Option<Coupled> {
         let heaviest = heaviest(zones, models)?;
         let mut zone_of_row = zone_of_row(&models.rail_strips);
-        for j in 0..zone_of_row.len() {
-            if zone_of_row[j].is_none() {
-                zone_of_row[j] = nearest_zone(elements.grid.y(j), &models.rail_strips);
-            }
+        for (j, zone) in zone_of_row.iter_mut().enumerate() {
+            *zone = zone.or_else(|| nearest_zone(elements.grid.y(j), &models.rail_strips));
         }
         let is_curved = models.creepage == CreepageModel::Curved;
         let slipping = self.slipping(elements, zones, &zone_of_row, is_curved, |_, _| true);
